@@ -1,0 +1,15 @@
+# Flags for the project's own code; generated protobuf code gets none of the warnings.
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+# -Wno-restrict: g++ 12 sees overlap in every std::string operator+ (its bug 105651).
+set(FILUM_WARNINGS -Wall -Wextra -Werror -Wno-restrict)
+# -ffp-contract=off: the same bytes whether or not the compiler finds a fused multiply-add.
+add_compile_options(-ffp-contract=off)
+if(FILUM_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+if(FILUM_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()

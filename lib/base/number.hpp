@@ -1,0 +1,21 @@
+// Numbers as text: locale-free, never in exponent form.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace filum {
+
+// `value` with `decimals` digits after the point, trailing zeros removed, "0" for minus zero.  Precondition: finite.
+std::string fixed_text(double value, int decimals);
+
+// Appends the same to `out` without allocating; the inner loop of every text writer.
+void append_fixed(std::string& out, double value, int decimals);
+
+// The shortest text that reads back as the same value.
+std::string shortest_text(double value);
+
+// The whole of `text` as a number; throws Error(usage) naming `what`.
+double parse_number(std::string_view text, std::string_view what);
+
+} // namespace filum

@@ -1,0 +1,200 @@
+#include "cli/command.hpp"
+
+#include "base/number.hpp"
+#include "cli/document.hpp"
+#include "cli/parse.hpp"
+#include "parallel/parallel.hpp"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace filum::cli {
+
+void Io::say(const std::string& text) const {
+    const std::string line = program + ": " + text + "\n"; // one write, so that stages do not mix their lines
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;
+}
+
+stream::Header header(const Io& io, stream::Payload payload, const std::vector<const stream::Header*>& before) {
+    stream::Header out;
+    out.payload = payload;
+    stream::Run self{io.program, version(), io.settings, {}};
+    for (const auto* h : before) {
+        const auto shift = static_cast<std::uint32_t>(out.history.size());
+        for (stream::Run run : h->history) {
+            for (auto& parent : run.parents) parent += shift;
+            out.history.push_back(std::move(run));
+        }
+        if (!h->history.empty()) self.parents.push_back(static_cast<std::uint32_t>(out.history.size() - 1));
+        out.expected = std::max(out.expected, h->expected);
+    }
+    out.history.push_back(std::move(self));
+    return out;
+}
+
+void Report::add(const Note& note) {
+    if (note.stage != io_->program) return;
+    for (Note& sum : sums_) {
+        if (sum.what != note.what || sum.unit != note.unit) continue;
+        if (note.amount > sum.amount / static_cast<double>(sum.count)) sum.layer = note.layer, sum.x = note.x, sum.y = note.y;
+        sum.amount += note.amount;
+        sum.count += note.count;
+        return;
+    }
+    sums_.push_back(note);
+}
+
+void Report::say() const {
+    if (io_->quiet) return;
+    for (const Note& n : sums_) {
+        std::string text = n.what + ": " + std::to_string(n.count) + (n.count == 1 ? " case" : " cases");
+        if (!n.unit.empty()) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
+        if (n.layer >= 0) text += "; for one on layer " + std::to_string(n.layer);
+        if (std::isfinite(n.x) && std::isfinite(n.y)) text += " at " + fixed_text(n.x, 2) + "," + fixed_text(n.y, 2);
+        io_->say(text);
+    }
+}
+
+Progress::Progress(const Io& io, std::uint64_t expected) : program_(io.program), expected_(expected) {
+    struct stat info {};
+    const bool piped = ::fstat(STDOUT_FILENO, &info) == 0 && S_ISFIFO(info.st_mode);
+    active_ = !io.quiet && ::isatty(STDERR_FILENO) != 0 && !piped;
+}
+
+Progress::~Progress() {
+    if (active_ && done_ > 0) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::step() {
+    ++done_;
+    if (active_ && (done_ % 16 == 0 || done_ == expected_)) draw();
+}
+
+void Progress::draw() const {
+    if (expected_ == 0) {
+        std::fprintf(stderr, "\r%s: %llu", program_.c_str(), static_cast<unsigned long long>(done_));
+        return;
+    }
+    constexpr int kWidth = 30;
+    const int filled = static_cast<int>(std::min<std::uint64_t>(kWidth, done_ * kWidth / expected_));
+    std::string bar(static_cast<std::size_t>(kWidth), ' ');
+    bar.replace(0, static_cast<std::size_t>(filled), static_cast<std::size_t>(filled), '#');
+    std::fprintf(stderr, "\r%s [%s] %3d %%", program_.c_str(), bar.c_str(),
+                 static_cast<int>(std::min<std::uint64_t>(100, done_ * 100 / expected_)));
+}
+
+namespace {
+
+struct MapResult {
+    std::vector<stream::RawFrame> frames;
+    Notes notes;
+};
+
+} // namespace
+
+void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapWork& work) {
+    stream::Reader reader(io.input, in);
+    stream::Writer writer(io.output, header(io, out, {&reader.header()}));
+    Report report(io);
+    Progress progress(io, reader.header().expected);
+    parallel::ordered<stream::RawFrame, MapResult>(
+        io.threads, [&] { return reader.next(); },
+        [&](stream::RawFrame frame) {
+            MapResult result;
+            if (frame.tag == stream::Tag::note) result.frames.push_back(std::move(frame));
+            else result.frames = work(std::move(frame), result.notes);
+            return result;
+        },
+        [&](MapResult result) {
+            for (const auto& frame : result.frames) writer.write(frame);
+            for (Note& note : result.notes) {
+                note.stage = io.program;
+                writer.write(note);
+                report.add(note);
+            }
+            progress.step();
+        });
+    writer.close();
+    report.say();
+}
+
+void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const ScanWork& work, const ScanEnd& end) {
+    stream::Reader reader(io.input, in);
+    stream::Writer writer(io.output, header(io, out, {&reader.header()}));
+    Report report(io);
+    Progress progress(io, reader.header().expected);
+    const auto emit = [&](stream::RawFrame frame) { writer.write(frame); };
+    const auto tell = [&](Notes& notes) {
+        for (Note& note : notes) {
+            note.stage = io.program;
+            writer.write(note);
+            report.add(note);
+        }
+        notes.clear();
+    };
+    Notes notes;
+    while (auto frame = reader.next()) {
+        if (frame->tag == stream::Tag::note) {
+            writer.write(*frame);
+            continue;
+        }
+        work(*frame, emit, notes);
+        tell(notes);
+        progress.step();
+    }
+    if (end) end(emit, notes);
+    tell(notes);
+    writer.close();
+    report.say();
+}
+
+Whole read_all(const std::string& path, stream::Payload expected,
+               const std::function<void(stream::RawFrame)>& frame) {
+    stream::Reader reader(path, expected);
+    Whole out{reader.header(), {}};
+    while (auto f = reader.next()) {
+        if (f->tag == stream::Tag::note) out.notes.push_back(stream::parse_note(f->body));
+        else frame(std::move(*f));
+    }
+    return out;
+}
+
+namespace detail {
+
+namespace {
+
+int fail(const Io& io, Exit exit, const std::string& what) {
+    io.say(what);
+    return static_cast<int>(exit);
+}
+
+} // namespace
+
+int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work) {
+    std::signal(SIGPIPE, SIG_DFL); // a reader that leaves ends us quietly
+    Io io;
+    io.program = spec.name;
+    try {
+        const std::string text = parse(argc, argv, spec, io);
+        if (text.empty()) {
+            work(io);
+            return 0;
+        }
+        stream::Sink out("-", stream::Sink::Content::text);
+        out.write(text);
+        out.commit();
+        return 0;
+    } catch (const Error& e) {
+        return fail(io, e.exit(), e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(io, Exit::failure, "cannot go on: out of memory; see MEMORY USAGE in the manual");
+    } catch (const std::exception& e) { return fail(io, Exit::failure, std::string("internal error: ") + e.what()); }
+}
+
+} // namespace detail
+
+} // namespace filum::cli

@@ -1,0 +1,92 @@
+// Running a command: options in, one Error caught, an exit code out.
+#pragma once
+
+#include "base/error.hpp"
+#include "base/note.hpp"
+#include "cli/spec.hpp"
+#include "stream/reader.hpp"
+#include "stream/writer.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace filum::cli {
+
+// What every command has besides its own options.
+struct Io {
+    std::string program;
+    std::string input = "-";          // first positional argument, "-" for standard input
+    std::vector<std::string> inputs;  // all positional arguments
+    std::string output = "-";         // --output
+    int threads = 0;                  // --threads, 0 for all cores
+    bool quiet = false;               // --quiet: no warnings
+    std::vector<stream::Setting> settings; // the resolved options, for the history
+
+    // A line on standard error: "program: text".
+    void say(const std::string& text) const;
+};
+
+// A header for `payload` whose history is that of `before`, if any, plus this run.
+stream::Header header(const Io& io, stream::Payload payload, const std::vector<const stream::Header*>& before = {});
+
+// Sums notes by stage and phrase, and says each sum once on standard error at the end (unless --quiet).
+class Report {
+  public:
+    explicit Report(const Io& io) : io_(&io) {}
+    void add(const Note& note); // notes of other programs are not said again
+    void say() const;
+
+  private:
+    const Io* io_;
+    Notes sums_;
+};
+
+// Progress on standard error when that is a terminal and standard output is not a pipe; else silent.
+class Progress {
+  public:
+    Progress(const Io& io, std::uint64_t expected); // 0: unknown, counts only
+    ~Progress();                                    // wipes the line
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void step();
+
+  private:
+    void draw() const;
+    std::string program_;
+    std::uint64_t expected_ = 0, done_ = 0;
+    bool active_ = false;
+};
+
+// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes of the input pass through; `work`
+// adds its own.  Writes the end frame only if the input's was read.
+using MapWork = std::function<std::vector<stream::RawFrame>(stream::RawFrame, Notes&)>;
+void map_stage(const Io& io, stream::Payload reads, stream::Payload writes, const MapWork& work);
+
+// Shape "scan": like map, but strictly one frame after the other, with something to say at the end of the input.
+using ScanWork = std::function<void(const stream::RawFrame&, const std::function<void(stream::RawFrame)>&, Notes&)>;
+using ScanEnd = std::function<void(const std::function<void(stream::RawFrame)>&, Notes&)>;
+void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, const ScanWork& work,
+                const ScanEnd& end = {});
+
+// Reads a whole stream: calls `frame` per payload frame and collects the notes.  For folds and sinks.
+struct Whole {
+    stream::Header header;
+    Notes notes;
+};
+Whole read_all(const std::string& path, stream::Payload expected,
+               const std::function<void(stream::RawFrame)>& frame);
+
+namespace detail {
+int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work);
+}
+
+// The whole of main(): `spec` binds to `options`, `work` does the job.
+template <class Options>
+int main(int argc, char** argv, Spec (*spec)(Options&), void (*work)(const Options&, const Io&)) {
+    Options options;
+    return detail::run(argc, argv, spec(options), [&](const Io& io) { work(options, io); });
+}
+
+} // namespace filum::cli

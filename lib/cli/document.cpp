@@ -1,0 +1,182 @@
+#include "cli/document.hpp"
+
+#include "base/number.hpp"
+
+#include <algorithm>
+
+namespace filum::cli {
+
+namespace {
+
+std::string join(const std::vector<std::string>& all, const char* between) {
+    std::string out;
+    for (const auto& one : all) out += (out.empty() ? "" : between) + one;
+    return out;
+}
+
+std::string value_name(const Option& o) {
+    if (std::holds_alternative<bool*>(o.target)) return "";
+    if (!o.choices.empty()) return join(o.choices, "|");
+    return o.unit.empty() ? "TEXT" : o.unit;
+}
+
+std::string left_part(const Option& o) {
+    const std::string value = value_name(o);
+    return "--" + o.name + (value.empty() ? "" : " " + value);
+}
+
+std::string help_and_default(const Option& o) {
+    const std::string value = value_text(o);
+    const bool flag = std::holds_alternative<bool*>(o.target);
+    return o.help + (flag || value.empty() ? "" : " [" + value + "]");
+}
+
+std::vector<Option> with_common(const Spec& spec) {
+    static std::string output = "-";
+    static std::int64_t threads = 0;
+    static bool off = false;
+    std::vector<Option> all = spec.options;
+    all.push_back({"output", &output, "FILE", "where to write; a named file appears only when it is complete"});
+    all.push_back({"threads", &threads, "N", "how many threads to use, 0 for all cores; never changes the result"});
+    all.push_back({"quiet", &off, "", "no warnings on standard error"});
+    all.push_back({"help", &off, "", "this text"});
+    all.push_back({"version", &off, "", "the version"});
+    return all;
+}
+
+std::string usage(const Spec& spec) {
+    return spec.name + " [OPTIONS]" + (spec.arguments.empty() ? "" : " " + spec.arguments);
+}
+
+// `text` in lines of at most 100 characters, each after `indent` spaces but for the first.
+std::string wrap(const std::string& text, std::size_t indent) {
+    std::string out, line;
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+        const std::string word = text.substr(at, end - at);
+        if (!line.empty() && line.size() + 1 + word.size() + indent > 100) out += line + "\n" + std::string(indent, ' '), line.clear();
+        line += (line.empty() ? "" : " ") + word;
+        if (end < text.size() && text[end] == '\n') out += line + "\n" + std::string(indent, ' '), line.clear();
+        at = end + 1;
+    }
+    return out + line;
+}
+
+constexpr const char* kExits[][2] = {{"0", "all went well"},
+                                     {"1", "the work could not be done"},
+                                     {"2", "the command line is wrong"},
+                                     {"3", "the input is not what it should be"},
+                                     {"4", "the input ends too early: a stage before did not finish"},
+                                     {"5", "reading or writing failed"}};
+
+std::string roff(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '\\' || c == '-') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+} // namespace
+
+std::string version() { return "0.1.0"; }
+
+std::string value_text(const Option& o) {
+    if (auto* const* d = std::get_if<double*>(&o.target)) return shortest_text(**d);
+    if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) return std::to_string(**i);
+    if (auto* const* b = std::get_if<bool*>(&o.target)) return **b ? "true" : "false";
+    if (auto* const* s = std::get_if<std::string*>(&o.target)) return **s;
+    std::string out;
+    for (const double v : **std::get_if<std::vector<double>*>(&o.target))
+        out += (out.empty() ? "" : ",") + shortest_text(v);
+    return out;
+}
+
+Port reads(stream::Payload p) { return {Port::Kind::stream, p, std::string(stream::name(p))}; }
+Port writes(stream::Payload p) { return reads(p); }
+Port file(std::string text) { return {Port::Kind::file, stream::Payload::unknown, std::move(text)}; }
+Port text(std::string text) { return {Port::Kind::text, stream::Payload::unknown, std::move(text)}; }
+Port nothing() { return {}; }
+
+std::string help(const Spec& spec) {
+    std::string out = spec.name + " - " + spec.synopsis + "\n\nusage: " + usage(spec) + "\n";
+    if (spec.in.kind != Port::Kind::none) out += "reads:  " + spec.in.text + "\n";
+    if (spec.out.kind != Port::Kind::none) out += "writes: " + spec.out.text + "\n";
+    out += "memory: " + spec.memory + "\n\n" + wrap(spec.description, 0) + "\n\noptions:\n";
+    for (const Option& o : with_common(spec)) {
+        std::string left = "  " + left_part(o);
+        if (left.size() < 30) left.resize(30, ' ');
+        else left += "\n" + std::string(30, ' ');
+        out += left + wrap(help_and_default(o), 30) + "\n";
+    }
+    if (!spec.examples.empty()) out += "\nexamples:\n";
+    for (const Example& e : spec.examples) out += "  " + e.command + "\n      " + e.says + "\n";
+    out += "\nexit codes:";
+    for (const auto& e : kExits) out += std::string(" ") + e[0] + " " + e[1] + (e[0][0] == '5' ? "\n" : ",");
+    return out;
+}
+
+std::string man_page(const Spec& spec) {
+    std::string out = ".TH " + spec.name + " 1 \"\" \"filum " + version() + "\" \"Filum\"\n";
+    out += ".SH NAME\n" + roff(spec.name + " - " + spec.synopsis) + "\n";
+    out += ".SH SYNOPSIS\n" + roff(usage(spec)) + "\n.SH DESCRIPTION\n";
+    std::string body = roff(spec.description);
+    for (std::size_t at = 0; (at = body.find("\n\n", at)) != std::string::npos; at += 4) body.replace(at, 2, "\n.PP\n");
+    out += body + "\n.SH OPTIONS\n";
+    for (const Option& o : with_common(spec))
+        out += ".TP\n.B " + roff(left_part(o)) + "\n" + roff(help_and_default(o)) + "\n";
+    if (spec.in.kind != Port::Kind::none) out += ".SH INPUT\n" + roff(spec.in.text) + "\n";
+    if (spec.out.kind != Port::Kind::none) out += ".SH OUTPUT\n" + roff(spec.out.text) + "\n";
+    out += ".SH MEMORY USAGE\n" + roff(spec.memory) + "\n.SH EXAMPLES\n";
+    for (const Example& e : spec.examples) out += ".TP\n.B " + roff(e.command) + "\n" + roff(e.says) + "\n";
+    out += ".SH DIAGNOSTICS\n";
+    for (const auto& e : kExits) out += std::string(".TP\n.B ") + e[0] + "\n" + e[1] + "\n";
+    if (!spec.see_also.empty()) out += ".SH SEE ALSO\n" + join(spec.see_also, "(1), ") + "(1)\n";
+    return out;
+}
+
+std::string markdown(const Spec& spec) {
+    std::string out = "# " + spec.name + "\n\n" + spec.synopsis + "\n\n    " + usage(spec) + "\n\n";
+    out += "| reads | writes | memory |\n|---|---|---|\n| " + (spec.in.text.empty() ? "-" : spec.in.text) + " | " +
+           (spec.out.text.empty() ? "-" : spec.out.text) + " | " + spec.memory + " |\n\n" + spec.description + "\n\n";
+    out += "| option | what it does | default |\n|---|---|---|\n";
+    for (const Option& o : with_common(spec)) {
+        std::string left = left_part(o);
+        for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
+        const bool flag = std::holds_alternative<bool*>(o.target);
+        out += "| `" + left + "` | " + o.help + " | " + (flag ? "" : value_text(o)) + " |\n";
+    }
+    out += "\n## Examples\n\n";
+    for (const Example& e : spec.examples) out += e.says + "\n\n    " + e.command + "\n\n";
+    out += "## Exit codes\n\n| code | meaning |\n|---|---|\n";
+    for (const auto& e : kExits) out += std::string("| ") + e[0] + " | " + e[1] + " |\n";
+    return out;
+}
+
+std::string completion_line(const Spec& spec) {
+    std::string out = spec.name;
+    for (const Option& o : with_common(spec)) {
+        out += " --" + o.name;
+        if (!o.choices.empty()) out += "=" + join(o.choices, ",");
+    }
+    return out + "\n";
+}
+
+std::string contract(const Spec& spec) {
+    const auto kind = [](const Port& p) -> std::string {
+        switch (p.kind) {
+        case Port::Kind::none: return "none";
+        case Port::Kind::file: return "file";
+        case Port::Kind::text: return "text";
+        case Port::Kind::stream: return "stream " + std::string(stream::name(p.payload));
+        }
+        return "";
+    };
+    std::string out = "in " + kind(spec.in) + "\nout " + kind(spec.out) + "\n";
+    for (const Example& e : spec.examples) out += "example " + e.command + "\n";
+    return out;
+}
+
+} // namespace filum::cli

@@ -1,0 +1,23 @@
+// A command's self-description as text: help, man page, Markdown, shell completion.
+#pragma once
+
+#include "cli/spec.hpp"
+
+#include <string>
+
+namespace filum::cli {
+
+std::string version(); // "0.1.0"
+
+std::string help(const Spec& spec);
+std::string man_page(const Spec& spec);       // roff, section 1
+std::string markdown(const Spec& spec);       // docs/commands/NAME.md
+std::string completion_line(const Spec& spec); // one line: name, then its options; see scripts/generate-docs
+
+// One line per fact of the contract tests: "in stream REGIONS", "out text", ...
+std::string contract(const Spec& spec);
+
+// The value of an option as it stands in the history.
+std::string value_text(const Option& option);
+
+} // namespace filum::cli

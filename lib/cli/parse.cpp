@@ -1,0 +1,122 @@
+#include "cli/parse.hpp"
+
+#include "base/number.hpp"
+#include "cli/document.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+
+namespace filum::cli {
+
+namespace {
+
+[[noreturn]] void misused(const std::string& why) { throw Error(Exit::usage, why); }
+
+void check_range(const Option& o, double v) {
+    if (v < o.min || v > o.max || (o.open_min && v == o.min) || !std::isfinite(v)) {
+        std::string limits;
+        if (std::isfinite(o.min)) limits += (o.open_min ? " above " : " at least ") + shortest_text(o.min);
+        if (std::isfinite(o.max)) limits += (limits.empty() ? " at most " : " and at most ") + shortest_text(o.max);
+        misused("cannot use '" + shortest_text(v) + "' for --" + o.name + ": it must be" +
+                (limits.empty() ? " a finite number" : limits));
+    }
+}
+
+double number(const Option& o, const std::string& text) {
+    const double v = parse_number(text, "--" + o.name);
+    check_range(o, v);
+    return v;
+}
+
+std::vector<double> number_list(const Option& o, const std::string& text) {
+    std::vector<double> out;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        out.push_back(number(o, text.substr(at, comma - at)));
+        at = comma + 1;
+    }
+    if (o.count != 0 && out.size() != o.count)
+        misused("cannot use '" + text + "' for --" + o.name + ": it takes " + std::to_string(o.count) +
+                " numbers with commas between");
+    return out;
+}
+
+void check_choice(const Option& o, const std::string& text) {
+    if (o.choices.empty() || std::find(o.choices.begin(), o.choices.end(), text) != o.choices.end()) return;
+    std::string all;
+    for (const auto& c : o.choices) all += (all.empty() ? "" : ", ") + c;
+    misused("cannot use '" + text + "' for --" + o.name + ": it must be one of " + all);
+}
+
+void store(const Option& o, const std::string& text) {
+    if (auto* const* d = std::get_if<double*>(&o.target)) **d = number(o, text);
+    else if (auto* const* l = std::get_if<std::vector<double>*>(&o.target)) **l = number_list(o, text);
+    else if (auto* const* s = std::get_if<std::string*>(&o.target)) check_choice(o, text), **s = text;
+    else if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) {
+        const double v = number(o, text);
+        if (v != std::floor(v) || std::abs(v) > 9e15)
+            misused("cannot use '" + text + "' for --" + o.name + ": it must be a whole number");
+        **i = static_cast<std::int64_t>(v);
+    }
+}
+
+void bind(CLI::App& app, const Option& o) {
+    if (auto* const* flag = std::get_if<bool*>(&o.target)) {
+        app.add_flag("--" + o.name, **flag, o.help);
+        return;
+    }
+    app.add_option_function<std::string>("--" + o.name, [o](const std::string& text) { store(o, text); }, o.help)
+        ->take_last();
+}
+
+// Documents are asked for by the build and the tests, not by users: they stand alone on the command line.
+std::string document(const std::string& verb, const Spec& spec) {
+    if (verb == "--print-man") return man_page(spec);
+    if (verb == "--print-markdown") return markdown(spec);
+    if (verb == "--print-completion") return completion_line(spec);
+    if (verb == "--print-contract") return contract(spec);
+    if (verb == "--version") return spec.name + " (filum) " + version() + "\n";
+    if (verb == "--help" || verb == "-h") return help(spec);
+    return "";
+}
+
+} // namespace
+
+std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
+    io.program = spec.name;
+    for (int i = 1; i < argc; ++i) {
+        if (std::string_view(argv[i]) == "--") break;
+        if (i > 1 && std::string_view(argv[i]).starts_with("--print-")) continue;
+        if (auto text = document(argv[i], spec); !text.empty()) return text;
+    }
+    CLI::App app;
+    app.set_help_flag();
+    for (const Option& o : spec.options) bind(app, o);
+    app.add_option("--output,-o", io.output);
+    app.add_option("--threads", io.threads)->check(CLI::Range(0, 1024));
+    app.add_flag("--quiet,-q", io.quiet);
+    if (spec.in.kind != Port::Kind::none || spec.many_inputs) {
+        auto* inputs = app.add_option("input", io.inputs);
+        if (!spec.many_inputs) inputs->expected(0, 1);
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ExtrasError&) {
+        const auto left = app.remaining();
+        const std::string first = left.empty() ? "" : left.front();
+        const std::string kind = first.starts_with("-") && first != "-" ? "unknown option '" : "unexpected argument '";
+        misused(kind + first + "'; see '" + spec.name + " --help'");
+    } catch (const CLI::ParseError& e) {
+        std::string what = e.what();
+        std::transform(what.begin(), what.begin() + std::min<long>(1, static_cast<long>(what.size())), what.begin(),
+                       [](unsigned char c) { return std::isupper(c) != 0 ? std::tolower(c) : c; });
+        misused("cannot read the command line: " + what + "; see '" + spec.name + " --help'");
+    }
+    if (!io.inputs.empty()) io.input = io.inputs.front();
+    for (const Option& o : spec.options)
+        if (o.setting) io.settings.push_back({o.name, value_text(o)});
+    return "";
+}
+
+} // namespace filum::cli

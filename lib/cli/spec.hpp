@@ -1,0 +1,67 @@
+// What a command says about itself, as data.  Help, man page, completion, docs and contract tests come from it.
+#pragma once
+
+#include "stream/frame.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace filum::cli {
+
+// One option: `--name VALUE`, bound to a field of the command's Options.
+struct Option {
+    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*>;
+    std::string name; // without the dashes
+    Target target;
+    std::string unit; // "mm", "deg", "FILE"; shown as the value's name
+    std::string help; // one sentence, lower case, no full stop
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool open_min = false;            // min itself is not allowed
+    std::vector<std::string> choices = {}; // for texts
+    std::size_t count = 0;            // for lists: how many numbers exactly, 0 for any
+    bool setting = true;              // false for files and whatever must not enter the history
+
+    Option& at_least(double v) { return min = v, *this; }
+    Option& above(double v) { return min = v, open_min = true, *this; }
+    Option& at_most(double v) { return max = v, *this; }
+    Option& one_of(std::vector<std::string> c) { return choices = std::move(c), *this; }
+    Option& numbers(std::size_t n) { return count = n, *this; }
+    Option& not_a_setting() { return setting = false, *this; }
+};
+
+struct Example {
+    std::string command; // shell text, run by the tests in a folder that holds part.stl; must exit 0
+    std::string says;    // what it does
+};
+
+// The shape of a command's input or output.
+struct Port {
+    enum class Kind : std::uint8_t { none, file, stream, text };
+    Kind kind = Kind::none;
+    stream::Payload payload = stream::Payload::unknown; // for streams; unknown: any
+    std::string text;                                   // how to name it: "mesh file", "Regions"
+};
+Port reads(stream::Payload p);
+Port writes(stream::Payload p);
+Port file(std::string text); // an input file in a foreign format, or standard input
+Port text(std::string text); // readable text
+Port nothing();
+
+struct Spec {
+    std::string name;
+    std::string synopsis;    // one line: what it does
+    std::string description; // paragraphs, separated by empty lines
+    Port in, out;
+    std::string memory; // what it keeps in memory at once: "two layers"
+    std::vector<Option> options;
+    std::vector<Example> examples;
+    std::vector<std::string> see_also = {};
+    std::string arguments = "[INPUT]"; // how the usage line names what is no option
+    bool many_inputs = false;          // takes any number of positional arguments
+};
+
+} // namespace filum::cli

@@ -1,0 +1,32 @@
+// Segments in the plane: nearest points, distances, crossings.
+#pragma once
+
+#include "geom/vec.hpp"
+
+namespace filum::geom {
+
+// Parameter in [0, 1] of the point of a -> b nearest to p; 0 for a segment of no length.
+inline double nearest_parameter(Vec2 a, Vec2 b, Vec2 p) {
+    const Vec2 d = b - a;
+    const double l2 = norm2(d);
+    return l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0;
+}
+
+inline Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 p) { return lerp(a, b, nearest_parameter(a, b, p)); }
+
+inline double point_segment_distance(Vec2 a, Vec2 b, Vec2 p) { return distance(nearest_point(a, b, p), p); }
+
+// True if the open segments a-b and c-d cross in one point; touching ends and collinear overlap do not count.
+inline bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const double s = orient(a, b, c), t = orient(a, b, d), u = orient(c, d, a), v = orient(c, d, b);
+    return ((s > 0 && t < 0) || (s < 0 && t > 0)) && ((u > 0 && v < 0) || (u < 0 && v > 0));
+}
+
+// Distance between the segments a-b and c-d, 0 if they cross.
+inline double segment_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    if (cross_properly(a, b, c, d)) return 0;
+    return std::min({point_segment_distance(a, b, c), point_segment_distance(a, b, d), point_segment_distance(c, d, a),
+                     point_segment_distance(c, d, b)});
+}
+
+} // namespace filum::geom

@@ -1,0 +1,36 @@
+// Boolean operations and offsets of planar areas (Clipper, on a grid of 0.1 um).
+//
+// Every result is simple: outer loops counter-clockwise, holes clockwise, not crossing.  Coordinates may reach 1e8 mm.
+#pragma once
+
+#include "polygon/loops.hpp"
+
+#include <vector>
+
+namespace filum::polygon {
+
+enum class Fill { nonzero, even_odd, positive };
+
+Loops unite(const Loops& a, Fill rule = Fill::nonzero);
+Loops unite(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
+Loops intersect(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
+Loops subtract(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
+
+// `a` grown by `delta` mm (shrunk if negative), corners rounded; arcs are off by at most `arc_tolerance` mm.
+Loops offset(const Loops& a, double delta, double arc_tolerance = 0.002);
+
+// The connected parts of a simple area: each with its outer loop first, then its holes.  Order: by the first point's
+// (y, x) of the outer loop's lowest-left vertex, so that it depends on the area alone.
+// `parent[i]` is the part whose hole holds part i, -1 if none.
+struct Parts {
+    std::vector<Loops> part;
+    std::vector<int> parent;
+};
+Parts split(const Loops& a);
+
+// Every loop with fewer points, none of the removed ones farther than `tolerance` mm from the result (Douglas-Peucker
+// on the closed loop).  Loops that fall below three points vanish.  Does not by itself keep loops from crossing; use
+// tolerances far below the distances that matter.
+Loops simplify(const Loops& a, double tolerance);
+
+} // namespace filum::polygon

@@ -1,0 +1,51 @@
+#include "stream/frame.hpp"
+
+#include "base/error.hpp"
+
+#include "filum/stream.pb.h"
+
+namespace filum::stream {
+
+std::string_view name(Payload p) {
+    switch (p) {
+    case Payload::layers: return "Layers";
+    case Payload::regions: return "Regions";
+    case Payload::paths: return "Paths";
+    case Payload::toolpath: return "Toolpath";
+    case Payload::unknown: break;
+    }
+    return "unknown";
+}
+
+Tag tag_of(Payload p) {
+    switch (p) {
+    case Payload::layers: return Tag::layer;
+    case Payload::regions: return Tag::region;
+    case Payload::paths: return Tag::paths;
+    case Payload::toolpath: return Tag::span;
+    case Payload::unknown: break;
+    }
+    throw Error(Exit::failure, "internal error: no tag for an unknown payload");
+}
+
+std::string serialise(const Note& n) {
+    proto::Note m;
+    m.set_stage(n.stage);
+    m.set_what(n.what);
+    m.set_amount(n.amount);
+    m.set_unit(n.unit);
+    m.set_count(n.count);
+    m.set_layer(n.layer);
+    m.set_x(n.x);
+    m.set_y(n.y);
+    return m.SerializeAsString();
+}
+
+Note parse_note(std::string_view body) {
+    proto::Note m;
+    if (!m.ParseFromArray(body.data(), static_cast<int>(body.size())))
+        throw Error(Exit::bad_input, "cannot read a note frame: malformed");
+    return {m.stage(), m.what(), m.amount(), m.unit(), m.count(), m.layer(), m.x(), m.y()};
+}
+
+} // namespace filum::stream

@@ -1,0 +1,52 @@
+// The stream format: preamble, header frame, frames, end frame.  Knows no geometry; see docs/stream.md.
+#pragma once
+
+#include "base/note.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filum::stream {
+
+// The one kind of payload that a stream carries.  Values are the wire's.
+enum class Payload : std::uint8_t { unknown = 0, layers = 1, regions = 2, paths = 3, toolpath = 4 };
+
+std::string_view name(Payload p);
+
+// A frame's type: the field number of Frame's oneof.
+enum class Tag : std::uint32_t { header = 1, end = 2, note = 3, layer = 8, region = 9, paths = 10, span = 11 };
+
+// The only payload tag that a stream of this kind holds.
+Tag tag_of(Payload p);
+
+struct Setting {
+    std::string name, value;
+};
+
+// One program's part in making a stream.
+struct Run {
+    std::string program, version;
+    std::vector<Setting> settings;
+    std::vector<std::uint32_t> parents; // indices into Header::history
+};
+
+struct Header {
+    Payload payload = Payload::unknown;
+    std::vector<Run> history;   // oldest first; the last one wrote the stream
+    std::uint64_t expected = 0; // payload frames to come, 0 if unknown
+};
+
+// A frame as it stands on the wire: the tag, and the message behind it, still serialised.
+struct RawFrame {
+    Tag tag = Tag::header;
+    std::string body;
+};
+
+inline constexpr std::size_t kMaxFrame = std::size_t{64} << 20;
+
+std::string serialise(const Note& note);
+Note parse_note(std::string_view body); // throws Error(bad_input)
+
+} // namespace filum::stream

@@ -1,0 +1,64 @@
+// Bead lines: what `fill` makes of a region, and the finished toolpath that `link3d` makes of those.
+#pragma once
+
+#include "base/join.hpp"
+#include "geom/vec.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace filum::toolpath {
+
+using geom::Vec2;
+using geom::Vec3;
+
+// One bead line.  A closed one runs on from its last point to its first.
+struct Curve {
+    bool closed = false;
+    std::vector<Vec2> points;
+    std::vector<double> width; // mm, per point, or one for all
+
+    [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
+};
+
+// What fills one region.
+struct RegionPaths {
+    std::uint32_t region = 0, layer = 0;
+    double z = 0, height = 0; // mm
+    double area = 0;          // mm2, of the region
+    std::uint32_t stroke = 0;
+    Join join = Join::start;
+    std::vector<Curve> curves;
+    double unplaced = 0; // mm2 of the region that no bead reaches
+};
+
+enum class Role : std::uint8_t {
+    bead,      // fill
+    lift,      // join to the layer above
+    jog,       // join over material
+    connector, // join outside the part, to be removed
+    travel,    // not extruding: a break
+};
+
+inline bool extrudes(Role r) { return r != Role::travel; }
+
+// A stretch of the finished toolpath.  It begins where the span before ended; its first point is that place.
+// The cross-section of a bead is width * height: the area that the machine will extrude per mm.
+struct Span {
+    Role role = Role::bead;
+    std::uint32_t stroke = 0, layer = 0, region = 0;
+    std::vector<Vec3> points;
+    std::vector<double> width;  // mm, per point, or one for all; empty for a travel
+    std::vector<double> height; // likewise
+
+    [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
+    [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }
+};
+
+// mm3 deposited by the segment i -> i + 1: length times the mean of the end sections.
+inline double volume(const Span& s, std::size_t i) {
+    const double a = s.width_at(i) * s.height_at(i), b = s.width_at(i + 1) * s.height_at(i + 1);
+    return geom::distance(s.points[i], s.points[i + 1]) * (a + b) / 2;
+}
+
+} // namespace filum::toolpath

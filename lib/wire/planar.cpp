@@ -1,0 +1,250 @@
+#include "wire/planar.hpp"
+
+#include "base/error.hpp"
+
+#include "filum/stream.pb.h"
+
+#include <cmath>
+
+namespace filum::wire {
+
+namespace {
+
+using google::protobuf::RepeatedField;
+using stream::RawFrame;
+using stream::Tag;
+
+constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product far from overflow
+
+[[noreturn]] void bad(const char* frame, const std::string& why) {
+    throw Error(Exit::bad_input, std::string("cannot use a ") + frame + " frame: " + why);
+}
+
+template <class Message>
+Message parse(const RawFrame& frame, Tag tag, const char* what) {
+    if (frame.tag != tag) bad(what, "it is of another kind");
+    Message m;
+    if (!m.ParseFromArray(frame.body.data(), static_cast<int>(frame.body.size()))) bad(what, "malformed");
+    return m;
+}
+
+template <class Message>
+RawFrame raw(Tag tag, const Message& m) {
+    if (m.ByteSizeLong() > stream::kMaxFrame)
+        throw Error(Exit::failure, "cannot write a frame of more than 64 MiB; a single layer is too large");
+    return {tag, m.SerializeAsString()};
+}
+
+bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
+
+void check_height(double z, double height, const char* what) {
+    if (!usable(z) || !usable(height) || height <= 0) bad(what, "its height is not positive");
+}
+
+std::vector<geom::Vec2> points(const RepeatedField<double>& x, const RepeatedField<double>& y, const char* what) {
+    if (x.size() != y.size()) bad(what, "x and y differ in number");
+    std::vector<geom::Vec2> out(static_cast<std::size_t>(x.size()));
+    bool fine = true;
+    for (int i = 0; i < x.size(); ++i) {
+        out[static_cast<std::size_t>(i)] = {x[i], y[i]};
+        fine = fine && usable(x[i]) && usable(y[i]);
+    }
+    if (!fine) bad(what, "a coordinate is not a number or beyond 1e8 mm");
+    return out;
+}
+
+polygon::Loops loops(const proto::Loops& m, const char* what) {
+    polygon::Loops out;
+    out.points = points(m.x(), m.y(), what);
+    if (m.start_size() == 0) {
+        if (!out.points.empty()) bad(what, "loop offsets are missing");
+        return out;
+    }
+    out.start.assign(m.start().begin(), m.start().end());
+    if (out.start.front() != 0 || out.start.back() != out.points.size()) bad(what, "loop offsets do not fit the points");
+    for (std::size_t i = 1; i < out.start.size(); ++i)
+        if (out.start[i] < out.start[i - 1] + 3) bad(what, "a loop has fewer than three points");
+    return out;
+}
+
+void put(proto::Loops& m, const polygon::Loops& loops) {
+    m.mutable_x()->Reserve(static_cast<int>(loops.points.size()));
+    m.mutable_y()->Reserve(static_cast<int>(loops.points.size()));
+    for (const auto p : loops.points) m.mutable_x()->AddAlreadyReserved(p.x), m.mutable_y()->AddAlreadyReserved(p.y);
+    m.mutable_start()->Add(loops.start.begin(), loops.start.end());
+}
+
+// A per-point or one-for-all array of positive numbers.
+std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, const char* what, const char* name) {
+    const auto size = static_cast<std::size_t>(v.size());
+    if (size != 1 && size != n) bad(what, std::string(name) + " is neither one for all nor one per point");
+    for (const double value : v)
+        if (!usable(value) || value <= 0) bad(what, std::string(name) + " is not positive");
+    return {v.begin(), v.end()};
+}
+
+void put(RepeatedField<double>& to, const std::vector<double>& from) { to.Add(from.begin(), from.end()); }
+
+Join join(int value, const char* what) {
+    if (value < 0 || value > 2) bad(what, "unknown join");
+    return static_cast<Join>(value);
+}
+
+} // namespace
+
+polygon::Layer layer(const RawFrame& frame) {
+    const auto m = parse<proto::Layer>(frame, Tag::layer, "layer");
+    check_height(m.z(), m.height(), "layer");
+    if (!usable(m.plane())) bad("layer", "its plane is not a number");
+    return {m.index(), m.z(), m.height(), m.plane(), loops(m.contours(), "layer")};
+}
+
+RawFrame frame(const polygon::Layer& layer) {
+    proto::Layer m;
+    m.set_index(layer.index);
+    m.set_z(layer.z);
+    m.set_height(layer.height);
+    m.set_plane(layer.plane);
+    put(*m.mutable_contours(), layer.contours);
+    return raw(Tag::layer, m);
+}
+
+polygon::Region region(const RawFrame& frame) {
+    const auto m = parse<proto::Region>(frame, Tag::region, "region");
+    check_height(m.z(), m.height(), "region");
+    polygon::Region out;
+    out.id = m.id();
+    out.layer = m.layer();
+    out.z = m.z();
+    out.height = m.height();
+    out.loops = loops(m.loops(), "region");
+    if (out.loops.empty()) bad("region", "it has no outline");
+    out.area = m.area();
+    out.parent = m.parent();
+    out.unsupported = m.unsupported();
+    out.stroke = m.stroke();
+    out.join = join(m.join(), "region");
+    if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0)) bad("region", "its area is not positive");
+    for (const auto& o : m.below()) {
+        if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad("region", "an overlap is negative");
+        out.below.push_back({o.below(), o.area(), o.inradius()});
+    }
+    return out;
+}
+
+RawFrame frame(const polygon::Region& region) {
+    proto::Region m;
+    m.set_id(region.id);
+    m.set_layer(region.layer);
+    m.set_z(region.z);
+    m.set_height(region.height);
+    put(*m.mutable_loops(), region.loops);
+    m.set_area(region.area);
+    m.set_parent(region.parent);
+    for (const auto& o : region.below) {
+        auto* b = m.add_below();
+        b->set_below(o.below);
+        b->set_area(o.area);
+        b->set_inradius(o.inradius);
+    }
+    m.set_unsupported(region.unsupported);
+    m.set_stroke(region.stroke);
+    m.set_join(static_cast<proto::Join>(region.join));
+    return raw(Tag::region, m);
+}
+
+toolpath::RegionPaths paths(const RawFrame& frame) {
+    const auto m = parse<proto::RegionPaths>(frame, Tag::paths, "paths");
+    check_height(m.z(), m.height(), "paths");
+    toolpath::RegionPaths out;
+    out.region = m.region();
+    out.layer = m.layer();
+    out.z = m.z();
+    out.height = m.height();
+    out.area = m.area();
+    out.stroke = m.stroke();
+    out.join = join(m.join(), "paths");
+    out.unplaced = m.unplaced();
+    if (!(out.area >= 0) || !(out.unplaced >= 0)) bad("paths", "an area is negative");
+    out.curves.reserve(static_cast<std::size_t>(m.curves_size()));
+    for (const auto& c : m.curves()) {
+        toolpath::Curve curve{c.closed(), points(c.x(), c.y(), "paths"), {}};
+        if (curve.points.size() < 2) bad("paths", "a curve has fewer than two points");
+        curve.width = per_point(c.width(), curve.points.size(), "paths", "width");
+        out.curves.push_back(std::move(curve));
+    }
+    return out;
+}
+
+RawFrame frame(const toolpath::RegionPaths& paths) {
+    proto::RegionPaths m;
+    m.set_region(paths.region);
+    m.set_layer(paths.layer);
+    m.set_z(paths.z);
+    m.set_height(paths.height);
+    m.set_area(paths.area);
+    m.set_stroke(paths.stroke);
+    m.set_join(static_cast<proto::Join>(paths.join));
+    m.set_unplaced(paths.unplaced);
+    for (const auto& curve : paths.curves) {
+        auto* c = m.add_curves();
+        c->set_closed(curve.closed);
+        c->mutable_x()->Reserve(static_cast<int>(curve.points.size()));
+        c->mutable_y()->Reserve(static_cast<int>(curve.points.size()));
+        for (const auto p : curve.points) c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
+        put(*c->mutable_width(), curve.width);
+    }
+    return raw(Tag::paths, m);
+}
+
+toolpath::Span span(const RawFrame& frame) {
+    const auto m = parse<proto::Span>(frame, Tag::span, "span");
+    if (m.role() < 0 || m.role() > 4) bad("span", "unknown role");
+    toolpath::Span out;
+    out.role = static_cast<toolpath::Role>(m.role());
+    out.stroke = m.stroke();
+    out.layer = m.layer();
+    out.region = m.region();
+    const auto xy = points(m.x(), m.y(), "span");
+    if (xy.size() < 2) bad("span", "it has fewer than two points");
+    const auto zs = static_cast<std::size_t>(m.z_size());
+    if (zs != 1 && zs != xy.size()) bad("span", "z is neither one for all nor one per point");
+    out.points.reserve(xy.size());
+    for (std::size_t i = 0; i < xy.size(); ++i) {
+        const double z = m.z(static_cast<int>(zs == 1 ? 0 : i));
+        if (!usable(z)) bad("span", "a coordinate is not a number or beyond 1e8 mm");
+        out.points.push_back({xy[i].x, xy[i].y, z});
+    }
+    if (toolpath::extrudes(out.role)) {
+        out.width = per_point(m.width(), xy.size(), "span", "width");
+        out.height = per_point(m.height(), xy.size(), "span", "height");
+    } else if (m.width_size() + m.height_size() > 0) {
+        bad("span", "a travel has a bead");
+    }
+    return out;
+}
+
+RawFrame frame(const toolpath::Span& span) {
+    proto::Span m;
+    m.set_role(static_cast<proto::Role>(span.role));
+    m.set_stroke(span.stroke);
+    m.set_layer(span.layer);
+    m.set_region(span.region);
+    const auto n = static_cast<int>(span.points.size());
+    m.mutable_x()->Reserve(n);
+    m.mutable_y()->Reserve(n);
+    bool level = true;
+    for (const auto& p : span.points) {
+        m.mutable_x()->AddAlreadyReserved(p.x);
+        m.mutable_y()->AddAlreadyReserved(p.y);
+        level = level && p.z == span.points.front().z;
+    }
+    if (level && n > 0) m.add_z(span.points.front().z);
+    else
+        for (const auto& p : span.points) m.add_z(p.z);
+    put(*m.mutable_width(), span.width);
+    put(*m.mutable_height(), span.height);
+    return raw(Tag::span, m);
+}
+
+} // namespace filum::wire
