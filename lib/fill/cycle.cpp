@@ -22,9 +22,9 @@ struct Candidate {
 // One exchange: both rings lose their window, two links join the four ends.
 struct Bridge {
     std::uint32_t ring[2];
-    double s0[2], s1[2];  // windows, s1 > s0
+    double s0[2], s1[2];   // windows, s1 > s0
     Vec2 begin[2], end[2]; // the points at s0 and s1
-    bool parallel;        // links run begin-begin and end-end, else begin-end
+    bool parallel;         // links run begin-begin and end-end, else begin-end
     [[nodiscard]] geom::Segment link(int k) const {
         if (parallel) return k == 0 ? geom::Segment{begin[0], begin[1]} : geom::Segment{end[0], end[1]};
         return k == 0 ? geom::Segment{begin[0], end[1]} : geom::Segment{end[0], begin[1]};
@@ -70,7 +70,7 @@ class Windows {
 
 class Joiner {
   public:
-    Joiner(const Loops& rings, double width)
+    Joiner(const BeadRings& rings, double width)
         : graph_(rings, 1.5 * width), width_(width), forest_(graph_.size()), windows_(graph_) {}
 
     std::vector<ClosedLine> run() {
@@ -102,7 +102,8 @@ class Joiner {
                 out.push_back({r, there->ring, s, std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
             }
         }
-        std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+        std::stable_sort(out.begin(), out.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
         return out;
     }
 
@@ -214,7 +215,7 @@ class Joiner {
         const auto arcs = cut();
         std::vector<char> seen(arcs.size(), 0);
         std::vector<ClosedLine> out;
-        std::vector<Vec2> piece;
+        ClosedLine piece;
         for (std::uint32_t start = 0; start < arcs.size(); ++start) {
             if (seen[start]) continue;
             ClosedLine line;
@@ -222,17 +223,22 @@ class Joiner {
             while (!seen[at.arc]) {
                 const Arc& arc = arcs[at.arc];
                 seen[at.arc] = 1;
-                piece.clear();
-                graph_.append(arc.ring, arc.s0, arc.s1, piece);
-                if (at.last) std::reverse(piece.begin(), piece.end());
-                line.insert(line.end(), piece.begin(), piece.end());
+                piece.points.clear(), piece.width.clear();
+                graph_.append(arc.ring, arc.s0, arc.s1, piece.points, piece.width);
+                if (at.last) {
+                    std::reverse(piece.points.begin(), piece.points.end());
+                    std::reverse(piece.width.begin(), piece.width.end());
+                }
+                line.points.insert(line.points.end(), piece.points.begin(), piece.points.end());
+                line.width.insert(line.width.end(), piece.width.begin(), piece.width.end());
                 at = arc.next[at.last ? 0 : 1];
             }
-            if (line.size() > 1 && line.front() == line.back()) line.pop_back();
+            if (line.points.size() > 1 && line.points.front() == line.points.back())
+                line.points.pop_back(), line.width.pop_back();
             out.push_back(std::move(line));
         }
         std::stable_sort(out.begin(), out.end(), [](const ClosedLine& a, const ClosedLine& b) {
-            return polygon::perimeter(a) > polygon::perimeter(b);
+            return polygon::perimeter(a.points) > polygon::perimeter(b.points);
         });
         return out;
     }
@@ -247,8 +253,8 @@ class Joiner {
 
 } // namespace
 
-std::vector<ClosedLine> join_rings(const Loops& rings, double width) {
-    if (rings.empty()) return {};
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width) {
+    if (rings.loops.empty()) return {};
     return Joiner(rings, width).run();
 }
 

@@ -11,8 +11,9 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& options, Not
     out.stroke = r.stroke, out.join = r.join;
     const double w = options.bead_width;
     const auto first = polygon::simplify(polygon::offset(r.loops, -w / 2, 0.003), 0.003);
-    const auto rings = nested_rings(first, w * (1 - 1.0 / 512), 2.6 * w, 0.003);
-    for (auto& line : join_rings(rings.loops, w)) out.curves.push_back({true, std::move(line), {w}});
+    const auto rings = nested_rings(first, w * (1 - 1.0 / 512), 1.3 * w, 0.003);
+    const auto beads = even_spacing(rings, r.loops, w, 2, 0.003);
+    for (auto& line : join_rings(beads, w)) out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     return out;
 }
 

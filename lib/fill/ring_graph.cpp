@@ -1,7 +1,5 @@
 #include "fill/ring_graph.hpp"
 
-#include <numbers>
-
 namespace filum::fill {
 
 namespace {
@@ -18,8 +16,9 @@ std::vector<geom::Segment> segments_of(const Loops& rings) {
 
 } // namespace
 
-RingGraph::RingGraph(const Loops& rings, double cell)
-    : segments_(segments_of(rings)), start_(rings.start), grid_(segments_, cell) {
+RingGraph::RingGraph(const BeadRings& beads, double cell)
+    : segments_(segments_of(beads.loops)), start_(beads.loops.start), width_(beads.width), grid_(segments_, cell) {
+    const Loops& rings = beads.loops;
     ring_of_.resize(segments_.size());
     s_.resize(segments_.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r) {
@@ -44,12 +43,22 @@ std::uint32_t RingGraph::segment_at(std::uint32_t ring, double s) const {
     return static_cast<std::uint32_t>(std::upper_bound(first, last, s) - s_.begin() - 1);
 }
 
-Vec2 RingGraph::at(std::uint32_t ring, double s) const {
+std::pair<std::uint32_t, double> RingGraph::locate(std::uint32_t ring, double s) const {
     s = wrapped(ring, s);
     const std::uint32_t i = segment_at(ring, s);
-    const auto& seg = segments_[i];
-    const double l = geom::distance(seg.a, seg.b);
-    return l > 0 ? geom::lerp(seg.a, seg.b, std::min(1.0, (s - s_[i]) / l)) : seg.a;
+    const double l = geom::distance(segments_[i].a, segments_[i].b);
+    return {i, l > 0 ? std::min(1.0, (s - s_[i]) / l) : 0.0};
+}
+
+Vec2 RingGraph::at(std::uint32_t ring, double s) const {
+    const auto [i, t] = locate(ring, s);
+    return geom::lerp(segments_[i].a, segments_[i].b, t);
+}
+
+double RingGraph::width_of(std::pair<std::uint32_t, double> at) const {
+    const std::uint32_t i = at.first, ring = ring_of_[i];
+    const std::uint32_t next = i + 1 == start_[ring + 1] ? start_[ring] : i + 1;
+    return (1 - at.second) * width_[i] + at.second * width_[next];
 }
 
 std::optional<Place> RingGraph::nearest(Vec2 p, std::int64_t other_than, std::int64_t only, double reach) const {
@@ -77,7 +86,8 @@ double RingGraph::turning(std::uint32_t ring, double s0, double s1) const {
     const double end = s + (s1 - s0);
     for (std::uint32_t i = segment_at(ring, s) - first; s_[first + i] <= end || i < n; i = i + 1) {
         const std::uint32_t here = first + i % n, next = first + (i + 1) % n;
-        const double corner = s_[here] + geom::distance(segments_[here].a, segments_[here].b) + (i >= n ? length_[ring] : 0);
+        const double corner =
+            s_[here] + geom::distance(segments_[here].a, segments_[here].b) + (i >= n ? length_[ring] : 0);
         if (corner >= end || i > 2 * n) break;
         const Vec2 u = segments_[here].b - segments_[here].a, v = segments_[next].b - segments_[next].a;
         turned += std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
@@ -85,17 +95,19 @@ double RingGraph::turning(std::uint32_t ring, double s0, double s1) const {
     return turned;
 }
 
-void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& out) const {
+void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points,
+                       std::vector<double>& width) const {
     const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
     const double from = wrapped(ring, s0), end = from + (s1 - s0);
     const double close = 1e-7; // mm: no second point there
-    out.push_back(at(ring, from));
+    const auto put = [&](Vec2 p, double w) { points.push_back(p), width.push_back(w); };
+    put(at(ring, from), width_of(locate(ring, from)));
     for (std::uint32_t i = segment_at(ring, from) - first + 1; i <= 2 * n; ++i) {
         const double s = s_[first + i % n] + (i >= n ? length_[ring] : 0) + (i >= 2 * n ? length_[ring] : 0);
         if (s >= end - close) break;
-        if (s > from + close) out.push_back(segments_[first + i % n].a);
+        if (s > from + close) put(segments_[first + i % n].a, width_[first + i % n]);
     }
-    out.push_back(at(ring, end));
+    put(at(ring, end), width_of(locate(ring, end)));
 }
 
 } // namespace filum::fill
