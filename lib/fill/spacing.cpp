@@ -96,8 +96,9 @@ struct Share {
     double error = 0; // e: what is missing (or too much, if negative) up to the medial axis, mm
     int rank = 0;     // 0 next to the axis, 1 the ring outside it ...
     int lanes = 0;    // rings that share the error; 0: none asked
+    double thinner = 0; // how much nearer than half a width the outline is, mm; on level 0 only
     [[nodiscard]] double move() const { return lanes == 0 ? 0 : (1 - (2.0 * rank + 1) / (2.0 * lanes)) * error; }
-    [[nodiscard]] double widen() const { return lanes == 0 ? 0 : error / lanes; }
+    [[nodiscard]] double widen() const { return lanes == 0 ? 0 : error / lanes - 2 * thinner; }
 };
 
 class Spacing {
@@ -142,7 +143,7 @@ class Spacing {
             const auto edge = first_hit(edge_grid_, edges_, p, -1.0 * n.inward, 2 * width_, kNone, kNone);
             if (edge) outside = std::min(outside, edge->distance);
         }
-        return {half_gap - outside, 0, lanes};
+        return {half_gap - outside, 0, lanes, width_ / 2 - outside};
     }
 
     // One rank farther out than the ring inside, at the place that the normal hits.
