@@ -19,7 +19,8 @@ struct MedialAxis {
 };
 
 // The part of the medial axis inside `area` (simple; outer loops counter-clockwise).  Coordinates are rounded to 0.1 um
-// about the middle of the box; the box may be up to 400 m wide.  Curved pieces are cut into chords of at most `step` mm.
+// about the middle of the box; the box may be up to 400 m wide.  Curved pieces are cut into chords of at most `step`
+// mm.
 MedialAxis medial_axis(const Loops& area, double step);
 
 } // namespace filum::fill

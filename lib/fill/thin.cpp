@@ -157,7 +157,8 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     if (edges.empty()) {
         if (out.rings.empty()) {
             out.rings = round_fattest(axis, 0.5, least, tolerance);
-            out.unplaced = std::max(0.0, polygon::signed_area(polygon::subtract(rest, round_fattest(axis, 1, 0, tolerance))));
+            out.unplaced =
+                std::max(0.0, polygon::signed_area(polygon::subtract(rest, round_fattest(axis, 1, 0, tolerance))));
         }
         return out;
     }
