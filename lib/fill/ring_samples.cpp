@@ -36,13 +36,18 @@ RingSamples::RingSamples(const Rings& rings, double step, double cell)
     : rings_(resampled(rings, step)), segments_(segments_of(rings_.loops)), grid_(segments_, cell) {
     const Loops& loops = rings_.loops;
     const std::size_t n = loops.points.size();
-    ring_.resize(n), next_.resize(n), before_.resize(n);
-    for (std::uint32_t r = 0; r < loops.size(); ++r)
+    ring_.resize(n), next_.resize(n), before_.resize(n), s_.resize(n);
+    for (std::uint32_t r = 0; r < loops.size(); ++r) {
+        double s = 0;
         for (std::uint32_t i = loops.start[r]; i < loops.start[r + 1]; ++i) {
             ring_[i] = r;
+            s_[i] = s;
+            s += geom::distance(segments_[i].a, segments_[i].b);
             next_[i] = i + 1 == loops.start[r + 1] ? loops.start[r] : i + 1;
             before_[next_[i]] = i;
         }
+        length_.push_back(s);
+    }
 }
 
 Normal RingSamples::normal(std::uint32_t i) const {
@@ -69,19 +74,38 @@ Normal RingSamples::side(std::uint32_t i) const {
     return l > 0 ? Normal{(1 / l) * geom::left_of(d), 1} : Normal{{0, 0}, 0};
 }
 
+double RingSamples::apart(std::uint32_t i, std::uint32_t j) const {
+    const double d = std::abs(s_[i] - s_[j]);
+    return std::min(d, length_[ring_[i]] - d);
+}
+
+double RingSamples::inner_radius(std::uint32_t i, Vec2 inward, double most, double blind) const {
+    const Vec2 p = point(i), centre = p + most * inward;
+    double radius = most;
+    const auto touch = [&](Vec2 q) { // the disc through p and q with its centre on the normal
+        const Vec2 d = q - p;
+        const double h = geom::dot(d, inward);
+        if (h > 0) radius = std::min(radius, geom::norm2(d) / (2 * h));
+    };
+    grid_.near({centre.x - most, centre.y - most}, {centre.x + most, centre.y + most}, [&](std::uint32_t j) {
+        if (level(j) != level(i)) return;
+        if (ring_[j] == ring_[i] && std::min(apart(i, j), apart(i, next_[j])) < blind) return;
+        touch(segments_[j].a);
+        touch(geom::nearest_point(segments_[j].a, segments_[j].b, p));
+    });
+    return radius;
+}
+
 std::optional<Hit> first_hit(const geom::SegmentGrid& grid, const std::vector<geom::Segment>& segments, Vec2 p, Vec2 d,
                              double reach, std::uint32_t skip_a, std::uint32_t skip_b) {
     std::optional<Hit> best;
     const Vec2 q = p + reach * d;
     grid.near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}, [&](std::uint32_t i) {
         if (i == skip_a || i == skip_b) return;
-        const geom::Segment& s = segments[i];
-        const Vec2 e = s.b - s.a, f = s.a - p;
-        const double det = geom::cross(d, e);
-        if (det == 0) return;
-        const double t = geom::cross(f, e) / det, u = geom::cross(f, d) / det;
-        if (t <= 0 || t > reach || u < 0 || u > 1) return;
-        if (!best || t < best->distance || (t == best->distance && i < best->segment)) best = Hit{i, t, u};
+        const auto at = geom::ray_parameters(p, d, segments[i].a, segments[i].b);
+        if (!at || at->t > reach) return;
+        if (!best || at->t < best->distance || (at->t == best->distance && i < best->segment))
+            best = Hit{i, at->t, at->u};
     });
     return best;
 }

@@ -38,9 +38,17 @@ class RingSamples {
     // The first segment hit from sample i along `direction` (unit) within `reach`, but for the two that end there.
     [[nodiscard]] std::optional<Hit> hit(std::uint32_t i, Vec2 direction, double reach) const;
 
+    // Radius, at most `most`, of the largest disc that touches sample i on its inner side and holds no point of a ring
+    // of the same level: the distance to the medial axis.  The ring's own points within `blind` of i along it do not
+    // count, or every bend would be the end of a wall.
+    [[nodiscard]] double inner_radius(std::uint32_t i, Vec2 inward, double most, double blind) const;
+
   private:
+    [[nodiscard]] double apart(std::uint32_t i, std::uint32_t j) const; // arc length along the ring
+
     Rings rings_;
     std::vector<std::uint32_t> ring_, next_, before_;
+    std::vector<double> s_, length_; // arc length per sample; per ring
     std::vector<geom::Segment> segments_;
     geom::SegmentGrid grid_;
 };

@@ -14,6 +14,7 @@ using geom::Segment;
 using geom::SegmentGrid;
 
 constexpr double kSliver = 0.12;   // bead widths: rings nearer to the medial axis all along are left out
+constexpr double kBlind = 0.3;     // bead widths of arc length about a sample that say nothing of the wall
 constexpr double kAcross = 2.4;    // bead widths: the far side of a wall without a ring between is nearer
 constexpr double kOpposite = -0.5; // cosine between the inner normals of two sides of a wall, at most
 constexpr std::uint32_t kNone = 0xffffffff;
@@ -90,8 +91,9 @@ class Spacing {
         if (samples_.level(hit->segment) > samples_.level(i)) return known_[i] = 1, of_child(*hit);
         const Normal there = samples_.side(hit->segment);
         if (geom::dot(n.inward, there.inward) > kOpposite) return {}; // the end of a wall, not its other side
-        known_[i] = 1;
         const double half_gap = std::min(hit->distance / 2, 1.1 * width_);
+        if (samples_.inner_radius(i, n.inward, half_gap, kBlind * width_) < 0.8 * half_gap) return {}; // likewise
+        known_[i] = 1;
         double outside = width_ / 2;
         if (samples_.level(i) == 0) {
             const auto edge = first_hit(edge_grid_, edges_, samples_.point(i), -1.0 * n.inward, width_, kNone, kNone);
