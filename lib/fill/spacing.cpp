@@ -73,6 +73,7 @@ class Spacing {
         const Loops& loops = samples_.rings().loops;
         shares_.resize(samples_.size());
         known_.assign(samples_.size(), 1);
+        outside_.resize(samples_.size());
         std::vector<std::uint32_t> order(loops.size());
         std::iota(order.begin(), order.end(), 0U);
         std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -85,6 +86,7 @@ class Spacing {
     Share ask(std::uint32_t i) {
         known_[i] = 0;
         const Normal n = samples_.normal(i);
+        outside_[i] = depth(i, n);
         if (n.mitre == 0 || n.mitre > 1.5) return {}; // a sharp corner faces nothing in particular
         const auto hit = samples_.hit(i, n.inward, kAcross * width_);
         if (!hit) return {};
@@ -94,12 +96,15 @@ class Spacing {
         const double half_gap = std::min(hit->distance / 2, 1.1 * width_);
         if (samples_.inner_radius(i, n.inward, half_gap, kBlind * width_) < 0.8 * half_gap) return {}; // likewise
         known_[i] = 1;
-        double outside = width_ / 2;
-        if (samples_.level(i) == 0) {
-            const auto edge = first_hit(edge_grid_, edges_, samples_.point(i), -1.0 * n.inward, width_, kNone, kNone);
-            if (edge) outside = std::min(outside, edge->distance);
-        }
-        return {half_gap - outside, 0, std::min(lanes_, samples_.level(i) + 1), width_ / 2 - outside};
+        const int lanes = std::min(lanes_, samples_.level(i) + 1);
+        return {half_gap - outside_[i], 0, lanes, width_ / 2 - outside_[i]};
+    }
+
+    // Half a width, or the distance to the outline where that is less (level 0 in thin walls).
+    [[nodiscard]] double depth(std::uint32_t i, const Normal& n) const {
+        if (samples_.level(i) > 0 || n.mitre == 0) return width_ / 2;
+        const auto edge = first_hit(edge_grid_, edges_, samples_.point(i), -1.0 * n.inward, width_, kNone, kNone);
+        return edge ? std::min(width_ / 2, edge->distance / n.mitre) : width_ / 2;
     }
 
     // One rank farther out than the ring inside, at the place that the normal hits.
@@ -123,18 +128,21 @@ class Spacing {
             }
             move_.swap(m), widen_.swap(v);
         }
+        for (std::uint32_t i = 0; i < n; ++i) move_[i] = std::clamp(move_[i], -0.6 * outside_[i], 0.5 * width_);
     }
 
-    // Corners take the mean of the nearest samples on either side that know.
+    // Corners and ends take the mean of the nearest samples along the ring that know, if those are near enough.
     void fill_unknown() {
+        constexpr int kFar = 6; // samples
         for (std::uint32_t i = 0; i < samples_.size(); ++i) {
             if (known_[i]) continue;
             std::uint32_t a = samples_.before(i), b = samples_.next(i);
-            while (!known_[a] && a != i) a = samples_.before(a);
-            while (!known_[b] && b != i) b = samples_.next(b);
-            if (a == i) continue; // nobody on this ring knows
-            move_[i] = (move_[a] + move_[b]) / 2;
-            widen_[i] = (widen_[a] + widen_[b]) / 2;
+            for (int k = 1; k < kFar && !known_[a]; ++k) a = samples_.before(a);
+            for (int k = 1; k < kFar && !known_[b]; ++k) b = samples_.next(b);
+            const double own = 2 * outside_[i] - width_;
+            const double va = known_[a] ? widen_[a] : own, vb = known_[b] ? widen_[b] : own;
+            move_[i] = ((known_[a] ? move_[a] : 0) + (known_[b] ? move_[b] : 0)) / 2;
+            widen_[i] = (va + vb) / 2;
         }
     }
 
@@ -230,6 +238,7 @@ class Spacing {
     int lanes_;
     std::vector<Share> shares_;
     std::vector<char> known_;
+    std::vector<double> outside_;      // per sample, mm: to the edge of its bead's space, outwards
     std::vector<double> move_, widen_; // per sample, mm: inwards; added to the width
     std::vector<Vec2> result_;
 };

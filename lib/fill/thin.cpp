@@ -151,7 +151,7 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     if (connected && !reaches_beyond(rest, out.rings, (0.5 + kReach) * width)) return out;
 
     const double least = 0.03 * width; // lanes must not touch
-    const MedialAxis axis = medial_axis(polygon::simplify(area, tolerance), width / 4);
+    const MedialAxis axis = split_at(medial_axis(polygon::simplify(area, tolerance), width / 4), width / 2);
     if (axis.point.empty()) return out;
     const auto edges = ThinAxis(axis, width).edges();
     if (edges.empty()) {
