@@ -49,8 +49,8 @@ std::optional<Parts> assemble(const Loops& loops, const std::vector<int>& parent
     std::vector<std::vector<std::size_t>> holes(n);
     for (std::size_t l = 0; l < n; ++l) {
         const int p = parent[l];
-        if ((p >= 0 && hole[static_cast<std::size_t>(p)] != 0) == (hole[l] != 0) || (p < 0 && hole[l] != 0))
-            return std::nullopt;
+        const bool in_material = p >= 0 && hole[static_cast<std::size_t>(p)] == 0;
+        if (in_material != (hole[l] != 0)) return std::nullopt;
         if (hole[l] != 0)
             holes[static_cast<std::size_t>(p)].push_back(l);
         else

@@ -86,11 +86,46 @@ std::vector<std::vector<Pair>> groups(const std::vector<Pair>& pairs, std::size_
     return out;
 }
 
-// The region of a group that a point lies in; -1 if none.
-int owner(std::span<const Region> regions, const std::vector<std::uint32_t>& among, Vec2 p) {
-    for (const auto i : among) {
-        const auto& b = regions[i].box;
-        if (p.x >= b.lo.x && p.x <= b.hi.x && p.y >= b.lo.y && p.y <= b.hi.y && polygon::contains(regions[i].loops, p))
+// The regions of one side of a group, to be found again from a loop of the common area: by a vertex that is one of
+// theirs, else by a point inside.
+struct Side {
+    std::span<const Region> regions;
+    std::vector<std::uint32_t> among; // ascending
+    struct Vertex {
+        Vec2 p;
+        std::uint32_t region;
+        [[nodiscard]] bool operator<(const Vertex& o) const { return p.x < o.p.x || (p.x == o.p.x && p.y < o.p.y); }
+    };
+    std::vector<Vertex> vertices; // sorted; empty where there is nothing to tell apart
+    Loops all;
+};
+
+Side side(std::span<const Region> regions, std::vector<std::uint32_t> among) {
+    std::sort(among.begin(), among.end());
+    among.erase(std::unique(among.begin(), among.end()), among.end());
+    Side out{regions, std::move(among), {}, {}};
+    for (const auto i : out.among)
+        for (std::size_t l = 0; l < regions[i].loops.size(); ++l) out.all.add(regions[i].loops[l]);
+    if (out.among.size() == 1) return out;
+    for (const auto i : out.among)
+        for (const Vec2 p : regions[i].loops.points) out.vertices.push_back({p, i});
+    std::sort(out.vertices.begin(), out.vertices.end());
+    return out;
+}
+
+// The region of the side that `loop`, of the common area, lies in, `inside` being a point of it; -1 if none.
+int owner(const Side& s, std::span<const Vec2> loop, Vec2 inside) {
+    if (s.among.size() == 1) return static_cast<int>(s.among[0]);
+    for (const Vec2 p : loop) {
+        const auto at = std::lower_bound(s.vertices.begin(), s.vertices.end(), Side::Vertex{p, 0});
+        if (at == s.vertices.end() || at->p != p) continue;
+        const bool shared = std::next(at) != s.vertices.end() && std::next(at)->p == p; // regions that touch there
+        if (!shared) return static_cast<int>(at->region);
+    }
+    for (const auto i : s.among) {
+        const auto& b = s.regions[i].box;
+        if (inside.x >= b.lo.x && inside.x <= b.hi.x && inside.y >= b.lo.y && inside.y <= b.hi.y &&
+            polygon::contains(s.regions[i].loops, inside))
             return static_cast<int>(i);
     }
     return -1;
@@ -111,34 +146,18 @@ struct Common {
     Loops loops;
 };
 
-void sort_unique(std::vector<std::uint32_t>& v) {
-    std::sort(v.begin(), v.end());
-    v.erase(std::unique(v.begin(), v.end()), v.end());
-}
-
 // The common areas of a group's pairs, each loop given to the pair that it belongs to.  A loop narrower than 1 um at
 // its longest edge may find no owner: its area is nil.
 std::vector<Common> intersections(std::span<const Region> upper, std::span<const Region> lower,
                                   const std::vector<Pair>& group) {
     std::vector<std::uint32_t> us, ls;
     for (const Pair p : group) us.push_back(p.upper), ls.push_back(p.lower);
-    sort_unique(us);
-    sort_unique(ls);
-    const auto all = [](std::span<const Region> r, const std::vector<std::uint32_t>& among) {
-        Loops out;
-        for (const auto i : among)
-            for (std::size_t l = 0; l < r[i].loops.size(); ++l) out.add(r[i].loops[l]);
-        return out;
-    };
-    const Loops common = polygon::intersect(all(upper, us), all(lower, ls));
+    const Side above = side(upper, std::move(us)), under = side(lower, std::move(ls));
+    const Loops common = polygon::intersect_touching(above.all, under.all);
     std::vector<Common> out;
     for (std::size_t k = 0; k < common.size(); ++k) {
-        int u = static_cast<int>(us[0]), l = static_cast<int>(ls[0]);
-        if (us.size() > 1 || ls.size() > 1) {
-            const Vec2 p = just_inside(common[k]);
-            if (us.size() > 1) u = owner(upper, us, p);
-            if (ls.size() > 1) l = owner(lower, ls, p);
-        }
+        const Vec2 inside = just_inside(common[k]);
+        const int u = owner(above, common[k], inside), l = owner(under, common[k], inside);
         if (u < 0 || l < 0) continue;
         auto at = std::find_if(out.begin(), out.end(), [&](const Common& c) {
             return c.upper == static_cast<std::uint32_t>(u) && c.lower == static_cast<std::uint32_t>(l);
