@@ -13,7 +13,7 @@ namespace {
 using geom::Box2;
 using geom::Vec2;
 
-constexpr std::size_t kRun = 6; // edges per leaf
+constexpr std::size_t kRun = 2; // edges per leaf
 
 double gap_x(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x}); }
 double gap_y(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y}); }
@@ -54,7 +54,9 @@ std::pair<std::size_t, std::size_t> run(const Outline& o, std::size_t node) {
     return {std::min(n, leaf * kRun), std::min(n, (leaf + 1) * kRun)};
 }
 
-// Calls near(a, b, c, d) for edge pairs in leaves that `open` lets through; stops once it returns true.
+Box2 span(Vec2 p, Vec2 q) { return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}}; }
+
+// Calls near(a, b, c, d) for edge pairs whose boxes `open` lets through; stops once it returns true.
 template <class Open, class Near>
 bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
     std::vector<std::pair<std::size_t, std::size_t>> todo{{0, 0}};
@@ -72,7 +74,7 @@ bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
                 Edges eb(b.loops, b0);
                 for (std::size_t l = b0; l < b1; ++l) {
                     const auto [s, t] = eb.at(l);
-                    if (near(p, q, s, t)) return true;
+                    if (open(span(p, q), span(s, t)) && near(p, q, s, t)) return true;
                 }
             }
             continue;
