@@ -14,8 +14,8 @@ namespace {
 using namespace filum;
 
 struct Options {
-    sequence::Options sequence;
-    std::string head = "ordinary";
+    std::string order = "columns", head = "ordinary";
+    std::int64_t budget = 100;
     double flat_radius = 0.2, cone_angle_deg = 60, cone_height = 8, gantry_height = 0;
     std::vector<double> carriage{40, 40};
     bool report = false;
@@ -29,34 +29,39 @@ cli::Spec spec(Options& o) {
             "A stroke climbs from a region to one above it without stopping wherever 'regions' found that it can. Two "
             "things hold it back: a region must wait for those that carry it, and the head must not touch what stands "
             "there already. So a column is climbed until the head would come too close to its neighbours, then "
-            "another one catches up. Layer by layer is always possible and never better.\n\n"
+            "another one catches up. To go layer by layer is always possible; the result is never worse than that.\n\n"
             "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
             "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"
-            "The order, the strokes and the joins are written into the regions; the number of strokes, the least "
-            "possible by the links alone (path cover), and what layer-by-layer printing needs at least (layer floor) "
-            "travel with the stream and are printed with --report.",
+            "Strokes are the climbs without a stop. How few are possible is hard to know in general: searches of "
+            "growing "
+            "width are made until one is proven best or --budget is used up. The order, the strokes and the joins are "
+            "written into the regions. The number of strokes, a lower bound that no order can beat under the same head "
+            "(lower-bound), the least by the links alone (path-cover), and what going layer by layer needs at least "
+            "(layer-floor) travel with the stream and are printed with --report.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
-        .options = {cli::Option{"order", &o.sequence.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
-                        {"columns", "layers"}),
-                    cli::Option{"head", &o.head, "HEAD",
-                                "the head to keep clear of: ordinary, as the next options say, or none"}
-                        .one_of({"ordinary", "none"}),
-                    cli::Option{"flat-radius", &o.flat_radius, "MM", "radius of the flat at the nozzle's tip"}.at_least(
-                        0),
-                    cli::Option{"cone-angle", &o.cone_angle_deg, "DEG", "whole angle of the nozzle's cone"}
-                        .at_least(0)
-                        .at_most(175),
-                    cli::Option{"cone-height", &o.cone_height, "MM", "height of the carriage above the tip"}.above(0),
-                    cli::Option{"carriage", &o.carriage, "MM,MM",
-                                "size of the carriage in x and y, the nozzle in its middle"}
-                        .at_least(0)
-                        .numbers(2),
-                    cli::Option{"gantry-height", &o.gantry_height, "MM",
-                                "height of the gantry above the tip, 0 for out of reach"}
-                        .at_least(0),
-                    cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
+        .options =
+            {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
+                 {"columns", "layers"}),
+             cli::Option{"head", &o.head, "HEAD",
+                         "the head to keep clear of: ordinary, as the next options say, or none"}
+                 .one_of({"ordinary", "none"}),
+             cli::Option{"flat-radius", &o.flat_radius, "MM", "radius of the flat at the nozzle's tip"}.at_least(0),
+             cli::Option{"cone-angle", &o.cone_angle_deg, "DEG", "whole angle of the nozzle's cone"}
+                 .at_least(0)
+                 .at_most(175),
+             cli::Option{"cone-height", &o.cone_height, "MM", "height of the carriage above the tip"}.above(0),
+             cli::Option{"carriage", &o.carriage, "MM,MM", "size of the carriage in x and y, the nozzle in its middle"}
+                 .at_least(0)
+                 .numbers(2),
+             cli::Option{"gantry-height", &o.gantry_height, "MM",
+                         "height of the gantry above the tip, 0 for out of reach"}
+                 .at_least(0),
+             cli::Option{"budget", &o.budget, "MILLIONS", "steps that the search may take, about 5 ms per million"}
+                 .at_least(0)
+                 .at_most(1e6),
+             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},
@@ -83,8 +88,10 @@ void run(const Options& o, const cli::Io& io) {
         regions.push_back(wire::region(frame));
         frames.push_back(std::move(frame));
     });
-    auto options = o.sequence;
+    sequence::Options options;
     options.head = head(o);
+    options.by_layers = o.order == "layers";
+    options.budget = static_cast<std::uint64_t>(o.budget) * 1'000'000;
     auto result = sequence::sequence(std::move(regions), options);
 
     whole.header.expected = frames.size();

@@ -54,7 +54,9 @@ std::pair<std::size_t, std::size_t> run(const Outline& o, std::size_t node) {
     return {std::min(n, leaf * kRun), std::min(n, (leaf + 1) * kRun)};
 }
 
-Box2 span(Vec2 p, Vec2 q) { return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}}; }
+Box2 span(Vec2 p, Vec2 q) {
+    return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
+}
 
 // Calls near(a, b, c, d) for edge pairs whose boxes `open` lets through; stops once it returns true.
 template <class Open, class Near>
