@@ -106,7 +106,7 @@ void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapW
         io.threads, [&] { return reader.next(); },
         [&](stream::RawFrame frame) {
             MapResult result;
-            if (frame.tag == stream::Tag::note)
+            if (stream::is_remark(frame.tag))
                 result.frames.push_back(std::move(frame));
             else
                 result.frames = work(std::move(frame), result.notes);
@@ -141,7 +141,7 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     };
     Notes notes;
     while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) {
+        if (stream::is_remark(frame->tag)) {
             writer.write(*frame);
             continue;
         }
@@ -157,10 +157,12 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
 
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
     stream::Reader reader(path, expected);
-    Whole out{reader.header(), {}};
+    Whole out{reader.header(), {}, {}};
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note)
             out.notes.push_back(stream::parse_note(f->body));
+        else if (f->tag == stream::Tag::fact)
+            out.facts.push_back(stream::parse_fact(f->body));
         else
             frame(std::move(*f));
     }

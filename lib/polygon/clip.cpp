@@ -42,10 +42,10 @@ cl::PolyFillType fill_type(Fill rule) {
     return rule == Fill::positive ? cl::pftPositive : cl::pftNonZero;
 }
 
-Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule) {
+Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule, bool strict = true) {
     try {
         cl::Clipper clipper;
-        clipper.StrictlySimple(true);
+        clipper.StrictlySimple(strict);
         clipper.AddPaths(to_clipper(a), cl::ptSubject, true);
         if (b != nullptr) clipper.AddPaths(to_clipper(*b), cl::ptClip, true);
         cl::Paths out;
@@ -110,6 +110,9 @@ void keep_far_points(std::span<const Vec2> loop, std::size_t first, std::size_t 
 Loops unite(const Loops& a, Fill rule) { return combine(cl::ctUnion, a, nullptr, rule); }
 Loops unite(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctUnion, a, &b, rule); }
 Loops intersect(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctIntersection, a, &b, rule); }
+Loops intersect_touching(const Loops& a, const Loops& b, Fill rule) {
+    return combine(cl::ctIntersection, a, &b, rule, false);
+}
 Loops subtract(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctDifference, a, &b, rule); }
 
 Loops offset(const Loops& a, double delta, double arc_tolerance) {
