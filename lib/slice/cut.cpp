@@ -28,8 +28,8 @@ Piece piece(const mesh::Triangle& t, bool a, bool b, bool c) {
     const bool alone_above = above == 1 || above == 2 || above == 4;
     const auto k = static_cast<unsigned>(std::countr_zero(alone_above ? above : ~above));
     const std::uint32_t self = t[k], next = t[(k + 1) % 3], before = t[(k + 2) % 3];
-    if (alone_above) return {key(before, self), key(self, next)};
-    return {key(self, next), key(before, self)};
+    if (alone_above) return {key(self, next), key(before, self)};
+    return {key(before, self), key(self, next)};
 }
 
 double snap(double v) {
