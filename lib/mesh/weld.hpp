@@ -46,7 +46,8 @@ class Weld {
                 vertices.push_back(v);
                 return s.id;
             }
-            if (s.key == key) return s.id;
+            // word by word: operator== would call memcmp
+            if (s.key[0] == key[0] && s.key[1] == key[1] && s.key[2] == key[2]) return s.id;
         }
     }
 
