@@ -113,8 +113,8 @@ void run(const Options& given, const cli::Io& io) {
     }
     Notes& notes = file.notes;
     mesh::place(file.mesh, o.place, file.kind == mesh::Kind::threemf, notes);
-    const std::size_t shells = mesh::face_outwards(file.mesh, notes);
-    const slice::Sweep sweep = slice::prepare(file.mesh, o.slice, shells, io.threads, notes);
+    const slice::Part part = slice::make_part(std::move(file.mesh), notes);
+    const slice::Sweep sweep = slice::prepare(part, o.slice, io.threads, notes);
 
     auto header = cli::header(self, stream::Payload::layers);
     header.expected = sweep.levels.size();

@@ -33,8 +33,15 @@ void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
 // Signed volume, mm3: positive if the triangles face outwards.
 double volume(const Mesh& mesh);
 
-// Turns round what is certainly inside out: every shell (triangles joined by shared vertices) of negative volume that
-// lies in the box of no shell of positive volume, so that it can be no cavity.  Notes the number of shells.
+// Which triangles hang together, by shared vertices.
+struct Shells {
+    std::vector<std::uint32_t> of_vertex; // numbered by their first vertices
+    std::size_t count = 0;
+};
+Shells shells_of(const Mesh& mesh);
+
+// Turns round what is certainly inside out: the whole if its volume is negative, then every nearly closed shell of
+// negative volume that lies in the box of no shell of positive volume, so that it can be no cavity.  Notes how many.
 // Returns the number of shells.
 std::size_t face_outwards(Mesh& mesh, Notes& notes);
 

@@ -13,23 +13,6 @@ std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
     return v;
 }
 
-// The shell of every vertex, numbered in the order of their first vertices, and how many there are.
-std::size_t number_shells(const Mesh& mesh, std::vector<std::uint32_t>& shell) {
-    shell.resize(mesh.vertices.size());
-    std::iota(shell.begin(), shell.end(), 0U);
-    for (const Triangle& t : mesh.triangles) {
-        const auto a = root(shell, t[0]);
-        for (const auto v : {t[1], t[2]}) { // the lower number wins: roots are the first vertices
-            const auto r = root(shell, v), s = root(shell, a);
-            if (r != s) shell[std::max(r, s)] = std::min(r, s);
-        }
-    }
-    std::uint32_t count = 0;
-    for (std::uint32_t v = 0; v < shell.size(); ++v) // a parent comes before its children
-        shell[v] = shell[v] == v ? count++ : shell[shell[v]];
-    return count;
-}
-
 // What the triangles of a shell, or of all shells, add up to.
 struct Sums {
     double volume = 0; // six times, about the middle of the box
@@ -103,9 +86,27 @@ double volume(const Mesh& mesh) {
     return sums.volume / 6;
 }
 
+Shells shells_of(const Mesh& mesh) {
+    Shells out;
+    auto& shell = out.of_vertex;
+    shell.resize(mesh.vertices.size());
+    std::iota(shell.begin(), shell.end(), 0U);
+    for (const Triangle& t : mesh.triangles) {
+        const auto a = root(shell, t[0]);
+        for (const auto v : {t[1], t[2]}) { // the lower number wins: roots are the first vertices
+            const auto r = root(shell, v), s = root(shell, a);
+            if (r != s) shell[std::max(r, s)] = std::min(r, s);
+        }
+    }
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < shell.size(); ++v) // a parent comes before its children
+        shell[v] = shell[v] == v ? count++ : shell[shell[v]];
+    out.count = count;
+    return out;
+}
+
 std::size_t face_outwards(Mesh& mesh, Notes& notes) {
-    std::vector<std::uint32_t> shell;
-    const std::size_t count = number_shells(mesh, shell);
+    const auto [shell, count] = shells_of(mesh);
     auto shells = measure(mesh, shell, count);
     face_whole_outwards(mesh, shells, notes);
     std::vector<const Shell*> solid; // largest first: one of them holds most cavities

@@ -146,6 +146,7 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
     for (;;) {
         const Chain& c = chains[end / 2];
         done[end / 2] = 1;
+        out.lid += c.lid;
         const double l = length(c);
         if (is_start(end)) {
             for (const Vec2 p : c.points) append(out.points, p);
@@ -168,8 +169,9 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
     return out;
 }
 
-// Joins what `mates` says; closed ones go to `out`, the others are returned.
-std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Loops& out, double& turned) {
+// Joins what `mates` says; closed ones go to `out`, the others are returned.  `turned` and `lid` get what the closed
+// ones have of these.
+std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Loops& out, double& turned, double& lid) {
     std::vector<Chain> open;
     std::vector<char> done(chains.size(), 0);
     const auto take = [&](std::uint32_t end) {
@@ -179,7 +181,7 @@ std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Lo
             open.push_back(std::move(c));
             return;
         }
-        turned += c.turned;
+        turned += c.turned, lid += c.lid;
         if (c.points.size() > 1 && c.points.front() == c.points.back()) c.points.pop_back();
         if (c.points.size() > 2) out.add(c.points);
     };
@@ -217,9 +219,14 @@ double length(const Chain& chain) {
     return sum;
 }
 
-double close_chains(std::vector<Chain> chains, const Options& o, std::int64_t layer, Loops& out, Notes& notes) {
-    double turned = 0;
-    chains = join(chains, mates_on_edges(chains), out, turned);
+double close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& o,
+                    std::int64_t layer, Loops& out, Notes& notes) {
+    double turned = 0, lid = 0;
+    const auto tell = [&](const char* what, double amount, Vec2 at) {
+        notes.push_back(
+            {.stage = "", .what = what, .amount = amount, .unit = "mm", .layer = layer, .x = at.x, .y = at.y});
+    };
+    chains = join(chains, mates_on_edges(chains), out, turned, lid);
 
     Mates mates(2 * chains.size(), kFree);
     const double widest = std::max(o.close_gaps, kSeam);
@@ -230,30 +237,24 @@ double close_chains(std::vector<Chain> chains, const Options& o, std::int64_t la
             if (radius >= widest) break;
         }
     note_joints(chains, mates, "gap in a contour closed", layer, notes);
-    chains = join(chains, mates, out, turned);
+    chains = join(chains, mates, out, turned, lid);
 
+    if (!chains.empty() && o.close_openings > 0) {
+        const Vec2 at = chains.front().points.front();
+        for (Chain& c : lids()) chains.push_back(std::move(c));
+        chains = join(chains, mates_on_edges(chains), out, turned, lid);
+        std::erase_if(chains, [](const Chain& c) { return c.lid >= length(c); }); // no contour came to these
+        if (lid > 0) tell("contour led across a hole in the surface", lid, at);
+    }
     mates.assign(2 * chains.size(), kFree);
     marry_far(chains, o.close_openings, mates);
     note_joints(chains, mates, "wide opening in a contour closed straight", layer, notes);
-    chains = join(chains, mates, out, turned);
+    chains = join(chains, mates, out, turned, lid);
 
-    for (const Chain& c : chains) {
-        const Vec2 at = c.points[c.points.size() / 2];
-        if (length(c) > kSeam)
-            notes.push_back({.stage = "",
-                             .what = "open contour left out",
-                             .amount = length(c),
-                             .unit = "mm",
-                             .layer = layer,
-                             .x = at.x,
-                             .y = at.y});
-    }
+    for (const Chain& c : chains)
+        if (length(c) > kSeam) tell("open contour left out", length(c), c.points[c.points.size() / 2]);
     if (turned > 0)
-        notes.push_back({.stage = "",
-                         .what = "piece of contour turned round: its triangles face the wrong way",
-                         .amount = turned,
-                         .unit = "mm",
-                         .layer = layer});
+        tell("piece of contour turned round: its triangles face the wrong way", turned, {std::nan(""), std::nan("")});
     return turned;
 }
 

@@ -108,6 +108,19 @@ std::vector<Chain> link(const mesh::Mesh& mesh, double plane, const std::vector<
     return chains;
 }
 
+// The chains of the lids' triangles at this layer; all of their length is lid.
+std::vector<Chain> lid_chains(const Sweep& sweep, std::size_t layer) {
+    std::vector<Piece> pieces;
+    for (const auto& t : sweep.lids) {
+        const bool a = sweep.rank[t[0]] > layer, b = sweep.rank[t[1]] > layer, c = sweep.rank[t[2]] > layer;
+        if (a != b || b != c) pieces.push_back(piece(t, a, b, c));
+    }
+    Loops unused;
+    auto out = link(*sweep.mesh, sweep.levels[layer].plane, pieces, unused);
+    for (Chain& c : out) c.lid = length(c);
+    return out;
+}
+
 double perimeter(const Loops& loops) {
     double sum = 0;
     for (std::size_t i = 0; i < loops.size(); ++i) sum += polygon::perimeter(loops[i]);
@@ -120,7 +133,8 @@ Loops contours(const Sweep& sweep, std::size_t layer, const std::vector<Piece>& 
     const auto number = static_cast<std::int64_t>(layer);
     auto rule = polygon::Fill::nonzero;
     if (!chains.empty()) {
-        const double turned = close_chains(std::move(chains), sweep.options, number, loops, notes);
+        const double turned = close_chains(
+            std::move(chains), [&] { return lid_chains(sweep, layer); }, sweep.options, number, loops, notes);
         const double all = perimeter(loops);
         if (turned > kTurnedShare * all) {
             rule = polygon::Fill::even_odd;

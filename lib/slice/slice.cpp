@@ -1,6 +1,8 @@
 #include "slice/slice.hpp"
 
 #include "base/error.hpp"
+#include "mesh/holes.hpp"
+#include "mesh/place.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -54,20 +56,29 @@ void fill_chunks(Sweep& s) {
 
 } // namespace
 
-Sweep prepare(const mesh::Mesh& mesh, const Options& options, std::size_t shells, int threads, Notes& notes) {
+Part make_part(mesh::Mesh mesh, Notes& notes) {
+    Part out;
+    mesh::face_one_way(mesh, notes);
+    out.shells = mesh::face_outwards(mesh, notes);
+    out.lids = mesh::lids(mesh).triangles;
+    out.mesh = std::move(mesh);
+    return out;
+}
+
+Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes) {
     Sweep s;
-    s.mesh = &mesh;
+    s.mesh = &part.mesh;
+    s.lids = part.lids;
     s.options = options;
-    s.several_bodies = shells > 1;
-    s.levels = levels(mesh, options, notes);
-    s.rank = ranks(mesh, s.levels, threads);
+    s.several_bodies = part.shells > 1;
+    s.levels = levels(part.mesh, options, notes);
+    s.rank = ranks(part.mesh, s.levels, threads);
     fill_chunks(s);
     return s;
 }
 
-std::vector<polygon::Layer> slice(const mesh::Mesh& mesh, const Options& options, std::size_t shells, Notes& notes,
-                                  int threads) {
-    const Sweep s = prepare(mesh, options, shells, threads, notes);
+std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads) {
+    const Sweep s = prepare(part, options, threads, notes);
     std::vector<Cut> cuts(s.chunks());
     parallel::for_chunks(cuts.size(), 1, threads, [&](std::size_t from, std::size_t to) {
         for (std::size_t c = from; c < to; ++c) cuts[c] = cut(s, c);

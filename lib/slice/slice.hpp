@@ -23,7 +23,7 @@ struct Options {
     double cusp = 0.1;             // mm, greatest distance between the surface and the steps of adaptive layers
     double close_gaps = 0.2;       // mm; gaps in contours up to here are closed
     double close_openings = 0.5;   // wider ones are closed straight up to this part of the contour's length
-    double hairline = 0.005; // mm; gaps between bodies, and what bodies leave of each other, below this are healed
+    double hairline = 0.05; // mm; gaps between bodies, and what bodies leave of each other, below this are healed
 };
 
 // Where one layer is cut, and where the nozzle runs.
@@ -45,9 +45,10 @@ std::vector<Level> levels(const mesh::Mesh& mesh, const Options& options, Notes&
 // Layers that are cut together.
 inline constexpr std::size_t kChunk = 8;
 
-// Everything that cutting needs to know of a mesh, made once; refers to `mesh`.
+// Everything that cutting needs to know of a mesh, made once; refers to the part.
 struct Sweep {
     const mesh::Mesh* mesh = nullptr;
+    std::vector<mesh::Triangle> lids; // of holes, used where a contour ends at one
     Options options;
     std::vector<Level> levels;
     std::vector<std::uint32_t> rank;        // per vertex: the number of planes it is above
@@ -58,9 +59,17 @@ struct Sweep {
     [[nodiscard]] std::size_t chunks() const { return chunk_start.size() - 1; }
 };
 
-// Precondition: `mesh` is as mesh::read and mesh::place leave it.  Throws Error as levels(), and if the contours of all
-// layers together would have more than 2^32 points.
-Sweep prepare(const mesh::Mesh& mesh, const Options& options, std::size_t shells, int threads, Notes& notes);
+// A mesh made ready: facing one way and outwards, with lids for its holes; what was turned round is noted.
+struct Part {
+    mesh::Mesh mesh;
+    std::vector<mesh::Triangle> lids;
+    std::size_t shells = 0;
+};
+// Precondition: `mesh` is as mesh::read and mesh::place leave it.
+Part make_part(mesh::Mesh mesh, Notes& notes);
+
+// Throws Error as levels(), and if the contours of all layers together would have more than 2^32 points.
+Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes);
 
 // The layers of one chunk, lowest first, each with what was repaired in it.  Chunks are independent of each other, and
 // their contours do not depend on the chunking.  Contours are simple, on a grid of 0.1 um, solid on the left.
@@ -70,8 +79,7 @@ struct Cut {
 };
 Cut cut(const Sweep& sweep, std::size_t chunk);
 
-// All of it: the layers of `mesh`, lowest first.
-std::vector<polygon::Layer> slice(const mesh::Mesh& mesh, const Options& options, std::size_t shells, Notes& notes,
-                                  int threads = 1);
+// All of it: the layers of `part`, lowest first.
+std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads = 1);
 
 } // namespace filum::slice
