@@ -33,9 +33,13 @@ void enlarge(Bytes& bytes, std::size_t capacity) {
 
 } // namespace
 
+std::string spoken_name(const std::string& path) {
+    return path.empty() || path == "-" ? "standard input" : "'" + path + "'";
+}
+
 Bytes load(const std::string& path) {
     const bool standard = path.empty() || path == "-";
-    const std::string name = standard ? "standard input" : "'" + path + "'";
+    const std::string name = spoken_name(path);
     const Descriptor in(standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC), !standard);
     if (in.fd < 0) throw Error(Exit::io, "cannot open " + name + ": " + std::strerror(errno));
     struct stat info {};

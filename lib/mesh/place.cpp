@@ -116,7 +116,7 @@ void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
         shift.x = placement.center[0] - (box.lo.x + box.hi.x) / 2;
         shift.y = placement.center[1] - (box.lo.y + box.hi.y) / 2;
     }
-    if (placement.on_bed) shift.z = -box.lo.z;
+    if (placement.on_bed && !placement.keep_z) shift.z = -box.lo.z;
     if (shift != Vec3{})
         for (Vec3& v : mesh.vertices) v = v + shift;
     if (!within_limits(box) || !within_limits(bounds(mesh)))

@@ -41,4 +41,7 @@ struct Bytes {
 // The content of `path`, "-" for standard input; at most 4 GiB.  Throws Error(io), or bad_input if there is more.
 Bytes load(const std::string& path);
 
+// How messages name `path`: in quotes, or "standard input".
+std::string spoken_name(const std::string& path);
+
 } // namespace filum::mesh
