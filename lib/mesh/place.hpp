@@ -14,7 +14,7 @@ struct Placement {
     std::vector<double> scale{1};            // one factor, or one per axis; negative ones mirror
     std::vector<double> rotate_deg{0, 0, 0}; // about the x axis, then y, then z, all through the origin
     std::vector<double> translate{0, 0, 0};  // mm
-    std::vector<double> center;              // x and y that the middle of the box comes to, mm; empty: leave it
+    std::vector<double> center{};            // x and y that the middle of the box comes to, mm; empty: leave it
     bool on_bed = true;                      // the lowest point comes to z = 0,
     bool keep_z = false;                     // unless this is set
 };

@@ -16,7 +16,8 @@ namespace filum::mesh {
 namespace {
 
 constexpr std::size_t kMaxText = std::size_t{1} << 30;      // of all models together: a small zip can hold terabytes
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 27; // after all copies that components ask for
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 26; // after all copies that components ask for
+constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
 
 struct Model {
@@ -154,7 +155,7 @@ class Archive {
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
             const std::string other = part_path(c);
-            if (++copies_ > kMaxTriangles) bad("its components ask for too many copies");
+            if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
             add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1);
         }
     }
@@ -176,7 +177,7 @@ class Archive {
             out_.triangles.push_back(tri);
         }
         if (out_.triangles.size() > kMaxTriangles || out_.vertices.size() > kMaxTriangles)
-            bad("with all its copies it has more than 134 million triangles");
+            bad("with all its copies it has more than 67 million triangles");
     }
 
     [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {
