@@ -155,6 +155,35 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     report.say();
 }
 
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+    stream::Writer writer(io.output, header);
+    Report report(io);
+    Progress progress(io, parts);
+    const auto tell = [&](Notes& notes) {
+        for (Note& note : notes) {
+            note.stage = io.program;
+            writer.write(note);
+            report.add(note);
+        }
+    };
+    tell(found);
+    std::size_t next = 0;
+    parallel::ordered<std::size_t, MapResult>(
+        io.threads, [&]() -> std::optional<std::size_t> { return next < parts ? std::optional(next++) : std::nullopt; },
+        [&](std::size_t part) {
+            MapResult result;
+            result.frames = work(part, result.notes);
+            return result;
+        },
+        [&](MapResult result) {
+            for (const auto& frame : result.frames) writer.write(frame);
+            tell(result.notes);
+            progress.step();
+        });
+    writer.close();
+    report.say();
+}
+
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
     stream::Reader reader(path, expected);
     Whole out{reader.header(), {}, {}};

@@ -70,6 +70,11 @@ using ScanEnd = std::function<void(const std::function<void(stream::RawFrame)>&,
 void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, const ScanWork& work,
                 const ScanEnd& end = {});
 
+// Shape "source": no stream comes in; `parts` pieces of work, on all cores, give the frames of the output in order.
+// `found` is what was noted before.  The header's settings may be more than io.settings: what identifies the input.
+using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
+
 // Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {
     stream::Header header;

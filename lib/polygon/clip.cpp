@@ -1,6 +1,7 @@
 #include "polygon/clip.hpp"
 
 #include "base/error.hpp"
+#include "polygon/simple.hpp"
 
 #include <polyclipping/clipper.hpp>
 
@@ -45,10 +46,13 @@ cl::PolyFillType fill_type(Fill rule) {
 Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule, bool strict = true) {
     try {
         cl::Clipper clipper;
-        clipper.StrictlySimple(strict);
         clipper.AddPaths(to_clipper(a), cl::ptSubject, true);
         if (b != nullptr) clipper.AddPaths(to_clipper(*b), cl::ptClip, true);
         cl::Paths out;
+        clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
+        Loops result = from_clipper(out);
+        if (!strict || is_simple(result)) return result;
+        clipper.StrictlySimple(true); // takes time by the square of the points, and is seldom needed
         clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
         return from_clipper(out);
     } catch (const cl::clipperException& e) {
