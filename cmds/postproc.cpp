@@ -75,6 +75,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;
+    cli::Progress progress(io, reader.header().expected);
     Notes notes;
     postproc::Surveyor surveyor(profile);
     postproc::Walk measured(profile, [&](auto steps) { surveyor.add(steps); });
@@ -85,6 +86,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
         }
         measured.add(wire::span(*frame));
         spool.add(std::move(*frame));
+        progress.step();
     }
     measured.end();
     const auto survey = surveyor.end();
@@ -92,14 +94,10 @@ void run(const postproc::Options& o, const cli::Io& io) {
     const auto shift = postproc::placement(survey, profile.bed, place);
     postproc::check_bed(survey, profile, shift);
 
-    cli::Progress progress(io, reader.header().expected);
     postproc::Program program(profile, survey, shift, [&](std::string_view text) { sink.write(text); });
     program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes));
     postproc::Walk written(profile, [&](auto steps) { program.add(steps); });
-    while (const auto frame = spool.next()) {
-        written.add(wire::span(*frame));
-        progress.step();
-    }
+    while (const auto frame = spool.next()) written.add(wire::span(*frame));
     written.end();
     program.end();
     sink.commit();

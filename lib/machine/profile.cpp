@@ -123,7 +123,7 @@ void read_templates(Document& doc, Profile& p) {
     const auto one = [&](const std::string& key, std::string& out) {
         doc.text(key, out);
         const auto fault = check_template(out, p.values);
-        if (!fault.why.empty()) doc.fail(key, fault.why, fault.line);
+        if (!fault.why.empty()) doc.fail_in_text(key, fault.why, fault.line);
     };
     for (const auto& [name, value] : p.values) {
         if (!is_name(name) || name.find_first_of(".-") != std::string::npos)

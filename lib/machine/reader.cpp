@@ -16,6 +16,7 @@ struct Document::State {
     toml::table root;
     std::set<std::string> asked; // dotted keys
     std::set<std::string> set;   // keys that came from `set`
+    std::vector<bool> opens;     // by line: a text of several lines begins at its end, so below it
 };
 
 namespace {
@@ -32,6 +33,19 @@ toml::node* find(toml::table& root, const std::string& key) {
     if (dot == std::string::npos) return root.get(key);
     auto* section = root.get_as<toml::table>(key.substr(0, dot));
     return section == nullptr ? nullptr : section->get(key.substr(dot + 1));
+}
+
+// For each line, whether it ends by opening a text of several lines, whose first line is then the next one.
+std::vector<bool> opening_lines(std::string_view text) {
+    std::vector<bool> out;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        out.push_back(line.ends_with("\"\"\"") || line.ends_with("'''"));
+        text.remove_prefix(std::min(text.size(), end + 1));
+    }
+    return out;
 }
 
 // What stands after '=' in `set`: a number, true or false, or else a text as it is.
@@ -60,6 +74,7 @@ void assign(toml::table& to, const std::string& key, const std::string& value) {
 Document::Document(std::string_view text, const std::string& file, const std::string& set)
     : state_(std::make_unique<State>()) {
     state_->file = file;
+    state_->opens = opening_lines(text);
     try {
         state_->root = toml::parse(text, file);
     } catch (const toml::parse_error& e) {
@@ -86,12 +101,17 @@ Document::Document(std::string_view text, const std::string& file, const std::st
 
 Document::~Document() = default;
 
-void Document::fail(const std::string& key, const std::string& why, std::size_t line) const {
+void Document::fail(const std::string& key, const std::string& why) const { fail_in_text(key, why, 0); }
+
+void Document::fail_in_text(const std::string& key, const std::string& why, std::size_t line) const {
     if (state_->set.count(key) != 0) misused(key, why);
     const toml::node* node = find(state_->root, key);
     std::string where = "'" + state_->file + "'";
-    if (node != nullptr && node->source().begin.line > 0)
-        where += ", line " + std::to_string(node->source().begin.line + line);
+    if (node != nullptr && node->source().begin.line > 0) {
+        const std::size_t first = node->source().begin.line;
+        const bool below = node->is_string() && first <= state_->opens.size() && state_->opens[first - 1];
+        where += ", line " + std::to_string(first + line + (below ? 1 : 0));
+    }
     throw Error(Exit::bad_input, "cannot use profile " + where + ", key '" + printable(key) + "': " + why);
 }
 

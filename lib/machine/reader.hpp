@@ -35,8 +35,10 @@ class Document {
     void require(const std::string& key) const;
     void finish() const; // throws for the first key (in the file's order) that was not asked for
 
-    // Throws: the value of `key` cannot be used.  `line` is added to the line of the value.
-    [[noreturn]] void fail(const std::string& key, const std::string& why, std::size_t line = 0) const;
+    // Throws: the value of `key` cannot be used.
+    [[noreturn]] void fail(const std::string& key, const std::string& why) const;
+    // Likewise, for a fault on line `line`, counted from 0, of a text.
+    [[noreturn]] void fail_in_text(const std::string& key, const std::string& why, std::size_t line) const;
 
   private:
     struct State;

@@ -43,15 +43,15 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
 void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
     const double volume = s.volume * e.flow;
+    const bool filament = e.feeding == machine::Feeding::filament;
     lines.push_back("TIME:" + std::to_string(static_cast<long long>(std::ceil(std::min(s.seconds, 1e15)))));
     lines.push_back(" estimated printing time (normal mode) = " + duration(s.seconds));
-    if (e.feeding == machine::Feeding::filament)
-        lines.push_back(" filament used [mm] = " + fixed_text(s.volume * e.per_mm3(), 2));
+    if (filament) lines.push_back(" filament used [mm] = " + fixed_text(s.volume * e.per_mm3(), 2));
     if (e.feeding == machine::Feeding::plunger)
         lines.push_back(" plunger travel [mm] = " + fixed_text(s.volume * e.per_mm3(), 4));
-    lines.push_back(" filament used [cm3] = " + fixed_text(volume / 1000, 3));
-    lines.push_back(" layers = " + std::to_string(s.layers) + ", strokes = " + std::to_string(s.strokes) +
-                    ", retractions = " + std::to_string(s.travels));
+    lines.push_back(std::string(filament ? " filament used" : " material") +
+                    " [cm3] = " + fixed_text(volume / 1000, 3));
+    lines.push_back(" layers = " + std::to_string(s.layers) + ", strokes = " + std::to_string(s.strokes));
     std::string path = " path [mm] = " + fixed_text(s.path_len, 1);
     const std::pair<Role, const char*> roles[] = {
         {Role::lift, "lifts"}, {Role::jog, "jogs"}, {Role::connector, "connectors"}, {Role::travel, "travel"}};
@@ -66,7 +66,7 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
                                const Notes& notes) {
     std::vector<std::string> lines;
-    lines.push_back(" filum program for '" + profile.name + "'; whole only if its last line says \"end of program\"");
+    lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     pipeline(stages, lines);
     remarks(notes, lines);
     totals(profile, survey, lines);

@@ -82,7 +82,7 @@ void Program::begin(const std::vector<std::string>& about) {
         text_ += profile_->extrusion.relative ? "M83" : "M82";
         end_line();
     }
-    reset_extruder();
+    if (!profile_->extrusion.relative) reset_extruder();
 }
 
 void Program::reset_extruder() {
@@ -112,8 +112,9 @@ void Program::layer(const Step& step) {
         height_ = step.height;
     }
     code(profile_->templates.layer, values_);
-    // counting anew keeps the numbers short, and right whatever the template did
-    if (counts() && !profile_->extrusion.relative) reset_extruder();
+    // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
+    // offset could halt the stroke.
+    if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
 }
 
 void Program::bead_comments(const Step& step) {

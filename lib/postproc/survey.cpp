@@ -61,7 +61,6 @@ void Surveyor::add(std::span<const Step> steps) {
         case Act::close:
             break;
         case Act::retract:
-            ++survey_.travels;
             clock_.pause(t.retract / t.retract_speed);
             break;
         case Act::prime:

@@ -23,7 +23,7 @@ struct Survey {
     double path_len = 0, travel_len = 0;           // mm
     double volume = 0;                             // mm3 of bead, as the toolpath says
     double seconds = 0;
-    std::uint64_t moves = 0, strokes = 0, travels = 0;
+    std::uint64_t moves = 0, strokes = 0;
     std::uint32_t layers = 0;         // highest index + 1
     std::array<double, 5> role_len{}; // mm, by Role
 };
