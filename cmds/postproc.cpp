@@ -92,7 +92,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     const auto survey = surveyor.end();
     const auto place = o.place == "center" ? postproc::Place::center : postproc::Place::as_is;
     const auto shift = postproc::placement(survey, profile.bed, place);
-    postproc::check_bed(survey, profile, shift);
+    postproc::check_limits(survey, profile, shift);
 
     postproc::Program program(profile, survey, shift, [&](std::string_view text) { sink.write(text); });
     program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes));
