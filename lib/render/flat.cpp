@@ -148,7 +148,7 @@ Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int 
     for (std::size_t k = 0; k < layer.beads.size(); ++k) {
         const FlatBead& b = layer.beads[k];
         if (b.point == 0) begin = b.along;
-        colour.push_back(render::colour(tint, scene, b.span, b.point, b.along - begin));
+        colour.push_back(from_srgb8(render::colour(tint, scene, b.span, b.point, b.along - begin)));
         pens.push_back({per_pixel * f.to_pixel(b.a), per_pixel * f.to_pixel(b.b), per_pixel * f.scale * b.width / 2});
     }
     const auto bands = static_cast<std::size_t>((view.height + kBand - 1) / kBand);

@@ -1,11 +1,13 @@
 #include "render/perspective.hpp"
 
 #include "parallel/parallel.hpp"
+#include "render/camera.hpp"
+#include "render/sampling.hpp"
+#include "render/table.hpp"
 #include "render/tubes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::render {
 
@@ -13,159 +15,173 @@ namespace {
 
 using geom::Vec3;
 
-Vec3 unit(Vec3 v) {
-    const double l = norm(v);
-    return l > 0 ? (1 / l) * v : Vec3{0, 0, 1};
-}
-
-struct Camera {
-    Vec3 eye, right, up, forward; // right and up scaled to half the picture at distance 1
-};
-
-// Far enough that the box around the origin fits, with some room at the border.
-Camera camera(const View& view, Vec3 half) {
-    constexpr double kTan = 0.2679; // of half the vertical angle: 30 degrees in all
-    const double aspect = static_cast<double>(view.width) / view.height;
-    Camera c;
-    c.forward = -1.0 * unit(view.from);
-    const Vec3 z = std::abs(c.forward.z) > 0.9999 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-    c.right = unit(cross(c.forward, z));
-    c.up = cross(c.right, c.forward);
-    const double tan_v = aspect >= 1 ? kTan : kTan / aspect, tan_h = tan_v * aspect;
-    double away = 1e-3;
-    for (int k = 0; k < 8; ++k) {
-        const Vec3 p{k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z};
-        const double near = 1.13 * std::max(std::abs(dot(p, c.right)) / tan_h, std::abs(dot(p, c.up)) / tan_v);
-        away = std::max(away, near - dot(p, c.forward));
-    }
-    c.eye = -away * c.forward;
-    c.right = tan_h * c.right, c.up = tan_v * c.up;
-    return c;
-}
-
-std::uint32_t hash(std::uint32_t v) { // Wellons, "lowbias32"
-    v = (v ^ (v >> 16)) * 0x7feb352dU;
-    v = (v ^ (v >> 15)) * 0x846ca68bU;
-    return v ^ (v >> 16);
-}
-
-// Point k of a sequence that fills the unit square evenly (Roberts' R2), shifted by a pixel's own offset.
-struct Square {
-    double u = 0, v = 0;
-};
-Square spread(std::uint32_t seed, std::uint32_t k) {
-    const auto fraction = [](double x) { return x - std::floor(x); };
-    const std::uint32_t a = hash(seed), b = hash(a);
-    return {fraction(a * 0x1p-32 + 0.7548776662466927 * k), fraction(b * 0x1p-32 + 0.5698402909980532 * k)};
-}
-
-// Direction around `n`, denser near it as the cosine asks.
-Vec3 around(Vec3 n, Square s) {
-    const double sign = n.z >= 0 ? 1 : -1, a = -1 / (sign + n.z), b = n.x * n.y * a; // Duff et al. 2017
-    const Vec3 t{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, q{b, sign + n.y * n.y * a, -n.y};
-    const double r = std::sqrt(s.u), phi = 2 * std::numbers::pi * s.v;
-    return r * std::cos(phi) * t + r * std::sin(phi) * q + std::sqrt(std::max(0.0, 1 - s.u)) * n;
-}
-
-struct Stage {
-    const Tubes& tubes;
-    const View& view;
-    Camera eye;
-    Vec3 lamp;     // direction to it
-    double reach;  // mm; the sky is dimmed by what is nearer
-    double hair;   // mm; secondary rays start that far off the surface
-    double floor;  // z of the table
-    double shadow; // mm around the middle; beyond there is no shadow on the table
-};
-
 constexpr Rgb kLampLight{1.62F, 1.55F, 1.45F}, kSkyLight{0.72F, 0.79F, 0.90F}, kTableLight{0.50F, 0.48F, 0.46F};
 
+struct Studio {
+    const Tubes& tubes;
+    const Table& table;
+    const View& view;
+    Camera camera;
+    Vec3 lamp;        // direction to it
+    double reach = 0; // mm; the sky is dimmed by what is nearer
+    double hair = 0;  // mm; secondary rays start that far off the surface
+    double floor = 0; // z of the table
+};
+
+// A pixel before the light is smoothed: what it shows under a full sky and in the full light of the lamp, and how
+// much of either is free.  Sky and lamp vary slowly, what they shine on does not; so only the former are noisy, and
+// smoothed.
+struct Pixel {
+    Rgb under_sky, under_lamp, other; // sums over the samples
+    float sky = 0, lamp = 0;          // sums of what is free
+    float sky_rays = 0, lamp_rays = 0, hits = 0;
+    float depth = 0; // sum
+    float nx = 0, ny = 0, nz = 0;
+};
+
 Rgb backdrop(double down) { // 0 at the top of the picture, 1 at the bottom
-    return mix(oklch(0.985, 0.003, 250), oklch(0.90, 0.008, 250), static_cast<float>(down));
+    return mix(oklch(0.985, 0.003, 250), oklch(0.91, 0.007, 250), static_cast<float>(down));
 }
 
-// Light on a surface, 1 for white in full light; two sky rays and one lamp ray.
-Rgb light(const Stage& s, Vec3 p, Vec3 n, std::uint32_t seed, std::uint32_t k) {
-    const Vec3 from = p + s.hair * n;
-    double sky = 0;
-    constexpr std::uint32_t kSkyRays = 2;
-    for (std::uint32_t j = 0; j < kSkyRays; ++j) {
-        Vec3 d = around(n, spread(seed ^ 0x9e3779b9U, kSkyRays * k + j));
-        const bool down = d.z < 0;
-        if (s.view.table && down) d.z = -d.z; // the table gives light back, less of it
-        sky += s.tubes.blocked(from, d, static_cast<float>(s.reach)) ? 0 : (down ? 0.55 : 1);
-    }
-    sky /= kSkyRays;
+// The surface that a ray met, as far as the light does not matter.
+void add_surface(const Studio& s, Vec3 d, const Hit& hit, Pixel& out) {
+    const Vec3 n = hit.normal;
+    out.under_sky = out.under_sky + mix(kTableLight, kSkyLight, static_cast<float>(0.5 + 0.5 * n.z)) * hit.albedo;
     const double facing = dot(n, s.lamp);
-    double lit = 0;
     if (facing > 0) {
-        const Square q = spread(seed ^ 0x85ebca6bU, k);
-        const Vec3 d = unit(s.lamp + 0.12 * around(s.lamp, q));
-        lit = s.tubes.blocked(from, d, INFINITY) ? 0 : facing;
+        const auto gloss = 0.10F * static_cast<float>(std::pow(std::max(0.0, dot(n, unit(s.lamp - d))), 24));
+        out.under_lamp =
+            out.under_lamp + kLampLight * (static_cast<float>(facing) * hit.albedo + Rgb{gloss, gloss, gloss});
     }
-    const Rgb ambient = mix(kTableLight, kSkyLight, static_cast<float>(0.5 + 0.5 * n.z));
-    return static_cast<float>(sky) * ambient + static_cast<float>(lit) * kLampLight;
+    out.hits += 1, out.depth += hit.distance;
+    out.nx += static_cast<float>(n.x), out.ny += static_cast<float>(n.y), out.nz += static_cast<float>(n.z);
 }
 
-Rgb shade_table(const Stage& s, Rgb back, Vec3 p, std::uint32_t seed, std::uint32_t k) {
-    const double far = std::hypot(p.x, p.y) / s.shadow;
-    if (far >= 1) return back;
-    const Vec3 n{0, 0, 1};
-    double open = 0;
-    const Vec3 from = p + s.hair * n;
-    for (std::uint32_t j = 0; j < 2; ++j)
-        open += s.tubes.blocked(from, around(n, spread(seed ^ 0x9e3779b9U, 2 * k + j)), INFINITY) ? 0 : 0.5;
-    const Vec3 d = unit(s.lamp + 0.12 * around(s.lamp, spread(seed ^ 0x85ebca6bU, k)));
-    const double lit = s.tubes.blocked(from, d, INFINITY) ? 0 : 1;
-    const double bright = 0.42 + 0.30 * open + 0.28 * lit, fade = far < 0.7 ? 0 : (far - 0.7) / 0.3;
-    return static_cast<float>(bright + (1 - bright) * fade) * back;
+// How much of sky and lamp reaches the point that a ray met.
+void add_light(const Studio& s, Vec3 d, const Hit& hit, std::uint32_t seed, std::uint32_t k, Pixel& out) {
+    const Vec3 n = hit.normal, from = s.camera.eye + double{hit.distance} * d + s.hair * n;
+    Vec3 up = around(n, spread(seed ^ 0x9e3779b9U, k));
+    const bool down = s.view.table && up.z < 0;
+    if (down) up.z = -up.z; // the table gives light back, less of it
+    out.sky += s.tubes.blocked(from, up, static_cast<float>(s.reach)) ? 0 : (down ? 0.55F : 1.0F);
+    out.sky_rays += 1;
+    if (dot(n, s.lamp) <= 0) return;
+    out.lamp += s.tubes.blocked(from, lamp_ray(s.lamp, seed, k), INFINITY) ? 0 : 1;
+    out.lamp_rays += 1;
 }
 
-Rgb look(const Stage& s, double x, double y, std::uint32_t seed, std::uint32_t k) {
-    const double sx = 2 * x / s.view.width - 1, sy = 1 - 2 * y / s.view.height;
-    const Vec3 d = unit(s.eye.forward + sx * s.eye.right + sy * s.eye.up);
-    const Hit hit = s.tubes.shoot(s.eye.eye, d);
-    if (!hit.any) {
-        const Rgb back = backdrop(y / s.view.height);
-        const double t = d.z < -1e-6 ? (s.floor - s.eye.eye.z) / d.z : -1;
-        if (!s.view.table || t <= 0 || s.tubes.empty()) return back;
-        return shade_table(s, back, s.eye.eye + t * d, seed, k);
+float table_light(const Studio& s, Vec3 d) {
+    const double t = s.view.table && d.z < -1e-6 ? (s.floor - s.camera.eye.z) / d.z : -1;
+    return t > 0 ? s.table.at(s.camera.eye.x + t * d.x, s.camera.eye.y + t * d.y) : 1.0F;
+}
+
+// Four rays at a time; where rays are few, light is looked for by every second one, and smoothed.
+Pixel sample(const Studio& s, int x, int y, Rgb back) {
+    Pixel out;
+    const auto seed = hash(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x));
+    const auto samples = static_cast<std::uint32_t>(s.view.samples), stride = samples < 16 ? 2U : 1U;
+    for (std::uint32_t k = 0; k < samples; k += 4) {
+        std::array<Vec3, 4> d;
+        for (std::uint32_t j = 0; j < 4; ++j) {
+            const Square at = spread(seed, k + j);
+            d[j] = s.camera.ray(2 * (x + at.u) / s.view.width - 1, 1 - 2 * (y + at.v) / s.view.height);
+        }
+        const auto hit = s.tubes.shoot(s.camera.eye, d);
+        for (std::uint32_t j = 0; j < std::min(4U, samples - k); ++j) {
+            if (!hit[j].any) {
+                out.other = out.other + table_light(s, d[j]) * back;
+                continue;
+            }
+            if (static_cast<std::uint32_t>(out.hits) % stride == 0) add_light(s, d[j], hit[j], seed, k + j, out);
+            add_surface(s, d[j], hit[j], out);
+        }
     }
-    const Rgb got = light(s, s.eye.eye + double{hit.distance} * d, hit.normal, seed, k);
-    const Vec3 middle = unit(s.lamp - d);
-    const float gloss = 0.10F * static_cast<float>(std::pow(std::max(0.0, dot(hit.normal, middle)), 24)) * got.r;
-    return hit.albedo * got + Rgb{gloss, gloss, gloss};
+    return out;
+}
+
+struct Free {
+    float sky = 0, lamp = 0;
+};
+
+// Shares of sky and lamp at pixel (x, y), from those around it that show the same surface.
+Free smoothed(const Studio& s, const std::vector<Pixel>& pixel, int x, int y, int reach) {
+    const int w = s.view.width, h = s.view.height;
+    const auto at = [&](int i, int j) -> const Pixel& {
+        return pixel[static_cast<std::size_t>(j) * static_cast<std::size_t>(w) + static_cast<std::size_t>(i)];
+    };
+    const auto place = [&](const Pixel& p, int i, int j) {
+        return double{p.depth / p.hits} * s.camera.ray((2.0 * i + 1) / w - 1, 1 - (2.0 * j + 1) / h);
+    };
+    const Pixel& p = at(x, y);
+    const Vec3 n = unit({p.nx, p.ny, p.nz}), here = place(p, x, y);
+    const double thin = 0.35 * s.tubes.thickness();
+    float sky = 0, sky_weight = 0, lamp = 0, lamp_weight = 0;
+    for (int j = std::max(0, y - reach); j <= std::min(h - 1, y + reach); ++j) {
+        for (int i = std::max(0, x - reach); i <= std::min(w - 1, x + reach); ++i) {
+            const Pixel& q = at(i, j);
+            if (q.hits == 0) continue;
+            const double alike = dot(n, {q.nx, q.ny, q.nz}) / q.hits, off = dot(n, place(q, i, j) - here) / thin;
+            if (alike < 0.7 && !(i == x && j == y)) continue;
+            const auto weight =
+                static_cast<float>(alike > 0 ? alike * alike * alike * alike / (1 + off * off * off * off) : 1e-6);
+            sky += weight * q.sky, sky_weight += weight * q.sky_rays;
+            lamp += weight * q.lamp, lamp_weight += weight * q.lamp_rays;
+        }
+    }
+    return {sky_weight > 0 ? sky / sky_weight : 1, lamp_weight > 0 ? lamp / lamp_weight : 1};
 }
 
 // Bends what is brighter than white, so that colours do not run out.
 Rgb tone(Rgb c) {
-    const auto bend = [](float v) { return v < 0.8F ? v : 0.8F + 0.2F * (1 - std::exp(-(v - 0.8F) / 0.2F)); };
+    const auto bend = [](float v) { return v < 0.75F ? v : 0.75F + 0.25F * (1 - std::exp(-(v - 0.75F) / 0.25F)); };
     return {bend(c.r), bend(c.g), bend(c.b)};
+}
+
+Image develop(const Studio& s, int threads) {
+    const View& v = s.view;
+    const auto rows = static_cast<std::size_t>(v.height);
+    std::vector<Pixel> pixel(static_cast<std::size_t>(v.width) * rows);
+    parallel::for_chunks(rows, 8, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+            const Rgb back = backdrop(static_cast<double>(y) / v.height);
+            for (int x = 0; x < v.width; ++x)
+                pixel[y * static_cast<std::size_t>(v.width) + static_cast<std::size_t>(x)] =
+                    sample(s, x, static_cast<int>(y), back);
+        }
+    });
+    Image out(v.width, v.height);
+    const int reach = v.samples < 16 ? 2 : (v.samples < 64 ? 1 : 0);
+    parallel::for_chunks(rows, 8, threads, [&](std::size_t begin, std::size_t end) {
+        for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+            for (int x = 0; x < v.width; ++x) {
+                const Pixel& p = pixel[static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) +
+                                       static_cast<std::size_t>(x)];
+                Rgb c = p.other;
+                if (p.hits > 0) {
+                    const Free f = smoothed(s, pixel, x, y, reach);
+                    c = c + p.hits * tone((1 / p.hits) * (f.sky * p.under_sky + f.lamp * p.under_lamp));
+                }
+                out.set(x, y, (1.0F / static_cast<float>(v.samples)) * c);
+            }
+        }
+    });
+    return out;
 }
 
 } // namespace
 
 Image draw_perspective(const Scene& scene, const Tint& tint, const View& view, int threads) {
     const Tubes tubes(scene, tint, view.travels, threads);
-    const Vec3 half = tubes.half();
-    const double size = std::max(norm(half), 1e-6);
-    Stage s{tubes, view, camera(view, half), {}, 0.35 * size, 0.02 * tubes.thickness(), -half.z, 2.2 * size};
-    s.lamp = unit(-0.55 * unit(s.eye.right) + 0.85 * Vec3{0, 0, 1} + -0.45 * s.eye.forward + 0.25 * unit(s.eye.up));
-    s.hair = std::max(s.hair, 1e-5 * size);
-    Image out(view.width, view.height);
-    parallel::for_chunks(static_cast<std::size_t>(view.height), 8, threads, [&](std::size_t begin, std::size_t end) {
-        for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const auto seed = hash(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x));
-                Rgb sum;
-                for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(view.samples); ++k) {
-                    const Square at = spread(seed, k);
-                    sum = sum + tone(look(s, x + at.u, y + at.v, seed, k));
-                }
-                out.set(x, y, (1.0F / static_cast<float>(view.samples)) * sum);
-            }
-        }
-    });
+    const double size = std::max(norm(tubes.half()), 1e-6), floor = -tubes.half().z;
+    const Camera camera =
+        aim(scene, tubes.centre(), view.from, static_cast<double>(view.width) / view.height, view.travels);
+    // Over the left shoulder of the viewer.
+    const Vec3 lamp =
+        unit(-0.55 * unit(camera.right) + 0.85 * Vec3{0, 0, 1} - 0.45 * camera.forward + 0.25 * unit(camera.up));
+    const Table table(tubes, lamp, floor, view.table ? 2.2 * size : 0, threads);
+    Studio studio{tubes, table, view, camera, lamp, 0.35 * size, std::max(0.02 * tubes.thickness(), 1e-5 * size),
+                  floor};
+    Image out = develop(studio, threads);
     draw_legend(out, tint);
     return out;
 }

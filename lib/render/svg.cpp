@@ -27,7 +27,8 @@ void beads(std::string& out, const Scene& scene, const Tint& tint, const FlatLay
     for (const FlatBead& b : layer.beads) {
         if (b.point == 0) begin = b.along;
         const double width = std::max(0.01, std::round(b.width * 100) / 100);
-        const std::string attributes = "stroke=\"" + hex(colour(tint, scene, b.span, b.point, b.along - begin)) +
+        const std::string attributes = "stroke=\"" +
+                                       hex(from_srgb8(colour(tint, scene, b.span, b.point, b.along - begin))) +
                                        "\" stroke-width=\"" + number(width) + "\" d=\"";
         if (attributes != open || !(b.a == last)) {
             out += (open.empty() ? "" : "\"/>\n") + ("<path " + attributes);

@@ -11,6 +11,8 @@ namespace {
 
 using toolpath::Role;
 
+constexpr int kSteps = 1024; // of the ramp
+
 constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel"};
 
 double length(const toolpath::Span& s) {
@@ -44,6 +46,7 @@ void width_range(const Scene& scene, Tint& out) {
 Tint tint(const Scene& scene, By by) {
     Tint out;
     out.by = by;
+    for (int k = 0; k < kSteps; ++k) out.ramp.push_back(to_srgb8(ramp((k + 0.5) / kSteps)));
     std::set<std::uint32_t> strokes;
     std::uint32_t lo = UINT32_MAX, hi = 0;
     double along = 0;
@@ -78,21 +81,24 @@ Rgb role_colour(Role role) {
     return {};
 }
 
-Rgb colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along) {
+Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along) {
     const toolpath::Span& span = scene.spans[s];
-    if (!toolpath::extrudes(span.role)) return role_colour(span.role);
-    const auto on_ramp = [&](double v) { return ramp(tint.hi > tint.lo ? (v - tint.lo) / (tint.hi - tint.lo) : 0.6); };
+    if (!toolpath::extrudes(span.role)) return to_srgb8(role_colour(span.role));
+    const auto on_ramp = [&](double v) {
+        const double t = tint.hi > tint.lo ? (v - tint.lo) / (tint.hi - tint.lo) : 0.6;
+        return tint.ramp[static_cast<std::size_t>(std::clamp(t * kSteps, 0.0, kSteps - 1.0))];
+    };
     switch (tint.by) {
     case By::progress:
         return on_ramp(tint.begin[s] + along);
     case By::stroke:
-        return distinct(span.stroke);
+        return to_srgb8(distinct(span.stroke));
     case By::layer:
         return on_ramp(span.layer);
     case By::width:
         return on_ramp((span.width_at(i) + span.width_at(i + 1)) / 2);
     case By::role:
-        return role_colour(span.role);
+        return to_srgb8(role_colour(span.role));
     }
     return {};
 }

@@ -19,12 +19,13 @@ struct Tint {
     std::vector<double> begin;   // progress: mm extruded before each span
     std::size_t strokes = 0;     // distinct ones drawn
     std::array<bool, 5> roles{}; // drawn ones
+    std::vector<Srgb8> ramp;     // steps of the ramp: looked up faster than mixed
 };
 
 Tint tint(const Scene& scene, By by);
 
 // Colour of the segment i -> i + 1 of span `s`, which begins `along` mm from the span's start.
-Rgb colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along);
+Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along);
 
 Rgb role_colour(toolpath::Role role);
 

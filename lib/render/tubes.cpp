@@ -1,6 +1,7 @@
 #include "render/tubes.hpp"
 
 #include "base/error.hpp"
+#include "render/camera.hpp"
 
 #include <embree3/rtcore.h>
 
@@ -121,7 +122,7 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
             index[n] = at;
             flags[n] = static_cast<unsigned char>((i > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
                                                   (i + 2 < span.points.size() ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
-            colour.push_back(to_srgb8(render::colour(tint, s, k, i, along)));
+            colour.push_back(render::colour(tint, s, k, i, along));
             if (tint.by == By::progress) along += geom::distance(span.points[i], span.points[i + 1]);
         }
     }
@@ -144,20 +145,28 @@ Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : 
 
 Tubes::~Tubes() = default;
 
-Hit Tubes::shoot(Vec3 from, Vec3 direction) const {
-    RTCRayHit rh{};
-    rh.ray = state_->ray(from, direction, INFINITY);
-    rh.hit.geomID = rh.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+std::array<Hit, 4> Tubes::shoot(Vec3 from, const std::array<Vec3, 4>& direction) const {
+    alignas(16) RTCRayHit4 rh{};
+    alignas(16) const int all[4] = {-1, -1, -1, -1};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const RTCRay r = state_->ray(from, direction[k], INFINITY);
+        rh.ray.org_x[k] = r.org_x, rh.ray.org_y[k] = r.org_y, rh.ray.org_z[k] = r.org_z;
+        rh.ray.dir_x[k] = r.dir_x, rh.ray.dir_y[k] = r.dir_y, rh.ray.dir_z[k] = r.dir_z;
+        rh.ray.tfar[k] = r.tfar, rh.ray.mask[k] = r.mask;
+        rh.hit.geomID[k] = rh.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(state_->scene, &context, &rh);
-    Hit out;
-    if (rh.hit.geomID == RTC_INVALID_GEOMETRY_ID) return out;
-    Vec3 n{rh.hit.Ng_x, rh.hit.Ng_y, rh.hit.Ng_z * state_->stretch};
-    const double l = norm(n);
-    n = l > 0 ? (1 / l) * n : Vec3{0, 0, 1};
-    if (dot(n, direction) > 0) n = -1.0 * n;
-    return {true, rh.ray.tfar, n, from_srgb8(state_->colour[rh.hit.primID])};
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect4(all, state_->scene, &context, &rh);
+    std::array<Hit, 4> out;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (rh.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+        Vec3 n = unit({rh.hit.Ng_x[k], rh.hit.Ng_y[k], rh.hit.Ng_z[k] * state_->stretch});
+        if (dot(n, direction[k]) > 0) n = -1.0 * n;
+        out[k] = {true, rh.ray.tfar[k], n, from_srgb8(state_->colour[rh.hit.primID[k]])};
+    }
+    return out;
 }
 
 bool Tubes::blocked(Vec3 from, Vec3 direction, float reach) const {
