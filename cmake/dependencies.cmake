@@ -14,6 +14,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
 pkg_check_modules(libzip REQUIRED IMPORTED_TARGET libzip)
 pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)
+find_path(TOML_INCLUDE toml++/toml.h REQUIRED)
 find_path(EMBREE_INCLUDE embree3/rtcore.h REQUIRED)
 find_library(EMBREE_LIBRARY embree3 REQUIRED)
 

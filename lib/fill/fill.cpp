@@ -1,5 +1,7 @@
 #include "fill/fill.hpp"
 
+#include "fill/cycle.hpp"
+#include "fill/thin.hpp"
 #include "polygon/clip.hpp"
 
 namespace filum::fill {
@@ -8,13 +10,12 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& options, Not
     toolpath::RegionPaths out;
     out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
     out.stroke = r.stroke, out.join = r.join;
-    auto loops = polygon::offset(r.loops, -options.bead_width / 2);
-    while (!loops.empty()) {
-        loops = polygon::simplify(loops, 0.001);
-        for (std::size_t i = 0; i < loops.size(); ++i)
-            out.curves.push_back({true, {loops[i].begin(), loops[i].end()}, {options.bead_width}});
-        loops = polygon::offset(loops, -options.bead_width);
-    }
+    const double w = options.bead_width;
+    const auto first = first_rings(r.loops, w, 0.003);
+    out.unplaced = first.unplaced;
+    const auto rings = nested_rings(first.rings, w * (1 - 1.0 / 512), 1.3 * w, 0.003);
+    const auto beads = even_spacing(rings, r.loops, w, 2, 0.003);
+    for (auto& line : join_rings(beads, w)) out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     return out;
 }
 
