@@ -7,6 +7,7 @@
 #include "render/tubes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace filum::render {
@@ -15,6 +16,9 @@ namespace {
 
 using geom::Vec3;
 
+// Bayer's matrix: neighbours far apart in the sequence.
+constexpr std::array<std::uint32_t, 16> kTile = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+constexpr std::uint32_t kSkySeed = 1, kLampSeed = 2; // any
 constexpr Rgb kLampLight{1.62F, 1.55F, 1.45F}, kSkyLight{0.72F, 0.79F, 0.90F}, kTableLight{0.50F, 0.48F, 0.46F};
 
 struct Studio {
@@ -58,15 +62,15 @@ void add_surface(const Studio& s, Vec3 d, const Hit& hit, Pixel& out) {
 }
 
 // How much of sky and lamp reaches the point that a ray met.
-void add_light(const Studio& s, Vec3 d, const Hit& hit, std::uint32_t seed, std::uint32_t k, Pixel& out) {
+void add_light(const Studio& s, Vec3 d, const Hit& hit, std::uint32_t k, Pixel& out) {
     const Vec3 n = hit.normal, from = s.camera.eye + double{hit.distance} * d + s.hair * n;
-    Vec3 up = around(n, spread(seed ^ 0x9e3779b9U, k));
+    Vec3 up = around(n, spread(kSkySeed, k));
     const bool down = s.view.table && up.z < 0;
     if (down) up.z = -up.z; // the table gives light back, less of it
     out.sky += s.tubes.blocked(from, up, static_cast<float>(s.reach)) ? 0 : (down ? 0.55F : 1.0F);
     out.sky_rays += 1;
     if (dot(n, s.lamp) <= 0) return;
-    out.lamp += s.tubes.blocked(from, lamp_ray(s.lamp, seed, k), INFINITY) ? 0 : 1;
+    out.lamp += s.tubes.blocked(from, lamp_ray(s.lamp, kLampSeed, k), INFINITY) ? 0 : 1;
     out.lamp_rays += 1;
 }
 
@@ -79,6 +83,8 @@ float table_light(const Studio& s, Vec3 d) {
 Pixel sample(const Studio& s, int x, int y, Rgb back) {
     Pixel out;
     const auto seed = hash(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x));
+    // The pixels of a tile of 4 x 4 share one even set of directions, so that smoothing over a tile sees all of it.
+    const auto tile = kTile[static_cast<std::size_t>(4 * (y & 3) + (x & 3))];
     const auto samples = static_cast<std::uint32_t>(s.view.samples), stride = samples < 16 ? 2U : 1U;
     for (std::uint32_t k = 0; k < samples; k += 4) {
         std::array<Vec3, 4> d;
@@ -92,7 +98,8 @@ Pixel sample(const Studio& s, int x, int y, Rgb back) {
                 out.other = out.other + table_light(s, d[j]) * back;
                 continue;
             }
-            if (static_cast<std::uint32_t>(out.hits) % stride == 0) add_light(s, d[j], hit[j], seed, k + j, out);
+            if (static_cast<std::uint32_t>(out.hits) % stride == 0)
+                add_light(s, d[j], hit[j], 16 * static_cast<std::uint32_t>(out.sky_rays) + tile, out);
             add_surface(s, d[j], hit[j], out);
         }
     }
