@@ -256,6 +256,7 @@ Rings without(const Rings& rings, const std::vector<char>& left_out) {
 } // namespace
 
 BeadRings even_spacing(const Rings& rings, const Loops& boundary, double width, int lanes, double tolerance) {
+    if (lanes == 0) return {rings.loops, std::vector<double>(rings.loops.points.size(), width)};
     Spacing all(rings, boundary, width, lanes);
     const auto slivers = all.slivers();
     if (std::find(slivers.begin(), slivers.end(), 1) == slivers.end()) return all.run(tolerance);
