@@ -3,6 +3,7 @@
 // writes: text
 // memory: the toolpath at 20 bytes per segment, and the outlines
 #include "cli/command.hpp"
+#include "metrics/pace.hpp"
 #include "metrics/report.hpp"
 #include "wire/planar.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 using namespace filum;
 
 struct Options : metrics::Options {
-    std::string regions, per_region, per_layer;
+    std::string regions, per_region, per_layer, machine = "marlin", set;
     std::string format = "table";
 };
 
@@ -58,7 +59,9 @@ cli::Spec spec(Options& o) {
              cli::Option{"turn-samples", &o.turn_samples, "N", "how many places are tested for sharp turns"}
                  .at_least(1)
                  .at_most(1e8),
-             cli::Option{"filament-diameter", &o.filament_diameter, "MM", "diameter of the filament"}.above(0),
+             cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile whose speeds the print time is for"}
+                 .not_a_setting(),
+             cli::Option{"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as feeds.bead=40"},
              cli::Option{"density", &o.density, "G/CM3", "density of the material"}.above(0)},
         .examples =
             {{"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | metrics --regions "
@@ -84,7 +87,10 @@ void write(const std::string& file, const std::string& text) {
     out.commit();
 }
 
-void run(const Options& options, const cli::Io& io) {
+void run(const Options& given, const cli::Io& io) {
+    Options options = given;
+    const auto profile = machine::load_profile(options.machine, options.set);
+    if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
     const auto regions = outlines(options.regions);
     metrics::Input input;
     metrics::Beads beads;
@@ -94,6 +100,7 @@ void run(const Options& options, const cli::Io& io) {
     if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
         throw Error(Exit::bad_input, "cannot measure " + reader.name() + ": it carries " +
                                          std::string(stream::name(payload)) + ", not Toolpath or Paths");
+    metrics::Pace pace(profile);
     input.whole_program = payload == stream::Payload::toolpath;
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note) {
@@ -106,8 +113,10 @@ void run(const Options& options, const cli::Io& io) {
             const auto span = wire::span(*f);
             metrics::add(beads, span);
             metrics::follow(input.course, span);
+            pace.add(span);
         }
     }
+    input.seconds = pace.seconds();
     const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
     const auto figures = metrics::report(input, beads, regions, layers, options, io.threads);
     if (!options.per_region.empty()) write(options.per_region, metrics::region_table(layers));

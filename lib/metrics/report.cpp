@@ -46,10 +46,10 @@ void lengths(const Course& c, double seconds, const Options& o, Figures& out) {
     out.push_back({g, "moves", count(c.extruding_moves)});
     const std::string m = "time and material";
     if (seconds >= 0) out.push_back({m, "print time", seconds, 1, "s"});
-    const double filament = volume / (std::numbers::pi * o.filament_diameter * o.filament_diameter / 4);
+    const double filament = volume / (std::numbers::pi * o.filament_diameter * o.filament_diameter / 4) / 1000;
     out.push_back({m, "volume", volume, 2, "mm3"});
     out.push_back({m, "of it to be removed", c.volume[role(Role::connector)], 2, "mm3"});
-    out.push_back({m, "filament", filament / 1000, 3, "m"});
+    if (o.filament_diameter > 0) out.push_back({m, "filament", filament, 3, "m"});
     out.push_back({m, "mass", volume / 1000 * o.density, 2, "g"});
 }
 

@@ -11,9 +11,9 @@
 namespace filum::metrics {
 
 struct Options {
-    double pixel = 0;                // mm between the rows that areas are swept by; 0: a sixteenth of the bead width
-    double filament_diameter = 1.75; // mm
-    double density = 1.24;           // g/cm3
+    double pixel = 0;             // mm between the rows that areas are swept by; 0: a sixteenth of the bead width
+    double filament_diameter = 0; // mm; 0: the machine is not fed with filament
+    double density = 1.24;        // g/cm3
     std::int64_t turn_samples = 50000;
 };
 
