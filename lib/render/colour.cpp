@@ -57,7 +57,7 @@ Rgb ramp(double t) {
     t = std::clamp(t, 0.0, 1.0);
     // Hue runs from violet over blue, teal and green to yellow while lightness rises evenly.
     const double hue = 292 - 192 * t, chroma = 0.135 + 0.03 * std::sin(std::numbers::pi * t);
-    return oklch(0.36 + 0.52 * t, chroma, hue);
+    return oklch(0.36 + 0.49 * t, chroma, hue);
 }
 
 Rgb distinct(std::size_t i) {

@@ -36,6 +36,7 @@ Frame frame(const geom::Box2& box, int width, int height) {
 
 // What lies at a sample.
 struct Sample {
+    double along = 0;       // mm of path up to there
     float ratio2 = 2;       // (distance to the middle of the bead / half its width) squared; above 1: no bead
     std::uint32_t bead = 0; // the nearest
     bool twice = false;     // another stretch of path lies here, too
@@ -63,11 +64,13 @@ void lay(Band& band, const Pen& p, std::uint32_t index, const std::vector<FlatBe
     for (int y = y0; y <= y1; ++y) {
         for (int x = x0; x <= x1; ++x) {
             const Vec2 q{x + 0.5, y + 0.5};
-            const auto r2 = static_cast<float>(geom::norm2(q - geom::nearest_point(p.a, p.b, q)) / (p.half * p.half));
+            const double t = geom::nearest_parameter(p.a, p.b, q);
+            const auto r2 = static_cast<float>(geom::norm2(q - geom::lerp(p.a, p.b, t)) / (p.half * p.half));
             if (r2 > 1) continue;
             Sample& s = band.at(x, y);
-            if (s.ratio2 <= 1 && std::abs(beads[index].along - beads[s.bead].along) > near) s.twice = true;
-            if (r2 < s.ratio2) s.ratio2 = r2, s.bead = index;
+            const double along = beads[index].along + t * geom::distance(beads[index].a, beads[index].b);
+            if (s.ratio2 <= 1 && std::abs(along - s.along) > near) s.twice = true;
+            if (r2 < s.ratio2) s.ratio2 = r2, s.bead = index, s.along = along;
         }
     }
 }

@@ -19,7 +19,7 @@ using geom::Vec3;
 // Bayer's matrix: neighbours far apart in the sequence.
 constexpr std::array<std::uint32_t, 16> kTile = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 constexpr std::uint32_t kSkySeed = 1, kLampSeed = 2; // any
-constexpr Rgb kLampLight{1.62F, 1.55F, 1.45F}, kSkyLight{0.72F, 0.79F, 0.90F}, kTableLight{0.50F, 0.48F, 0.46F};
+constexpr Rgb kLampLight{1.22F, 1.17F, 1.10F}, kSkyLight{0.66F, 0.71F, 0.79F}, kTableLight{0.50F, 0.48F, 0.46F};
 
 struct Studio {
     const Tubes& tubes;
@@ -106,26 +106,35 @@ Pixel sample(const Studio& s, int x, int y, Rgb back) {
     return out;
 }
 
+constexpr int kStrip = 256; // rows that are kept in memory at once
+
+// Rows [first, last) of the picture before smoothing.
+struct Strip {
+    int first = 0, last = 0, width = 0;
+    std::vector<Pixel> pixel;
+    [[nodiscard]] const Pixel& at(int x, int y) const {
+        return pixel[static_cast<std::size_t>(y - first) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x)];
+    }
+};
+
 struct Free {
     float sky = 0, lamp = 0;
 };
 
 // Shares of sky and lamp at pixel (x, y), from those around it that show the same surface.
-Free smoothed(const Studio& s, const std::vector<Pixel>& pixel, int x, int y, int reach) {
+Free smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
     const int w = s.view.width, h = s.view.height;
-    const auto at = [&](int i, int j) -> const Pixel& {
-        return pixel[static_cast<std::size_t>(j) * static_cast<std::size_t>(w) + static_cast<std::size_t>(i)];
-    };
     const auto place = [&](const Pixel& p, int i, int j) {
         return double{p.depth / p.hits} * s.camera.ray((2.0 * i + 1) / w - 1, 1 - (2.0 * j + 1) / h);
     };
-    const Pixel& p = at(x, y);
+    const Pixel& p = strip.at(x, y);
     const Vec3 n = unit({p.nx, p.ny, p.nz}), here = place(p, x, y);
     const double thin = 0.35 * s.tubes.thickness();
     float sky = 0, sky_weight = 0, lamp = 0, lamp_weight = 0;
     for (int j = std::max(0, y - reach); j <= std::min(h - 1, y + reach); ++j) {
         for (int i = std::max(0, x - reach); i <= std::min(w - 1, x + reach); ++i) {
-            const Pixel& q = at(i, j);
+            const Pixel& q = strip.at(i, j);
             if (q.hits == 0) continue;
             const double alike = dot(n, {q.nx, q.ny, q.nz}) / q.hits, off = dot(n, place(q, i, j) - here) / thin;
             if (alike < 0.7 && !(i == x && j == y)) continue;
@@ -144,34 +153,43 @@ Rgb tone(Rgb c) {
     return {bend(c.r), bend(c.g), bend(c.b)};
 }
 
+void expose(const Studio& s, int threads, Strip& strip) {
+    strip.pixel.assign(static_cast<std::size_t>(strip.last - strip.first) * static_cast<std::size_t>(strip.width), {});
+    parallel::for_chunks(
+        static_cast<std::size_t>(strip.last - strip.first), 8, threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t row = begin; row < end; ++row) {
+                const int y = strip.first + static_cast<int>(row);
+                const Rgb back = backdrop(static_cast<double>(y) / s.view.height);
+                for (int x = 0; x < strip.width; ++x)
+                    strip.pixel[row * static_cast<std::size_t>(strip.width) + static_cast<std::size_t>(x)] =
+                        sample(s, x, y, back);
+            }
+        });
+}
+
 Image develop(const Studio& s, int threads) {
     const View& v = s.view;
-    const auto rows = static_cast<std::size_t>(v.height);
-    std::vector<Pixel> pixel(static_cast<std::size_t>(v.width) * rows);
-    parallel::for_chunks(rows, 8, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t y = begin; y < end; ++y) {
-            const Rgb back = backdrop(static_cast<double>(y) / v.height);
-            for (int x = 0; x < v.width; ++x)
-                pixel[y * static_cast<std::size_t>(v.width) + static_cast<std::size_t>(x)] =
-                    sample(s, x, static_cast<int>(y), back);
-        }
-    });
-    Image out(v.width, v.height);
     const int reach = v.samples < 16 ? 2 : (v.samples < 64 ? 1 : 0);
-    parallel::for_chunks(rows, 8, threads, [&](std::size_t begin, std::size_t end) {
-        for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-            for (int x = 0; x < v.width; ++x) {
-                const Pixel& p = pixel[static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) +
-                                       static_cast<std::size_t>(x)];
-                Rgb c = p.other;
-                if (p.hits > 0) {
-                    const Free f = smoothed(s, pixel, x, y, reach);
-                    c = c + p.hits * tone((1 / p.hits) * (f.sky * p.under_sky + f.lamp * p.under_lamp));
+    Image out(v.width, v.height);
+    for (int top = 0; top < v.height; top += kStrip) {
+        const int bottom = std::min(v.height, top + kStrip);
+        Strip strip{std::max(0, top - reach), std::min(v.height, bottom + reach), v.width, {}};
+        expose(s, threads, strip);
+        parallel::for_chunks(
+            static_cast<std::size_t>(bottom - top), 8, threads, [&](std::size_t begin, std::size_t end) {
+                for (int y = top + static_cast<int>(begin); y < top + static_cast<int>(end); ++y) {
+                    for (int x = 0; x < v.width; ++x) {
+                        const Pixel& p = strip.at(x, y);
+                        Rgb c = p.other;
+                        if (p.hits > 0) {
+                            const Free f = smoothed(s, strip, x, y, reach);
+                            c = c + p.hits * tone((1 / p.hits) * (f.sky * p.under_sky + f.lamp * p.under_lamp));
+                        }
+                        out.set(x, y, (1.0F / static_cast<float>(v.samples)) * c);
+                    }
                 }
-                out.set(x, y, (1.0F / static_cast<float>(v.samples)) * c);
-            }
-        }
-    });
+            });
+    }
     return out;
 }
 

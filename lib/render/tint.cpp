@@ -1,6 +1,7 @@
 #include "render/tint.hpp"
 
 #include "base/number.hpp"
+#include "machine/feed.hpp"
 
 #include <algorithm>
 #include <set>
@@ -21,13 +22,19 @@ double length(const toolpath::Span& s) {
     return sum;
 }
 
-void width_range(const Scene& scene, Tint& out) {
-    std::vector<std::pair<double, double>> all; // width, length
+// What a segment's colour stands for, where that is an amount of its own.
+double amount(const Tint& tint, const toolpath::Span& s, std::size_t i) {
+    if (tint.by == By::speed) return machine::bead_feed(*tint.profile, s, i);
+    return (s.width_at(i) + s.width_at(i + 1)) / 2;
+}
+
+void amount_range(const Scene& scene, Tint& out) {
+    std::vector<std::pair<double, double>> all; // amount, length
     double total = 0;
     for (const auto& s : scene.spans) {
         if (!toolpath::extrudes(s.role)) continue;
         for (std::size_t i = 0; i + 1 < s.points.size(); ++i) {
-            all.emplace_back((s.width_at(i) + s.width_at(i + 1)) / 2, geom::distance(s.points[i], s.points[i + 1]));
+            all.emplace_back(amount(out, s, i), geom::distance(s.points[i], s.points[i + 1]));
             total += all.back().second;
         }
     }
@@ -43,9 +50,9 @@ void width_range(const Scene& scene, Tint& out) {
 
 } // namespace
 
-Tint tint(const Scene& scene, By by) {
+Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     Tint out;
-    out.by = by;
+    out.by = by, out.profile = profile;
     for (int k = 0; k < kSteps; ++k) out.ramp.push_back(to_srgb8(ramp((k + 0.5) / kSteps)));
     std::set<std::uint32_t> strokes;
     std::uint32_t lo = UINT32_MAX, hi = 0;
@@ -61,7 +68,7 @@ Tint tint(const Scene& scene, By by) {
     out.strokes = strokes.size();
     if (by == By::progress) out.hi = std::max(along, 1e-9);
     if (by == By::layer) out.lo = std::min(lo, hi), out.hi = hi;
-    if (by == By::width) width_range(scene, out);
+    if (by == By::width || by == By::speed) amount_range(scene, out);
     return out;
 }
 
@@ -96,7 +103,8 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
     case By::layer:
         return on_ramp(span.layer);
     case By::width:
-        return on_ramp((span.width_at(i) + span.width_at(i + 1)) / 2);
+    case By::speed:
+        return on_ramp(amount(tint, span, i));
     case By::role:
         return to_srgb8(role_colour(span.role));
     }
@@ -125,6 +133,7 @@ void draw_legend(Image& image, const Tint& tint) {
     std::string lo = "start", hi = "end";
     if (tint.by == By::layer) lo = "layer " + fixed_text(tint.lo, 0), hi = fixed_text(tint.hi, 0);
     if (tint.by == By::width) lo = "width " + fixed_text(tint.lo, 2), hi = fixed_text(tint.hi, 2) + " mm";
+    if (tint.by == By::speed) lo = "speed " + fixed_text(tint.lo, 1), hi = fixed_text(tint.hi, 1) + " mm/s";
     draw_text(image, at, size, lo, ink);
     const double x0 = at.x + text_width(size, lo) + 0.6 * size;
     const int n = static_cast<int>(12 * size);
