@@ -2,8 +2,8 @@
 // reads:  Regions
 // writes: Paths
 // memory: one region per thread
-#include "cli/command.hpp"
 #include "fill/fill.hpp"
+#include "cli/command.hpp"
 #include "wire/planar.hpp"
 
 namespace {

@@ -17,14 +17,16 @@ struct Options {
 };
 
 cli::Spec spec(Options& o) {
-    return {.name = "postproc",
-            .synopsis = "a toolpath to machine code",
-            .description = "Writes.",
-            .in = cli::reads(stream::Payload::toolpath),
-            .out = cli::text("machine code"),
-            .memory = "one span",
-            .options = {{"machine", &o.machine, "NAME", "machine profile"}},
-            .examples = {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode", "G-code"}}};
+    return {
+        .name = "postproc",
+        .synopsis = "a toolpath to machine code",
+        .description = "Writes.",
+        .in = cli::reads(stream::Payload::toolpath),
+        .out = cli::text("machine code"),
+        .memory = "one span",
+        .options = {{"machine", &o.machine, "NAME", "machine profile"}},
+        .examples = {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
+                      "G-code"}}};
 }
 
 void run(const Options&, const cli::Io& io) {

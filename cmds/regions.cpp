@@ -2,8 +2,8 @@
 // reads:  Layers
 // writes: Regions
 // memory: two layers
-#include "cli/command.hpp"
 #include "regions/regions.hpp"
+#include "cli/command.hpp"
 #include "wire/planar.hpp"
 
 namespace {

@@ -2,9 +2,9 @@
 // reads:  a mesh file
 // writes: Layers
 // memory: the model
+#include "slice/slice.hpp"
 #include "cli/command.hpp"
 #include "mesh/read.hpp"
-#include "slice/slice.hpp"
 #include "wire/planar.hpp"
 
 #include <fstream>
@@ -28,7 +28,8 @@ cli::Spec spec(slice::Options& o) {
 
 void run(const slice::Options& options, const cli::Io& io) {
     std::string bytes;
-    if (io.input == "-") bytes.assign(std::istreambuf_iterator<char>(std::cin), {});
+    if (io.input == "-")
+        bytes.assign(std::istreambuf_iterator<char>(std::cin), {});
     else {
         std::ifstream f(io.input, std::ios::binary);
         if (!f) throw Error(Exit::io, "cannot open '" + io.input + "'");

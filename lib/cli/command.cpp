@@ -40,7 +40,8 @@ void Report::add(const Note& note) {
     if (note.stage != io_->program) return;
     for (Note& sum : sums_) {
         if (sum.what != note.what || sum.unit != note.unit) continue;
-        if (note.amount > sum.amount / static_cast<double>(sum.count)) sum.layer = note.layer, sum.x = note.x, sum.y = note.y;
+        if (note.amount > sum.amount / static_cast<double>(sum.count))
+            sum.layer = note.layer, sum.x = note.x, sum.y = note.y;
         sum.amount += note.amount;
         sum.count += note.count;
         return;
@@ -105,8 +106,10 @@ void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapW
         io.threads, [&] { return reader.next(); },
         [&](stream::RawFrame frame) {
             MapResult result;
-            if (frame.tag == stream::Tag::note) result.frames.push_back(std::move(frame));
-            else result.frames = work(std::move(frame), result.notes);
+            if (frame.tag == stream::Tag::note)
+                result.frames.push_back(std::move(frame));
+            else
+                result.frames = work(std::move(frame), result.notes);
             return result;
         },
         [&](MapResult result) {
@@ -152,13 +155,14 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     report.say();
 }
 
-Whole read_all(const std::string& path, stream::Payload expected,
-               const std::function<void(stream::RawFrame)>& frame) {
+Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
     stream::Reader reader(path, expected);
     Whole out{reader.header(), {}};
     while (auto f = reader.next()) {
-        if (f->tag == stream::Tag::note) out.notes.push_back(stream::parse_note(f->body));
-        else frame(std::move(*f));
+        if (f->tag == stream::Tag::note)
+            out.notes.push_back(stream::parse_note(f->body));
+        else
+            frame(std::move(*f));
     }
     return out;
 }
@@ -192,7 +196,9 @@ int run(int argc, char** argv, const Spec& spec, const std::function<void(const 
         return fail(io, e.exit(), e.what());
     } catch (const std::bad_alloc&) {
         return fail(io, Exit::failure, "cannot go on: out of memory; see MEMORY USAGE in the manual");
-    } catch (const std::exception& e) { return fail(io, Exit::failure, std::string("internal error: ") + e.what()); }
+    } catch (const std::exception& e) {
+        return fail(io, Exit::failure, std::string("internal error: ") + e.what());
+    }
 }
 
 } // namespace detail

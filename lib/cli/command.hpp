@@ -17,11 +17,11 @@ namespace filum::cli {
 // What every command has besides its own options.
 struct Io {
     std::string program;
-    std::string input = "-";          // first positional argument, "-" for standard input
-    std::vector<std::string> inputs;  // all positional arguments
-    std::string output = "-";         // --output
-    int threads = 0;                  // --threads, 0 for all cores
-    bool quiet = false;               // --quiet: no warnings
+    std::string input = "-";               // first positional argument, "-" for standard input
+    std::vector<std::string> inputs;       // all positional arguments
+    std::string output = "-";              // --output
+    int threads = 0;                       // --threads, 0 for all cores
+    bool quiet = false;                    // --quiet: no warnings
     std::vector<stream::Setting> settings; // the resolved options, for the history
 
     // A line on standard error: "program: text".
@@ -75,8 +75,7 @@ struct Whole {
     stream::Header header;
     Notes notes;
 };
-Whole read_all(const std::string& path, stream::Payload expected,
-               const std::function<void(stream::RawFrame)>& frame);
+Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
 
 namespace detail {
 int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work);

@@ -55,7 +55,8 @@ std::string wrap(const std::string& text, std::size_t indent) {
     while (at < text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
         const std::string word = text.substr(at, end - at);
-        if (!line.empty() && line.size() + 1 + word.size() + indent > 100) out += line + "\n" + std::string(indent, ' '), line.clear();
+        if (!line.empty() && line.size() + 1 + word.size() + indent > 100)
+            out += line + "\n" + std::string(indent, ' '), line.clear();
         line += (line.empty() ? "" : " ") + word;
         if (end < text.size() && text[end] == '\n') out += line + "\n" + std::string(indent, ' '), line.clear();
         at = end + 1;
@@ -107,8 +108,10 @@ std::string help(const Spec& spec) {
     out += "memory: " + spec.memory + "\n\n" + wrap(spec.description, 0) + "\n\noptions:\n";
     for (const Option& o : with_common(spec)) {
         std::string left = "  " + left_part(o);
-        if (left.size() < 30) left.resize(30, ' ');
-        else left += "\n" + std::string(30, ' ');
+        if (left.size() < 30)
+            left.resize(30, ' ');
+        else
+            left += "\n" + std::string(30, ' ');
         out += left + wrap(help_and_default(o), 30) + "\n";
     }
     if (!spec.examples.empty()) out += "\nexamples:\n";
@@ -167,10 +170,14 @@ std::string completion_line(const Spec& spec) {
 std::string contract(const Spec& spec) {
     const auto kind = [](const Port& p) -> std::string {
         switch (p.kind) {
-        case Port::Kind::none: return "none";
-        case Port::Kind::file: return "file";
-        case Port::Kind::text: return "text";
-        case Port::Kind::stream: return "stream " + std::string(stream::name(p.payload));
+        case Port::Kind::none:
+            return "none";
+        case Port::Kind::file:
+            return "file";
+        case Port::Kind::text:
+            return "text";
+        case Port::Kind::stream:
+            return "stream " + std::string(stream::name(p.payload));
         }
         return "";
     };

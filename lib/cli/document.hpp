@@ -10,8 +10,8 @@ namespace filum::cli {
 std::string version(); // "0.1.0"
 
 std::string help(const Spec& spec);
-std::string man_page(const Spec& spec);       // roff, section 1
-std::string markdown(const Spec& spec);       // docs/commands/NAME.md
+std::string man_page(const Spec& spec);        // roff, section 1
+std::string markdown(const Spec& spec);        // docs/commands/NAME.md
 std::string completion_line(const Spec& spec); // one line: name, then its options; see scripts/generate-docs
 
 // One line per fact of the contract tests: "in stream REGIONS", "out text", ...

@@ -50,9 +50,12 @@ void check_choice(const Option& o, const std::string& text) {
 }
 
 void store(const Option& o, const std::string& text) {
-    if (auto* const* d = std::get_if<double*>(&o.target)) **d = number(o, text);
-    else if (auto* const* l = std::get_if<std::vector<double>*>(&o.target)) **l = number_list(o, text);
-    else if (auto* const* s = std::get_if<std::string*>(&o.target)) check_choice(o, text), **s = text;
+    if (auto* const* d = std::get_if<double*>(&o.target))
+        **d = number(o, text);
+    else if (auto* const* l = std::get_if<std::vector<double>*>(&o.target))
+        **l = number_list(o, text);
+    else if (auto* const* s = std::get_if<std::string*>(&o.target))
+        check_choice(o, text), ** s = text;
     else if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) {
         const double v = number(o, text);
         if (v != std::floor(v) || std::abs(v) > 9e15)
@@ -66,7 +69,8 @@ void bind(CLI::App& app, const Option& o) {
         app.add_flag("--" + o.name, **flag, o.help);
         return;
     }
-    app.add_option_function<std::string>("--" + o.name, [o](const std::string& text) { store(o, text); }, o.help)
+    app.add_option_function<std::string>(
+           "--" + o.name, [o](const std::string& text) { store(o, text); }, o.help)
         ->take_last();
 }
 

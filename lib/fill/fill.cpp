@@ -1,5 +1,6 @@
 #include "fill/fill.hpp"
 
+#include "fill/cycle.hpp"
 #include "polygon/clip.hpp"
 
 namespace filum::fill {
@@ -8,13 +9,11 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& options, Not
     toolpath::RegionPaths out;
     out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
     out.stroke = r.stroke, out.join = r.join;
-    auto loops = polygon::offset(r.loops, -options.bead_width / 2);
-    while (!loops.empty()) {
-        loops = polygon::simplify(loops, 0.001);
-        for (std::size_t i = 0; i < loops.size(); ++i)
-            out.curves.push_back({true, {loops[i].begin(), loops[i].end()}, {options.bead_width}});
-        loops = polygon::offset(loops, -options.bead_width);
-    }
+    const double w = options.bead_width;
+    const auto first = polygon::simplify(polygon::offset(r.loops, -w / 2, 0.003), 0.003);
+    const auto rings = nested_rings(first, w * (1 - 1.0 / 512), 1.3 * w, 0.003);
+    const auto beads = even_spacing(rings, r.loops, w, 2, 0.003);
+    for (auto& line : join_rings(beads, w)) out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     return out;
 }
 

@@ -12,7 +12,7 @@ namespace filum::mesh {
 using geom::Vec3;
 
 struct Mesh {
-    std::vector<Vec3> vertices;                        // mm
+    std::vector<Vec3> vertices;                          // mm
     std::vector<std::array<std::uint32_t, 3>> triangles; // counter-clockwise seen from outside
 };
 

@@ -35,7 +35,9 @@ void for_chunks(std::size_t n, std::size_t grain, int threads,
         tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
             try {
                 body(c * grain, std::min(n, (c + 1) * grain));
-            } catch (...) { failed[c] = std::current_exception(); }
+            } catch (...) {
+                failed[c] = std::current_exception();
+            }
         });
     });
     for (const auto& f : failed)

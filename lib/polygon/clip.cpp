@@ -26,7 +26,8 @@ cl::Paths to_clipper(const Loops& a) {
 
 void append(Loops& out, const cl::Path& path) {
     if (path.size() < 3) return;
-    for (const auto& p : path) out.points.push_back({static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale});
+    for (const auto& p : path)
+        out.points.push_back({static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale});
     out.close();
 }
 
@@ -169,8 +170,10 @@ Loops simplify(const Loops& a, double tolerance) {
         const std::size_t before = out.points.size();
         for (std::size_t k = 0; k < loop.size(); ++k)
             if (keep[k]) out.points.push_back(loop[k]);
-        if (out.points.size() - before < 3) out.points.resize(before);
-        else out.close();
+        if (out.points.size() - before < 3)
+            out.points.resize(before);
+        else
+            out.close();
     }
     return out;
 }

@@ -12,7 +12,8 @@ std::vector<polygon::Layer> slice(const mesh::Mesh& mesh, const Options& options
     const auto count = static_cast<std::uint32_t>(std::lround((hi - lo) / options.layer_height));
     std::vector<polygon::Layer> out;
     for (std::uint32_t i = 0; i < count; ++i) {
-        polygon::Layer layer{i, (i + 1) * options.layer_height, options.layer_height, lo + (i + 0.5) * options.layer_height, {}};
+        polygon::Layer layer{
+            i, (i + 1) * options.layer_height, options.layer_height, lo + (i + 0.5) * options.layer_height, {}};
         using Edge = std::pair<std::uint32_t, std::uint32_t>;
         std::map<Edge, std::pair<geom::Vec2, Edge>> next;
         for (const auto& t : mesh.triangles) {
@@ -25,8 +26,10 @@ std::vector<polygon::Layer> slice(const mesh::Mesh& mesh, const Options& options
                 if (up == vp) continue;
                 const auto [p, q] = std::minmax(a, b);
                 const auto &P = mesh.vertices[p], &Q = mesh.vertices[q];
-                if (!up) from = {p, q}, at = lerp(P.xy(), Q.xy(), (layer.plane - P.z) / (Q.z - P.z));
-                else to = {p, q};
+                if (!up)
+                    from = {p, q}, at = lerp(P.xy(), Q.xy(), (layer.plane - P.z) / (Q.z - P.z));
+                else
+                    to = {p, q};
                 ++hits;
             }
             if (hits == 2) next[to] = {at, from};

@@ -38,7 +38,8 @@ struct Reader::State {
         throw Error(Exit::bad_input, "cannot read " + name + ": " + why);
     }
     [[noreturn]] void cut(const std::string& where) const {
-        throw Error(Exit::truncated, "cannot read " + name + ": it ends " + where + "; the stage before did not finish");
+        throw Error(Exit::truncated,
+                    "cannot read " + name + ": it ends " + where + "; the stage before did not finish");
     }
 
     std::size_t read_some(char* to, std::size_t size) const {
@@ -139,7 +140,8 @@ Reader::Reader(const std::string& path, Payload expected) : state_(std::make_uni
 
     char head[kPreambleSize];
     const std::size_t got = s.take(head, kPreambleSize);
-    if (got == 0) throw Error(Exit::truncated, "cannot read " + s.name + ": it is empty; did the stage before it fail?");
+    if (got == 0)
+        throw Error(Exit::truncated, "cannot read " + s.name + ": it is empty; did the stage before it fail?");
     const std::string wanted = preamble();
     const std::size_t magic = std::min<std::size_t>(got, 10);
     if (wanted.compare(0, magic, head, magic) != 0) s.bad("it is no Filum stream");

@@ -84,8 +84,10 @@ const std::string& Sink::name() const { return state_->name; }
 void Sink::write(std::string_view bytes) {
     State& s = *state_;
     if (s.buffer.size() + bytes.size() > kBlock) s.flush();
-    if (bytes.size() >= kBlock) s.drain(bytes.data(), bytes.size());
-    else s.buffer.append(bytes);
+    if (bytes.size() >= kBlock)
+        s.drain(bytes.data(), bytes.size());
+    else
+        s.buffer.append(bytes);
 }
 
 void Sink::commit() {

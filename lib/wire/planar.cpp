@@ -61,7 +61,8 @@ polygon::Loops loops(const proto::Loops& m, const char* what) {
         return out;
     }
     out.start.assign(m.start().begin(), m.start().end());
-    if (out.start.front() != 0 || out.start.back() != out.points.size()) bad(what, "loop offsets do not fit the points");
+    if (out.start.front() != 0 || out.start.back() != out.points.size())
+        bad(what, "loop offsets do not fit the points");
     for (std::size_t i = 1; i < out.start.size(); ++i)
         if (out.start[i] < out.start[i - 1] + 3) bad(what, "a loop has fewer than three points");
     return out;
@@ -124,7 +125,8 @@ polygon::Region region(const RawFrame& frame) {
     out.unsupported = m.unsupported();
     out.stroke = m.stroke();
     out.join = join(m.join(), "region");
-    if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0)) bad("region", "its area is not positive");
+    if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0))
+        bad("region", "its area is not positive");
     for (const auto& o : m.below()) {
         if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad("region", "an overlap is negative");
         out.below.push_back({o.below(), o.area(), o.inradius()});
@@ -191,7 +193,8 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         c->set_closed(curve.closed);
         c->mutable_x()->Reserve(static_cast<int>(curve.points.size()));
         c->mutable_y()->Reserve(static_cast<int>(curve.points.size()));
-        for (const auto p : curve.points) c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
+        for (const auto p : curve.points)
+            c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
         put(*c->mutable_width(), curve.width);
     }
     return raw(Tag::paths, m);
@@ -239,7 +242,8 @@ RawFrame frame(const toolpath::Span& span) {
         m.mutable_y()->AddAlreadyReserved(p.y);
         level = level && p.z == span.points.front().z;
     }
-    if (level && n > 0) m.add_z(span.points.front().z);
+    if (level && n > 0)
+        m.add_z(span.points.front().z);
     else
         for (const auto& p : span.points) m.add_z(p.z);
     put(*m.mutable_width(), span.width);

@@ -1,0 +1,59 @@
+// Rings with arc lengths and a grid: where is which ring near what?  Private to lib/fill.
+#pragma once
+
+#include "fill/spacing.hpp"
+#include "geom/segment_grid.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace filum::fill {
+
+// A place on a ring: arc length from its first point.
+struct Place {
+    std::uint32_t ring = 0;
+    double s = 0;
+    Vec2 point;
+    double distance = 0; // from where it was asked for
+};
+
+class RingGraph {
+  public:
+    RingGraph(const BeadRings& rings, double cell);
+
+    [[nodiscard]] std::size_t size() const { return length_.size(); }
+    [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }
+    [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
+
+    // The nearest place to p within `reach` on a ring other than `ring`, or on `only` if that is not negative.
+    // Ties: the lower segment.
+    [[nodiscard]] std::optional<Place> nearest(Vec2 p, std::int64_t other_than, std::int64_t only, double reach) const;
+
+    // True if the open segment p-q crosses any ring.
+    [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const {
+        return grid_.crosses(p, q, segments_, [](std::uint32_t) { return true; });
+    }
+
+    // Turning (rad, absolute) of the ring between s0 and s1 > s0.
+    [[nodiscard]] double turning(std::uint32_t ring, double s0, double s1) const;
+
+    // Appends the points of the ring from s0 to s1 > s0, both ends included, and their widths.
+    void append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points, std::vector<double>& width) const;
+
+  private:
+    // Segment and parameter on it.
+    [[nodiscard]] std::pair<std::uint32_t, double> locate(std::uint32_t ring, double s) const;
+    [[nodiscard]] double width_of(std::pair<std::uint32_t, double> at) const;
+    [[nodiscard]] std::uint32_t segment_at(std::uint32_t ring, double s) const;
+    [[nodiscard]] double wrapped(std::uint32_t ring, double s) const;
+
+    std::vector<geom::Segment> segments_;
+    std::vector<std::uint32_t> ring_of_, start_; // per segment; per ring, CSR
+    std::vector<double> s_, length_;             // arc length at the segment's begin; per ring
+    std::vector<double> width_;                  // of the bead at the segment's begin
+    geom::SegmentGrid grid_;
+};
+
+} // namespace filum::fill

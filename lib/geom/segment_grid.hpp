@@ -1,0 +1,58 @@
+// A uniform grid over many short segments: neighbours in constant time.
+#pragma once
+
+#include "geom/segment.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace filum::geom {
+
+struct Segment {
+    Vec2 a, b;
+};
+
+// Segment i lies in every cell that it touches.  Cells grow where the box would need more than about eight per segment
+// or 16 million, so memory is bounded whatever the coordinates.
+class SegmentGrid {
+  public:
+    SegmentGrid(std::span<const Segment> segments, double cell);
+
+    // Calls f(i) for every segment whose cells meet the box; a segment may come up several times.
+    template <class F>
+    void near(Vec2 lo, Vec2 hi, F&& f) const {
+        if (columns_ == 0) return;
+        const int x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
+        for (int y = y0; y <= y1; ++y)
+            for (int x = x0; x <= x1; ++x) {
+                const std::size_t c =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+                for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k) f(item_[k]);
+            }
+    }
+
+    // True if the open segment p-q properly crosses any segment i for which use(i) holds.
+    template <class Use>
+    bool crosses(Vec2 p, Vec2 q, std::span<const Segment> segments, Use&& use) const {
+        bool found = false;
+        near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}, [&](std::uint32_t i) {
+            if (!found && use(i)) found = cross_properly(p, q, segments[i].a, segments[i].b);
+        });
+        return found;
+    }
+
+  private:
+    [[nodiscard]] int column(double x) const { return clamp_to((x - origin_.x) / cell_, columns_); }
+    [[nodiscard]] int row(double y) const { return clamp_to((y - origin_.y) / cell_, rows_); }
+    static int clamp_to(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
+    template <class F>
+    void cells_of(const Segment& s, F&& f) const;
+
+    Vec2 origin_;
+    double cell_ = 1;
+    int columns_ = 0, rows_ = 0;
+    std::vector<std::uint32_t> start_, item_;
+};
+
+} // namespace filum::geom
