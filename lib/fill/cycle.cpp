@@ -15,7 +15,8 @@ constexpr double kLongestLink = 2.4; // bead widths
 // Two rings facing each other at one place.
 struct Candidate {
     std::uint32_t ring, other;
-    double s; // on `ring`
+    double s;    // on `ring`
+    Vec2 across; // unit, towards the other ring
     double score;
 };
 
@@ -94,12 +95,14 @@ class Joiner {
             const auto n = static_cast<int>(std::clamp(l / (0.25 * width_), 1.0, samples));
             for (int k = 0; k < n; ++k) {
                 const double s = l * (k + 0.5) / n;
-                const auto there = graph_.nearest(graph_.at(r, s), r, -1, kReach * width_);
-                if (!there || forest_.root(there->ring) == forest_.root(r)) continue;
+                const Vec2 here = graph_.at(r, s);
+                const auto there = graph_.nearest(here, r, kReach * width_);
+                if (!there || there->distance == 0 || forest_.root(there->ring) == forest_.root(r)) continue;
                 const double gap = there->distance / width_;
                 const double turn = graph_.turning(r, s - 0.6 * width_, s + 0.6 * width_) +
                                     graph_.turning(there->ring, there->s - 0.6 * width_, there->s + 0.6 * width_);
-                out.push_back({r, there->ring, s, std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
+                const Vec2 across = (1 / there->distance) * (there->point - here);
+                out.push_back({r, there->ring, s, across, std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
             }
         }
         std::stable_sort(out.begin(), out.end(),
@@ -126,19 +129,21 @@ class Joiner {
         }
     }
 
-    // The window of `half` on each side of the candidate's place, and the one that faces it on the other ring.
+    // The window of `half` on each side of the candidate's place, and the one straight across on the other ring, so
+    // that the two links run side by side like beads.
     bool make(const Candidate& c, double half, Bridge& b) const {
         const double s0 = c.s - half, s1 = c.s + half;
         if (2 * half > 0.45 * graph_.length(c.ring)) return false;
-        const auto p = graph_.nearest(graph_.at(c.ring, s0), -1, c.other, kLongestLink * width_);
-        const auto q = graph_.nearest(graph_.at(c.ring, s1), -1, c.other, kLongestLink * width_);
+        const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
+        const auto p = graph_.hit(a0, c.across, c.other, kLongestLink * width_);
+        const auto q = graph_.hit(a1, c.across, c.other, kLongestLink * width_);
         if (!p || !q) return false;
         const double l = graph_.length(c.other);
         double ahead = std::fmod(q->s - p->s, l); // from p forward to q
         if (ahead < 0) ahead += l;
         b.parallel = ahead < l / 2;
         const double gone = b.parallel ? ahead : l - ahead;
-        if (gone < 0.4 * half || gone > 5 * half || gone > 0.45 * l) return false;
+        if (gone < 0.4 * half || gone > 6 * half || gone > 0.45 * l) return false;
         const double t0 = b.parallel ? p->s : q->s;
         b.ring[0] = c.ring, b.ring[1] = c.other;
         b.s0[0] = s0, b.s1[0] = s1, b.s0[1] = t0, b.s1[1] = t0 + gone;

@@ -61,14 +61,13 @@ double RingGraph::width_of(std::pair<std::uint32_t, double> at) const {
     return (1 - at.second) * width_[i] + at.second * width_[next];
 }
 
-std::optional<Place> RingGraph::nearest(Vec2 p, std::int64_t other_than, std::int64_t only, double reach) const {
+std::optional<Place> RingGraph::nearest(Vec2 p, std::uint32_t other_than, double reach) const {
     double best = reach * reach;
     std::uint32_t found = 0;
     double at = 0;
     bool any = false;
     grid_.near({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t i) {
-        const std::int64_t ring = ring_of_[i];
-        if (ring == other_than || (only >= 0 && ring != only)) return;
+        if (ring_of_[i] == other_than) return;
         const auto& seg = segments_[i];
         const double t = geom::nearest_parameter(seg.a, seg.b, p);
         const double d = geom::norm2(geom::lerp(seg.a, seg.b, t) - p);
@@ -78,6 +77,20 @@ std::optional<Place> RingGraph::nearest(Vec2 p, std::int64_t other_than, std::in
     const auto& seg = segments_[found];
     return Place{ring_of_[found], s_[found] + at * geom::distance(seg.a, seg.b), geom::lerp(seg.a, seg.b, at),
                  std::sqrt(best)};
+}
+
+std::optional<Place> RingGraph::hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const {
+    std::optional<Place> best;
+    const Vec2 q = p + reach * d;
+    grid_.near(
+        {std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}, [&](std::uint32_t i) {
+            if (ring_of_[i] != ring) return;
+            const auto& seg = segments_[i];
+            const auto at = geom::ray_parameters(p, d, seg.a, seg.b);
+            if (!at || at->t > reach || (best && at->t >= best->distance)) return;
+            best = Place{ring, s_[i] + at->u * geom::distance(seg.a, seg.b), geom::lerp(seg.a, seg.b, at->u), at->t};
+        });
+    return best;
 }
 
 double RingGraph::turning(std::uint32_t ring, double s0, double s1) const {

@@ -27,9 +27,11 @@ class RingGraph {
     [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }
     [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
 
-    // The nearest place to p within `reach` on a ring other than `ring`, or on `only` if that is not negative.
-    // Ties: the lower segment.
-    [[nodiscard]] std::optional<Place> nearest(Vec2 p, std::int64_t other_than, std::int64_t only, double reach) const;
+    // The nearest place to p within `reach` on a ring other than `other_than`.  Ties: the lower segment.
+    [[nodiscard]] std::optional<Place> nearest(Vec2 p, std::uint32_t other_than, double reach) const;
+
+    // Where the ray from p along d (unit) first meets `ring`, within `reach`.
+    [[nodiscard]] std::optional<Place> hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const;
 
     // True if the open segment p-q crosses any ring.
     [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const {
