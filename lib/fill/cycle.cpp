@@ -90,14 +90,15 @@ class Joiner {
         std::vector<Candidate> out;
         const std::uint32_t largest = largest_group();
         for (std::uint32_t r = 0; r < graph_.size(); ++r) {
-            if (forest_.root(r) == largest && forest_.groups() > 1 && samples > 8) continue;
+            if (forest_.root(r) == largest && samples > 8) continue;
             const double l = graph_.length(r);
             const auto n = static_cast<int>(std::clamp(l / (0.25 * width_), 1.0, samples));
             for (int k = 0; k < n; ++k) {
                 const double s = l * (k + 0.5) / n;
                 const Vec2 here = graph_.at(r, s);
-                const auto there = graph_.nearest(here, r, kReach * width_);
-                if (!there || there->distance == 0 || forest_.root(there->ring) == forest_.root(r)) continue;
+                const auto there = graph_.nearest(
+                    here, kReach * width_, [&](std::uint32_t other) { return forest_.root(other) != forest_.root(r); });
+                if (!there || there->distance == 0) continue;
                 const double gap = there->distance / width_;
                 const double turn = graph_.turning(r, s - 0.6 * width_, s + 0.6 * width_) +
                                     graph_.turning(there->ring, there->s - 0.6 * width_, there->s + 0.6 * width_);

@@ -168,4 +168,23 @@ class Axis {
 
 MedialAxis medial_axis(const Loops& area, double step) { return Axis(area, step).run(); }
 
+MedialAxis split_at(const MedialAxis& axis, double radius) {
+    MedialAxis out{axis.point, axis.radius, {}, {}};
+    const auto connect = [&](std::uint32_t a, std::uint32_t b) { out.a.push_back(a), out.b.push_back(b); };
+    for (std::size_t k = 0; k < axis.a.size(); ++k) {
+        const auto a = axis.a[k], b = axis.b[k];
+        const double ra = axis.radius[a], rb = axis.radius[b];
+        if ((ra < radius) == (rb < radius) || ra == radius || rb == radius) {
+            connect(a, b);
+            continue;
+        }
+        const auto between = static_cast<std::uint32_t>(out.point.size());
+        out.point.push_back(geom::lerp(axis.point[a], axis.point[b], (radius - ra) / (rb - ra)));
+        out.radius.push_back(radius);
+        connect(a, between);
+        connect(between, b);
+    }
+    return out;
+}
+
 } // namespace filum::fill

@@ -23,4 +23,7 @@ struct MedialAxis {
 // mm.
 MedialAxis medial_axis(const Loops& area, double step);
 
+// The same graph with a vertex wherever an edge passes `radius`.
+MedialAxis split_at(const MedialAxis& axis, double radius);
+
 } // namespace filum::fill

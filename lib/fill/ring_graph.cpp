@@ -61,22 +61,11 @@ double RingGraph::width_of(std::pair<std::uint32_t, double> at) const {
     return (1 - at.second) * width_[i] + at.second * width_[next];
 }
 
-std::optional<Place> RingGraph::nearest(Vec2 p, std::uint32_t other_than, double reach) const {
-    double best = reach * reach;
-    std::uint32_t found = 0;
-    double at = 0;
-    bool any = false;
-    grid_.near({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t i) {
-        if (ring_of_[i] == other_than) return;
-        const auto& seg = segments_[i];
-        const double t = geom::nearest_parameter(seg.a, seg.b, p);
-        const double d = geom::norm2(geom::lerp(seg.a, seg.b, t) - p);
-        if (d < best || (any && d == best && i < found)) best = d, found = i, at = t, any = true;
-    });
-    if (!any) return std::nullopt;
-    const auto& seg = segments_[found];
-    return Place{ring_of_[found], s_[found] + at * geom::distance(seg.a, seg.b), geom::lerp(seg.a, seg.b, at),
-                 std::sqrt(best)};
+Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
+    const auto& seg = segments_[segment];
+    const double t = geom::nearest_parameter(seg.a, seg.b, p);
+    const Vec2 q = geom::lerp(seg.a, seg.b, t);
+    return {ring_of_[segment], s_[segment] + t * geom::distance(seg.a, seg.b), q, geom::distance(p, q)};
 }
 
 std::optional<Place> RingGraph::hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const {

@@ -27,8 +27,19 @@ class RingGraph {
     [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }
     [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
 
-    // The nearest place to p within `reach` on a ring other than `other_than`.  Ties: the lower segment.
-    [[nodiscard]] std::optional<Place> nearest(Vec2 p, std::uint32_t other_than, double reach) const;
+    // The nearest place to p within `reach` on a ring for which use(ring) holds.  Ties: the lower segment.
+    template <class Use>
+    [[nodiscard]] std::optional<Place> nearest(Vec2 p, double reach, Use&& use) const {
+        double best = reach * reach;
+        std::optional<std::uint32_t> found;
+        grid_.near({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t i) {
+            if (!use(ring_of_[i])) return;
+            const double d = geom::norm2(geom::nearest_point(segments_[i].a, segments_[i].b, p) - p);
+            if (d < best || (found && d == best && i < *found)) best = d, found = i;
+        });
+        if (!found) return std::nullopt;
+        return place_on(*found, p);
+    }
 
     // Where the ray from p along d (unit) first meets `ring`, within `reach`.
     [[nodiscard]] std::optional<Place> hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const;
@@ -45,6 +56,7 @@ class RingGraph {
     void append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points, std::vector<double>& width) const;
 
   private:
+    [[nodiscard]] Place place_on(std::uint32_t segment, Vec2 nearest_to) const;
     // Segment and parameter on it.
     [[nodiscard]] std::pair<std::uint32_t, double> locate(std::uint32_t ring, double s) const;
     [[nodiscard]] double width_of(std::pair<std::uint32_t, double> at) const;

@@ -19,6 +19,7 @@ struct BeadRings {
 // half-thickness r gets round(r/w) beads a side, each r/round(r/w) wide if lanes allow).  Along the rings the moves are
 // smoothed over about one width, so that the number of beads can change without a jump.
 // Where moved rings would cross, the moves are taken back, in the worst case all of them.
+// lanes = 0 moves nothing and gives every point `width`.
 // `boundary`: the region's outline.  Points are added where the width changes, and dropped where nothing does.
 BeadRings even_spacing(const Rings& rings, const Loops& boundary, double width, int lanes, double tolerance);
 

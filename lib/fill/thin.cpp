@@ -13,6 +13,8 @@ namespace filum::fill {
 namespace {
 
 constexpr double kReach = 0.4; // bead widths: shorter tips are not followed
+constexpr double kThin = 0.55; // bead widths: walls of a smaller half-thickness are thin; above a half, so that the
+                               // rings of thin and fat parts overlap well where they meet
 
 int outer_loops(const Loops& a) {
     int n = 0;
@@ -44,7 +46,7 @@ class ThinAxis {
         const std::size_t n = axis.point.size();
         degree_.assign(n, 0), reach_.resize(n), at_.resize(n);
         for (std::uint32_t k = 0; k < axis.a.size(); ++k) {
-            if (std::min(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) >= width / 2) continue;
+            if (std::min(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) >= kThin * width) continue;
             alive_.push_back(k);
             for (const auto v : {axis.a[k], axis.b[k]}) ++degree_[v], at_[v].push_back(k);
         }
@@ -84,7 +86,7 @@ class ThinAxis {
         }
     }
     // A dead end that does not lie in a fat part.
-    [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < width_ / 2; }
+    [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < kThin * width_; }
 
     const MedialAxis& axis_;
     double width_;
@@ -151,7 +153,7 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     if (connected && !reaches_beyond(rest, out.rings, (0.5 + kReach) * width)) return out;
 
     const double least = 0.03 * width; // lanes must not touch
-    const MedialAxis axis = medial_axis(polygon::simplify(area, tolerance), width / 4);
+    const MedialAxis axis = split_at(medial_axis(polygon::simplify(area, tolerance), width / 4), kThin * width);
     if (axis.point.empty()) return out;
     const auto edges = ThinAxis(axis, width).edges();
     if (edges.empty()) {
