@@ -89,6 +89,20 @@ Bead run(const toolpath::Curve& curve, bool against) {
     return b;
 }
 
+void pin(Bead& bead, Vec2 p) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < bead.points.size(); ++i)
+        if (const double d = geom::point_segment_distance(bead.points[i], bead.points[i + 1], p); d < least)
+            least = d, best = i;
+    if (bead.points[best] == p || bead.points[best + 1] == p) return;
+    const double t = geom::nearest_parameter(bead.points[best], bead.points[best + 1], p);
+    const auto at = static_cast<std::ptrdiff_t>(best + 1);
+    if (bead.width.size() > 1)
+        bead.width.insert(bead.width.begin() + at, bead.width[best] + t * (bead.width[best + 1] - bead.width[best]));
+    bead.points.insert(bead.points.begin() + at, p);
+}
+
 namespace {
 
 // A piece of the lane's area that is to come out of one place of the bead.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMargin = 0.003; // mm, as in linker.cpp
 constexpr double kEnds = 0.01;    // mm
+constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it
 
 } // namespace
 
@@ -74,7 +75,7 @@ Linker::Entry Linker::start_entry() const {
 
 // Another place in reach of the nozzle, nearer to where the column goes, that can be reached without crossing a bead.
 // Only as far as it must be to be there in time.
-Linker::Entry Linker::drift(const Entry& nearest) const {
+Linker::Entry Linker::drift(const Entry& nearest) {
     const auto& r = window_.front();
     const Vec2 from = at_->xy();
     if (!r.paths.curves[nearest.place.curve].closed) return nearest;
@@ -84,7 +85,9 @@ Linker::Entry Linker::drift(const Entry& nearest) const {
         const Vec2 to = goal->place.point;
         const double step =
             std::min(options_.reach * r.width, std::max(r.width, 1.5 * goal->place.distance / static_cast<double>(k)));
-        return step_towards(nearest, to, step);
+        const Entry entry = step_towards(nearest, to, step);
+        if (entry.place.point != nearest.place.point && nearest.place.distance < kOn) pin_ = from;
+        return entry;
     }
     return nearest;
 }
@@ -98,6 +101,7 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
         double t;
     };
     std::vector<Candidate> candidates;
+    const double leave = nearest.place.distance < kOn ? kOn : 0;
     const double least = geom::distance(nearest.place.point, to) - 0.1 * r.width;
     r.index.within({from - Vec2{step, step}, from + Vec2{step, step}}, [&](std::uint32_t s, Vec2 a, Vec2 b) {
         // the part of a -> b inside the circle, and its point nearest to the goal
@@ -117,7 +121,7 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
     for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 32); ++i) {
         const Place place = r.index.place(candidates[i].segment, candidates[i].t, from);
         if (!r.paths.curves[place.curve].closed) continue;
-        if (is_free(r.index, from, place.point, kMargin, kEnds)) return {place, false};
+        if (is_free(r.index, from, place.point, kMargin, leave, kEnds)) return {place, false};
     }
     return nearest;
 }

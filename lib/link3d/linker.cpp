@@ -1,5 +1,6 @@
 #include "link3d/linker.hpp"
 
+#include "geom/segment.hpp"
 #include "link3d/strip_route.hpp"
 
 #include <algorithm>
@@ -58,6 +59,8 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         done[entry.place.curve] = 1;
         print_curve(entry, left == 1, emit);
     }
+    joins_.clear();
+    pin_.reset();
     printed_.add(window_.front().index.bounds(), r.z);
     may_climb_ = true;
     if (options_.connect == Connect::outside) last_ = std::move(window_.front().index);
@@ -94,6 +97,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     ++counts_.lifts;
     counts_.lift_length += entry->place.distance;
+    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
 }
@@ -107,7 +111,7 @@ std::optional<Linker::Entry> Linker::go_around(const Emit& emit) {
     const auto free = [&](Vec3 a, Vec3 b) {
         const bool leaves = a == *at_;
         const auto& own = leaves ? *last_ : r.index;
-        return is_free(own, a.xy(), b.xy(), kMargin, kEnds) &&
+        return is_free(own, a.xy(), b.xy(), kMargin, kEnds, kEnds) &&
                !printed_.blocks(a, b, a.z - r.paths.height / 2, 2 * r.width, leaves);
     };
     std::optional<std::vector<Vec3>> best;
@@ -130,7 +134,8 @@ Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit) {
     auto entry = nearest_entry(r, at_->xy(), std::numeric_limits<double>::infinity(), done).value();
     const Vec2 to = entry.place.point;
     const bool near = entry.place.distance <= options_.reach * r.width;
-    if (near && is_free(r.index, at_->xy(), to, kMargin, kEnds)) {
+    if (near && is_free(r.index, at_->xy(), to, kMargin, kEnds, kEnds) && crosses_no_join(at_->xy(), to)) {
+        joins_.push_back({false, {at_->xy(), to}, {kThin * r.width}});
         ++counts_.jogs;
         counts_.jog_length += entry.place.distance;
         if (entry.place.distance > kSame) extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
@@ -140,6 +145,11 @@ Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit) {
     return entry;
 }
 
+bool Linker::crosses_no_join(Vec2 a, Vec2 b) const {
+    return std::none_of(joins_.begin(), joins_.end(),
+                        [&](const Curve& j) { return geom::cross_properly(a, b, j.points[0], j.points[1]); });
+}
+
 // Prints one curve of the front region; the last one is left where the next region can be reached, if it can.
 void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
     const auto& r = window_.front();
@@ -147,12 +157,14 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
     const bool turn = r.paths.layer % 2 != 0; // beads run the other way on every second layer
     const double gap = curve.closed ? cut_gap(curve) : 0;
     Bead bead = curve.closed ? cut(curve, entry.place, turn, gap) : run(curve, entry.against);
+    if (pin_ && curve.closed) pin(bead, *pin_);
     const Waiting* next = last && window_.size() > 1 && climbs(window_[1].paths) ? &window_[1] : nullptr;
     const double reach = next != nullptr ? options_.reach * next->width : 0;
     const auto reaches = [&](Vec2 p) { return nearest_entry(*next, p, reach, {}).has_value(); };
     if (next == nullptr || reaches(bead.points.back())) return print(bead, emit);
     if (curve.closed) {
         Bead other = cut(curve, entry.place, !turn, gap);
+        if (pin_) pin(other, *pin_);
         if (reaches(other.points.back())) return print(other, emit);
     }
     const auto way = lane(bead, entry.place.curve, *next);
@@ -171,6 +183,7 @@ std::optional<std::vector<Vec2>> Linker::lane(const Bead& bead, std::uint32_t cu
     const auto& r = window_.front();
     std::vector<Curve> curves = r.paths.curves; // as printed: this one with its gap
     curves[curve] = {false, bead.points, {r.width}};
+    curves.insert(curves.end(), joins_.begin(), joins_.end());
     std::vector<std::vector<Vec2>> lines;
     for (const auto& c : curves) {
         lines.push_back(c.points);

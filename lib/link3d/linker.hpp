@@ -82,6 +82,7 @@ class Linker {
     std::optional<Entry> climb(const Emit& emit);
     std::optional<Entry> go_around(const Emit& emit);
     Entry hop(std::span<const char> done, const Emit& emit);
+    [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
     void print_curve(const Entry& entry, bool last, const Emit& emit);
     [[nodiscard]] std::optional<std::vector<Vec2>> lane(const Bead& bead, std::uint32_t curve,
                                                         const Waiting& next) const;
@@ -93,14 +94,16 @@ class Linker {
     static std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done);
     [[nodiscard]] std::size_t climbing() const;
     [[nodiscard]] Entry start_entry() const;
-    [[nodiscard]] Entry drift(const Entry& nearest) const;
+    [[nodiscard]] Entry drift(const Entry& nearest);
     [[nodiscard]] Entry step_towards(const Entry& nearest, Vec2 to, double step) const;
 
     Options options_;
     Counts counts_;
     std::deque<Waiting> window_;
-    std::optional<Vec3> at_; // where the nozzle is
-    bool may_climb_ = false; // something of the region before was printed
+    std::optional<Vec3> at_;             // where the nozzle is
+    std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
+    std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
+    bool may_climb_ = false;  // something of the region before was printed
     std::uint32_t stroke_ = 0;
     std::optional<SegmentIndex> last_; // of the region before, if a connector may leave it
     Printed printed_;

@@ -135,10 +135,10 @@ void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_
     }
 }
 
-bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double ends) {
+bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b) {
     const double length = geom::distance(a, b);
-    if (length <= 2 * ends) return true;
-    const Vec2 p = geom::lerp(a, b, ends / length), q = geom::lerp(b, a, ends / length);
+    if (length <= skip_a + skip_b) return true;
+    const Vec2 p = geom::lerp(a, b, skip_a / length), q = geom::lerp(b, a, skip_b / length);
     Box2 box;
     box.add(p), box.add(q);
     box.lo = box.lo - Vec2{margin, margin}, box.hi = box.hi + Vec2{margin, margin};

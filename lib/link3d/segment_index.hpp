@@ -59,8 +59,8 @@ class SegmentIndex {
     std::vector<std::vector<Box2>> levels_; // levels_[0]: boxes of kFan segments; levels_[k]: of kFan boxes below
 };
 
-// The part of a -> b that is not within `ends` mm of a or b stays more than `margin` mm away from every segment.
-// True for segments too short to have such a part.
-bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double ends);
+// The part of a -> b without the first `skip_a` mm and the last `skip_b` mm stays more than `margin` mm away from every
+// segment.  True if there is no such part.
+bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double skip_a, double skip_b);
 
 } // namespace filum::link3d

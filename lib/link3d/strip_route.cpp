@@ -93,7 +93,7 @@ class Search {
             auto& d = doors_[static_cast<std::size_t>(at)];
             const double l = length + geom::distance(from, d.middle);
             if (d.done || l >= d.length) continue;
-            if (before != kNone && !is_free(index_, from, d.middle, kNarrow * width_, 0)) continue;
+            if (before != kNone && !is_free(index_, from, d.middle, kNarrow * width_, 0, 0)) continue;
             d.length = l, d.before = before;
             open_.emplace(l, at);
         }
@@ -142,7 +142,7 @@ std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& i
             bool near = true;
             for (std::size_t k = i; k < j && near; ++k)
                 near = geom::point_segment_distance(out.back(), way[j], way[k]) <= tolerance;
-            if (!near || out.size() == 1 || !is_free(index, out.back(), way[j], clear, 0)) break;
+            if (!near || out.size() == 1 || !is_free(index, out.back(), way[j], clear, 0, 0)) break;
             far = j;
         }
         out.push_back(way[far]);
