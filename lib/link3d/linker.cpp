@@ -16,7 +16,9 @@ using toolpath::Span;
 constexpr double kThin = 0.5;  // of the bead width: a bead laid where there is material already, or between two beads
 constexpr double kSame = 1e-6; // mm; places nearer than this are one
 constexpr double kMargin = 0.003; // mm; a jog keeps this far from other beads: more than a digit of the machine code
-constexpr double kEnds = 0.01;    // mm; but for this much at its ends, which lie on beads
+constexpr double kDrift = 0.5;    // bead widths per layer that an entry can be counted on to move
+constexpr Strips kTightStrips{0.05, 0.75}; // where a lane just fits: better a thick place than a stop
+constexpr double kEnds = 0.01;             // mm; but for this much at its ends, which lie on beads
 
 bool climbs(const toolpath::RegionPaths& r) { return r.join == Join::vertical && !r.curves.empty(); }
 
@@ -167,7 +169,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
         if (pin_) pin(other, *pin_);
         if (reaches(other.points.back())) return print(other, emit);
     }
-    const auto way = lane(bead, entry.place.curve, *next);
+    const auto way = lane(bead, entry.place.curve);
     if (!way) return print(bead, emit);
     thin_beside(bead, *way, kThin * r.width, r.width, kThin);
     print(bead, emit);
@@ -178,8 +180,9 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
     extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
 }
 
-// The way from the end of the region's last bead, between its beads, to where `next` is in reach.
-std::optional<std::vector<Vec2>> Linker::lane(const Bead& bead, std::uint32_t curve, const Waiting& next) const {
+// The way from the end of the region's last bead, between its beads, to where the next regions are in reach: the next
+// one, and of those behind it as many as possible, with what entries can drift until then.
+std::optional<std::vector<Vec2>> Linker::lane(const Bead& bead, std::uint32_t curve) const {
     const auto& r = window_.front();
     std::vector<Curve> curves = r.paths.curves; // as printed: this one with its gap
     curves[curve] = {false, bead.points, {r.width}};
@@ -189,10 +192,21 @@ std::optional<std::vector<Vec2>> Linker::lane(const Bead& bead, std::uint32_t cu
         lines.push_back(c.points);
         if (c.closed) lines.back().push_back(c.points.front());
     }
-    const double reach = std::min(options_.reach, 1.0) * next.width; // with some to spare
-    return strip_route(lines, SegmentIndex(curves), bead.points.back(), r.width,
-                       std::numeric_limits<double>::infinity(),
-                       [&](Vec2 p) { return nearest_entry(next, p, reach, {}).has_value(); });
+    const SegmentIndex index(curves);
+    const int best = static_cast<int>(climbing());
+    const auto rank = [&](Vec2 p, int least) {
+        const auto in_reach = [&](int k) {
+            const auto& next = window_[static_cast<std::size_t>(k)];
+            const double reach = std::min(options_.reach, 1.0) + kDrift * (k - 1); // the first with some to spare
+            return nearest_entry(next, p, reach * next.width, {}).has_value();
+        };
+        for (int k = 1; k <= best; ++k)
+            if (!in_reach(k)) return k - 1 < least ? 0 : k - 1;
+        return best;
+    };
+    for (const Strips& strips : {Strips{}, kTightStrips})
+        if (auto way = strip_route(lines, index, bead.points.back(), r.width, strips, best, rank)) return way;
+    return std::nullopt;
 }
 
 void Linker::stop_and_travel(Vec2 to, const Emit& emit) {
@@ -222,6 +236,7 @@ void Linker::print(const Bead& bead, const Emit& emit) {
     std::vector<Vec3> points;
     points.reserve(bead.points.size());
     for (const auto p : bead.points) points.push_back(at_height(p, window_.front().paths.z));
+    if (geom::distance(points.front(), *at_) < kSame) points.front() = *at_; // spans chain exactly
     extrude(Role::bead, std::move(points), bead.width, emit);
 }
 

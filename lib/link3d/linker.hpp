@@ -84,8 +84,7 @@ class Linker {
     Entry hop(std::span<const char> done, const Emit& emit);
     [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
     void print_curve(const Entry& entry, bool last, const Emit& emit);
-    [[nodiscard]] std::optional<std::vector<Vec2>> lane(const Bead& bead, std::uint32_t curve,
-                                                        const Waiting& next) const;
+    [[nodiscard]] std::optional<std::vector<Vec2>> lane(const Bead& bead, std::uint32_t curve) const;
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Emit& emit);

@@ -23,8 +23,6 @@ using Structure = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_verte
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 using Face = Triangulation::Face_handle;
 
-constexpr double kNarrow = 0.2; // of the bead width: the least distance from a bead's middle
-constexpr double kWide = 0.65;  // and the greatest
 constexpr int kNone = -1, kClosed = -2;
 
 // A side of a triangle that the way may pass through: its middle, and how it is best reached.
@@ -54,25 +52,27 @@ Triangulation triangulate(std::span<const std::vector<Vec2>> lines) {
 // Walks from door to door, nearest first (Dijkstra).
 class Search {
   public:
-    Search(Triangulation& t, const SegmentIndex& index, double width) : t_(t), index_(index), width_(width) {}
+    Search(Triangulation& t, const SegmentIndex& index, double narrow, double wide)
+        : t_(t), index_(index), narrow_(narrow), wide_(wide) {}
 
-    std::optional<std::vector<Vec2>> run(Vec2 from, double limit, const std::function<bool(Vec2)>& arrived) {
+    std::optional<std::vector<Vec2>> run(Vec2 from, int best, const std::function<int(Vec2, int)>& rank) {
         start(from);
-        while (!open_.empty()) {
+        int reached = 0, end = kNone;
+        while (!open_.empty() && reached < best) {
             const auto [length, at] = open_.top();
             open_.pop();
             auto& door = doors_[static_cast<std::size_t>(at)];
             if (door.done) continue;
             door.done = true;
-            if (length > limit) return std::nullopt;
-            if (arrived(door.middle)) return trace(from, at);
             const Face face = door.face;
             const int side = door.side;
             const Vec2 middle = door.middle;
+            if (const int r = rank(middle, reached + 1); r > reached) reached = r, end = at;
             for (const Face f : {face, face->neighbor(side)})
                 if (!t_.is_infinite(f)) spread(f, at, middle, length);
         }
-        return std::nullopt;
+        if (end == kNone) return std::nullopt;
+        return trace(from, end);
     }
 
   private:
@@ -93,7 +93,7 @@ class Search {
             auto& d = doors_[static_cast<std::size_t>(at)];
             const double l = length + geom::distance(from, d.middle);
             if (d.done || l >= d.length) continue;
-            if (before != kNone && !is_free(index_, from, d.middle, kNarrow * width_, 0, 0)) continue;
+            if (before != kNone && !is_free(index_, from, d.middle, narrow_, 0, 0)) continue;
             d.length = l, d.before = before;
             open_.emplace(l, at);
         }
@@ -107,8 +107,8 @@ class Search {
         if (f->info()[static_cast<std::size_t>(side)] == kNone &&
             g->info()[static_cast<std::size_t>(mirror)] == kNone) {
             const Vec2 m = geom::lerp(vec(f->vertex(t_.cw(side))->point()), vec(f->vertex(t_.ccw(side))->point()), 0.5);
-            const auto near = index_.nearest(m, kWide * width_);
-            const int number = near && near->distance > kNarrow * width_ ? static_cast<int>(doors_.size()) : kClosed;
+            const auto near = index_.nearest(m, wide_);
+            const int number = near && near->distance > narrow_ ? static_cast<int>(doors_.size()) : kClosed;
             if (number != kClosed) doors_.push_back({m, f, side});
             f->info()[static_cast<std::size_t>(side)] = number;
         }
@@ -128,7 +128,7 @@ class Search {
 
     Triangulation& t_;
     const SegmentIndex& index_;
-    double width_;
+    double narrow_, wide_; // mm
     std::vector<Door> doors_;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
 };
@@ -155,12 +155,12 @@ std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& i
 } // namespace
 
 std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
-                                             Vec2 from, double width, double limit,
-                                             const std::function<bool(Vec2)>& arrived) {
+                                             Vec2 from, double width, const Strips& strips, int best,
+                                             const std::function<int(Vec2, int)>& rank) {
     Triangulation t = triangulate(lines);
     if (t.dimension() < 2) return std::nullopt;
-    auto way = Search(t, index, width).run(from, limit, arrived);
-    if (way) *way = straighten(*way, index, kNarrow * width, width / 20);
+    auto way = Search(t, index, strips.narrow * width, strips.wide * width).run(from, best, rank);
+    if (way) *way = straighten(*way, index, strips.narrow * width, width / 20);
     return way;
 }
 

@@ -14,14 +14,21 @@
 
 namespace filum::link3d {
 
-// The shortest way from `from`, a point of `lines`, along the middle of the strips between the lines of a region to the
-// first place at which `arrived`; the first point is `from`.  Each step halves a triangle of the constrained Delaunay
-// triangulation of `lines`, from the middle of one side to the middle of another, so it crosses no line.  Strips that
-// are narrower than 0.5 or wider than 1.3 `width` (mm) are not used: the wide ones are holes and the outside of the
-// part. Nothing if there is no such way of at most `limit` mm.  Tie: by the order of the triangulation, which is that
-// of the points.  `index` holds `lines`.  Cost: near-linear in the number of points.
+// Which strips may be used, in bead widths: a way keeps more than `narrow` and, at its turns, at most `wide` away from
+// the nearest line.  Wider ones are holes and the outside of the part.
+struct Strips {
+    double narrow = 0.2, wide = 0.65;
+};
+
+// The way from `from`, a point of `lines`, along the middle of the strips between the lines of a region to the place of
+// the highest rank above zero, and of those the nearest; the first point is `from`.  `rank(place, least)` says how good
+// a place is to end at, at most `best`; it may say zero for whatever is below `least`.
+//
+// Each step halves a triangle of the constrained Delaunay triangulation of `lines`, from the middle of one side to the
+// middle of another, so it crosses no line.  Nothing if there is no such way.  Tie: by the order of the triangulation,
+// which is that of the points.  `index` holds `lines`; `width` is that of a bead, mm.  Cost: near-linear in the points.
 std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
-                                             Vec2 from, double width, double limit,
-                                             const std::function<bool(Vec2)>& arrived);
+                                             Vec2 from, double width, const Strips& strips, int best,
+                                             const std::function<int(Vec2, int)>& rank);
 
 } // namespace filum::link3d
