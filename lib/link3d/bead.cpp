@@ -31,7 +31,7 @@ void shorten(Bead& b, double gap) {
         if (per_point) b.width.pop_back();
     }
     const std::size_t n = b.points.size();
-    const double l = geom::distance(b.points[n - 2], b.points[n - 1]), t = l > 0 ? std::clamp(gap / l, 0.0, 0.9) : 0;
+    const double l = geom::distance(b.points[n - 2], b.points[n - 1]), t = l > 0 ? std::min(gap / l, 1.0) : 0;
     b.points[n - 1] = geom::lerp(b.points[n - 1], b.points[n - 2], t);
     if (per_point) b.width[n - 1] += t * (b.width[n - 2] - b.width[n - 1]);
 }

@@ -17,7 +17,7 @@ constexpr double kThin = 0.5;  // of the bead width: a bead laid where there is 
 constexpr double kSame = 1e-6; // mm; places nearer than this are one
 constexpr double kMargin = 0.003; // mm; a jog keeps this far from other beads: more than a digit of the machine code
 constexpr double kDrift = 0.5;    // bead widths per layer that an entry can be counted on to move
-constexpr Strips kTightStrips{0.05, 0.75}; // where a lane just fits: better a thick place than a stop
+constexpr Strips kTightStrips{0.05, 0.8}; // where a lane just fits: better a thick place than a stop
 constexpr double kEnds = 0.01;             // mm; but for this much at its ends, which lie on beads
 
 bool climbs(const toolpath::RegionPaths& r) { return r.join == Join::vertical && !r.curves.empty(); }
@@ -56,7 +56,9 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
     const Entry first = enter(emit, notes);
     std::vector<char> done(r.curves.size(), 0);
     Entry entry = first;
+    const auto main = main_curve();
     for (std::size_t left = r.curves.size(); left > 0; --left) {
+        if (main) done[*main] = left > 1 || *main == first.place.curve ? 1 : 0;
         if (left < r.curves.size()) entry = hop(done, emit);
         done[entry.place.curve] = 1;
         print_curve(entry, left == 1, emit);
@@ -67,6 +69,21 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
     may_climb_ = true;
     if (options_.connect == Connect::outside) last_ = std::move(window_.front().index);
     window_.pop_front();
+}
+
+// The curve of the front region that is to be printed last, unless the region is entered there: the one that is longer
+// than all others together, if the next region climbs from this one; from there it is most likely in reach.
+std::optional<std::uint32_t> Linker::main_curve() const {
+    const auto& curves = window_.front().paths.curves;
+    if (curves.size() < 2 || climbing() == 0) return std::nullopt;
+    double all = 0, longest = 0;
+    std::uint32_t main = 0;
+    for (std::uint32_t c = 0; c < curves.size(); ++c) {
+        const double l = length(curves[c].points);
+        all += l;
+        if (l > longest) longest = l, main = c;
+    }
+    return longest > all / 2 ? std::optional(main) : std::nullopt;
 }
 
 // Gets the nozzle to the front region's first curve.

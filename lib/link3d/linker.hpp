@@ -81,6 +81,7 @@ class Linker {
     Entry enter(const Emit& emit, Notes& notes);
     std::optional<Entry> climb(const Emit& emit);
     std::optional<Entry> go_around(const Emit& emit);
+    [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
     Entry hop(std::span<const char> done, const Emit& emit);
     [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
     void print_curve(const Entry& entry, bool last, const Emit& emit);

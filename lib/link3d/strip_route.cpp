@@ -37,13 +37,21 @@ struct Door {
 
 Vec2 vec(const Point& p) { return {p.x(), p.y()}; }
 
-Triangulation triangulate(std::span<const std::vector<Vec2>> lines) {
+// The lines are split to pieces of at most `step` mm, so that there is a door about as often.
+Triangulation triangulate(std::span<const std::vector<Vec2>> lines, double step) {
     Triangulation t;
     std::vector<Point> points;
     for (const auto& line : lines) {
         points.clear();
-        for (const auto p : line)
-            if (points.empty() || vec(points.back()) != p) points.emplace_back(p.x, p.y);
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (i > 0 && line[i] == line[i - 1]) continue;
+            const double pieces = i > 0 ? std::ceil(geom::distance(line[i - 1], line[i]) / step) : 1;
+            for (double k = 1; k < pieces; ++k) {
+                const Vec2 p = geom::lerp(line[i - 1], line[i], k / pieces);
+                points.emplace_back(p.x, p.y);
+            }
+            points.emplace_back(line[i].x, line[i].y);
+        }
         t.insert_constraint(points.begin(), points.end());
     }
     return t;
@@ -157,7 +165,7 @@ std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& i
 std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
                                              Vec2 from, double width, const Strips& strips, int best,
                                              const std::function<int(Vec2, int)>& rank) {
-    Triangulation t = triangulate(lines);
+    Triangulation t = triangulate(lines, width);
     if (t.dimension() < 2) return std::nullopt;
     auto way = Search(t, index, strips.narrow * width, strips.wide * width).run(from, best, rank);
     if (way) *way = straighten(*way, index, strips.narrow * width, width / 20);

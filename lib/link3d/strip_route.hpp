@@ -17,7 +17,7 @@ namespace filum::link3d {
 // Which strips may be used, in bead widths: a way keeps more than `narrow` and, at its turns, at most `wide` away from
 // the nearest line.  Wider ones are holes and the outside of the part.
 struct Strips {
-    double narrow = 0.2, wide = 0.65;
+    double narrow = 0.2, wide = 0.75;
 };
 
 // The way from `from`, a point of `lines`, along the middle of the strips between the lines of a region to the place of
