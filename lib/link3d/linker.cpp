@@ -4,6 +4,7 @@
 #include "link3d/strip_route.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace filum::link3d {
 
@@ -17,8 +18,8 @@ constexpr double kThin = 0.5;  // of the bead width: a bead laid where there is 
 constexpr double kSame = 1e-6; // mm; places nearer than this are one
 constexpr double kMargin = 0.003; // mm; a jog keeps this far from other beads: more than a digit of the machine code
 constexpr double kDrift = 0.5;    // bead widths per layer that an entry can be counted on to move
-constexpr Strips kTightStrips{0.05, 0.8}; // where a lane just fits: better a thick place than a stop
-constexpr double kEnds = 0.01;             // mm; but for this much at its ends, which lie on beads
+constexpr std::array kStrips{Strips{}, Strips{0.05, 0.8}}; // where a lane just fits: better a thick place than a stop
+constexpr double kEnds = 0.01;                             // mm; but for this much at its ends, which lie on beads
 
 bool climbs(const toolpath::RegionPaths& r) { return r.join == Join::vertical && !r.curves.empty(); }
 
@@ -221,9 +222,7 @@ std::optional<std::vector<Vec2>> Linker::lane(const Bead& bead, std::uint32_t cu
             if (!in_reach(k)) return k - 1 < least ? 0 : k - 1;
         return best;
     };
-    for (const Strips& strips : {Strips{}, kTightStrips})
-        if (auto way = strip_route(lines, index, bead.points.back(), r.width, strips, best, rank)) return way;
-    return std::nullopt;
+    return strip_route(lines, index, bead.points.back(), r.width, kStrips, best, rank);
 }
 
 void Linker::stop_and_travel(Vec2 to, const Emit& emit) {

@@ -163,13 +163,14 @@ std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& i
 } // namespace
 
 std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
-                                             Vec2 from, double width, const Strips& strips, int best,
+                                             Vec2 from, double width, std::span<const Strips> strips, int best,
                                              const std::function<int(Vec2, int)>& rank) {
     Triangulation t = triangulate(lines, width);
     if (t.dimension() < 2) return std::nullopt;
-    auto way = Search(t, index, strips.narrow * width, strips.wide * width).run(from, best, rank);
-    if (way) *way = straighten(*way, index, strips.narrow * width, width / 20);
-    return way;
+    for (const auto& [narrow, wide] : strips)
+        if (const auto way = Search(t, index, narrow * width, wide * width).run(from, best, rank))
+            return straighten(*way, index, narrow * width, width / 20);
+    return std::nullopt;
 }
 
 } // namespace filum::link3d

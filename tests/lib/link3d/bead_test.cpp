@@ -10,6 +10,8 @@ using namespace test;
 
 namespace {
 
+constexpr std::array kStrips{Strips{}};
+
 double area(const Bead& b) {
     double sum = 0;
     const auto w = [&](std::size_t i) { return b.width.size() == 1 ? b.width[0] : b.width[i]; };
@@ -99,9 +101,11 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
                 const Curve line{false, bead.points, {kWidth}};
                 const SegmentIndex index(std::span(&line, 1));
                 const Vec2 goal{1 + 6 * random(), 1 + 4 * random()};
-                const auto way = strip_route(std::span(&bead.points, 1), index, bead.points.back(), kWidth, {}, 1,
-                                             [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
-                ASSERT_TRUE(way) << at.point.x << "," << at.point.y << " to " << goal.x << "," << goal.y << " case " << k << " n " << c.points.size();
+                const auto way =
+                    strip_route(std::span(&bead.points, 1), index, bead.points.back(), kWidth, kStrips, 1,
+                                [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
+                ASSERT_TRUE(way) << at.point.x << "," << at.point.y << " to " << goal.x << "," << goal.y << " case "
+                                 << k << " n " << c.points.size();
                 EXPECT_EQ(way->front(), bead.points.back());
                 EXPECT_LT(geom::distance(way->back(), goal), 1.5 * kWidth);
                 EXPECT_EQ(crossings(*way, bead.points), 0);
@@ -123,7 +127,7 @@ TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
     line.push_back(line.front());
     const Vec2 from = c.points[2];
     const auto to = [&](int best) {
-        return strip_route(std::span(&line, 1), index, from, kWidth, {}, best, [](Vec2 p, int) {
+        return strip_route(std::span(&line, 1), index, from, kWidth, kStrips, best, [](Vec2 p, int) {
             return p.y > 4 ? 2 : p.y > 1 ? 1 : 0;
         });
     };
@@ -138,8 +142,8 @@ TEST(StripRoute, KeepsOutOfHolesAndTheOutside) {
     const std::vector<std::vector<Vec2>> lines{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}},
                                                {{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}}};
     const std::vector<Curve> curves{{false, lines[0], {kWidth}}, {false, lines[1], {kWidth}}};
-    const auto way =
-        strip_route(lines, SegmentIndex(curves), {0, 0}, kWidth, {}, 1, [](Vec2 p, int) { return p.x > 5 ? 1 : 0; });
+    const auto way = strip_route(lines, SegmentIndex(curves), {0, 0}, kWidth, kStrips, 1,
+                                 [](Vec2 p, int) { return p.x > 5 ? 1 : 0; });
     EXPECT_FALSE(way);
 }
 
