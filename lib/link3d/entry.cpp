@@ -8,9 +8,7 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kMargin = 0.003; // mm, as in linker.cpp
-constexpr double kEnds = 0.01;    // mm
-constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it
+constexpr double kOn = 0.02; // mm; a nozzle this near to a bead is on it
 
 } // namespace
 
@@ -78,7 +76,7 @@ Linker::Entry Linker::start_entry() const {
 Linker::Entry Linker::drift(const Entry& nearest) {
     const auto& r = window_.front();
     const Vec2 from = at_->xy();
-    if (!r.paths.curves[nearest.place.curve].closed) return nearest;
+    if (!r.paths.curves[nearest.place.curve].closed || r.paths.curves.size() > 1) return nearest;
     for (std::size_t k = 1, n = climbing(); k <= n; ++k) {
         const auto goal = nearest_entry(window_[k], from, std::numeric_limits<double>::infinity(), {});
         if (goal->place.distance <= window_[k].width / 2) continue;

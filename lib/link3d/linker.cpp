@@ -1,10 +1,8 @@
 #include "link3d/linker.hpp"
 
 #include "geom/segment.hpp"
-#include "link3d/strip_route.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace filum::link3d {
 
@@ -14,22 +12,11 @@ using toolpath::Curve;
 using toolpath::Role;
 using toolpath::Span;
 
-constexpr double kThin = 0.5;  // of the bead width: a bead laid where there is material already, or between two beads
-constexpr double kSame = 1e-6; // mm; places nearer than this are one
-constexpr double kMargin = 0.003; // mm; a jog keeps this far from other beads: more than a digit of the machine code
-constexpr double kDrift = 0.5;    // bead widths per layer that an entry can be counted on to move
-constexpr std::array kStrips{Strips{}, Strips{0.05, 0.8}}; // where a lane just fits: better a thick place than a stop
-constexpr double kEnds = 0.01;                             // mm; but for this much at its ends, which lie on beads
-
-bool climbs(const toolpath::RegionPaths& r) { return r.join == Join::vertical && !r.curves.empty(); }
-
 double region_width(const toolpath::RegionPaths& r) {
     double sum = 0;
     for (const auto& c : r.curves) sum += mean_width(c);
     return r.curves.empty() ? 0 : sum / static_cast<double>(r.curves.size());
 }
-
-Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
 
 } // namespace
 
@@ -54,6 +41,10 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         window_.pop_front();
         return;
     }
+    next_ = window_.size() < 2 || window_[1].paths.curves.empty()                           ? Next::anywhere
+            : window_[1].paths.join == Join::vertical                                       ? Next::above
+            : window_[1].paths.join == Join::beside && options_.connect == Connect::outside ? Next::outside
+                                                                                            : Next::anywhere;
     const Entry first = enter(emit, notes);
     std::vector<char> done(r.curves.size(), 0);
     Entry entry = first;
@@ -68,7 +59,6 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
     pin_.reset();
     printed_.add(window_.front().index.bounds(), r.z);
     may_climb_ = true;
-    if (options_.connect == Connect::outside) last_ = std::move(window_.front().index);
     window_.pop_front();
 }
 
@@ -90,7 +80,7 @@ std::optional<std::uint32_t> Linker::main_curve() const {
 // Gets the nozzle to the front region's first curve.
 Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
-    if (climbs(r.paths)) {
+    if (r.paths.join == Join::vertical) {
         if (const auto entry = climb(emit)) return *entry;
     } else if (r.paths.join == Join::beside && options_.connect == Connect::outside) {
         if (const auto entry = go_around(emit)) return *entry;
@@ -102,49 +92,6 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     }
     const Entry entry = start_entry();
     stop_and_travel(entry.place.point, emit);
-    return entry;
-}
-
-// A plain lift, then a short jog to the nearest place of the front region: it cannot cross that region's beads.
-std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
-    const auto& r = window_.front();
-    const double rise = at_ ? r.paths.z - at_->z : 0;
-    if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), options_.reach * r.width, {});
-    if (!entry) return std::nullopt;
-    *entry = drift(*entry);
-    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
-    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
-    ++counts_.lifts;
-    counts_.lift_length += entry->place.distance;
-    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
-    extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
-    return entry;
-}
-
-// A connector outside the part to the nearest place of the front region that can be reached so.
-std::optional<Linker::Entry> Linker::go_around(const Emit& emit) {
-    const auto& r = window_.front();
-    if (!may_climb_ || !last_) return std::nullopt;
-    Box2 box = printed_.bounds();
-    box.add(r.index.bounds().lo), box.add(r.index.bounds().hi);
-    const auto free = [&](Vec3 a, Vec3 b) {
-        const bool leaves = a == *at_;
-        const auto& own = leaves ? *last_ : r.index;
-        return is_free(own, a.xy(), b.xy(), kMargin, kEnds, kEnds) &&
-               !printed_.blocks(a, b, a.z - r.paths.height / 2, 2 * r.width, leaves);
-    };
-    std::optional<std::vector<Vec3>> best;
-    std::optional<Entry> entry;
-    for (const Place& p : r.index.extremes()) {
-        if (!r.paths.curves[p.curve].closed) continue;
-        auto way = around(box, 2 * r.width, *at_, at_height(p.point, r.paths.z), free);
-        if (way && (!best || length(*way) < length(*best))) best = std::move(way), entry = Entry{p};
-    }
-    if (!best) return std::nullopt;
-    ++counts_.connectors;
-    counts_.connector_length += length(*best);
-    extrude(Role::connector, std::move(*best), {r.width}, emit);
     return entry;
 }
 
@@ -173,56 +120,32 @@ bool Linker::crosses_no_join(Vec2 a, Vec2 b) const {
 // Prints one curve of the front region; the last one is left where the next region can be reached, if it can.
 void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
     const auto& r = window_.front();
-    const Curve& curve = r.paths.curves[entry.place.curve];
+    const std::uint32_t c = entry.place.curve;
+    const Curve& curve = r.paths.curves[c];
+    const auto bead = [&](bool against) {
+        Bead b = curve.closed ? cut(curve, entry.place, against, cut_gap(curve)) : run(curve, entry.against);
+        if (pin_ && curve.closed) pin(b, *pin_);
+        return b;
+    };
     const bool turn = r.paths.layer % 2 != 0; // beads run the other way on every second layer
-    const double gap = curve.closed ? cut_gap(curve) : 0;
-    Bead bead = curve.closed ? cut(curve, entry.place, turn, gap) : run(curve, entry.against);
-    if (pin_ && curve.closed) pin(bead, *pin_);
-    const Waiting* next = last && window_.size() > 1 && climbs(window_[1].paths) ? &window_[1] : nullptr;
-    const double reach = next != nullptr ? options_.reach * next->width : 0;
-    const auto reaches = [&](Vec2 p) { return nearest_entry(*next, p, reach, {}).has_value(); };
-    if (next == nullptr || reaches(bead.points.back())) return print(bead, emit);
-    if (curve.closed) {
-        Bead other = cut(curve, entry.place, !turn, gap);
-        if (pin_) pin(other, *pin_);
-        if (reaches(other.points.back())) return print(other, emit);
+    Bead out = bead(turn);
+    std::optional<std::vector<Vec2>> way;
+    if (last && next_ != Next::anywhere && !ends_well(c, out)) {
+        Bead other = curve.closed ? bead(!turn) : out;
+        if (curve.closed && ends_well(c, other))
+            out = std::move(other);
+        else if ((way = lane(c, out)))
+            thin_beside(out, *way, kThin * r.width, r.width, kThin);
     }
-    const auto way = lane(bead, entry.place.curve);
-    if (!way) return print(bead, emit);
-    thin_beside(bead, *way, kThin * r.width, r.width, kThin);
-    print(bead, emit);
+    if (last && options_.connect == Connect::outside)
+        last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
+    print(out, emit);
+    if (!way) return;
     std::vector<Vec3> points;
     for (const auto p : *way) points.push_back(at_height(p, r.paths.z));
     ++counts_.lanes;
     counts_.lane_length += length(*way);
     extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
-}
-
-// The way from the end of the region's last bead, between its beads, to where the next regions are in reach: the next
-// one, and of those behind it as many as possible, with what entries can drift until then.
-std::optional<std::vector<Vec2>> Linker::lane(const Bead& bead, std::uint32_t curve) const {
-    const auto& r = window_.front();
-    std::vector<Curve> curves = r.paths.curves; // as printed: this one with its gap
-    curves[curve] = {false, bead.points, {r.width}};
-    curves.insert(curves.end(), joins_.begin(), joins_.end());
-    std::vector<std::vector<Vec2>> lines;
-    for (const auto& c : curves) {
-        lines.push_back(c.points);
-        if (c.closed) lines.back().push_back(c.points.front());
-    }
-    const SegmentIndex index(curves);
-    const int best = static_cast<int>(climbing());
-    const auto rank = [&](Vec2 p, int least) {
-        const auto in_reach = [&](int k) {
-            const auto& next = window_[static_cast<std::size_t>(k)];
-            const double reach = std::min(options_.reach, 1.0) + kDrift * (k - 1); // the first with some to spare
-            return nearest_entry(next, p, reach * next.width, {}).has_value();
-        };
-        for (int k = 1; k <= best; ++k)
-            if (!in_reach(k)) return k - 1 < least ? 0 : k - 1;
-        return best;
-    };
-    return strip_route(lines, index, bead.points.back(), r.width, kStrips, best, rank);
 }
 
 void Linker::stop_and_travel(Vec2 to, const Emit& emit) {

@@ -77,6 +77,15 @@ class Linker {
         bool against = false;
     };
 
+    // Where the nozzle must get to from the front region.
+    enum class Next : std::uint8_t { anywhere, above, outside };
+
+    static constexpr double kThin = 0.5;     // of the bead width: a bead laid where material is, or between two beads
+    static constexpr double kSame = 1e-6;    // mm; places nearer than this are one
+    static constexpr double kMargin = 0.003; // mm; joins keep this far from beads: more than a digit of machine code
+    static constexpr double kEnds = 0.01;    // mm; but for this much at their ends, which lie on beads
+    static Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
+
     void print_front(const Emit& emit, Notes& notes);
     Entry enter(const Emit& emit, Notes& notes);
     std::optional<Entry> climb(const Emit& emit);
@@ -85,7 +94,16 @@ class Linker {
     Entry hop(std::span<const char> done, const Emit& emit);
     [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
     void print_curve(const Entry& entry, bool last, const Emit& emit);
-    [[nodiscard]] std::optional<std::vector<Vec2>> lane(const Bead& bead, std::uint32_t curve) const;
+
+    // joins.cpp
+    [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
+    [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
+    [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
+    [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead) const;
+    [[nodiscard]] std::vector<toolpath::Curve> as_printed(std::uint32_t c, const Bead& bead,
+                                                          const std::vector<Vec2>& lane) const;
+    [[nodiscard]] std::optional<std::vector<Vec2>> lane(std::uint32_t c, const Bead& bead) const;
+
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Emit& emit);
@@ -103,9 +121,10 @@ class Linker {
     std::optional<Vec3> at_;             // where the nozzle is
     std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
     std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
-    bool may_climb_ = false;  // something of the region before was printed
+    Next next_ = Next::anywhere;
+    bool may_climb_ = false; // something of the region before was printed
     std::uint32_t stroke_ = 0;
-    std::optional<SegmentIndex> last_; // of the region before, if a connector may leave it
+    std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
     Printed printed_;
 };
 
