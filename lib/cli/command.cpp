@@ -15,7 +15,8 @@
 namespace filum::cli {
 
 void Io::say(const std::string& text) const {
-    const std::string line = program + ": " + text + "\n"; // one write, so that stages do not mix their lines
+    // One write, so that stages do not mix their lines; on a terminal it takes the place of a progress bar.
+    const std::string line = (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + program + ": " + text + "\n";
     if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;
 }
 

@@ -82,7 +82,7 @@ std::string roff(const std::string& text) {
 
 } // namespace
 
-std::string version() { return "0.1.0"; }
+std::string version() { return FILUM_VERSION; }
 
 std::string value_text(const Option& o) {
     if (auto* const* d = std::get_if<double*>(&o.target)) return shortest_text(**d);

@@ -7,7 +7,7 @@
 
 namespace filum::cli {
 
-std::string version(); // "0.1.0"
+std::string version(); // of the project: "0.1.0"
 
 std::string help(const Spec& spec);
 std::string man_page(const Spec& spec);        // roff, section 1
