@@ -1,6 +1,7 @@
 #include "stream/input.hpp"
 
 #include "base/error.hpp"
+#include "stream/crc32c.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -62,7 +63,7 @@ void Input::drop(std::size_t size) {
     offset_ += size;
 }
 
-bool Input::append(std::string& to, std::size_t size) {
+bool Input::append(std::string& to, std::size_t size, std::uint32_t& crc) {
     to.reserve(to.size() + size); // address space only, until something is written there
     while (size > 0) {
         if (at_ == filled_) {
@@ -70,6 +71,7 @@ bool Input::append(std::string& to, std::size_t size) {
             if (refill(0) == 0) return false;
         }
         const std::size_t n = std::min(size, filled_ - at_);
+        crc = crc32c(crc, block_.get() + at_, n); // while it is in the cache
         to.append(block_.get() + at_, n);
         drop(n);
         size -= n;

@@ -26,9 +26,9 @@ class Input {
     std::string_view ahead(std::size_t size);
     void drop(std::size_t size);
 
-    // Moves the next `size` bytes to the end of `to`; returns false if the input ends before.  Takes memory only for
-    // bytes that really arrive.
-    bool append(std::string& to, std::size_t size);
+    // Moves the next `size` bytes to the end of `to` and carries the checksum on over them; returns false if the input
+    // ends before.  Takes memory only for bytes that really arrive.
+    bool append(std::string& to, std::size_t size, std::uint32_t& crc);
 
   private:
     std::size_t refill(std::size_t from);

@@ -76,12 +76,11 @@ struct Reader::State {
             bad("a frame is malformed");
         RawFrame out{static_cast<Tag>(*key >> 3), {}};
         const std::size_t prefix = window.size() - rest.size();
-        const bool end = out.tag == Tag::end;
-        if (!end) crc = crc32c(crc, window.data(), prefix);
+        std::uint32_t sum = crc32c(crc, window.data(), prefix);
         input.drop(prefix);
-        if (!input.append(out.body, *size)) cut("inside a frame");
-        if (end) return out;
-        crc = crc32c(crc, out.body.data(), out.body.size());
+        if (!input.append(out.body, *size, sum)) cut("inside a frame");
+        if (out.tag == Tag::end) return out;
+        crc = sum;
         ++frames;
         return out;
     }

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -96,6 +97,8 @@ bool measure(const char* name, std::size_t points, std::size_t per_frame, const 
 
 int main(int argc, char** argv) {
     const std::size_t points = 1'000'000 * static_cast<std::size_t>(argc > 1 ? std::atoi(argv[1]) : 50);
+    ::mallopt(M_MMAP_THRESHOLD, 256 << 20); // as every command does
+    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
     bool fine = true;
     for (const std::size_t per_frame : {1000U, 10'000U, 100'000U, 1'000'000U}) {
         fine = measure("copy", points, per_frame, [] { copy(false); }) && fine;
