@@ -37,7 +37,9 @@ void for_chunks(std::size_t n, std::size_t grain, int threads,
         tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
             try {
                 run(c);
-            } catch (...) { failed[c] = std::current_exception(); }
+            } catch (...) {
+                failed[c] = std::current_exception();
+            }
         });
     });
     for (const auto& f : failed)
@@ -59,7 +61,9 @@ template <class Make>
 Slot guarded(const Make& make) {
     try {
         return {make(), nullptr};
-    } catch (...) { return {nullptr, std::current_exception()}; }
+    } catch (...) {
+        return {nullptr, std::current_exception()};
+    }
 }
 
 } // namespace
@@ -74,8 +78,10 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
     bool last = false; // only the source touches it
     const auto from_source = [&](tbb::flow_control& flow) -> Slot {
         Slot slot = last ? Slot{} : guarded(source);
-        if (slot.failed) last = true;
-        else if (!slot.item) flow.stop();
+        if (slot.failed)
+            last = true;
+        else if (!slot.item)
+            flow.stop();
         return slot;
     };
     const auto at_work = [&](Slot slot) -> Slot {

@@ -53,7 +53,8 @@ std::string_view Input::ahead(std::size_t size) {
     if (filled_ - at_ < size) {
         std::memmove(block_.get(), block_.get() + at_, filled_ - at_);
         filled_ -= std::exchange(at_, 0);
-        while (filled_ < size && refill(filled_) > 0) {}
+        while (filled_ < size && refill(filled_) > 0) {
+        }
     }
     return {block_.get() + at_, std::min(size, filled_ - at_)};
 }

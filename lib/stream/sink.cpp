@@ -133,8 +133,10 @@ const std::string& Sink::name() const { return state_->name; }
 
 void Sink::write(std::string_view bytes) {
     State& s = *state_;
-    if (s.buffer.size() + bytes.size() > kBlock) s.drain(bytes);
-    else s.buffer.append(bytes);
+    if (s.buffer.size() + bytes.size() > kBlock)
+        s.drain(bytes);
+    else
+        s.buffer.append(bytes);
 }
 
 void Sink::commit() {

@@ -52,7 +52,8 @@ Header parse_header(std::string_view body) {
     if (m.units() != "mm") throw Error(Exit::bad_input, "cannot use the header frame: units are not mm");
     Header out;
     if (m.payload() > 0 && m.payload() < 256) out.payload = static_cast<Payload>(m.payload());
-    if (name(out.payload) == name(Payload::unknown)) throw Error(Exit::bad_input, "cannot use the header frame: unknown payload");
+    if (name(out.payload) == name(Payload::unknown))
+        throw Error(Exit::bad_input, "cannot use the header frame: unknown payload");
     out.expected = m.expected();
     for (const auto& r : m.history()) {
         Run run{r.program(), r.version(), {}, {}};

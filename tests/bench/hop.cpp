@@ -47,7 +47,8 @@ void copy(bool understand) {
 
 void consume() {
     char block[1 << 16];
-    while (::read(STDIN_FILENO, block, sizeof block) > 0) {}
+    while (::read(STDIN_FILENO, block, sizeof block) > 0) {
+    }
 }
 
 // Runs `work` in a child process between two descriptors.
@@ -60,7 +61,9 @@ pid_t child(int in, int out, const std::vector<int>& others, const std::function
     try {
         work();
         std::_Exit(0);
-    } catch (const std::exception& e) { std::fprintf(stderr, "bench_hop: %s\n", e.what()); }
+    } catch (const std::exception& e) {
+        std::fprintf(stderr, "bench_hop: %s\n", e.what());
+    }
     std::_Exit(1);
 }
 
@@ -69,7 +72,9 @@ double cpu_of(pid_t pid, bool& fine) {
     rusage used{};
     ::wait4(pid, &status, 0, &used);
     fine = fine && status == 0;
-    const auto seconds = [](timeval t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](timeval t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
