@@ -106,7 +106,7 @@ void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapW
         io.threads, [&] { return reader.next(); },
         [&](stream::RawFrame frame) {
             MapResult result;
-            if (frame.tag == stream::Tag::note)
+            if (stream::is_remark(frame.tag))
                 result.frames.push_back(std::move(frame));
             else
                 result.frames = work(std::move(frame), result.notes);
@@ -141,7 +141,7 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     };
     Notes notes;
     while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) {
+        if (stream::is_remark(frame->tag)) {
             writer.write(*frame);
             continue;
         }
@@ -155,12 +155,43 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     report.say();
 }
 
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+    stream::Writer writer(io.output, header);
+    Report report(io);
+    Progress progress(io, parts);
+    const auto tell = [&](Notes& notes) {
+        for (Note& note : notes) {
+            note.stage = io.program;
+            writer.write(note);
+            report.add(note);
+        }
+    };
+    tell(found);
+    std::size_t next = 0;
+    parallel::ordered<std::size_t, MapResult>(
+        io.threads, [&]() -> std::optional<std::size_t> { return next < parts ? std::optional(next++) : std::nullopt; },
+        [&](std::size_t part) {
+            MapResult result;
+            result.frames = work(part, result.notes);
+            return result;
+        },
+        [&](MapResult result) {
+            for (const auto& frame : result.frames) writer.write(frame);
+            tell(result.notes);
+            progress.step();
+        });
+    writer.close();
+    report.say();
+}
+
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
     stream::Reader reader(path, expected);
-    Whole out{reader.header(), {}};
+    Whole out{reader.header(), {}, {}};
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note)
             out.notes.push_back(stream::parse_note(f->body));
+        else if (f->tag == stream::Tag::fact)
+            out.facts.push_back(stream::parse_fact(f->body));
         else
             frame(std::move(*f));
     }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "machine/feed.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +14,6 @@ namespace {
 constexpr std::size_t kBatch = 1024;
 constexpr double kApproach = 5; // mm above its place from where the first stroke is sought: clear of clips and fixtures
 constexpr double kTouch = 1e-6; // mm; spans that meet are written from the same number
-
-double role_feed(const machine::Feeds& feeds, Role role) {
-    switch (role) {
-    case Role::lift:
-        return feeds.lift;
-    case Role::jog:
-        return feeds.jog;
-    case Role::connector:
-        return feeds.connector;
-    case Role::bead:
-    case Role::travel:
-        break;
-    }
-    return feeds.bead;
-}
 
 double highest(const toolpath::Span& span) {
     double z = span.points.front().z;
@@ -118,17 +104,6 @@ void Walk::begin_stroke(const toolpath::Span& span) {
     open_ = true;
 }
 
-double Walk::feed(const toolpath::Span& span, double length, double rise, double volume) const {
-    const auto& p = *profile_;
-    double v = role_feed(p.feeds, span.role);
-    if (span.layer == 0) v = std::min(v, p.feeds.first_layer);
-    const double section = volume / length * p.extrusion.flow;
-    const double most =
-        std::min(section > 0 ? p.limits.flow / section : v, rise > 0 ? p.motion.max_speed_z * length / rise : v);
-    if (most >= v) return v;
-    return most >= 1 ? std::floor(most) : most;
-}
-
 void Walk::extrude(const toolpath::Span& span) {
     const bool other_layer = static_cast<std::int64_t>(span.layer) != layer_;
     const double z = other_layer ? highest(span) : 0;
@@ -142,14 +117,13 @@ void Walk::extrude(const toolpath::Span& span) {
     layer_ = span.layer;
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const Vec3 a = span.points[i], b = span.points[i + 1];
-        const double l = distance(a, b);
-        if (l == 0) continue;
+        if (distance(a, b) == 0) continue;
         const double volume = toolpath::volume(span, i);
         put({.act = Act::extrude,
              .role = span.role,
              .layer = span.layer,
              .to = b,
-             .feed = feed(span, l, std::abs(b.z - a.z), volume),
+             .feed = machine::bead_feed(*profile_, span, i),
              .volume = volume,
              .width = (span.width_at(i) + span.width_at(i + 1)) / 2,
              .height = (span.height_at(i) + span.height_at(i + 1)) / 2});

@@ -56,7 +56,6 @@ class Walk {
     void travel(const toolpath::Span& span);
     void begin_stroke(const toolpath::Span& span);
     void extrude(const toolpath::Span& span);
-    [[nodiscard]] double feed(const toolpath::Span& span, double length, double rise, double volume) const;
 
     const machine::Profile* profile_;
     Steps out_;

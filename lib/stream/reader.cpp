@@ -172,7 +172,7 @@ std::optional<RawFrame> Reader::next() {
         s.finish(f);
         return std::nullopt;
     }
-    if (f.tag != Tag::note && f.tag != tag_of(s.header.payload)) s.bad("it holds a frame of another kind");
+    if (!is_remark(f.tag) && f.tag != tag_of(s.header.payload)) s.bad("it holds a frame of another kind");
     return f;
 }
 

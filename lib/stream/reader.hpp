@@ -22,7 +22,7 @@ class Reader {
     // What to call the input in a message: 'part.layers' or 'standard input'.
     [[nodiscard]] const std::string& name() const;
 
-    // The next payload or note frame; nullopt once the end frame was read and found right.
+    // The next payload, note or fact frame; nullopt once the end frame was read and found right.
     // Throws Error: truncated if the stream ends before its end frame; bad_input if the checksum or the frame count is
     // wrong, a frame is malformed, too long or of another kind, or something follows the end.
     std::optional<RawFrame> next();

@@ -136,6 +136,8 @@ void Writer::write(const RawFrame& frame) { write(frame.tag, frame.body); }
 
 void Writer::write(const Note& note) { write(Tag::note, serialise(note)); }
 
+void Writer::write(const Fact& fact) { write(Tag::fact, serialise(fact)); }
+
 void Writer::close() {
     const std::string body = serialise(EndRecord{frames_, crc_});
     sink_.write(frame_prefix(Tag::end, body.size()));

@@ -35,6 +35,7 @@ class Writer {
     void write(const RawFrame& frame);
     void write(Tag tag, std::string_view body);
     void write(const Note& note);
+    void write(const Fact& fact);
 
     // Writes the end frame and commits.  Call it only when all input was read to its own end frame.
     void close();
