@@ -83,6 +83,9 @@ struct Whole {
 };
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
 
+// Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
+int guarded(const std::string& program, const std::function<int()>& work);
+
 namespace detail {
 int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work);
 }
