@@ -73,7 +73,13 @@ void run(const Options& o, const cli::Io& io) {
         [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
             linker.add(wire::paths(frame), to(emit), notes);
         },
-        [&](const auto& emit, Notes& notes) { linker.finish(to(emit), notes); });
+        [&](const auto& emit, Notes& notes) {
+            linker.finish(to(emit), notes);
+            for (auto& fact : link3d::facts(linker.counts())) {
+                fact.stage = io.program;
+                emit({stream::Tag::fact, stream::serialise(fact)});
+            }
+        });
 }
 
 } // namespace

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kReach = 2.2;       // bead widths: neighbours are nearer (Lemma 2: at most 2)
 constexpr double kLongestLink = 2.4; // bead widths
+constexpr double kSpeck = 0.0125;    // bead widths: shorter segments could cross their neighbours once rounded
 
 // Two rings facing each other at one place.
 struct Candidate {
@@ -69,6 +70,19 @@ class Windows {
     const RingGraph* graph_;
     std::vector<std::vector<std::pair<double, double>>> used_;
 };
+
+// The line without segments shorter than `least`, but never with fewer than three points.
+ClosedLine without_specks(const ClosedLine& line, double least) {
+    ClosedLine out;
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        if (!out.points.empty() && geom::distance(out.points.back(), line.points[i]) < least) continue;
+        out.points.push_back(line.points[i]);
+        out.width.push_back(line.width[i]);
+    }
+    while (out.points.size() > 1 && geom::distance(out.points.front(), out.points.back()) < least)
+        out.points.pop_back(), out.width.pop_back();
+    return out.points.size() < 3 ? line : out;
+}
 
 class Joiner {
   public:
@@ -243,9 +257,7 @@ class Joiner {
                 line.width.insert(line.width.end(), piece.width.begin(), piece.width.end());
                 at = arc.next[at.last ? 0 : 1];
             }
-            if (line.points.size() > 1 && line.points.front() == line.points.back())
-                line.points.pop_back(), line.width.pop_back();
-            out.push_back(std::move(line));
+            out.push_back(without_specks(line, kSpeck * width_));
         }
         std::stable_sort(out.begin(), out.end(), [](const ClosedLine& a, const ClosedLine& b) {
             return polygon::perimeter(a.points) > polygon::perimeter(b.points);

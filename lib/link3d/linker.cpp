@@ -20,6 +20,22 @@ double region_width(const toolpath::RegionPaths& r) {
 
 } // namespace
 
+Facts facts(const Counts& c) {
+    const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
+    return {{"", "strokes", n(c.strokes), "strokes"},
+            {"", "lifts", n(c.lifts), ""},
+            {"", "lanes", n(c.lanes), ""},
+            {"", "jogs", n(c.jogs), ""},
+            {"", "connectors", n(c.connectors), ""},
+            {"", "breaks", n(c.breaks), ""},
+            {"", "broken-joins", n(c.broken), ""},
+            {"", "lift-length", c.lift_length, "mm"},
+            {"", "lane-length", c.lane_length, "mm"},
+            {"", "jog-length", c.jog_length, "mm"},
+            {"", "connector-length", c.connector_length, "mm"},
+            {"", "travel-length", c.travel_length, "mm"}};
+}
+
 void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     SegmentIndex index(region.curves);
     const double width = region_width(region);

@@ -7,6 +7,7 @@
 // regions ahead, entries drift towards where the column goes, so that such lanes stay rare (notes 3c, L0).
 #pragma once
 
+#include "base/fact.hpp"
 #include "base/note.hpp"
 #include "link3d/bead.hpp"
 #include "link3d/segment_index.hpp"
@@ -51,6 +52,9 @@ struct Counts {
     std::uint64_t broken = 0; // of those, where the input asked for a join
     double lift_length = 0, lane_length = 0, jog_length = 0, connector_length = 0, travel_length = 0; // mm
 };
+
+// The counts by name, for the stream.
+Facts facts(const Counts& counts);
 
 // Takes the regions in processing order, gives the spans in printing order.  Keeps at most look_ahead + 1 regions.
 // Every span begins where the one before it ended.

@@ -31,7 +31,8 @@ void Printed::add(const Box2& box, double top) {
 
 Box2 Printed::bounds() const {
     Box2 out;
-    for (const auto& b : bodies) out.add(b.box.lo), out.add(b.box.hi);
+    for (const auto& b : bodies)
+        if (!b.box.empty()) out.add(b.box.lo), out.add(b.box.hi);
     return out;
 }
 

@@ -279,6 +279,19 @@ TEST(Linker, ConnectsOutsideThePart) {
     EXPECT_EQ(r.counts.strokes, 1U);
 }
 
+// A region that breaks into pieces leaves bodies without an extent: they are nowhere.
+TEST(Printed, IgnoresBodiesWithNothingInThem) {
+    Printed printed;
+    printed.begin();
+    printed.begin();
+    printed.add({{0, 0}, {1, 1}}, 2);
+    EXPECT_EQ(printed.bounds().hi, (Vec2{1, 1}));
+    EXPECT_FALSE(printed.blocks({5, 5, 1}, {6, 6, 1}, 0.5, 0.1, false));
+    EXPECT_TRUE(printed.blocks({-1, 0.5, 1}, {2, 0.5, 1}, 0.5, 0.1, false));
+    EXPECT_FALSE(printed.blocks({-1, 0.5, 1}, {2, 0.5, 1}, 0.5, 0.1, true));
+    EXPECT_EQ(travel(printed, {5, 5, 1}, {6, 6, 1.5}, {}).size(), 3U);
+}
+
 TEST(Linker, TakesNothingAndOddThings) {
     EXPECT_TRUE(link({}).spans.empty());
     const Curve dot{true, {{1, 1}, {1, 1}}, {kWidth}}, flat{true, {{0, 0}, {1, 0}}, {kWidth}};

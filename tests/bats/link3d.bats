@@ -1,0 +1,103 @@
+#!/usr/bin/env bats
+# link3d in the chain: curves in, strokes out.  Needs only the build's bin on the PATH.
+
+bats_require_minimum_version 1.5.0
+
+setup() {
+    cd "$BATS_TEST_TMPDIR"
+    # a plate of 12 x 12 x 0.6 mm, and on it two towers of 3 x 3 mm: 15 layers in all
+    box plate 0 0 0 12 12 0.6 > part.stl
+    box near 1 1 0.6 4 4 3 >> part.stl
+    box far 8 8 0.6 11 11 3 >> part.stl
+}
+
+# box NAME X Y Z X Y Z: an ASCII STL solid
+box() {
+    awk -v n="$1" -v a="$2 $3 $4" -v b="$5 $6 $7" 'BEGIN {
+        split(a, lo, " "); split(b, hi, " ")
+        split("0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5", t, " ")
+        print "solid " n
+        for (i = 1; i <= 36; ++i) {
+            if (i % 3 == 1) print "facet normal 0 0 0\nouter loop"
+            k = t[i]
+            print "vertex", (k % 2 ? hi[1] : lo[1]), (int(k / 2) % 2 ? hi[2] : lo[2]), (k > 3 ? hi[3] : lo[3])
+            if (i % 3 == 0) print "endloop\nendfacet"
+        }
+        print "endsolid " n
+    }'
+}
+
+paths() { slice part.stl | regions | sequence "$@" | fill > part.paths; }
+
+# program FILE: G-code of a toolpath
+program() { postproc --machine marlin "$1" > part.gcode; }
+
+# stops in part.gcode: travels or retractions between extrusions
+stops() {
+    awk '/^G[01] / { e = 0; xy = 0; for (i = 2; i <= NF; ++i) { if ($i ~ /^E/) e = substr($i, 2) + 0; if ($i ~ /^[XY]/) xy = 1 }
+             if (xy && e > 0) { if (idle && printed) ++n; idle = 0; printed = 1 } else if (xy || e < 0) idle = 1 }
+         END { print n + 0 }' part.gcode
+}
+
+@test "one tower on a plate is one stroke without a stop" {
+    box plate 0 0 0 12 12 0.6 > part.stl
+    box far 8 8 0.6 11 11 3 >> part.stl
+    paths
+    run --separate-stderr link3d part.paths -o part.toolpath
+    [ "$status" -eq 0 ]
+    [ -z "$stderr" ]
+    program part.toolpath
+    [ "$(stops)" -eq 0 ]
+}
+
+@test "a second tower costs one stop, or as many as layers if it must be so" {
+    paths
+    link3d part.paths -o part.toolpath
+    program part.toolpath
+    [ "$(stops)" -eq 1 ]
+    paths --order layers
+    link3d part.paths -o part.toolpath
+    program part.toolpath
+    [ "$(stops)" -ge 12 ]
+}
+
+@test "the first layer begins a stroke wherever the option says" {
+    paths
+    link3d --seam inside part.paths -o inside.toolpath
+    link3d --seam nearest part.paths -o nearest.toolpath
+    if cmp -s inside.toolpath nearest.toolpath; then return 1; fi
+    program inside.toolpath
+    [ "$(stops)" -eq 1 ]
+}
+
+@test "without reach only what touches is joined" {
+    paths
+    run --separate-stderr link3d --reach 0 part.paths -o part.toolpath
+    [ "$status" -eq 0 ]
+    [[ "$stderr" == *"join broken"* ]]
+    program part.toolpath
+    [ "$(stops)" -gt 1 ]
+}
+
+@test "the same bytes from a pipe and a file, and as few strokes with the least look-ahead" {
+    paths
+    link3d --look-ahead 100 part.paths > a.toolpath
+    cat part.paths | link3d --look-ahead 100 -o b.toolpath
+    cmp a.toolpath b.toolpath
+    link3d --look-ahead 1 part.paths > d.toolpath
+    program d.toolpath
+    [ "$(stops)" -eq 1 ]
+}
+
+@test "a cut stream and a wrong one are refused" {
+    paths
+    head -c -20 part.paths > cut.paths
+    run link3d cut.paths -o part.toolpath
+    [ "$status" -eq 4 ]
+    [ ! -e part.toolpath ]
+    slice part.stl > part.layers
+    run link3d part.layers -o part.toolpath
+    [ "$status" -eq 3 ]
+    run link3d --reach -1 part.paths
+    [ "$status" -eq 2 ]
+}
