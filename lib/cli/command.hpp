@@ -59,8 +59,8 @@ class Progress {
     bool active_ = false;
 };
 
-// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes of the input pass through; `work`
-// adds its own.  Writes the end frame only if the input's was read.
+// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass through;
+// `work` adds its own notes.  Writes the end frame only if the input's was read.
 using MapWork = std::function<std::vector<stream::RawFrame>(stream::RawFrame, Notes&)>;
 void map_stage(const Io& io, stream::Payload reads, stream::Payload writes, const MapWork& work);
 
@@ -75,12 +75,16 @@ void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, con
 using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
 void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
 
-// Reads a whole stream: calls `frame` per payload frame and collects the notes.  For folds and sinks.
+// Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {
     stream::Header header;
     Notes notes;
+    Facts facts;
 };
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
+
+// Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
+int guarded(const std::string& program, const std::function<int()>& work);
 
 namespace detail {
 int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work);
