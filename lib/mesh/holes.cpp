@@ -11,6 +11,7 @@ namespace filum::mesh {
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
+constexpr double kLargestLid = 0.6; // of the shell's area
 
 // Side k of triangle t, from its corner k to the next one, is half-edge 3t + k.
 struct HalfEdge {
@@ -167,12 +168,21 @@ Lids lids(Mesh& mesh) {
             round += l;
             middle = middle + l / 2 * (p + q);
         }
-        if (!(round > 0) || round * round > 2 * size[shells.of_vertex[rim[0]]]) continue;
+        if (!(round > 0)) continue;
         const auto centre = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.vertices.push_back(1 / round * middle);
-        for (std::size_t i = 0; i < rim.size(); ++i)
+        const std::size_t before = out.triangles.size();
+        double lid = 0;
+        for (std::size_t i = 0; i < rim.size(); ++i) {
             out.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], centre});
-        ++out.holes;
+            lid += area(mesh, out.triangles.back());
+        }
+        if (lid <= kLargestLid * size[shells.of_vertex[rim[0]]]) {
+            ++out.holes;
+            continue;
+        }
+        out.triangles.resize(before);
+        mesh.vertices.pop_back();
     }
     return out;
 }

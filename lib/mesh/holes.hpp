@@ -20,8 +20,8 @@ struct Lids {
     std::size_t holes = 0;
 };
 
-// Finds the holes whose rim is short beside the shell that they are in (rim squared at most twice the shell's area: not
-// the outline of a sheet), appends their middles to mesh.vertices and returns their lids, by ascending first vertex.
+// Finds the holes whose lids are small beside the shell that they are in (at most 0.6 of its area: the outline of a
+// sheet is no hole), appends their middles to mesh.vertices and returns their lids, by ascending first vertex.
 Lids lids(Mesh& mesh);
 
 } // namespace filum::mesh

@@ -37,6 +37,13 @@ void add_block(const char* record, std::size_t count, Weld<std::uint32_t>& weld,
     }
 }
 
+// On the last line, half a word or number is the mark of a file that was cut.
+[[noreturn]] void bad_line(const Text& text, const std::string& name, const std::string& why) {
+    if (std::find(text.at, text.end, '\n') == text.end)
+        throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
+    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
+}
+
 } // namespace
 
 Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& notes) {
@@ -73,11 +80,7 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
         if (begins_with(word, "vertex")) {
             double c[3] = {};
             for (double& d : c)
-                if (!text.more_on_line() || !text.number(d)) {
-                    if (text.at_end()) throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
-                    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) +
-                                                     ": a vertex takes three numbers");
-                }
+                if (!text.more_on_line() || !text.number(d)) bad_line(text, name, "a vertex takes three numbers");
             const Vec3 v{c[0] + 0.0, c[1] + 0.0, c[2] + 0.0};
             weld.reserve(1);
             corners.push_back(weld.add(bits(v), Weld<std::uint64_t>::hash(bits(v)), v));
@@ -95,8 +98,7 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
             in_solid = begins_with(word, "solid");
             text.skip_line(); // its name
         } else if (!begins_with(word, "endloop"))
-            throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": '" +
-                                             std::string(word.substr(0, 20)) + "' is no word of an STL file");
+            bad_line(text, name, "'" + std::string(word.substr(0, 20)) + "' is no word of an STL file");
     }
     if (in_facet) throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
     if (in_solid) notes.push_back(note("'endsolid' missing: the file may be cut short", 0, ""));

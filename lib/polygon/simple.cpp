@@ -11,6 +11,7 @@ constexpr double kScale = 1e4; // grid units per mm, as in clip.cpp
 
 struct Point {
     std::int64_t x, y;
+    friend bool operator==(const Point&, const Point&) = default;
 };
 
 std::int64_t to_grid(double v) { return static_cast<std::int64_t>(v * kScale + (v < 0 ? -0.5 : 0.5)); }
@@ -145,10 +146,9 @@ bool is_simple(const Loops& loops) {
     const Box2 box = bounds(loops);
     const Point corner{to_grid(box.lo.x), to_grid(box.lo.y)};
     for (const Vec2 q : loops.points) points.push_back({to_grid(q.x) - corner.x, to_grid(q.y) - corner.y});
-    for (std::size_t i = 0; i < loops.size(); ++i)
-        for (std::uint32_t k = loops.start[i], last = loops.start[i + 1] - 1; k < loops.start[i + 1]; last = k++)
-            if (points[k].x == points[last].x && points[k].y == points[last].y) return false;
     const std::vector<std::uint32_t> order = lowest_first(points);
+    for (std::size_t i = 1; i < order.size(); ++i) // one that ends where another begins would pass unseen
+        if (points[order[i]] == points[order[i - 1]]) return false;
     constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
     const bool narrow = to_grid(box.hi.x) - corner.x < kNarrow && to_grid(box.hi.y) - corner.y < kNarrow;
     return narrow ? Sweep<std::int64_t>(points, loops.start).run(order)

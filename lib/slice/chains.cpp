@@ -246,10 +246,13 @@ double close_chains(std::vector<Chain> chains, const std::function<std::vector<C
         std::erase_if(chains, [](const Chain& c) { return c.lid >= length(c); }); // no contour came to these
         if (lid > 0) tell("contour led across a hole in the surface", lid, at);
     }
-    mates.assign(2 * chains.size(), kFree);
-    marry_far(chains, o.close_openings, mates);
-    note_joints(chains, mates, "wide opening in a contour closed straight", layer, notes);
-    chains = join(chains, mates, out, turned, lid);
+    for (std::size_t before = 0; before != chains.size();) { // what is joined is longer, and may bear wider openings
+        before = chains.size();
+        mates.assign(2 * chains.size(), kFree);
+        marry_far(chains, o.close_openings, mates);
+        note_joints(chains, mates, "wide opening in a contour closed straight", layer, notes);
+        chains = join(chains, mates, out, turned, lid);
+    }
 
     for (const Chain& c : chains)
         if (length(c) > kSeam) tell("open contour left out", length(c), c.points[c.points.size() / 2]);

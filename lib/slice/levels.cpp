@@ -3,14 +3,13 @@
 #include "slice/slice.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace filum::slice {
 
 namespace {
 
-constexpr double kMaxLayers = 1e6;
+constexpr double kMaxLayers = 1e6, kMaxAdaptive = 1e5;
 
 struct Reach {
     double bottom, top;
@@ -22,14 +21,14 @@ Reach reach(const mesh::Mesh& mesh) {
     return {lo->z, hi->z};
 }
 
-[[noreturn]] void too_many() {
-    throw Error(Exit::bad_input,
-                "cannot slice into more than 1000000 layers; check --unit, --scale and --layer-height");
+[[noreturn]] void too_many(double limit) {
+    throw Error(Exit::bad_input, "cannot slice into more than " + shortest_text(limit) +
+                                     " layers; check --unit, --scale and --layer-height");
 }
 
 std::vector<Level> uniform(double bottom, double height, double first, double step) {
     const double more = std::max(0.0, std::floor((height - first) / step + 0.5 + 1e-9));
-    if (more >= kMaxLayers) too_many();
+    if (more >= kMaxLayers) too_many(kMaxLayers);
     std::vector<Level> out{{bottom + first, first, bottom + first / 2}};
     for (std::size_t i = 1; i <= static_cast<std::size_t>(more); ++i) {
         const double below = first + static_cast<double>(i - 1) * step;
@@ -38,39 +37,45 @@ std::vector<Level> uniform(double bottom, double height, double first, double st
     return out;
 }
 
-// The greatest |n_z| among the triangles that reach into each of `bins` slices of the height.
-std::vector<double> steepest(const mesh::Mesh& mesh, double bottom, double bin, std::size_t bins) {
-    // level k holds maxima over 2^k bins; each triangle is entered twice, then all is handed down
-    const auto depth = static_cast<std::size_t>(std::bit_width(bins));
-    std::vector<std::vector<double>> table(depth, std::vector<double>(bins, 0));
+constexpr std::size_t kClasses = 16; // of slope, by |n_z|
+constexpr double kIgnored = 0.05;    // of the surface at one height may be steeper than what counts: specks, letters
+constexpr double kLevel = 0.9999;    // |n_z| of faces that leave no steps
+
+// Per slice of the height, |n_z| that all but a little of the surface there stays below.
+std::vector<double> slopes(const mesh::Mesh& mesh, double bottom, double bin, std::size_t bins) {
+    // area per class and slice, as differences to the slice below: each triangle is entered twice
+    std::vector<double> change(kClasses * (bins + 1), 0);
     for (const auto& t : mesh.triangles) {
         const auto &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
         const auto n = cross(b - a, c - a);
-        const double l = norm(n);
-        if (!(l > 0)) continue;
+        const double l = norm(n), slope = std::abs(n.z) / l;
+        if (!(slope < kLevel)) continue;
         const auto of = [&](double z) {
             return static_cast<std::size_t>(std::clamp((z - bottom) / bin, 0.0, static_cast<double>(bins - 1)));
         };
         const std::size_t i = of(std::min({a.z, b.z, c.z})), j = of(std::max({a.z, b.z, c.z})) + 1;
-        const auto k = static_cast<std::size_t>(std::bit_width(j - i)) - 1;
-        for (const std::size_t at : {i, j - (std::size_t{1} << k)})
-            table[k][at] = std::max(table[k][at], std::abs(n.z) / l);
+        const auto k = static_cast<std::size_t>(slope * kClasses);
+        change[i * kClasses + k] += l / static_cast<double>(j - i);
+        change[j * kClasses + k] -= l / static_cast<double>(j - i);
     }
-    for (std::size_t k = depth - 1; k > 0; --k)
-        for (std::size_t i = 0; i < bins; ++i) {
-            const std::size_t j = i + (std::size_t{1} << (k - 1));
-            table[k - 1][i] = std::max(table[k - 1][i], table[k][i]);
-            if (j < bins) table[k - 1][j] = std::max(table[k - 1][j], table[k][i]);
-        }
-    return std::move(table[0]);
+    std::vector<double> out(bins);
+    double area[kClasses] = {};
+    for (std::size_t i = 0; i < bins; ++i) {
+        double all = 0, steeper = 0;
+        for (std::size_t k = 0; k < kClasses; ++k) all += std::max(0.0, area[k] += change[i * kClasses + k]);
+        std::size_t k = kClasses;
+        while (k > 0 && steeper + area[k - 1] <= kIgnored * all) steeper += area[--k];
+        out[i] = static_cast<double>(k) / kClasses;
+    }
+    return out;
 }
 
 std::vector<Level> adaptive(const mesh::Mesh& mesh, const Reach& r, double first, const Options& o) {
     const double height = r.top - r.bottom, least = o.min_layer_height;
-    if (height / least >= kMaxLayers) too_many();
+    if (height / least >= kMaxAdaptive) too_many(kMaxAdaptive);
     const auto bins = static_cast<std::size_t>(std::ceil(4 * height / least)) + 1;
     const double bin = height / static_cast<double>(bins);
-    std::vector<double> limit = steepest(mesh, r.bottom, bin, bins);
+    std::vector<double> limit = slopes(mesh, r.bottom, bin, bins);
     for (double& l : limit) l = std::clamp(o.cusp / std::max(l, 1e-9), least, o.max_layer_height);
     constexpr double kGrowth =
         0.3; // of the height, per mm of z and mm of height: neighbours differ by less than a third

@@ -39,7 +39,8 @@ struct Level {
 // mid-height, with a note.
 // With `adaptive`, a layer of height h on a surface whose unit normal has vertical part n_z leaves steps h |n_z| off
 // the surface (cusp height, Dolenc and Makela 1994): each is the highest within the limits that keeps it below `cusp`
-// on all the slopes it spans, and neighbours differ by less than a third.
+// on the slopes it spans, but for the steepest 5 % of the area and for level faces; neighbours differ by less than a
+// third.  At most 100000 of them.
 std::vector<Level> levels(const mesh::Mesh& mesh, const Options& options, Notes& notes);
 
 // Layers that are cut together.

@@ -1,0 +1,167 @@
+#!/usr/bin/env bats
+# slice as a user meets it: what it says to bad input, and that what it writes does not depend on how it is run.
+
+bats_require_minimum_version 1.5.0
+
+setup() {
+    PATH="$(cd "$(dirname "$(command -v slice)")" && pwd):$PATH" # a relative entry must outlive the cd
+    cd "$BATS_TEST_TMPDIR" || return 1
+    cube 10 > cube.obj
+}
+
+# An OBJ cube of size $1, moved by $2 (x), as quads.
+cube() {
+    awk -v s="$1" -v d="${2:-0}" 'BEGIN {
+        for (i = 0; i < 8; i++) print "v", d + s * (i % 2), s * (int(i / 2) % 2), s * int(i / 4)
+        print "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6" }'
+}
+
+# ASCII STL of a tetrahedron.
+tetrahedron() {
+    echo "solid t"
+    for f in "0 0 0 0 9 0 9 0 0" "0 0 0 9 0 0 0 0 9" "0 0 0 0 0 9 0 9 0" "9 0 0 0 9 0 0 0 9"; do
+        # shellcheck disable=SC2086
+        set -- $f
+        printf 'facet normal 0 0 0\nouter loop\nvertex %s %s %s\nvertex %s %s %s\nvertex %s %s %s\nendloop\nendfacet\n' "$@"
+    done
+    echo "endsolid t"
+}
+
+# Runs slice with the rest of the arguments; wants exit code $1, nothing on standard output that is a whole stream, and
+# the text $2 on standard error.
+refuses() {
+    local code=$1 text=$2
+    shift 2
+    run --separate-stderr -"$code" slice "$@" -o out.layers
+    [ ! -e out.layers ]
+    # shellcheck disable=SC2154
+    case "$stderr" in *"$text"*) ;; *) echo "said: $stderr"; return 1 ;; esac
+    case "$stderr" in "slice: "*) ;; *) return 1 ;; esac
+}
+
+@test "a clean part: exit 0, nothing on standard error, a stream that checks" {
+    run --separate-stderr -0 slice cube.obj -o cube.layers
+    [ -z "$stderr" ]
+    peek --check cube.layers
+}
+
+@test "the same bytes from a file, from a pipe, and with 1, 2 and 8 threads" {
+    slice cube.obj > a
+    slice < cube.obj > b
+    cat cube.obj | slice - > c
+    cmp a b && cmp a c
+    for n in 1 2 8; do
+        slice --threads $n --rotate 20,30,40 cube.obj > t$n
+        cmp t1 t$n
+    done
+}
+
+@test "the name of a file does not matter, its content does" {
+    cp cube.obj wrong.stl
+    slice wrong.stl > a
+    slice cube.obj > b
+    cmp a b
+}
+
+@test "the input is known again by its checksum" {
+    slice cube.obj > a
+    cube 10 1e-9 > other.obj
+    slice other.obj > b
+    ! cmp -s a b
+}
+
+@test "files that are no mesh" {
+    refuses 5 "cannot open 'none.stl'" none.stl
+    : > empty.stl
+    refuses 4 "'empty.stl': it is empty" empty.stl
+    echo "hello, world" > words.stl
+    refuses 3 "it is no STL, OBJ, PLY, OFF or 3MF file" words.stl
+    head -c 300 /dev/zero > zeros.stl
+    refuses 3 "it is no STL" zeros.stl
+    slice cube.obj > part.layers
+    refuses 3 "it is a Filum stream, not a mesh" part.layers
+    refuses 5 "cannot read '.'" .
+}
+
+@test "files that are cut short" {
+    tetrahedron > t.stl
+    slice t.stl > t.layers
+    head -c 300 t.stl > cut.stl
+    refuses 4 "ends inside a facet" cut.stl
+    { head -c 80 /dev/zero; printf '\050\000\000\000'; head -c 500 /dev/zero; } > cut2.stl
+    refuses 4 "it announces 40 triangles and ends after 10" cut2.stl
+    printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n' > cut.off
+    refuses 4 "it ends before its last face" cut.off
+    printf 'ply\nformat ascii 1.0\nelement vertex 99999999\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n' > cut.ply
+    refuses 4 "ends before the last element" cut.ply
+    printf 'ply\nformat ascii 1.0\nelement ver' > head.ply
+    refuses 3 "" head.ply
+}
+
+@test "files that are malformed" {
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n' > index.obj
+    refuses 3 "a face has vertex 9 of 3" index.obj
+    printf 'v 0 zero 0\n' > number.obj
+    refuses 3 "line 1: a vertex takes three numbers" number.obj
+    printf 'PK\003\004nothing that a zip archive would hold, though it begins as one does\n' > no.3mf
+    refuses 3 "it is no whole zip archive" no.3mf
+    printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 1 2\n' > flat.obj
+    refuses 3 "it holds no triangle with an area" flat.obj
+    printf 'v nan 0 0\nv 1 0 0\nv 0 1 5\nf 1 2 3\n' > nan.obj
+    refuses 3 "it holds no triangle with an area" nan.obj
+}
+
+@test "parts that cannot be sliced" {
+    refuses 3 "lower than half a layer" --scale 1,1,0.009 cube.obj
+    refuses 3 "more than 1000000 layers" --scale 1,1,100000 cube.obj
+    refuses 3 "beyond 10000 m" --scale 1e9 cube.obj
+    refuses 3 "beyond 10000 m" --translate 1e300,0,0 cube.obj
+}
+
+@test "a part lower than a layer gets one, and is told" {
+    run --separate-stderr -0 slice --scale 1,1,0.015 cube.obj -o a
+    [ "$stderr" = "slice: part lower than its one layer: 1 case, 0.15 mm" ]
+}
+
+@test "options that cannot be obeyed" {
+    refuses 2 "--layer-height" --layer-height 0 cube.obj
+    refuses 2 "--layer-height" --layer-height=-1 cube.obj
+    refuses 2 "--layer-height" --layer-height thick cube.obj
+    refuses 2 "--unit" --unit furlong cube.obj
+    refuses 2 "nothing would be left" --scale 0 cube.obj
+    refuses 2 "one number or three" --scale 1,2 cube.obj
+    refuses 2 "--rotate" --rotate 1,2 cube.obj
+    refuses 2 "above --max-layer-height" --adaptive --min-layer-height 1 cube.obj
+    refuses 2 "--thickness" --thickness cube.obj
+}
+
+@test "what is broken is repaired and told, and --quiet is quiet" {
+    grep -v "f 2 4 8 6" cube.obj > open.obj
+    run --separate-stderr -0 slice open.obj -o a
+    case "$stderr" in *"contour led across a hole in the surface: 50 cases, 500 mm"*) ;; *) echo "$stderr"; false ;; esac
+    run --separate-stderr -0 slice -q open.obj -o b
+    [ -z "$stderr" ]
+    cmp a b
+    sed 's/f 2 4 8 6/f 6 8 4 2/' cube.obj > flipped.obj
+    run --separate-stderr -0 slice flipped.obj -o c
+    case "$stderr" in *"turned round to face as its neighbours do: 2 cases"*) ;; *) echo "$stderr"; false ;; esac
+}
+
+@test "a sheet has no inside: told with its length" {
+    printf 'v 0 0 0\nv 5 0 0\nv 5 0 2\nv 0 0 2\nf 1 2 3 4\n' > sheet.obj
+    run --separate-stderr -0 slice sheet.obj -o a
+    case "$stderr" in *"open contour left out: 10 cases, 50 mm"*) ;; *) echo "$stderr"; false ;; esac
+}
+
+@test "a corner that is no number is left out and told" {
+    { cat cube.obj; printf 'v nan 0 0\nf 1 2 9\n'; } > nan.obj
+    run --separate-stderr -0 slice nan.obj -o a
+    case "$stderr" in *"corner that is no finite number left out: 1 case"*) ;; *) echo "$stderr"; false ;; esac
+}
+
+@test "a full disk and a reader that leaves" {
+    [ -w /dev/full ] || skip "no /dev/full"
+    run --separate-stderr -5 slice cube.obj -o /dev/full
+    slice cube.obj | head -c 10 > part
+    [ "$(wc -c < part)" -eq 10 ]
+}
