@@ -2,23 +2,41 @@
 // reads:  Regions
 // writes: Paths
 // memory: one region per thread
-#include "cli/command.hpp"
 #include "fill/fill.hpp"
+#include "cli/command.hpp"
 #include "wire/planar.hpp"
 
 namespace {
 
 using namespace filum;
 
+constexpr const char* kDescription =
+    "Lays bead lines into each connected region and hands it on, in the order it came. The default pattern is a "
+    "spiral: "
+    "one closed curve per region that never crosses itself. Nested rings follow the outline at one bead width; where a "
+    "wall is no multiple of it, the rings next to its middle share the difference; where a wall is thinner than a "
+    "bead, "
+    "two narrower lanes run along it, there and back. Neighbouring rings are then joined along a spanning tree, each "
+    "pair by two short links across facing gaps.\n\n"
+    "Every bead carries its width, point by point: width times layer height times length is what the machine will "
+    "extrude. Whatever no bead reaches (corners, tips) is summed in each region's frame as unplaced area; beads "
+    "narrower than --min-width are laid all the same and reported.";
+
 cli::Spec spec(fill::Options& o) {
-    return {.name = "fill",
-            .synopsis = "bead lines that fill each region",
-            .description = "Fills.",
-            .in = cli::reads(stream::Payload::regions),
-            .out = cli::writes(stream::Payload::paths),
-            .memory = "one region per thread",
-            .options = {cli::Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.above(0)},
-            .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"}}};
+    return {
+        .name = "fill",
+        .synopsis = "bead lines that fill each region",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::regions),
+        .out = cli::writes(stream::Payload::paths),
+        .memory = "one region per thread",
+        .options = {cli::Option{"pattern", &o.pattern, "", "how to fill"}.one_of({"spiral"}),
+                    cli::Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
+                    cli::Option{"min-width", &o.min_width, "MM", "beads narrower than this are reported"}.at_least(0)},
+        .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
+                     {"slice part.stl | regions | sequence | fill --bead-width 0.8 > part.paths",
+                      "the same with a wide nozzle"}},
+        .see_also = {"sequence", "link3d", "metrics"}};
 }
 
 void run(const fill::Options& options, const cli::Io& io) {

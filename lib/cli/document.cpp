@@ -55,7 +55,8 @@ std::string wrap(const std::string& text, std::size_t indent) {
     while (at < text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
         const std::string word = text.substr(at, end - at);
-        if (!line.empty() && line.size() + 1 + word.size() + indent > 100) out += line + "\n" + std::string(indent, ' '), line.clear();
+        if (!line.empty() && line.size() + 1 + word.size() + indent > 100)
+            out += line + "\n" + std::string(indent, ' '), line.clear();
         line += (line.empty() ? "" : " ") + word;
         if (end < text.size() && text[end] == '\n') out += line + "\n" + std::string(indent, ' '), line.clear();
         at = end + 1;
@@ -70,18 +71,29 @@ constexpr const char* kExits[][2] = {{"0", "all went well"},
                                      {"4", "the input ends too early: a stage before did not finish"},
                                      {"5", "reading or writing failed"}};
 
+// Text for the inside of a manual page: nothing in it is a request or the end of an argument.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '\\' || c == '-') out += '\\';
-        out += c;
+        if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n')) out += "\\&";
+        if (c == '"')
+            out += "\\(dq";
+        else if (c == '\\')
+            out += "\\e";
+        else if (c == '-')
+            out += "\\-";
+        else
+            out += c;
     }
     return out;
 }
 
+// Installed pages are called filum-slice.1, so that no other program's page is hidden.
+std::string page_name(const Spec& spec) { return spec.name == "filum" ? spec.name : "filum-" + spec.name; }
+
 } // namespace
 
-std::string version() { return "0.1.0"; }
+std::string version() { return FILUM_VERSION; }
 
 std::string value_text(const Option& o) {
     if (auto* const* d = std::get_if<double*>(&o.target)) return shortest_text(**d);
@@ -94,7 +106,9 @@ std::string value_text(const Option& o) {
     return out;
 }
 
-Port reads(stream::Payload p) { return {Port::Kind::stream, p, std::string(stream::name(p))}; }
+Port reads(stream::Payload p) {
+    return {Port::Kind::stream, p, p == stream::Payload::unknown ? "any stream" : std::string(stream::name(p))};
+}
 Port writes(stream::Payload p) { return reads(p); }
 Port file(std::string text) { return {Port::Kind::file, stream::Payload::unknown, std::move(text)}; }
 Port text(std::string text) { return {Port::Kind::text, stream::Payload::unknown, std::move(text)}; }
@@ -107,20 +121,22 @@ std::string help(const Spec& spec) {
     out += "memory: " + spec.memory + "\n\n" + wrap(spec.description, 0) + "\n\noptions:\n";
     for (const Option& o : with_common(spec)) {
         std::string left = "  " + left_part(o);
-        if (left.size() < 30) left.resize(30, ' ');
-        else left += "\n" + std::string(30, ' ');
+        if (left.size() < 30)
+            left.resize(30, ' ');
+        else
+            left += "\n" + std::string(30, ' ');
         out += left + wrap(help_and_default(o), 30) + "\n";
     }
     if (!spec.examples.empty()) out += "\nexamples:\n";
     for (const Example& e : spec.examples) out += "  " + e.command + "\n      " + e.says + "\n";
-    out += "\nexit codes:";
-    for (const auto& e : kExits) out += std::string(" ") + e[0] + " " + e[1] + (e[0][0] == '5' ? "\n" : ",");
+    out += "\nexit codes:\n";
+    for (const auto& e : kExits) out += std::string("  ") + e[0] + "  " + e[1] + "\n";
     return out;
 }
 
 std::string man_page(const Spec& spec) {
-    std::string out = ".TH " + spec.name + " 1 \"\" \"filum " + version() + "\" \"Filum\"\n";
-    out += ".SH NAME\n" + roff(spec.name + " - " + spec.synopsis) + "\n";
+    std::string out = ".TH " + page_name(spec) + " 1 \"\" \"filum " + version() + "\" \"Filum\"\n";
+    out += ".SH NAME\n" + roff(page_name(spec) + " - " + spec.synopsis) + "\n";
     out += ".SH SYNOPSIS\n" + roff(usage(spec)) + "\n.SH DESCRIPTION\n";
     std::string body = roff(spec.description);
     for (std::size_t at = 0; (at = body.find("\n\n", at)) != std::string::npos; at += 4) body.replace(at, 2, "\n.PP\n");
@@ -159,7 +175,10 @@ std::string completion_line(const Spec& spec) {
     std::string out = spec.name;
     for (const Option& o : with_common(spec)) {
         out += " --" + o.name;
-        if (!o.choices.empty()) out += "=" + join(o.choices, ",");
+        if (!o.choices.empty())
+            out += "={" + join(o.choices, ",") + "}";
+        else if (const std::string value = value_name(o); !value.empty())
+            out += "=" + value;
     }
     return out + "\n";
 }
@@ -167,14 +186,22 @@ std::string completion_line(const Spec& spec) {
 std::string contract(const Spec& spec) {
     const auto kind = [](const Port& p) -> std::string {
         switch (p.kind) {
-        case Port::Kind::none: return "none";
-        case Port::Kind::file: return "file";
-        case Port::Kind::text: return "text";
-        case Port::Kind::stream: return "stream " + std::string(stream::name(p.payload));
+        case Port::Kind::none:
+            return "none";
+        case Port::Kind::file:
+            return "file";
+        case Port::Kind::text:
+            return "text";
+        case Port::Kind::stream:
+            return "stream " + std::string(stream::name(p.payload));
         }
         return "";
     };
-    std::string out = "in " + kind(spec.in) + "\nout " + kind(spec.out) + "\n";
+    std::string out = "synopsis " + spec.synopsis + "\nin " + kind(spec.in) + "\nout " + kind(spec.out) + "\n";
+    for (const Option& o : with_common(spec)) {
+        const std::string value = value_name(o);
+        out += (value.empty() ? "flag " + o.name : "option " + o.name + " " + value) + "\n";
+    }
     for (const Example& e : spec.examples) out += "example " + e.command + "\n";
     return out;
 }

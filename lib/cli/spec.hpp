@@ -20,10 +20,10 @@ struct Option {
     std::string help; // one sentence, lower case, no full stop
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    bool open_min = false;            // min itself is not allowed
+    bool open_min = false;                 // min itself is not allowed
     std::vector<std::string> choices = {}; // for texts
-    std::size_t count = 0;            // for lists: how many numbers exactly, 0 for any
-    bool setting = true;              // false for files and whatever must not enter the history
+    std::size_t count = 0;                 // for lists: how many numbers exactly, 0 for any
+    bool setting = true;                   // false for files and whatever must not enter the history
 
     Option& at_least(double v) { return min = v, *this; }
     Option& above(double v) { return min = v, open_min = true, *this; }

@@ -3,6 +3,8 @@
 
 #include "geom/vec.hpp"
 
+#include <optional>
+
 namespace filum::geom {
 
 // Parameter in [0, 1] of the point of a -> b nearest to p; 0 for a segment of no length.
@@ -20,6 +22,19 @@ inline double point_segment_distance(Vec2 a, Vec2 b, Vec2 p) { return distance(n
 inline bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     const double s = orient(a, b, c), t = orient(a, b, d), u = orient(c, d, a), v = orient(c, d, b);
     return ((s > 0 && t < 0) || (s < 0 && t > 0)) && ((u > 0 && v < 0) || (u < 0 && v > 0));
+}
+
+// Where the ray from p along d meets the segment a-b: at p + t d = lerp(a, b, u), with t > 0.
+struct RayHit {
+    double t, u;
+};
+inline std::optional<RayHit> ray_parameters(Vec2 p, Vec2 d, Vec2 a, Vec2 b) {
+    const Vec2 e = b - a, f = a - p;
+    const double det = cross(d, e);
+    if (det == 0) return std::nullopt;
+    const double t = cross(f, e) / det, u = cross(f, d) / det;
+    if (t <= 0 || u < 0 || u > 1) return std::nullopt;
+    return RayHit{t, u};
 }
 
 // Distance between the segments a-b and c-d, 0 if they cross.

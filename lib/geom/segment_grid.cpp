@@ -39,7 +39,8 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell) : cell_
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     item_.resize(start_.back());
     std::vector<std::uint32_t> at(start_.begin(), start_.end() - 1);
-    for (std::uint32_t i = 0; i < segments.size(); ++i) cells_of(segments[i], [&](std::size_t c) { item_[at[c]++] = i; });
+    for (std::uint32_t i = 0; i < segments.size(); ++i)
+        cells_of(segments[i], [&](std::size_t c) { item_[at[c]++] = i; });
 }
 
 } // namespace filum::geom

@@ -26,8 +26,8 @@ class SegmentGrid {
         const int x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) {
-                const std::size_t c = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                                      static_cast<std::size_t>(x);
+                const std::size_t c =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
                 for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k) f(item_[k]);
             }
     }

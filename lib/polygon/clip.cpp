@@ -1,6 +1,7 @@
 #include "polygon/clip.hpp"
 
 #include "base/error.hpp"
+#include "polygon/simple.hpp"
 
 #include <polyclipping/clipper.hpp>
 
@@ -26,7 +27,8 @@ cl::Paths to_clipper(const Loops& a) {
 
 void append(Loops& out, const cl::Path& path) {
     if (path.size() < 3) return;
-    for (const auto& p : path) out.points.push_back({static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale});
+    for (const auto& p : path)
+        out.points.push_back({static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale});
     out.close();
 }
 
@@ -44,10 +46,13 @@ cl::PolyFillType fill_type(Fill rule) {
 Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule, bool strict = true) {
     try {
         cl::Clipper clipper;
-        clipper.StrictlySimple(strict);
         clipper.AddPaths(to_clipper(a), cl::ptSubject, true);
         if (b != nullptr) clipper.AddPaths(to_clipper(*b), cl::ptClip, true);
         cl::Paths out;
+        clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
+        Loops result = from_clipper(out);
+        if (!strict || is_simple(result)) return result;
+        clipper.StrictlySimple(true); // takes time by the square of the points, and is seldom needed
         clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
         return from_clipper(out);
     } catch (const cl::clipperException& e) {
@@ -172,8 +177,10 @@ Loops simplify(const Loops& a, double tolerance) {
         const std::size_t before = out.points.size();
         for (std::size_t k = 0; k < loop.size(); ++k)
             if (keep[k]) out.points.push_back(loop[k]);
-        if (out.points.size() - before < 3) out.points.resize(before);
-        else out.close();
+        if (out.points.size() - before < 3)
+            out.points.resize(before);
+        else
+            out.close();
     }
     return out;
 }

@@ -30,9 +30,9 @@ struct Loops {
     void close() { start.push_back(static_cast<std::uint32_t>(points.size())); }
 };
 
-double signed_area(std::span<const Vec2> loop);   // mm2, positive if counter-clockwise
-double signed_area(const Loops& loops);           // sum over the loops: the area, if holes are clockwise
-double perimeter(std::span<const Vec2> loop);     // mm
+double signed_area(std::span<const Vec2> loop); // mm2, positive if counter-clockwise
+double signed_area(const Loops& loops);         // sum over the loops: the area, if holes are clockwise
+double perimeter(std::span<const Vec2> loop);   // mm
 Box2 bounds(std::span<const Vec2> points);
 inline Box2 bounds(const Loops& loops) { return bounds(loops.points); }
 

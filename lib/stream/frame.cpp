@@ -10,22 +10,32 @@ namespace filum::stream {
 
 std::string_view name(Payload p) {
     switch (p) {
-    case Payload::layers: return "Layers";
-    case Payload::regions: return "Regions";
-    case Payload::paths: return "Paths";
-    case Payload::toolpath: return "Toolpath";
-    case Payload::unknown: break;
+    case Payload::layers:
+        return "Layers";
+    case Payload::regions:
+        return "Regions";
+    case Payload::paths:
+        return "Paths";
+    case Payload::toolpath:
+        return "Toolpath";
+    case Payload::unknown:
+        break;
     }
     return "unknown";
 }
 
 Tag tag_of(Payload p) {
     switch (p) {
-    case Payload::layers: return Tag::layer;
-    case Payload::regions: return Tag::region;
-    case Payload::paths: return Tag::paths;
-    case Payload::toolpath: return Tag::span;
-    case Payload::unknown: break;
+    case Payload::layers:
+        return Tag::layer;
+    case Payload::regions:
+        return Tag::region;
+    case Payload::paths:
+        return Tag::paths;
+    case Payload::toolpath:
+        return Tag::span;
+    case Payload::unknown:
+        break;
     }
     throw Error(Exit::failure, "internal error: no tag for an unknown payload");
 }

@@ -24,6 +24,7 @@ Tag tag_of(Payload p);
 
 struct Setting {
     std::string name, value;
+    bool changed = false; // differs from the program's default
 };
 
 // One program's part in making a stream.

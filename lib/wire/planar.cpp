@@ -61,7 +61,8 @@ polygon::Loops loops(const proto::Loops& m, const char* what) {
         return out;
     }
     out.start.assign(m.start().begin(), m.start().end());
-    if (out.start.front() != 0 || out.start.back() != out.points.size()) bad(what, "loop offsets do not fit the points");
+    if (out.start.front() != 0 || out.start.back() != out.points.size())
+        bad(what, "loop offsets do not fit the points");
     for (std::size_t i = 1; i < out.start.size(); ++i)
         if (out.start[i] < out.start[i - 1] + 3) bad(what, "a loop has fewer than three points");
     return out;
@@ -196,7 +197,8 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         c->set_closed(curve.closed);
         c->mutable_x()->Reserve(static_cast<int>(curve.points.size()));
         c->mutable_y()->Reserve(static_cast<int>(curve.points.size()));
-        for (const auto p : curve.points) c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
+        for (const auto p : curve.points)
+            c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
         put(*c->mutable_width(), curve.width);
     }
     return raw(Tag::paths, m);
@@ -244,7 +246,8 @@ RawFrame frame(const toolpath::Span& span) {
         m.mutable_y()->AddAlreadyReserved(p.y);
         level = level && p.z == span.points.front().z;
     }
-    if (level && n > 0) m.add_z(span.points.front().z);
+    if (level && n > 0)
+        m.add_z(span.points.front().z);
     else
         for (const auto& p : span.points) m.add_z(p.z);
     put(*m.mutable_width(), span.width);

@@ -1,0 +1,25 @@
+// Rings to one closed curve: the exchange construction (notes 3a, A3-A4).
+#pragma once
+
+#include "fill/spacing.hpp"
+
+#include <vector>
+
+namespace filum::fill {
+
+// One closed bead: its last point runs on to its first.
+struct ClosedLine {
+    std::vector<Vec2> points;
+    std::vector<double> width; // mm, per point
+};
+
+// Joins rings along a spanning tree.  Where two rings face each other, both give up a short window of about one bead
+// width and two links close the gap, so two closed curves become one (Lemma 1: exchange).  Windows never overlap and
+// links never cross anything, so the result does not cross itself.  Neighbours are found by true segment distance up to
+// 2.2 `width`: rings spaced `width` inside a connected erosion then always form one connected graph (Lemma 2).
+//
+// Returns one curve if all rings could be joined, else one per connected group, the longest first.
+// Ties: better facing first, then the lower ring, then the earlier place on it.
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width);
+
+} // namespace filum::fill

@@ -1,0 +1,100 @@
+#include "fill/spiral.hpp"
+
+#include "fill/cycle.hpp"
+#include "fill/thin.hpp"
+#include "geom/segment_grid.hpp"
+
+namespace filum::fill {
+
+namespace {
+
+using polygon::Loops;
+
+// Beads lie a little nearer than their width, so that rounding never opens a seam between them.
+constexpr double kOverlap = 1.0 / 512;
+constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
+constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
+
+Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move) {
+    const double w = o.bead_width;
+    const FirstRings first = first_rings(region, w, tolerance);
+    const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
+    Spiral out{{}, first.unplaced};
+    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w))
+        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+    return out;
+}
+
+Loops without_specks(const Loops& region, double least, Notes& notes) {
+    Loops out;
+    Note closed{"", "hole smaller than a bead closed", 0, "mm2", 0};
+    for (std::size_t l = 0; l < region.size(); ++l) {
+        const double area = polygon::signed_area(region[l]);
+        if (l == 0 || -area >= least) {
+            out.add(region[l]);
+            continue;
+        }
+        closed.amount -= area, ++closed.count;
+        closed.x = region[l][0].x, closed.y = region[l][0].y;
+    }
+    if (closed.count > 0) notes.push_back(closed);
+    return out;
+}
+
+void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
+    if (spiral.curves.size() > 1) {
+        const geom::Vec2 p = spiral.curves.back().points.front();
+        notes.push_back({"", "ring not joined", static_cast<double>(spiral.curves.size() - 1), "curves",
+                         spiral.curves.size() - 1, -1, p.x, p.y});
+    }
+    double length = 0;
+    geom::Vec2 where;
+    for (const auto& c : spiral.curves)
+        for (std::size_t i = 0; i < c.points.size(); ++i) {
+            const std::size_t j = i + 1 == c.points.size() ? 0 : i + 1;
+            if ((c.width[i] + c.width[j]) / 2 >= o.min_width) continue;
+            length += geom::distance(c.points[i], c.points[j]);
+            where = c.points[i];
+        }
+    if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
+}
+
+} // namespace
+
+std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
+    std::vector<geom::Segment> all;
+    for (const auto& c : curves)
+        for (std::size_t i = 0; i < c.points.size(); ++i)
+            all.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
+    const geom::SegmentGrid grid(all, cell);
+    std::size_t crossings = 0;
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        const auto [a, b] = all[i];
+        found.clear(); // a pair may share several cells
+        grid.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
+                  [&](std::uint32_t j) {
+                      if (j > i && geom::cross_properly(a, b, all[j].a, all[j].b)) found.push_back(j);
+                  });
+        std::sort(found.begin(), found.end());
+        crossings += static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
+    }
+    return crossings;
+}
+
+Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
+    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+    struct Try {
+        double tolerance; // bead widths
+        bool move;
+    };
+    Spiral out;
+    for (const Try t : {Try{1.0 / 128, true}, Try{1.0 / 1024, true}, Try{1.0 / 1024, false}}) {
+        out = attempt(region, o, t.tolerance * o.bead_width, t.move);
+        if (count_crossings(out.curves, o.bead_width) == 0) break;
+    }
+    report(out, o, notes);
+    return out;
+}
+
+} // namespace filum::fill

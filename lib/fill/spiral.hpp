@@ -1,0 +1,32 @@
+// The default fill: one closed curve per connected region, never crossing itself (notes 3a, algorithm CYC).
+#pragma once
+
+#include "base/note.hpp"
+#include "polygon/loops.hpp"
+#include "toolpath/path.hpp"
+
+#include <vector>
+
+namespace filum::fill {
+
+struct SpiralOptions {
+    double bead_width = 0.4; // mm
+    double min_width = 0.1;  // mm: beads narrower than this are reported
+    int lanes = 2;           // rings on each side of the medial axis that share a wall's odd thickness
+};
+
+struct Spiral {
+    std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
+    double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
+};
+
+// Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls
+// whose thickness is no multiple of it, thin walls followed by two lanes of half the wall each, all joined to one
+// curve. The result is checked: should it cross itself, it is made again with finer outlines, at last without moving
+// rings. Notes: beads below min_width (mm of length), rings that could not be joined (count).
+Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
+
+// Pairs of segments of closed curves that properly cross.
+std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell);
+
+} // namespace filum::fill

@@ -1,0 +1,192 @@
+#include "fill/thin.hpp"
+
+#include "fill/medial_axis.hpp"
+#include "geom/segment_grid.hpp"
+#include "polygon/clip.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <queue>
+
+namespace filum::fill {
+
+namespace {
+
+constexpr double kReach = 0.4; // bead widths: shorter tips are not followed
+constexpr double kThin = 0.55; // bead widths: walls of a smaller half-thickness are thin; above a half, so that the
+                               // rings of thin and fat parts overlap well where they meet
+
+int outer_loops(const Loops& a) {
+    int n = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) n += polygon::signed_area(a[i]) > 0 ? 1 : 0;
+    return n;
+}
+
+// Whether some corner of the area lies farther than `far` from every ring: what sticks out farthest is a corner.
+bool reaches_beyond(const Loops& area, const Loops& rings, double far) {
+    std::vector<geom::Segment> segments;
+    for (std::size_t r = 0; r < rings.size(); ++r)
+        for (std::size_t i = 0; i < rings[r].size(); ++i)
+            segments.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()]});
+    const geom::SegmentGrid grid(segments, far);
+    return std::any_of(area.points.begin(), area.points.end(), [&](Vec2 p) {
+        bool near = false;
+        grid.near({p.x - far, p.y - far}, {p.x + far, p.y + far}, [&](std::uint32_t i) {
+            near = near || geom::point_segment_distance(segments[i].a, segments[i].b, p) <= far;
+        });
+        return !near;
+    });
+}
+
+// Area of what beads of half-width r along `rings` cover, rings included: the Steiner formula, with sectors at convex
+// corners and none of the overlap at reflex ones.
+double swept_area(const Loops& rings, double r) {
+    double area = polygon::signed_area(rings);
+    for (std::size_t l = 0; l < rings.size(); ++l) {
+        const auto loop = rings[l];
+        area += polygon::perimeter(loop) * r;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec2 u = loop[i] - loop[i == 0 ? loop.size() - 1 : i - 1], v = loop[(i + 1) % loop.size()] - loop[i];
+            const double turn = std::atan2(geom::cross(u, v), geom::dot(u, v));
+            area += r * r * (turn > 0 ? turn / 2 : std::tan(turn / 2));
+        }
+    }
+    return area;
+}
+
+// Area of the thin wall along an edge of the medial axis between two straight sides.
+double wall_area(const MedialAxis& axis, const std::vector<std::uint32_t>& edges) {
+    double area = 0;
+    for (const auto k : edges) {
+        const double ra = axis.radius[axis.a[k]], rb = axis.radius[axis.b[k]];
+        const double l = geom::distance(axis.point[axis.a[k]], axis.point[axis.b[k]]);
+        area += (ra + rb) * std::sqrt(std::max(0.0, l * l - (ra - rb) * (ra - rb)));
+    }
+    return area;
+}
+
+// The edges of the medial axis that a thin wall's bead follows: radius below width/2 at one end at least, dead ends
+// shortened until what they reach beyond the disc at their foot is worth following.
+class ThinAxis {
+  public:
+    ThinAxis(const MedialAxis& axis, double width) : axis_(axis), width_(width) {
+        const std::size_t n = axis.point.size();
+        degree_.assign(n, 0), reach_.resize(n), at_.resize(n);
+        for (std::uint32_t k = 0; k < axis.a.size(); ++k) {
+            if (std::min(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) >= kThin * width) continue;
+            alive_.push_back(k);
+            for (const auto v : {axis.a[k], axis.b[k]}) ++degree_[v], at_[v].push_back(k);
+        }
+        kept_.assign(axis.a.size(), 0);
+        for (const auto k : alive_) kept_[k] = 1;
+        for (std::size_t v = 0; v < n; ++v) reach_[v] = axis.radius[v];
+    }
+
+    // Indices of the edges kept, ascending.
+    std::vector<std::uint32_t> edges() {
+        prune();
+        std::vector<std::uint32_t> out;
+        for (const auto k : alive_)
+            if (kept_[k]) out.push_back(k);
+        return out;
+    }
+
+  private:
+    void prune() {
+        // leaves with the least reach first, so that the longer of two twigs survives; ties by vertex
+        using Entry = std::pair<double, std::uint32_t>;
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> leaves;
+        for (std::uint32_t v = 0; v < degree_.size(); ++v)
+            if (leaf(v)) leaves.emplace(reach_[v], v);
+        while (!leaves.empty()) {
+            const std::uint32_t v = leaves.top().second;
+            leaves.pop();
+            if (!leaf(v)) continue;
+            const std::uint32_t k = *std::find_if(at_[v].begin(), at_[v].end(), [&](auto e) { return kept_[e] != 0; });
+            const std::uint32_t u = axis_.a[k] == v ? axis_.b[k] : axis_.a[k];
+            const double beyond = reach_[v] + geom::distance(axis_.point[u], axis_.point[v]);
+            if (beyond - axis_.radius[u] > kReach * width_) continue;
+            kept_[k] = 0;
+            --degree_[u], --degree_[v];
+            reach_[u] = std::max(reach_[u], beyond);
+            if (leaf(u)) leaves.emplace(reach_[u], u);
+        }
+    }
+    // A dead end that does not lie in a fat part.
+    [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < kThin * width_; }
+
+    const MedialAxis& axis_;
+    double width_;
+    std::vector<std::uint32_t> alive_;
+    std::vector<int> degree_;
+    std::vector<double> reach_; // per vertex: how far its discs and the twigs cut off there reach
+    std::vector<std::vector<std::uint32_t>> at_;
+    std::vector<char> kept_;
+};
+
+// The hull of two discs, counter-clockwise, as a polygon off by at most `tolerance` and never larger.
+std::vector<Vec2> hull(Vec2 p, double rp, Vec2 q, double rq, double tolerance) {
+    const double d = geom::distance(p, q);
+    std::vector<Vec2> out;
+    const auto arc = [&](Vec2 c, double r, double from, double to) {
+        const double step = 2 * std::acos(std::clamp(1 - tolerance / std::max(r, tolerance), 0.0, 0.95));
+        const int n = std::max(2, static_cast<int>(std::ceil((to - from) / step)));
+        for (int k = 0; k <= n; ++k) {
+            const double a = from + (to - from) * k / n;
+            out.push_back(c + r * Vec2{std::cos(a), std::sin(a)});
+        }
+    };
+    if (d <= std::abs(rp - rq) + 1e-9) {
+        const bool first = rp >= rq;
+        arc(first ? p : q, first ? rp : rq, 0, 2 * std::numbers::pi);
+        out.pop_back();
+        return out;
+    }
+    const double along = std::atan2(q.y - p.y, q.x - p.x), tilt = std::acos((rp - rq) / d);
+    arc(p, rp, along + tilt, along + 2 * std::numbers::pi - tilt);
+    arc(q, rq, along - tilt, along + tilt);
+    return out;
+}
+
+// The union of `rings` and the hulls over edges, every disc half as large as it can be, but at least `least`.
+Loops with_strips(Loops rings, const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double least,
+                  double tolerance) {
+    for (const auto k : edges) {
+        const auto a = axis.a[k], b = axis.b[k];
+        rings.add(hull(axis.point[a], std::max(least, axis.radius[a] / 2), axis.point[b],
+                       std::max(least, axis.radius[b] / 2), tolerance));
+    }
+    return polygon::unite(rings);
+}
+
+// An area without a kept edge still gets a ring about its fattest point.
+FirstRings round_fattest(const Loops& area, const MedialAxis& axis, double least, double tolerance) {
+    const auto at =
+        static_cast<std::size_t>(std::max_element(axis.radius.begin(), axis.radius.end()) - axis.radius.begin());
+    const double full = axis.radius[at], r = std::max(least, full / 2);
+    FirstRings out;
+    out.rings.add(hull(axis.point[at], r, axis.point[at], r, tolerance));
+    out.unplaced = std::max(0.0, polygon::signed_area(area) - std::numbers::pi * full * full);
+    return out;
+}
+
+} // namespace
+
+FirstRings first_rings(const Loops& area, double width, double tolerance) {
+    FirstRings out{polygon::simplify(polygon::offset(area, -width / 2, tolerance), tolerance), 0};
+    out.unplaced = std::max(0.0, polygon::signed_area(area) - swept_area(out.rings, width / 2));
+    const bool connected = outer_loops(out.rings) == outer_loops(area);
+    if (connected && !reaches_beyond(area, out.rings, (0.5 + kReach) * width)) return out;
+
+    const double least = 0.03 * width; // lanes must not touch
+    MedialAxis axis = split_at(medial_axis(polygon::simplify(area, 2 * tolerance), width / 4), kThin * width);
+    if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
+    if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
+    const auto edges = ThinAxis(axis, width).edges();
+    if (edges.empty()) return out.rings.empty() ? round_fattest(area, axis, least, tolerance) : out;
+    out.rings = polygon::simplify(with_strips(std::move(out.rings), axis, edges, least, tolerance), tolerance);
+    out.unplaced = std::max(0.0, out.unplaced - wall_area(axis, edges));
+    return out;
+}
+
+} // namespace filum::fill

@@ -1,0 +1,22 @@
+// Walls, necks and tips too thin for a ring at half a bead's depth (notes 3a, A6; failure modes F2, F3).
+#pragma once
+
+#include "polygon/loops.hpp"
+
+namespace filum::fill {
+
+using polygon::Loops;
+
+struct FirstRings {
+    Loops rings;         // where the outermost bead runs: level 0, solid on the left
+    double unplaced = 0; // mm2 of the area beyond these beads: rounded corners, tips (Steiner formula, to about 1 %)
+};
+
+// The outermost ring of every part of `area`, at depth width/2 where the wall is at least `width` thick, and at half
+// the local half-thickness where it is thinner: there the ring runs up one side and down the other, two lanes of half
+// the wall each.  Formally the outline of the union of the discs about the medial axis points x with radius max(r(x) -
+// width/2, r(x)/2), which is connected if `area` is, and has as many holes. Corners and tips that reach less than 0.4
+// width beyond the discs next to them are left to the rounding of the bead.
+FirstRings first_rings(const Loops& area, double width, double tolerance);
+
+} // namespace filum::fill
