@@ -84,6 +84,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
             notes.push_back(stream::parse_note(frame->body));
             continue;
         }
+        if (frame->tag == stream::Tag::fact) continue;
         measured.add(wire::span(*frame));
         spool.add(std::move(*frame));
         progress.step();
