@@ -53,6 +53,7 @@ strokes() { # options of sequence
     [ "$(strokes --gantry-height 30)" = 4 ]
     [ "$(strokes --carriage 0,0 --gantry-height 10)" = 3 ]
     [ "$(strokes --order layers)" = 101 ]
+    [ "$(strokes --head marlin --cone-height 4)" = 6 ] # a profile's head, changed
     peek --check out.regions
 }
 
