@@ -56,6 +56,8 @@ show::Summary read_frames(const Options& o, stream::Reader& reader, stream::Sink
         const show::Record record = show::record(*frame);
         if (frame->tag == stream::Tag::note)
             add(summary, stream::parse_note(frame->body));
+        else if (frame->tag == stream::Tag::fact)
+            summary.facts.push_back(stream::parse_fact(frame->body));
         else
             add(summary, record);
         if (o.json) out.write((first ? "\n" : ",\n") + show::json(record));

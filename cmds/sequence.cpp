@@ -5,21 +5,23 @@
 #include "sequence/sequence.hpp"
 #include "base/number.hpp"
 #include "cli/command.hpp"
+#include "sequence/head.hpp"
 #include "wire/planar.hpp"
-
-#include <numbers>
 
 namespace {
 
 using namespace filum;
 
 struct Options {
-    std::string order = "columns", head = "ordinary";
+    std::string order = "columns";
+    sequence::HeadChoice head;
     std::int64_t budget = 100;
-    double flat_radius = 0.2, cone_angle_deg = 60, cone_height = 8, gantry_height = 0;
-    std::vector<double> carriage{40, 40};
     bool report = false;
 };
+
+cli::Option length(const char* name, std::vector<double>& to, const char* unit, const char* help) {
+    return cli::Option{name, &to, unit, help}.at_least(0).numbers(1).not_a_setting();
+}
 
 cli::Spec spec(Options& o) {
     return {
@@ -41,47 +43,37 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
-        .options =
-            {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
-                 {"columns", "layers"}),
-             cli::Option{"head", &o.head, "HEAD",
-                         "the head to keep clear of: ordinary, as the next options say, or none"}
-                 .one_of({"ordinary", "none"}),
-             cli::Option{"flat-radius", &o.flat_radius, "MM", "radius of the flat at the nozzle's tip"}.at_least(0),
-             cli::Option{"cone-angle", &o.cone_angle_deg, "DEG", "whole angle of the nozzle's cone"}
-                 .at_least(0)
-                 .at_most(175),
-             cli::Option{"cone-height", &o.cone_height, "MM", "height of the carriage above the tip"}.above(0),
-             cli::Option{"carriage", &o.carriage, "MM,MM", "size of the carriage in x and y, the nozzle in its middle"}
-                 .at_least(0)
-                 .numbers(2),
-             cli::Option{"gantry-height", &o.gantry_height, "MM",
-                         "height of the gantry above the tip, 0 for out of reach"}
-                 .at_least(0),
-             cli::Option{"budget", &o.budget, "MILLIONS", "steps that the search may take, about 5 ms per million"}
-                 .at_least(0)
-                 .at_most(1e6),
-             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
+        .options = {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
+                        {"columns", "layers"}),
+                    cli::Option{"head", &o.head.name, "HEAD",
+                                "ordinary, none, or the head of a machine profile: its name or file"}
+                        .not_a_setting(),
+                    length("flat-radius", o.head.flat_radius, "MM",
+                           "radius of the flat at the tip; the ordinary head's is 0.2"),
+                    length("cone-angle", o.head.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60")
+                        .at_most(175),
+                    length("cone-height", o.head.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),
+                    length("carriage", o.head.carriage, "MM,MM",
+                           "size of the carriage around the nozzle; ordinary 40,40")
+                        .numbers(2),
+                    length("gantry-height", o.head.gantry_height, "MM",
+                           "height of the gantry above the tip, 0 for out of reach; ordinary 0"),
+                    cli::Option{"budget", &o.budget, "MILLIONS",
+                                "steps that the search may take, about 5 ms per million"}
+                        .at_least(0)
+                        .at_most(1e6),
+                    cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},
+                     {"slice part.stl | regions | sequence --head marlin --cone-height 5 > part.sequence",
+                      "the head of a machine profile, with a shorter nozzle"},
                      {"slice part.stl | regions | sequence --order layers > part.sequence", "strictly layer by layer"}},
         .see_also = {"regions", "fill", "link3d"}};
 }
 
-machine::Head head(const Options& o) {
-    machine::Head h;
-    h.none = o.head == "none";
-    h.flat_radius = o.flat_radius;
-    h.cone_angle = o.cone_angle_deg * std::numbers::pi / 180;
-    h.cone_height = o.cone_height;
-    h.carriage_x = o.carriage[0];
-    h.carriage_y = o.carriage[1];
-    if (o.gantry_height > 0) h.gantry_height = o.gantry_height;
-    return h;
-}
-
-void run(const Options& o, const cli::Io& io) {
+void run(const Options& o, const cli::Io& given) {
+    cli::Io io = given;
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions, [&](stream::RawFrame frame) {
@@ -89,7 +81,8 @@ void run(const Options& o, const cli::Io& io) {
         frames.push_back(std::move(frame));
     });
     sequence::Options options;
-    options.head = head(o);
+    options.head = sequence::head(o.head);
+    for (const auto& [name, value] : sequence::settings(options.head)) io.settings.push_back({name, value});
     options.by_layers = o.order == "layers";
     options.budget = static_cast<std::uint64_t>(o.budget) * 1'000'000;
     auto result = sequence::sequence(std::move(regions), options);

@@ -42,11 +42,17 @@ struct Search {
         }
     }
 
-    // The first place of column c, below `limit`, whose region stands in the way of v; `limit` if none.
-    [[nodiscard]] std::size_t first(Index v, Index c, std::size_t limit) const {
+    // The first place of column c, below `limit`, whose region stands in the way of v, of column a; `limit` if none.
+    [[nodiscard]] std::size_t first(Index v, Index a, Index c, std::size_t limit) const {
         const auto& member = columns.member[c];
         const Index layer = g.node[v].layer, lowest = g.node[member[0]].layer;
         std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
+        if (i >= limit) return limit;
+        // below the height at which the head reaches from column to column there is nothing to look at
+        const auto out_of_reach = [&](Index u) { return !may_reach(box[a], box[c], reach_of(v, u)); };
+        i = static_cast<std::size_t>(std::partition_point(member.begin() + static_cast<long>(i),
+                                                          member.begin() + static_cast<long>(limit), out_of_reach) -
+                                     member.begin());
         for (; i < limit; ++i) {
             if (i % kBlock == 0) {
                 const std::size_t last = std::min(member.size(), i + kBlock) - 1;
@@ -89,7 +95,7 @@ struct Search {
                     limit[c] = 0;
                     continue;
                 }
-                const std::size_t at = first(v, c, limit[c]);
+                const std::size_t at = first(v, a, c, limit[c]);
                 if (at < limit[c]) found.emplace_back(v, columns.member[c][at]);
                 limit[c] = at;
             }

@@ -94,12 +94,10 @@ Columns columns(std::span<const polygon::Region> regions) {
     return out;
 }
 
-void add_precedence(Graph& g, const std::vector<Pair>& more) {
-    std::vector<Pair> pairs = more;
-    pairs.reserve(more.size() + g.after.size());
+void add_precedence(Graph& g, std::vector<Pair> more) {
     for (Index i = 0; i < g.size(); ++i)
-        for (const Index t : g.after[i]) pairs.emplace_back(i, t);
-    g.after = arcs(g.size(), std::move(pairs));
+        for (const Index t : g.after[i]) more.emplace_back(i, t);
+    g.after = arcs(g.size(), std::move(more));
     g.before = reversed(g.after);
 }
 

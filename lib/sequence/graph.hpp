@@ -59,6 +59,6 @@ Graph support_graph(std::span<const polygon::Region> regions, double least_area)
 Columns columns(std::span<const polygon::Region> regions);
 
 // `g` with more precedence.
-void add_precedence(Graph& g, const std::vector<Pair>& more);
+void add_precedence(Graph& g, std::vector<Pair> more);
 
 } // namespace filum::sequence

@@ -10,6 +10,9 @@ namespace filum::sequence {
 
 namespace {
 
+constexpr std::size_t kMostColumns = 48;        // in a window: more gain little, (k - 1) / k
+constexpr std::uint64_t kMostWork = 10'000'000; // ends looked up; what was packed until then counts
+
 // Region at place `from` of one column precedes that at place `to` of another.
 struct Step {
     Index from, to;
@@ -24,13 +27,16 @@ struct Packing {
     const Graph& g;
     const Columns& columns;
     std::map<Pair, std::vector<Step>> steps; // per pair of columns, ascending
-    std::vector<std::vector<Index>> rivals;  // per column: those with steps both ways
-    std::vector<Index> at;                   // per column: links below this place are taken
-    std::vector<char> taken;                 // per region: the link up its column is in a window
-    Index links = 0, broken = 0;             // in windows; and how many of them no order uses
+    // per column: those with steps both ways, ascending, and the steps from them to it
+    std::vector<std::vector<std::pair<Index, const std::vector<Step>*>>> rivals;
+    std::vector<Index> at;       // per column: links below this place are taken
+    std::vector<char> taken;     // per region: the link up its column is in a window
+    Index links = 0, broken = 0; // in windows; and how many of them no order uses
+    mutable std::uint64_t work = 0;
 
     [[nodiscard]] Index layer(Index c, Index place) const { return g.node[columns.member[c][place]].layer; }
     void gather(const std::vector<Pair>& collisions);
+    [[nodiscard]] Index end(Index a, const std::vector<Step>& from_b, Index b) const;
     [[nodiscard]] Index end(Index a, Index b) const;
     [[nodiscard]] Window lowest_pair() const;
     [[nodiscard]] Window grown(const Window& w) const;
@@ -44,16 +50,24 @@ void Packing::gather(const std::vector<Pair>& collisions) {
     for (auto& [pair, s] : steps) std::sort(s.begin(), s.end(), [](Step a, Step b) { return a.from < b.from; });
     rivals.resize(columns.member.size());
     for (const auto& [pair, s] : steps)
-        if (steps.count({pair.second, pair.first}) != 0) rivals[pair.first].push_back(pair.second);
+        if (const auto back = steps.find({pair.second, pair.first}); back != steps.end())
+            rivals[pair.first].emplace_back(pair.second, &back->second);
     at.assign(columns.member.size(), 0);
     taken.assign(g.size(), 0);
 }
 
 // Where a's stretch must end so that its head follows b's foot; kNone if there is no such place.
+Index Packing::end(Index a, const std::vector<Step>& from_b, Index b) const {
+    ++work;
+    const auto it =
+        std::lower_bound(from_b.begin(), from_b.end(), at[b], [](const Step& x, Index f) { return x.from < f; });
+    return it == from_b.end() || it->to <= at[a] ? kNone : it->to;
+}
+
 Index Packing::end(Index a, Index b) const {
-    const auto& s = steps.at({b, a});
-    const auto it = std::lower_bound(s.begin(), s.end(), at[b], [](const Step& x, Index f) { return x.from < f; });
-    return it == s.end() || it->to <= at[a] ? kNone : it->to;
+    const auto& r = rivals[a];
+    const auto it = std::lower_bound(r.begin(), r.end(), b, [](const auto& x, Index c) { return x.first < c; });
+    return it == r.end() || it->first != b ? kNone : end(a, *it->second, b);
 }
 
 double Packing::size(const Window& w) const {
@@ -66,10 +80,10 @@ Window Packing::lowest_pair() const {
     Window best;
     Index lowest = kNone;
     for (Index a = 0; a < rivals.size(); ++a)
-        for (const Index b : rivals[a]) {
+        for (const auto& [b, steps_to_a] : rivals[a]) {
             if (b < a) continue;
-            const Index ea = end(a, b), eb = end(b, a);
-            if (ea == kNone || eb == kNone) continue;
+            const Index ea = end(a, *steps_to_a, b), eb = ea == kNone ? kNone : end(b, a);
+            if (eb == kNone) continue;
             const Index top = std::max(layer(a, ea), layer(b, eb));
             if (top < lowest) lowest = top, best = {{a, b}, {ea, eb}};
         }
@@ -80,15 +94,15 @@ Window Packing::lowest_pair() const {
 Window Packing::grown(const Window& w) const {
     Window best;
     double least = 0;
-    for (const Index c : rivals[w.column[0]]) {
+    if (w.column.size() == kMostColumns) return best;
+    for (const auto& [c, unused] : rivals[w.column[0]]) {
         if (std::find(w.column.begin(), w.column.end(), c) != w.column.end()) continue;
         Window v = w;
         Index own = 0;
         for (std::size_t i = 0; i < w.column.size() && own != kNone; ++i) {
             const Index d = w.column[i];
-            const bool rival = std::binary_search(rivals[c].begin(), rivals[c].end(), d);
-            const Index ec = rival ? end(c, d) : kNone, ed = rival ? end(d, c) : kNone;
-            if (ec == kNone || ed == kNone)
+            const Index ec = end(c, d), ed = ec == kNone ? kNone : end(d, c);
+            if (ed == kNone)
                 own = kNone;
             else
                 own = std::max(own, ec), v.end[i] = std::max(v.end[i], ed);
@@ -124,7 +138,7 @@ void Packing::take(const Window& w) {
 Index window_bound(const Graph& g, const Columns& columns, const std::vector<Pair>& collisions) {
     Packing p{g, columns, {}, {}, {}, {}};
     p.gather(collisions);
-    for (Window w = p.lowest_pair(); !w.column.empty(); w = p.lowest_pair()) {
+    for (Window w = p.lowest_pair(); !w.column.empty() && p.work < kMostWork; w = p.lowest_pair()) {
         Window best = w;
         for (w = p.grown(w); !w.column.empty(); w = p.grown(w))
             if (static_cast<double>(w.column.size() - 1) * p.size(best) >

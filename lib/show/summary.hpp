@@ -1,6 +1,7 @@
 // Counts, sums and bounds over the frames of a stream.
 #pragma once
 
+#include "base/fact.hpp"
 #include "base/note.hpp"
 #include "show/record.hpp"
 
@@ -25,6 +26,7 @@ struct Summary {
     std::map<std::string, Range> ranges;          // mm: x, y, z, width, height, plane
     std::uint64_t points = 0;
     std::int64_t layers = 0, strokes = 0; // one more than the greatest index
+    Facts facts;                          // in the order of the stream
     Notes notes;                          // summed by stage, phrase and unit; in the order of their first case
 };
 
