@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 namespace filum::render {
 
@@ -167,7 +168,9 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
 }
 
 Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : state_(std::make_unique<State>()) {
-    const std::string config = threads > 0 ? "threads=" + std::to_string(threads) : "";
+    // Embree's limit holds for the whole process, and TBB complains where it is asked for more: none from all cores on.
+    const bool fewer = threads > 0 && static_cast<unsigned>(threads) < std::thread::hardware_concurrency();
+    const std::string config = fewer ? "threads=" + std::to_string(threads) : "";
     state_->device = rtcNewDevice(config.c_str());
     if (state_->device == nullptr) throw Error(Exit::failure, "cannot draw in perspective: Embree does not start");
     state_->scene = rtcNewScene(state_->device);
