@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "render/camera.hpp"
+#include "render/hidden.hpp"
 
 #include <embree3/rtcore.h>
 
@@ -78,9 +79,10 @@ struct Tubes::State {
     RTCScene scene = nullptr;
     std::vector<Srgb8> colour; // per segment
     Vec3 centre, half;
-    double stretch = 1;   // z in Embree's space is z of the part times this
-    double thickness = 0; // mm
-    double lift = 0;      // mm from a bead's top, where the nozzle was, down to its axis
+    double stretch = 1;               // z in Embree's space is z of the part times this
+    double thickness = 0;             // mm
+    double width = 0.4, height = 0.2; // mm, of a typical bead
+    double lift = 0;                  // mm from a bead's top, where the nozzle was, down to its axis
 
     ~State() {
         if (scene != nullptr) rtcReleaseScene(scene);
@@ -110,7 +112,7 @@ void Tubes::State::measure(const Scene& s, bool travels) {
         if (!toolpath::extrudes(span.role)) continue;
         widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
     }
-    const double width = median(widths, 0.4), height = median(heights, 0.2);
+    width = median(widths, 0.4), height = median(heights, 0.2);
     stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
     Box box;
     for (const auto& span : s.spans)
@@ -125,10 +127,17 @@ void Tubes::State::measure(const Scene& s, bool travels) {
 
 void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     std::vector<Kept> kept;
+    std::vector<bool> shown; // per segment between kept points
     std::size_t points = 0, segments = 0;
+    const Hidden hidden(s, width, height);
     for (const auto& span : s.spans) {
         kept.push_back(drawn(span, travels) ? visible_points(span, 0.04 * thickness) : Kept{});
-        points += kept.back().size(), segments += std::max<std::size_t>(1, kept.back().size()) - 1;
+        points += kept.back().size();
+        for (std::size_t m = 0; m + 1 < kept.back().size(); ++m) {
+            const bool bead = toolpath::extrudes(span.role);
+            shown.push_back(!bead || !hidden(span.points[kept.back()[m]], span.points[kept.back()[m + 1]]));
+            segments += shown.back() ? 1 : 0;
+        }
     }
     if (segments == 0) return;
     if (points >= UINT32_MAX) throw Error(Exit::failure, "cannot draw more than 4 billion points; choose fewer layers");
@@ -142,6 +151,7 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     if (vertex == nullptr || index == nullptr || flags == nullptr) throw std::bad_alloc();
     colour.reserve(segments);
     unsigned at = 0;
+    std::size_t next = 0; // in shown
     for (std::size_t k = 0; k < s.spans.size(); ++k) {
         const auto& span = s.spans[k];
         const double fat = toolpath::extrudes(span.role) ? kOverlap / 2 : 0.5;
@@ -154,11 +164,15 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
                                 static_cast<float>(fat * width_of(span, i, 0.3 * 2 * thickness))};
             std::memcpy(vertex + 4 * std::size_t{at}, v, sizeof v);
             if (m + 1 == kept[k].size()) continue;
-            const std::size_t n = colour.size();
-            index[n] = at;
-            flags[n] = static_cast<unsigned char>((m > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
-                                                  (m + 2 < kept[k].size() ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
-            colour.push_back(render::colour(tint, s, k, i, along));
+            if (shown[next]) {
+                const std::size_t n = colour.size();
+                index[n] = at;
+                const bool left = m > 0 && shown[next - 1], right = m + 2 < kept[k].size() && shown[next + 1];
+                flags[n] = static_cast<unsigned char>((left ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                                                      (right ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+                colour.push_back(render::colour(tint, s, k, i, along));
+            }
+            ++next;
             if (tint.by == By::progress) along += geom::distance(span.points[i], span.points[kept[k][m + 1]]);
         }
     }
