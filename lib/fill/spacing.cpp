@@ -24,9 +24,9 @@ struct Share {
     double error = 0;   // e: what is missing (or too much, if negative) up to the medial axis, mm
     int rank = 0;       // 0 next to the axis, 1 the ring outside it ...
     int lanes = 0;      // rings that share the error; 0: none asked
-    double thinner = 0; // how much nearer than half a width the outline is, mm; on level 0 only
+    double thinner = 0; // than the width, mm: the bead in a thin wall
     [[nodiscard]] double move() const { return lanes == 0 ? 0 : (1 - (2.0 * rank + 1) / (2.0 * lanes)) * error; }
-    [[nodiscard]] double widen() const { return lanes == 0 ? 0 : error / lanes - 2 * thinner; }
+    [[nodiscard]] double widen() const { return lanes == 0 ? 0 : error / lanes - thinner; }
 };
 
 std::vector<Segment> outline(const Loops& loops) {
@@ -74,6 +74,7 @@ class Spacing {
         shares_.resize(samples_.size());
         known_.assign(samples_.size(), 1);
         outside_.resize(samples_.size());
+        room_.resize(samples_.size());
         std::vector<std::uint32_t> order(loops.size());
         std::iota(order.begin(), order.end(), 0U);
         std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -86,7 +87,7 @@ class Spacing {
     Share ask(std::uint32_t i) {
         known_[i] = 0;
         const Normal n = samples_.normal(i);
-        outside_[i] = depth(i, n);
+        measure_outside(i, n);
         if (n.mitre == 0 || n.mitre > 1.5) return {}; // a sharp corner faces nothing in particular
         const auto hit = samples_.hit(i, n.inward, kAcross * width_);
         if (!hit) return {};
@@ -96,16 +97,22 @@ class Spacing {
         const double half_gap = std::min(hit->distance / 2, 1.1 * width_);
         if (samples_.inner_radius(i, n.inward, half_gap, kBlind * width_) < 0.8 * half_gap) return {}; // likewise
         known_[i] = 1;
+        if (thin(i)) return {0, 0, 1, width_ - outside_[i] - half_gap};
         const int lanes = std::min(lanes_, samples_.level(i) + 1);
-        return {half_gap - outside_[i], 0, lanes, width_ / 2 - outside_[i]};
+        return {half_gap - outside_[i], 0, lanes, 0};
     }
 
-    // Half a width, or the distance to the outline where that is less (level 0 in thin walls).
-    [[nodiscard]] double depth(std::uint32_t i, const Normal& n) const {
-        if (samples_.level(i) > 0 || n.mitre == 0) return width_ / 2;
+    // How far outwards the space of a bead on level 0 goes: half a width, or to the outline where that is nearer.
+    void measure_outside(std::uint32_t i, const Normal& n) {
+        outside_[i] = room_[i] = width_ / 2;
+        if (samples_.level(i) > 0) return;
+        room_[i] = 0; // where the ray slips past the outline, at a tip, nothing may move outwards
+        if (n.mitre == 0) return;
         const auto edge = first_hit(edge_grid_, edges_, samples_.point(i), -1.0 * n.inward, width_, kNone, kNone);
-        return edge ? std::min(width_ / 2, edge->distance / n.mitre) : width_ / 2;
+        if (edge) outside_[i] = room_[i] = std::min(width_ / 2, edge->distance / n.mitre);
     }
+    // Placed in the middle of its half of a thin wall already.
+    [[nodiscard]] bool thin(std::uint32_t i) const { return outside_[i] < 0.47 * width_; }
 
     // One rank farther out than the ring inside, at the place that the normal hits.
     [[nodiscard]] Share of_child(const Hit& hit) const {
@@ -128,7 +135,7 @@ class Spacing {
             }
             move_.swap(m), widen_.swap(v);
         }
-        for (std::uint32_t i = 0; i < n; ++i) move_[i] = std::clamp(move_[i], -0.6 * outside_[i], 0.5 * width_);
+        for (std::uint32_t i = 0; i < n; ++i) move_[i] = std::clamp(move_[i], -0.6 * room_[i], 0.5 * width_);
     }
 
     // Corners and ends take the mean of the nearest samples along the ring that know, if those are near enough.
@@ -238,8 +245,8 @@ class Spacing {
     int lanes_;
     std::vector<Share> shares_;
     std::vector<char> known_;
-    std::vector<double> outside_;      // per sample, mm: to the edge of its bead's space, outwards
-    std::vector<double> move_, widen_; // per sample, mm: inwards; added to the width
+    std::vector<double> outside_, room_; // per sample, mm: to the edge of its bead's space; how far it may move out
+    std::vector<double> move_, widen_;   // per sample, mm: inwards; added to the width
     std::vector<Vec2> result_;
 };
 

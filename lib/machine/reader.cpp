@@ -2,12 +2,23 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-
-#include <toml++/toml.h>
+#include "machine/toml_text.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
+
+// In a release build toml++ 3.3 tells the compiler that its assertions hold, and texts such as "x = [1,}" break them.
+// So they are kept, as exceptions.
+namespace filum::machine {
+[[noreturn]] static void toml_assertion() { throw std::logic_error("malformed"); }
+} // namespace filum::machine
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expression) ((expression) ? static_cast<void>(0) : filum::machine::toml_assertion())
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace filum::machine {
 
@@ -33,19 +44,6 @@ toml::node* find(toml::table& root, const std::string& key) {
     if (dot == std::string::npos) return root.get(key);
     auto* section = root.get_as<toml::table>(key.substr(0, dot));
     return section == nullptr ? nullptr : section->get(key.substr(dot + 1));
-}
-
-// For each line, whether it ends by opening a text of several lines, whose first line is then the next one.
-std::vector<bool> opening_lines(std::string_view text) {
-    std::vector<bool> out;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        if (line.ends_with('\r')) line.remove_suffix(1);
-        out.push_back(line.ends_with("\"\"\"") || line.ends_with("'''"));
-        text.remove_prefix(std::min(text.size(), end + 1));
-    }
-    return out;
 }
 
 // What stands after '=' in `set`: a number, true or false, or else a text as it is.
@@ -74,12 +72,18 @@ void assign(toml::table& to, const std::string& key, const std::string& value) {
 Document::Document(std::string_view text, const std::string& file, const std::string& set)
     : state_(std::make_unique<State>()) {
     state_->file = file;
-    state_->opens = opening_lines(text);
+    const TomlText known = examine(text);
+    if (!known.fault.empty())
+        throw Error(Exit::bad_input,
+                    "cannot read profile '" + file + "', line " + std::to_string(known.line) + ": " + known.fault);
+    state_->opens = known.opens;
     try {
         state_->root = toml::parse(text, file);
     } catch (const toml::parse_error& e) {
         throw Error(Exit::bad_input, "cannot read profile '" + file + "', line " +
                                          std::to_string(e.source().begin.line) + ": " + printable(e.description()));
+    } catch (const std::logic_error&) {
+        throw Error(Exit::bad_input, "cannot read profile '" + file + "': it is no TOML");
     }
     for (std::size_t at = 0; at < set.size();) {
         const std::size_t comma = std::min(set.find(',', at), set.size());

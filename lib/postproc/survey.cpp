@@ -101,7 +101,7 @@ Vec2 placement(const Survey& survey, const machine::Bed& bed, Place where) {
             um(centre.y - (survey.low[1].value + survey.high[1].value) / 2)};
 }
 
-void check_bed(const Survey& survey, const machine::Profile& profile, Vec2 shift) {
+void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift) {
     const auto& bed = profile.bed;
     const std::array<double, 3> moved{shift.x, shift.y, 0}, lo{bed.x_min, bed.y_min, bed.z_min},
         hi{bed.x_max, bed.y_max, bed.z_max};
@@ -118,6 +118,9 @@ void check_bed(const Survey& survey, const machine::Profile& profile, Vec2 shift
         if (survey.low[k].value + moved[k] < lo[k] - 5e-4) refuse(survey.low[k], k);
         if (survey.high[k].value + moved[k] > hi[k] + 5e-4) refuse(survey.high[k], k);
     }
+    if (!(survey.volume * profile.extrusion.per_mm3() * std::pow(10.0, profile.format.e_decimals) < 4e18))
+        throw Error(Exit::failure, "cannot count the material: " + fixed_text(survey.volume, 0) +
+                                       " mm3 is more than the extruder's numbers hold; are the bead widths right?");
 }
 
 std::map<std::string, double> placeholders(const Survey& s, const machine::Profile& profile, Vec2 shift) {

@@ -54,8 +54,9 @@ enum class Place : std::uint8_t {
 // How far to move the toolpath in x and y: a whole number of um.
 Vec2 placement(const Survey& survey, const machine::Bed& bed, Place place);
 
-// Throws Error(failure) naming layer and place if anything visited, moved by `shift`, lies outside the bed.
-void check_bed(const Survey& survey, const machine::Profile& profile, Vec2 shift);
+// Throws Error(failure): naming layer and place if anything visited, moved by `shift`, lies outside the bed; or if
+// there is more material than the extruder's numbers can count.
+void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift);
 
 // What templates may name, for a program placed by `shift`; {layer}, {z}, {height} are those of the first layer.
 std::map<std::string, double> placeholders(const Survey& survey, const machine::Profile& profile, Vec2 shift);

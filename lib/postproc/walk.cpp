@@ -12,6 +12,7 @@ namespace filum::postproc {
 namespace {
 
 constexpr std::size_t kBatch = 1024;
+constexpr double kApproach = 5; // mm above its place from where the first stroke is sought: clear of clips and fixtures
 constexpr double kTouch = 1e-6; // mm; spans that meet are written from the same number
 
 double highest(const toolpath::Span& span) {
@@ -91,7 +92,7 @@ void Walk::begin_stroke(const toolpath::Span& span) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed});
     };
     if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
-        const double clear = std::min(to.z + profile_->travel.lift, profile_->bed.z_max);
+        const double clear = std::min(to.z + std::max(profile_->travel.lift, kApproach), profile_->bed.z_max);
         go(Act::climb, {to.x, to.y, clear}, profile_->feeds.z);
         go(Act::travel, {to.x, to.y, clear}, profile_->feeds.travel);
     }

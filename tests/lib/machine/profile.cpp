@@ -115,10 +115,16 @@ TEST(Profile, MistakesAreNamedWithFileLineAndKey) {
         {"name = \"../m\"\n" + kLeast.substr(11), "key 'name': it must be letters"},
         {"name = \"m\"\nname = \"n\"\n", "cannot read profile 'm.toml', line 2"},
         {"name = \n", "cannot read profile 'm.toml', line 1"},
+        {"\n[=]\n", "cannot read profile 'm.toml', line 2: a section without a name"},
+        {"x = [1,}\n", "cannot read profile 'm.toml'"},
+        {"[ #]\n", "cannot read profile 'm.toml', line 1: a section without a name"},
+        {kLeast + "\xc3\xa4 = 3\n", "cannot read profile 'm.toml', line 9: a letter beyond ASCII"},
+        {kLeast + "[[\t+]]\n", "cannot read profile 'm.toml'"},
         {"\xff\xfe", "cannot read profile 'm.toml', line 1"},
         {"", "key 'name': it is missing"},
     };
     EXPECT_EQ(error_of(kLeast), "");
+    EXPECT_EQ(error_of("\xef\xbb\xbf" + kLeast + "# 60 \xc2\xb0 \n[templates]\nend = '; \xc2\xb5m'\n"), "");
     for (const auto& c : cases) {
         const auto what = error_of(c.text);
         EXPECT_NE(what.find(c.says), std::string::npos) << c.text << "\nsays: " << what;

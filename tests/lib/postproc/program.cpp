@@ -46,7 +46,7 @@ TEST(Program, ABreakRetractsLiftsMovesAndComesBack) {
     std::vector<std::string> lines;
     for (const auto& m : program.moves) lines.push_back(m.line);
     const std::vector<std::string> wanted = {
-        "G1 Z1.2 F600", "G0 X195 Y190 F9000", "G1 Z0.2 F600", "G1 X205 E0.3326 F1500", "G1 E-2 F1200",
+        "G1 Z5.2 F600", "G0 X195 Y190 F9000", "G1 Z0.2 F600", "G1 X205 E0.3326 F1500", "G1 E-2 F1200",
         "G1 Z1.2 F600", "G0 Y210 F9000",      "G1 Z0.2 F600", "G1 E2.5 F1200",         "G1 X195 E0.3326 F1500",
         "G1 E-2 F1200", "G1 Z1.4 F600",       "G1 Z0.4",      "G1 E2.5 F1200",         "G1 X200 E0.1663"};
     EXPECT_EQ(lines, wanted);
@@ -60,7 +60,7 @@ TEST(Program, ATravelRisesAboveAllThatIsPrinted) {
     const auto p = sample::profile(kFilament, "[travel]\nlift = 1\n");
     const auto program = interpreter::read(sample::write(p, spans).text);
     for (const auto& m : program.moves)
-        if (m.rapid && m.from.z > 5) {
+        if (m.rapid && m.from.z > 6) {
             EXPECT_EQ(m.to.z, 31) << m.line;
         }
     const auto top = sample::profile(kFilament, "[travel]\nlift = 390\n"); // the machine ends at 400
@@ -116,6 +116,14 @@ TEST(Program, APlaceOffTheBedIsAnErrorWithItsPlace) {
     spans = three_strokes();
     spans[4].points[1].z = 401;
     EXPECT_TRUE(has(error_of([&] { (void)sample::write(p, spans); }, Exit::failure), "reaches z 0 to 400"));
+}
+
+TEST(Program, MoreMaterialThanNumbersHoldIsAnError) {
+    auto spans = three_strokes();
+    spans[2].width = {1e8};
+    spans[2].height = {1e8};
+    const auto p = sample::profile("kind = \"volume\"\n");
+    EXPECT_TRUE(has(error_of([&] { (void)sample::write(p, spans); }, Exit::failure), "cannot count the material"));
 }
 
 TEST(Program, ABrokenChainOfSpansIsBadInput) {

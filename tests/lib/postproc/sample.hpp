@@ -78,9 +78,9 @@ inline Written write(const filum::machine::Profile& p, const std::vector<Span>& 
     Written out;
     out.survey = surveyor.end();
     out.shift = placement(out.survey, p.bed, place);
-    check_bed(out.survey, p, out.shift);
+    check_limits(out.survey, p, out.shift);
     Program program(p, out.survey, out.shift, [&](std::string_view t) { out.text += t; });
-    program.begin(about(p, out.survey, {{"link3d", {}}, {"postproc", {{"machine", p.name}}}}, {}));
+    program.begin(about(p, out.survey, {{"link3d", {}}, {"postproc", {{"machine", p.name}}}}, {}, {}));
     Walk walk(p, [&](auto steps) { program.add(steps); });
     for (const auto& s : spans) walk.add(s);
     walk.end();

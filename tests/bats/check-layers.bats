@@ -1,0 +1,132 @@
+# scripts/check-layers must pass a clean tree and find each kind of breach in a bad one.
+
+setup() {
+    check="$BATS_TEST_DIRNAME/../../scripts/check-layers"
+    tree="$BATS_TEST_TMPDIR/tree"
+    mkdir -p "$tree"/lib/base "$tree"/lib/geom "$tree"/lib/cli "$tree"/cmds "$tree"/tests/lib/geom
+    printf 'base:\ngeom: base\ncli: base\n' >"$tree/lib/LAYERS"
+    printf '#pragma once\nnamespace filum {\n}\n' >"$tree/lib/base/error.hpp"
+    printf '#pragma once\n#include "base/error.hpp"\n#include <vector>\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/vec.hpp"
+    printf '#include "base/error.hpp"\n#include <CLI/CLI.hpp>\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/parse.cpp"
+    printf '// cut - cuts\n// reads:  a\n// writes: b\n// memory: c\n#include "geom/vec.hpp"\n' >"$tree/cmds/cut.cpp"
+}
+
+# The check fails, and one finding contains $1.
+finds() {
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 1 ]
+    [[ "$output" == *"$1"* ]]
+}
+
+@test "a clean tree passes" {
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+}
+
+@test "this tree passes" {
+    run "$check"
+    echo "$output"
+    [ "$status" -eq 0 ]
+}
+
+@test "no checkout: exit 2" {
+    run "$check" "$BATS_TEST_TMPDIR"
+    [ "$status" -eq 2 ]
+}
+
+@test "a sibling that LAYERS does not allow" {
+    printf '#include "geom/vec.hpp"\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"
+    finds 'lib/cli/more.cpp:1: lib/cli includes lib/geom'
+}
+
+@test "a line that names a folder below it in the file" {
+    printf 'base: geom\ngeom: base\ncli: base\n' >"$tree/lib/LAYERS"
+    finds "lib/LAYERS:1: 'base' names 'geom'"
+}
+
+@test "a folder without a line, a line without a folder" {
+    printf 'base:\ngeom: base\ncli: base\nmesh: base\n' >"$tree/lib/LAYERS"
+    finds "'mesh' has no folder"
+    mkdir "$tree/lib/fill"
+    printf 'namespace filum::fill {\n}\n' >"$tree/lib/fill/fill.cpp"
+    finds 'lib/fill: has no line'
+}
+
+@test "an include that is not under lib" {
+    printf '#include "error.hpp"\nnamespace filum {\n}\n' >"$tree/lib/base/more.cpp"
+    finds "more.cpp:1: includes 'error.hpp', which is not under lib/"
+}
+
+@test "protobuf outside stream and wire" {
+    printf '#include <google/protobuf/message.h>\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/more.cpp"
+    finds "more.cpp:1: includes protobuf's"
+}
+
+@test "generated protobuf code in a command" {
+    printf '#include "filum/stream.pb.h"\n' >>"$tree/cmds/cut.cpp"
+    finds "cut.cpp:6: includes protobuf's"
+}
+
+@test "CLI11 outside cli" {
+    printf '#include <CLI/CLI.hpp>\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/more.cpp"
+    finds "more.cpp:1: includes CLI11's"
+}
+
+@test "heavy libraries in a header" {
+    for header in CGAL/Polyhedron_3.h embree3/rtcore.h polyclipping/clipper.hpp boost/polygon/voronoi.hpp oneapi/tbb/task_arena.h tbb/tbb.h toml++/toml.h zip.h pugixml.hpp TopoDS.hxx png.h; do
+        printf '#pragma once\n#include <%s>\nnamespace filum::geom {\n}\n' "$header" >"$tree/lib/geom/heavy.hpp"
+        finds "heavy.hpp:2: a header includes '$header'"
+    done
+    sed '/pragma/d' "$tree/lib/geom/heavy.hpp" >"$tree/lib/geom/heavy.cpp"
+    rm "$tree/lib/geom/heavy.hpp"
+    "$check" "$tree"
+}
+
+@test "code in another folder's namespace" {
+    printf 'namespace filum::geom {\n}\n' >"$tree/lib/cli/more.cpp"
+    finds 'more.cpp:1: has nothing in namespace filum::cli'
+    printf 'namespace filum::cli {\n}\nnamespace filum::geom {\n}\n' >"$tree/lib/cli/more.cpp"
+    finds 'more.cpp:3: opens namespace filum::geom'
+}
+
+@test "using namespace in a header" {
+    printf '#pragma once\nusing namespace std;\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/more.hpp"
+    finds "more.hpp:2: 'using namespace'"
+}
+
+@test "a file, a command that is too long" {
+    { printf 'namespace filum::geom {\n}\n'; yes '//' | head -398; } >"$tree/lib/geom/long.cpp"
+    "$check" "$tree"
+    echo '//' >>"$tree/lib/geom/long.cpp"
+    finds 'long.cpp:401: has 401 lines'
+    yes '//' | head -116 >>"$tree/cmds/cut.cpp"
+    finds 'cut.cpp:121: has 121 lines'
+}
+
+@test "a command without its four lines" {
+    printf '// cut - cuts\n// reads:  a\n// memory: c\n' >"$tree/cmds/cut.cpp"
+    finds "cut.cpp:3: line 3 does not begin with '// writes:'"
+}
+
+@test "something unknown at the top" {
+    echo x >"$tree/notes.txt"
+    finds 'notes.txt: does not belong at the top'
+}
+
+@test "a path of one machine" {
+    mkdir "$tree/docs"
+    for path in work/main root/x home/me Users/me tmp/x; do
+        printf 'see %s\n' "/$path" >"$tree/docs/a.md"
+        finds "docs/a.md:1: names '/"
+    done
+    printf 'see ${TMPDIR:-/tmp}/x, frame/work/x and https://example.org/work/x\n' >"$tree/docs/a.md"
+    "$check" "$tree"
+}
+
+@test "a compiled program" {
+    mkdir "$tree/examples"
+    printf '\177ELF\0\0' >"$tree/examples/cut"
+    finds 'examples/cut: is a compiled program'
+}
