@@ -10,7 +10,7 @@ namespace filum::render {
 // hidden, but for a chink narrower than a bead.
 class Hidden {
   public:
-    // `width`, `height`: of a typical bead, mm.  A scene of more than 2^31 cells hides nothing.
+    // `width`, `height`: of a typical bead, mm.  A scene of more than 2^29 cells hides nothing.
     Hidden(const Scene& scene, double width, double height);
     [[nodiscard]] bool operator()(geom::Vec3 a, geom::Vec3 b) const;
 
