@@ -59,10 +59,12 @@ cli::Spec spec(render::Options& o) {
             .see_also = {"metrics", "peek"}};
 }
 
-// Adds what lies in `range` of `file` to the scene.
-stream::Payload load(const std::string& file, stream::Payload expected, render::Range range, render::Scene& scene) {
+// Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
+stream::Payload load(const std::string& file, stream::Payload expected, render::Range range, render::Scene& scene,
+                     std::size_t& seen) {
     stream::Reader reader(file, expected);
     while (auto f = reader.next()) {
+        seen += f->tag == stream::tag_of(reader.header().payload) ? 1 : 0;
         if (f->tag == stream::Tag::span)
             render::add(scene, wire::span(*f), range);
         else if (f->tag == stream::Tag::paths)
@@ -80,8 +82,12 @@ void run(const render::Options& given, const cli::Io& io) {
     o.svg = o.svg || io.output.ends_with(".svg");
     render::check(o);
     render::Scene scene;
-    const auto payload = load(io.input, stream::Payload::unknown, o.range(), scene);
-    if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene);
+    std::size_t seen = 0;
+    const auto payload = load(io.input, stream::Payload::unknown, o.range(), scene, seen);
+    if (seen > 0 && scene.spans.empty() && scene.outlines.empty())
+        throw Error(Exit::usage, "cannot draw layers " + std::to_string(o.range().from) + " to " +
+                                     std::to_string(o.range().to) + ": the input has nothing there; see 'peek'");
+    if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene, seen);
     const char* color = payload == stream::Payload::regions  ? "stroke"
                         : payload == stream::Payload::layers ? "layer"
                                                              : "progress";

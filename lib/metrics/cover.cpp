@@ -144,7 +144,8 @@ Rows rows(std::span<const Lane> lanes, std::span<const Edge> edges, double spaci
     out.spacing = std::max(spacing, (hi - lo) / kMostRows);
     const double origin = part_lo < part_hi ? part_lo : lo;
     const double height = part_lo < part_hi ? part_hi - part_lo : hi - lo;
-    out.spacing = height / std::ceil(height / out.spacing);
+    const double even = height / std::ceil(height / out.spacing);
+    if ((hi - lo) / even <= 2 * kMostRows) out.spacing = even;
     const double below = std::ceil((origin - lo) / out.spacing);
     out.first = origin + (0.5 - below) * out.spacing;
     out.count = static_cast<std::size_t>(std::ceil((hi - out.first) / out.spacing)) + 1;

@@ -102,6 +102,10 @@ std::string json(const Figures& figures) {
 
 } // namespace
 
+Format format_named(std::string_view name) {
+    return name == "tsv" ? Format::tsv : name == "json" ? Format::json : Format::table;
+}
+
 std::string text(const Figures& figures, Format format) {
     switch (format) {
     case Format::table:

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Figure {
 using Figures = std::vector<Figure>;
 
 enum class Format { table, tsv, json };
+Format format_named(std::string_view name); // table for any other name
 
 // table: groups under headings, values aligned.  tsv: a head line, then group, name, value, unit.
 // json: {"group": {"name_unit": value}}, blanks as '_', numbers as numbers.

@@ -11,8 +11,11 @@
 namespace filum::metrics {
 
 struct Options {
+    std::string regions, per_region, per_layer; // files
+    std::string format = "table";               // table | tsv | json
+    std::string machine = "marlin", set;        // profile of the print time, and changes to it
     double pixel = 0;             // mm between the rows that areas are swept by; 0: a sixteenth of the bead width
-    double filament_diameter = 0; // mm; 0: the machine is not fed with filament
+    double filament_diameter = 0; // mm, from the profile; 0: the machine is not fed with filament
     double density = 1.24;        // g/cm3
     std::int64_t turn_samples = 50000;
 };

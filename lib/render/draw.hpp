@@ -11,7 +11,7 @@ struct Options {
     std::string color = "auto"; // auto | progress | stroke | layer | width | speed | class
     std::string view = "iso";   // iso | top | front | X,Y,Z
     std::string machine = "marlin";
-    std::string regions;                                            // file of outlines for a layer
+    std::string regions = {};                                       // file of outlines for a layer
     std::int64_t layer = -1, from_layer = 0, to_layer = UINT32_MAX; // layer -1: all, in perspective
     std::int64_t samples = 4;                                       // per pixel
     std::vector<double> size = {1024, 768};                         // pixels

@@ -106,13 +106,21 @@ std::string encode_png(const Image& image) {
 }
 
 void draw_line(Image& image, geom::Vec2 a, geom::Vec2 b, double width, Rgb colour, double alpha) {
-    const double h = width / 2 + 1;
-    const int x0 = std::max(0, static_cast<int>(std::floor(std::min(a.x, b.x) - h)));
-    const int y0 = std::max(0, static_cast<int>(std::floor(std::min(a.y, b.y) - h)));
-    const int x1 = std::min(image.width - 1, static_cast<int>(std::ceil(std::max(a.x, b.x) + h)));
-    const int y1 = std::min(image.height - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + h)));
-    for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
+    const double h = width / 2 + 1, dy = b.y - a.y;
+    const auto row = [&](double y) { return static_cast<int>(std::clamp(y, 0.0, static_cast<double>(image.height))); };
+    const auto column = [&](double x) {
+        return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(image.width)));
+    };
+    const int y1 = row(std::max(a.y, b.y) + h + 1);
+    for (int y = row(std::min(a.y, b.y) - h); y < y1; ++y) {
+        double from = 0, to = 1; // the stretch of the line that may touch this row
+        if (dy != 0) {
+            from = std::clamp((y - h - a.y) / dy, 0.0, 1.0), to = std::clamp((y + 1 + h - a.y) / dy, 0.0, 1.0);
+            if (from > to) std::swap(from, to);
+        }
+        const double xa = geom::lerp(a, b, from).x, xb = geom::lerp(a, b, to).x;
+        const int x1 = column(std::max(xa, xb) + h + 1);
+        for (int x = column(std::min(xa, xb) - h); x < x1; ++x) {
             const double d = geom::point_segment_distance(a, b, {x + 0.5, y + 0.5});
             const double cover = alpha * std::clamp(width / 2 + 0.5 - d, 0.0, 1.0);
             if (cover > 0) image.set(x, y, mix(image.get(x, y), colour, static_cast<float>(cover)));

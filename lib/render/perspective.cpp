@@ -85,7 +85,7 @@ Pixel sample(const Studio& s, int x, int y, Rgb back) {
     const auto seed = hash(static_cast<std::uint32_t>(y) * 65536U + static_cast<std::uint32_t>(x));
     // The pixels of a tile of 4 x 4 share one even set of directions, so that smoothing over a tile sees all of it.
     const auto tile = kTile[static_cast<std::size_t>(4 * (y & 3) + (x & 3))];
-    const auto samples = static_cast<std::uint32_t>(s.view.samples), stride = samples < 16 ? 2U : 1U;
+    const auto samples = static_cast<std::uint32_t>(s.view.samples), stride = samples < 16 ? 4U : 1U;
     for (std::uint32_t k = 0; k < samples; k += 4) {
         std::array<Vec3, 4> d;
         for (std::uint32_t j = 0; j < 4; ++j) {

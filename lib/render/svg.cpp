@@ -52,7 +52,7 @@ std::string svg(const Scene& scene, const Tint& tint, const FlatView& view) {
                       "mm\" viewBox=\"" + number(layer.box.lo.x - margin) + " " + number(-layer.box.hi.y - margin) +
                       " " + number(w) + " " + number(h) + "\">\n<g transform=\"scale(1 -1)\">\n";
     for (const Outline& o : scene.outlines) {
-        out += "<path fill=\"" + std::string(layer.beads.empty() ? "#9fb8cc" : "#f3c9c4") +
+        out += "<path fill=\"" + std::string(layer.beads.empty() ? "#9fb8cc" : "#e0524a") +
                "\" fill-rule=\"evenodd\" stroke=\"#333\" stroke-width=\"" + number(0.08 * layer.width) + "\" d=\"";
         for (std::size_t i = 0; i < o.loops.size(); ++i) {
             for (std::size_t k = 0; k < o.loops[i].size(); ++k) path_point(out, k == 0 ? 'M' : 'L', o.loops[i][k]);
@@ -80,9 +80,13 @@ std::string svg(const Scene& scene, const Tint& tint, const FlatView& view) {
         out += "\"/>\n";
     }
     out += "</g>\n";
-    for (const Mark& m : layer.marks)
-        out += "<circle cx=\"" + number(m.at.x) + "\" cy=\"" + number(m.at.y) + "\" r=\"" + number(0.4 * layer.width) +
-               "\" fill=\"" + hex(mark_colour(m.kind)) + "\"/>\n";
+    for (const auto kind : {Mark::Kind::lift, Mark::Kind::end, Mark::Kind::start}) {
+        for (const Mark& m : layer.marks) {
+            if (m.kind != kind) continue;
+            out += "<circle cx=\"" + number(m.at.x) + "\" cy=\"" + number(m.at.y) + "\" r=\"" +
+                   number(0.4 * layer.width) + "\" fill=\"" + hex(mark_colour(kind)) + "\"/>\n";
+        }
+    }
     return out + "</g>\n</svg>\n";
 }
 

@@ -11,8 +11,8 @@ namespace filum::render {
 
 namespace {
 
-constexpr int kCells = 224; // per side
-constexpr std::uint32_t kRays = 10;
+constexpr int kCells = 160; // per side
+constexpr std::uint32_t kRays = 8;
 
 std::size_t cell(int x, int y) { return static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(x); }
 

@@ -2,11 +2,13 @@
 
 #include "base/error.hpp"
 #include "render/camera.hpp"
+#include "render/hidden.hpp"
 
 #include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 namespace filum::render {
 
@@ -30,6 +32,38 @@ double width_of(const toolpath::Span& s, std::size_t i, double thread) {
     return toolpath::extrudes(s.role) ? s.width_at(i) : thread;
 }
 
+using Kept = std::vector<std::uint32_t>;
+
+// Distance of p from the segment a -> b.
+double off_segment(Vec3 a, Vec3 b, Vec3 p) {
+    const Vec3 d = b - a;
+    const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
+    return norm(p - (a + t * d));
+}
+
+// The points that a picture needs: those left out lie within `tolerance` mm of the line between those kept around them,
+// and so do the widths there.  Greedy; long stretches are cut after kLongest points.
+Kept visible_points(const toolpath::Span& s, double tolerance) {
+    constexpr std::size_t kLongest = 24;
+    Kept out{0};
+    const auto fits = [&](std::size_t a, std::size_t b) {
+        const double l = geom::distance(s.points[a], s.points[b]);
+        for (std::size_t i = a + 1; i < b; ++i) {
+            if (off_segment(s.points[a], s.points[b], s.points[i]) > tolerance) return false;
+            if (s.width.size() <= 1) continue;
+            const double t = l > 0 ? geom::distance(s.points[a], s.points[i]) / l : 0;
+            if (std::abs(s.width[i] - (1 - t) * s.width[a] - t * s.width[b]) > tolerance) return false;
+        }
+        return true;
+    };
+    for (std::size_t i = 1; i < s.points.size(); ++i) {
+        const std::size_t a = out.back();
+        if (i + 1 < s.points.size() && i + 1 - a <= kLongest && fits(a, i + 1)) continue;
+        out.push_back(static_cast<std::uint32_t>(i));
+    }
+    return out;
+}
+
 // Middle of v; `otherwise` if it is empty.
 double median(std::vector<double>& v, double otherwise) {
     if (v.empty()) return otherwise;
@@ -45,9 +79,10 @@ struct Tubes::State {
     RTCScene scene = nullptr;
     std::vector<Srgb8> colour; // per segment
     Vec3 centre, half;
-    double stretch = 1;   // z in Embree's space is z of the part times this
-    double thickness = 0; // mm
-    double lift = 0;      // mm from a bead's top, where the nozzle was, down to its axis
+    double stretch = 1;               // z in Embree's space is z of the part times this
+    double thickness = 0;             // mm
+    double width = 0.4, height = 0.2; // mm, of a typical bead
+    double lift = 0;                  // mm from a bead's top, where the nozzle was, down to its axis
 
     ~State() {
         if (scene != nullptr) rtcReleaseScene(scene);
@@ -77,7 +112,7 @@ void Tubes::State::measure(const Scene& s, bool travels) {
         if (!toolpath::extrudes(span.role)) continue;
         widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
     }
-    const double width = median(widths, 0.4), height = median(heights, 0.2);
+    width = median(widths, 0.4), height = median(heights, 0.2);
     stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
     Box box;
     for (const auto& span : s.spans)
@@ -91,9 +126,19 @@ void Tubes::State::measure(const Scene& s, bool travels) {
 }
 
 void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
+    std::vector<Kept> kept;
+    std::vector<bool> shown; // per segment between kept points
     std::size_t points = 0, segments = 0;
-    for (const auto& span : s.spans)
-        if (drawn(span, travels)) points += span.points.size(), segments += span.points.size() - 1;
+    const Hidden hidden(s, width, height);
+    for (const auto& span : s.spans) {
+        kept.push_back(drawn(span, travels) ? visible_points(span, 0.04 * thickness) : Kept{});
+        points += kept.back().size();
+        for (std::size_t m = 0; m + 1 < kept.back().size(); ++m) {
+            const bool bead = toolpath::extrudes(span.role);
+            shown.push_back(!bead || !hidden(span.points[kept.back()[m]], span.points[kept.back()[m + 1]]));
+            segments += shown.back() ? 1 : 0;
+        }
+    }
     if (segments == 0) return;
     if (points >= UINT32_MAX) throw Error(Exit::failure, "cannot draw more than 4 billion points; choose fewer layers");
     RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
@@ -106,24 +151,29 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     if (vertex == nullptr || index == nullptr || flags == nullptr) throw std::bad_alloc();
     colour.reserve(segments);
     unsigned at = 0;
+    std::size_t next = 0; // in shown
     for (std::size_t k = 0; k < s.spans.size(); ++k) {
         const auto& span = s.spans[k];
-        if (!drawn(span, travels)) continue;
+        const double fat = toolpath::extrudes(span.role) ? kOverlap / 2 : 0.5;
         double along = 0;
-        for (std::size_t i = 0; i < span.points.size(); ++i, ++at) {
+        for (std::size_t m = 0; m < kept[k].size(); ++m, ++at) {
+            const std::size_t i = kept[k][m];
             const Vec3 p = span.points[i] - centre;
-            const double fat = toolpath::extrudes(span.role) ? kOverlap / 2 : 0.5;
             const float v[4] = {static_cast<float>(p.x), static_cast<float>(p.y),
                                 static_cast<float>((p.z - lift) * stretch),
                                 static_cast<float>(fat * width_of(span, i, 0.3 * 2 * thickness))};
             std::memcpy(vertex + 4 * std::size_t{at}, v, sizeof v);
-            if (i + 1 == span.points.size()) continue;
-            const std::size_t n = colour.size();
-            index[n] = at;
-            flags[n] = static_cast<unsigned char>((i > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
-                                                  (i + 2 < span.points.size() ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
-            colour.push_back(render::colour(tint, s, k, i, along));
-            if (tint.by == By::progress) along += geom::distance(span.points[i], span.points[i + 1]);
+            if (m + 1 == kept[k].size()) continue;
+            if (shown[next]) {
+                const std::size_t n = colour.size();
+                index[n] = at;
+                const bool left = m > 0 && shown[next - 1], right = m + 2 < kept[k].size() && shown[next + 1];
+                flags[n] = static_cast<unsigned char>((left ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                                                      (right ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+                colour.push_back(render::colour(tint, s, k, i, along));
+            }
+            ++next;
+            if (tint.by == By::progress) along += geom::distance(span.points[i], span.points[kept[k][m + 1]]);
         }
     }
     rtcCommitGeometry(g);
@@ -132,7 +182,9 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
 }
 
 Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : state_(std::make_unique<State>()) {
-    const std::string config = threads > 0 ? "threads=" + std::to_string(threads) : "";
+    // Embree's limit holds for the whole process, and TBB complains where it is asked for more: none from all cores on.
+    const bool fewer = threads > 0 && static_cast<unsigned>(threads) < std::thread::hardware_concurrency();
+    const std::string config = fewer ? "threads=" + std::to_string(threads) : "";
     state_->device = rtcNewDevice(config.c_str());
     if (state_->device == nullptr) throw Error(Exit::failure, "cannot draw in perspective: Embree does not start");
     state_->scene = rtcNewScene(state_->device);

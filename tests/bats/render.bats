@@ -1,0 +1,93 @@
+#!/usr/bin/env bats
+# render from the outside: every stream, PNG and SVG, faults.
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR"
+    # a box of 20 x 10 x 1 mm, as binary STL: corner i at x = bit 0, y = bit 1, z = bit 2
+    local zero='\0\0\0\0' one='\0\0\x80\x3f' ten='\0\0\x20\x41' twenty='\0\0\xa0\x41' i x y z count=0
+    {
+        printf '%80s' box
+        printf '\14\0\0\0'
+        for i in 0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5; do
+            [ $((++count % 3)) -ne 1 ] || printf "$zero$zero$zero"
+            x=$zero y=$zero z=$zero
+            [ $((i & 1)) -eq 0 ] || x=$twenty
+            [ $((i & 2)) -eq 0 ] || y=$ten
+            [ $((i & 4)) -eq 0 ] || z=$one
+            printf "$x$y$z"
+            [ $((count % 3)) -ne 0 ] || printf '\0\0'
+        done
+    } > part.stl
+    slice part.stl | regions > part.regions
+    sequence part.regions | fill > part.paths
+    link3d part.paths > part.toolpath
+}
+
+setup() { cd "$BATS_FILE_TMPDIR"; }
+
+is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ]; }
+
+@test "every stream has a picture" {
+    slice part.stl > part.layers
+    for s in layers regions paths toolpath; do
+        render --size 80,60 part.$s -o $s.png 2> err
+        [ ! -s err ]
+        is_png $s.png
+        render --size 80,60 --layer 2 part.$s > $s.flat.png
+        is_png $s.flat.png
+        ! cmp -s $s.png $s.flat.png
+    done
+}
+
+@test "every colour and view has its own picture" {
+    for c in progress layer width speed class; do render --size 80,60 --color $c part.toolpath -o c-$c.png; done
+    for v in iso top front 1,1,0.2; do render --size 80,60 --view $v part.toolpath -o v-$v.png; done
+    [ "$(cat c-progress.png | cksum)" != "$(cat c-class.png | cksum)" ]
+    [ "$(cksum < v-iso.png)" != "$(cksum < v-top.png)" ]
+    [ "$(cksum < v-iso.png)" != "$(cksum < v-1,1,0.2.png)" ]
+}
+
+@test "threads change nothing" {
+    for t in 1 2 8; do
+        render --threads $t --size 160,120 part.toolpath -o t$t.png 2> err
+        [ ! -s err ]
+        render --threads $t --size 160,120 --layer 1 --regions part.regions part.toolpath -o f$t.png
+    done
+    cmp t1.png t2.png
+    cmp t1.png t8.png
+    cmp f1.png f8.png
+}
+
+@test "a layer as SVG, by name or by option" {
+    render --layer 0 --regions part.regions part.toolpath -o layer.svg
+    render --layer 0 --regions part.regions --svg part.toolpath > layer2.svg
+    cmp layer.svg layer2.svg
+    head -c 5 layer.svg | grep -q '<svg '
+    tail -n 1 layer.svg | grep -q '</svg>'
+    grep -q 'stroke-width="0.4"' layer.svg
+}
+
+@test "what does not fit together is refused" {
+    run render --svg part.toolpath
+    [ "$status" -eq 2 ]
+    run render --view 0,0,0 part.toolpath
+    [ "$status" -eq 2 ]
+    run render --color mauve part.toolpath
+    [ "$status" -eq 2 ]
+    run render --size 5 part.toolpath
+    [ "$status" -eq 2 ]
+    run render --layer 77 part.toolpath
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"nothing there"* ]]
+}
+
+@test "no picture is left of a stream cut short" {
+    head -c 400 part.toolpath > cut
+    run render cut -o cut.png
+    [ "$status" -eq 4 ]
+    [ ! -e cut.png ]
+    echo nonsense > bad
+    run render bad -o cut.png
+    [ "$status" -eq 3 ]
+    [ ! -e cut.png ]
+}

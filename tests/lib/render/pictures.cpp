@@ -1,0 +1,233 @@
+#include "render/draw.hpp"
+#include "render/flat.hpp"
+#include "render/layer.hpp"
+#include "render/perspective.hpp"
+
+#include "base/error.hpp"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cmath>
+
+namespace filum::render {
+
+namespace {
+
+// Decoded by libpng's simple interface, which shares nothing with the writer's calls.
+struct Decoded {
+    unsigned width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+    [[nodiscard]] Srgb8 at(unsigned x, unsigned y) const {
+        const auto* p = &rgb[(std::size_t{y} * width + x) * 3];
+        return {p[0], p[1], p[2]};
+    }
+    // Share of pixels that `test` holds for.
+    template <class F>
+    [[nodiscard]] double share(F&& test) const {
+        std::size_t n = 0;
+        for (unsigned y = 0; y < height; ++y)
+            for (unsigned x = 0; x < width; ++x) n += test(at(x, y)) ? 1 : 0;
+        return static_cast<double>(n) / (static_cast<double>(width) * height);
+    }
+};
+
+Decoded decode(const std::string& bytes) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    EXPECT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
+    image.format = PNG_FORMAT_RGB;
+    Decoded out{image.width, image.height, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};
+    EXPECT_NE(png_image_finish_read(&image, nullptr, out.rgb.data(), 0, nullptr), 0);
+    return out;
+}
+
+bool colourful(Srgb8 c) { return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) > 40; }
+bool red(Srgb8 c) { return c.r > 190 && c.g < 110 && c.b < 110; }
+
+toolpath::Span line(geom::Vec3 a, geom::Vec3 b, std::uint32_t layer = 0) {
+    return {toolpath::Role::bead, 0, layer, 0, {a, b}, {0.4}, {0.2}};
+}
+
+polygon::Region square(double x0, double y0, double x1, double y1) {
+    polygon::Region r;
+    r.z = r.height = 0.2;
+    const std::vector<geom::Vec2> p{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    r.loops.add(p);
+    r.area = (x1 - x0) * (y1 - y0);
+    return r;
+}
+
+// Ten lines of a square of 4 mm; the first `missing` left out.
+Scene filled(int missing = 0, geom::Vec3 at = {}) {
+    Scene s;
+    for (int k = missing; k < 10; ++k)
+        s.spans.push_back(line(at + geom::Vec3{0, 0.2 + 0.4 * k, 0.2}, at + geom::Vec3{4, 0.2 + 0.4 * k, 0.2}));
+    return s;
+}
+
+TEST(Png, ComesBackAsItWas) {
+    Image image(37, 21);
+    for (int y = 0; y < 21; ++y)
+        for (int x = 0; x < 37; ++x)
+            image.set(x, y, from_srgb8({static_cast<std::uint8_t>(7 * x), static_cast<std::uint8_t>(12 * y), 99}));
+    const Decoded d = decode(encode_png(image));
+    ASSERT_EQ(d.width, 37u);
+    ASSERT_EQ(d.height, 21u);
+    EXPECT_EQ(d.rgb, image.rgb);
+}
+
+TEST(Flat, ShowsASquareOfItsSize) {
+    Scene s = filled();
+    add(s, square(0, 0, 4, 4), {});
+    Options o;
+    o.layer = 0, o.size = {300, 300}, o.no_centres = true;
+    const Decoded d = decode(draw(s, o, "progress", 1));
+    // The longer side, 4.4 mm with the round ends, takes 0.94 of the width (or the shorter 0.90 of the height).
+    const double side = std::min(0.94 * 300 / 4.4, 0.90 * 300 / 4.0) * 4;
+    EXPECT_NEAR(d.share(colourful), side * side / 90000, 0.06);
+    EXPECT_LT(d.share(red), 0.01); // the dots where lines end
+}
+
+TEST(Flat, ShowsVoidsRed) {
+    Scene s = filled(5);
+    add(s, square(0, 0, 4, 4), {});
+    Options o;
+    o.layer = 0, o.size = {300, 300}, o.no_centres = true;
+    const Decoded d = decode(draw(s, o, "progress", 1));
+    const double side = std::min(0.94 * 300 / 4.4, 0.90 * 300 / 4.0) * 4;
+    EXPECT_NEAR(d.share(red), 0.5 * side * side / 90000, 0.03);
+}
+
+TEST(Flat, MarksOverlapDark) {
+    Scene once = filled(), twice = filled();
+    for (const auto& s : filled().spans) twice.spans.push_back(s);
+    const auto brightness = [](const Scene& s) {
+        Options o;
+        o.layer = 0, o.size = {200, 200}, o.color = "layer", o.no_centres = true;
+        const Decoded d = decode(draw(s, o, "layer", 1));
+        const Srgb8 c = d.at(100, 104); // off the borders between beads
+        return c.r + c.g + c.b;
+    };
+    EXPECT_LT(brightness(twice), 0.9 * brightness(once));
+}
+
+TEST(Flat, KnowsWhereStrokesStartAndEnd) {
+    Scene s;
+    s.spans.push_back(line({0, 0, 0.2}, {5, 0, 0.2}));
+    s.spans.push_back(line({5, 0, 0.2}, {5, 5, 0.2}));
+    s.spans.push_back({toolpath::Role::travel, 0, 0, 0, {{5, 5, 0.2}, {0, 5, 0.2}}, {}, {}});
+    s.spans.push_back(line({0, 5, 0.2}, {0, 9, 0.2}));
+    const FlatLayer l = flatten(s);
+    ASSERT_EQ(l.marks.size(), 4u);
+    EXPECT_EQ(l.marks[0].at, (geom::Vec2{0, 0}));
+    EXPECT_EQ(l.marks[1].at, (geom::Vec2{5, 5}));
+    EXPECT_EQ(l.marks[2].at, (geom::Vec2{0, 5}));
+    EXPECT_EQ(l.marks[3].at, (geom::Vec2{0, 9}));
+    EXPECT_EQ(l.travels.size(), 1u);
+    EXPECT_NEAR(l.width, 0.4, 1e-12);
+}
+
+TEST(Svg, HasTrueWidthsInMillimetres) {
+    Options o;
+    o.layer = 0, o.svg = true;
+    const std::string text = draw(filled(), o, "layer", 1);
+    EXPECT_EQ(text.rfind("<svg ", 0), 0u);
+    EXPECT_NE(text.find("width=\"5.2mm\""), std::string::npos); // 4 + 0.4 of ends + 2 * 0.4 of margin
+    std::size_t paths = 0;
+    for (std::size_t at = 0; (at = text.find("stroke-width=\"0.4\" d=\"M", at)) != std::string::npos; ++at) ++paths;
+    EXPECT_EQ(paths, 10u);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+TEST(Perspective, ShowsASlabFromAbove) {
+    Options o;
+    o.view = "top", o.size = {240, 180}, o.no_table = true;
+    const Decoded d = decode(draw(filled(), o, "layer", 1));
+    const double side = 0.9 * 180; // 4 mm across the height, 4.4 along the width
+    EXPECT_NEAR(d.share(colourful), side * side * 1.1 / (240 * 180), 0.12);
+    EXPECT_FALSE(colourful(d.at(3, 3)));
+}
+
+TEST(Perspective, IsTheSameForAnyThreads) {
+    Options o;
+    o.size = {200, 150};
+    const std::string one = draw(filled(), o, "progress", 1);
+    EXPECT_EQ(one, draw(filled(), o, "progress", 2));
+    EXPECT_EQ(one, draw(filled(), o, "progress", 8));
+    o.layer = 0;
+    EXPECT_EQ(draw(filled(), o, "progress", 1), draw(filled(), o, "progress", 8));
+}
+
+TEST(Perspective, IsTheSameFarFromTheOrigin) {
+    Options o;
+    o.size = {120, 90};
+    // 2^20: nothing is lost by moving there but the last few bits.
+    const Decoded here = decode(draw(filled(), o, "layer", 1));
+    const Decoded there = decode(draw(filled(0, {1048576, -1048576, 0}), o, "layer", 1));
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < here.rgb.size(); ++i) off += std::abs(here.rgb[i] - there.rgb[i]) > 24 ? 1 : 0;
+    EXPECT_LT(static_cast<double>(off) / static_cast<double>(here.rgb.size()), 0.02);
+}
+
+TEST(Pictures, OfNothingAndNextToNothing) {
+    Scene dot;
+    dot.spans.push_back(line({1e8, 1e8, 0.2}, {1e8, 1e8, 0.2}));
+    for (const bool flat : {false, true}) {
+        for (const char* color : {"progress", "stroke", "layer", "width", "class"}) {
+            Options o;
+            o.size = {64, 48}, o.color = color, o.layer = flat ? 0 : -1;
+            EXPECT_EQ(decode(draw({}, o, color, 1)).width, 64u);
+            EXPECT_EQ(decode(draw(dot, o, color, 1)).height, 48u);
+            o.svg = flat;
+            EXPECT_EQ(draw(dot, o, color, 1).find("nan"), std::string::npos);
+        }
+    }
+}
+
+TEST(Pictures, OutlinesAreDrawnAsSolids) {
+    Scene s;
+    for (std::uint32_t k = 0; k < 10; ++k) {
+        auto r = square(0, 0, 3, 3);
+        r.layer = k, r.z = 0.2 * (k + 1);
+        add(s, r, {});
+    }
+    Options o;
+    o.size = {120, 90}, o.no_table = true;
+    EXPECT_GT(decode(draw(s, o, "stroke", 1)).share(colourful), 0.2);
+    o.layer = 3;
+    Scene flat;
+    add(flat, square(0, 0, 3, 3), {});
+    EXPECT_GT(decode(draw(flat, o, "stroke", 1)).share([](Srgb8 c) { return c.b > c.r + 25; }), 0.3);
+}
+
+TEST(Pictures, RangesLeaveLayersOut) {
+    Scene s;
+    for (std::uint32_t k = 0; k < 5; ++k) add(s, line({0, 0, 0.2}, {1, 0, 0.2}, k), {1, 3});
+    EXPECT_EQ(s.spans.size(), 3u);
+}
+
+TEST(Pictures, RefuseOptionsThatDoNotFit) {
+    for (const auto& bad : {Options{.view = "0,0,0"}, Options{.view = "1,2"}, Options{.view = "up"},
+                            Options{.regions = "r"}, Options{.svg = true}})
+        EXPECT_THROW(check(bad), Error);
+    EXPECT_NO_THROW(check(Options{.view = "1,-2,0.5"}));
+}
+
+TEST(Colour, RampGetsSteadilyLighter) {
+    double last = -1;
+    for (int k = 0; k <= 100; ++k) {
+        const Rgb c = ramp(k / 100.0);
+        const double y = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+        EXPECT_GT(y, last);
+        last = y;
+    }
+    const Srgb8 grey = to_srgb8(oklch(0.5, 0, 0));
+    EXPECT_NEAR(grey.r, grey.g, 1);
+    EXPECT_NEAR(grey.g, grey.b, 1);
+    EXPECT_EQ(hex(from_srgb8({18, 171, 255})), "#12abff");
+}
+
+} // namespace
+
+} // namespace filum::render
