@@ -1,51 +1,79 @@
 // link3d - curves to one toolpath
 // reads:  Paths
 // writes: Toolpath
-// memory: two regions
+// memory: the regions it looks ahead
 #include "cli/command.hpp"
+#include "link3d/linker.hpp"
 #include "wire/planar.hpp"
 
 namespace {
 
 using namespace filum;
 
-struct Options {};
+struct Options {
+    double reach = link3d::Options{}.reach;
+    std::int64_t look_ahead = link3d::Options{}.look_ahead;
+    std::string connect = "break", seam = "nearest";
+};
 
-cli::Spec spec(Options&) {
-    return {.name = "link3d",
-            .synopsis = "curves to one toolpath",
-            .description = "Links.",
-            .in = cli::reads(stream::Payload::paths),
-            .out = cli::writes(stream::Payload::toolpath),
-            .memory = "two regions",
-            .options = {},
-            .examples = {
-                {"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"}}};
+cli::Spec spec(Options& o) {
+    return {
+        .name = "link3d",
+        .synopsis = "curves to one toolpath",
+        .description =
+            "Cuts every closed curve open where it is entered, and joins curves, regions and layers to strokes: "
+            "stretches "
+            "that a machine prints without stopping.\n\n"
+            "Regions are printed in the order in which they arrive. Where `sequence` says that a region continues the "
+            "one "
+            "below it, the nozzle rises on the spot and reaches the nearest place of the next curve by a short jog, at "
+            "half a bead's width, which crosses no bead. If the next curve is out of reach, a lane is laid before, "
+            "from "
+            "the end of the curve along the middle of the strip between two of its beads, to where the next region is "
+            "in "
+            "reach; both beads beside it are thinned so that the amount of material stays the same. Entries drift "
+            "towards where the part goes, within reach, as far as the regions are known, so that lanes stay rare.\n\n"
+            "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and "
+            "crosses no bead. Whatever cannot be joined is a break: the nozzle travels, level, or over what the head "
+            "would meet on the way. Retraction and lift are added by `postproc`.\n\n"
+            "A region in another place can be reached by a connector outside everything printed, to be trimmed later. "
+            "It needs a straight way out of the one region and into the other; where there is none, there is a break. "
+            "A "
+            "join that the input asks for and that becomes a break is reported.",
+        .in = cli::reads(stream::Payload::paths),
+        .out = cli::writes(stream::Payload::toolpath),
+        .memory = "the regions it looks ahead",
+        .options =
+            {cli::Option{"reach", &o.reach, "WIDTHS", "the longest jog, in bead widths; 0 stops after every curve"}
+                 .at_least(0)
+                 .at_most(10),
+             cli::Option{"look-ahead", &o.look_ahead, "REGIONS", "how many regions are read before one is printed"}
+                 .at_least(1)
+                 .at_most(1000),
+             cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
+                 {"break", "outside"}),
+             cli::Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}
+                 .one_of({"nearest", "inside"})},
+        .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
+                     {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
+                      "with connectors around the part instead of stops"}},
+        .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
-void run(const Options&, const cli::Io& io) {
-    geom::Vec3 at{};
-    bool first = true;
-    std::uint32_t stroke = 0;
+void run(const Options& o, const cli::Io& io) {
+    link3d::Options options;
+    options.reach = o.reach;
+    options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
+    options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
+    options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
+    link3d::Linker linker(options);
+    const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
     cli::scan_stage(
         io, stream::Payload::paths, stream::Payload::toolpath,
-        [&](const stream::RawFrame& frame, const auto& emit, Notes&) {
-            const auto p = wire::paths(frame);
-            for (const auto& c : p.curves) {
-                toolpath::Span s{toolpath::Role::bead, 0, p.layer, p.region, {}, {c.width_at(0)}, {p.height}};
-                for (const auto q : c.points) s.points.push_back({q.x, q.y, p.z});
-                if (c.closed) s.points.push_back(s.points.front());
-                if (!first) {
-                    emit(wire::frame(toolpath::Span{
-                        toolpath::Role::travel, stroke, p.layer, p.region, {at, s.points.front()}, {}, {}}));
-                    ++stroke;
-                }
-                first = false;
-                s.stroke = stroke;
-                at = s.points.back();
-                emit(wire::frame(s));
-            }
-        });
+        [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
+            linker.add(wire::paths(frame), to(emit), notes);
+        },
+        [&](const auto& emit, Notes& notes) { linker.finish(to(emit), notes); });
 }
 
 } // namespace

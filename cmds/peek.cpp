@@ -1,35 +1,96 @@
-// peek - shows what is in a stream
+// peek - show or verify what is in a stream
 // reads:  any stream
 // writes: text
 // memory: one frame
 #include "cli/command.hpp"
+#include "show/text.hpp"
 #include "stream/reader.hpp"
 
 namespace {
 
+using namespace filum;
+
 struct Options {
-    bool check = false;
+    bool check = false, text = false, json = false, script = false, defaults = false, frames = false;
+    std::int64_t decimals = 6;
 };
 
-filum::cli::Spec spec(Options& o) {
-    using namespace filum::cli;
-    return {.name = "peek",
-            .synopsis = "show what is in a stream",
-            .description = "Prints the header.",
-            .in = reads(filum::stream::Payload::unknown),
-            .out = text("text"),
-            .memory = "one frame",
-            .options = {{"check", &o.check, "", "only verify"}},
-            .examples = {}};
+cli::Spec spec(Options& o) {
+    return {
+        .name = "peek",
+        .synopsis = "show or verify what is in a stream",
+        .description =
+            "Reads a whole stream of any kind, from a file or standard input, and prints its payload, its history with "
+            "all settings, and a summary of its contents: how many frames, points, layers and strokes, areas, bounds, "
+            "and the sums of the notes by which stages tell what they dropped, repaired or could not place.\n\n"
+            "The stream is verified as it is read: the preamble, every frame and its values, the checksum, the end "
+            "frame. A stream whose writer did not finish ends with exit code 4, a corrupt one with 3; --check does "
+            "only "
+            "that and prints nothing else.\n\n"
+            "--text prints every frame in a form made for grep and diff, --json the same for programs, --script the "
+            "pipeline that made the stream. Of a stream that is cut or corrupt they print what comes before the fault.",
+        .in = cli::reads(stream::Payload::unknown),
+        .out = cli::text("text or JSON"),
+        .memory = "one frame",
+        .options = {{"check", &o.check, "", "only verify: print nothing, tell by the exit code"},
+                    {"text", &o.text, "", "print every frame, a line for each point"},
+                    cli::Option{"decimals", &o.decimals, "N", "digits behind the point in --text"}.at_least(0).at_most(
+                        9),
+                    {"json", &o.json, "", "print header, frames and summary as one JSON object"},
+                    {"frames", &o.frames, "", "print a line for each frame: offset of its first byte, and its kind"},
+                    {"script", &o.script, "", "print a bash script that makes the stream from its input again"},
+                    {"defaults", &o.defaults, "", "with --script: give options also where they have their default"}},
+        .examples = {{"slice part.stl | peek", "what slice made of a part"},
+                     {"slice part.stl | regions | peek --text", "every region, point by point"},
+                     {"slice part.stl | regions | sequence | fill | peek --check && echo fine", "verify a chain"},
+                     {"slice part.stl --output part.layers && peek --script part.layers", "how a file was made"}},
+        .see_also = {"filum", "filum-slice"},
+        .arguments = "[STREAM]"};
 }
 
-void run(const Options&, const filum::cli::Io& io) {
-    filum::stream::Reader reader(io.input, filum::stream::Payload::unknown);
-    std::size_t n = 0;
-    while (reader.next()) ++n;
-    io.say(std::to_string(n));
+// Prints the frames and sums them up.
+show::Summary read_frames(const Options& o, stream::Reader& reader, stream::Sink& out) {
+    show::Summary summary;
+    bool first = true;
+    for (std::uint64_t at = reader.offset(); const auto frame = reader.next(); at = reader.offset()) {
+        const show::Record record = show::record(*frame);
+        if (frame->tag == stream::Tag::note)
+            add(summary, stream::parse_note(frame->body));
+        else
+            add(summary, record);
+        if (o.json) out.write((first ? "\n" : ",\n") + show::json(record));
+        if (o.text) out.write(show::text(record, static_cast<int>(o.decimals)));
+        if (o.frames) out.write(std::to_string(at) + " " + record.kind + "\n");
+        first = false;
+    }
+    return summary;
+}
+
+void run(const Options& o, const cli::Io& io) {
+    if (o.check + o.text + o.json + o.script + o.frames > 1)
+        throw Error(Exit::usage, "cannot use two of --check, --text, --json, --frames and --script at once");
+    stream::Reader reader(io.input, stream::Payload::unknown);
+    stream::Sink out(io.output, stream::Sink::Content::text);
+    if (o.json)
+        out.write("{\"header\":" + show::json(reader.header()) + ",\"frames\":[");
+    else if (!o.check && !o.script && !o.frames)
+        out.write(show::text(reader.header()));
+    show::Summary summary;
+    try {
+        summary = read_frames(o, reader, out);
+    } catch (const Error&) {
+        if (io.output == "-") out.commit(); // show how far it goes
+        throw;
+    }
+    if (o.json)
+        out.write("],\n\"summary\":" + show::json(summary) + "}\n");
+    else if (o.script)
+        out.write(show::script(reader.header(), o.defaults));
+    else if (!o.check && !o.text && !o.frames)
+        out.write(show::text(summary));
+    out.commit();
 }
 
 } // namespace
 
-int main(int argc, char** argv) { return filum::cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

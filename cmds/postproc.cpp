@@ -1,59 +1,108 @@
 // postproc - a toolpath to machine code
 // reads:  Toolpath
 // writes: text
-// memory: one span
-#include "base/number.hpp"
+// memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
 #include "cli/command.hpp"
+#include "postproc/about.hpp"
+#include "postproc/program.hpp"
+#include "stream/spool.hpp"
 #include "wire/planar.hpp"
-
-#include <numbers>
 
 namespace {
 
 using namespace filum;
 
-struct Options {
-    std::string machine = "marlin";
-};
+constexpr const char* kDescription =
+    "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
+    "travel with the retraction and lift of the machine's profile. Within a stroke there is no move without material "
+    "and nothing is taken back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
+    "The toolpath is read to its end before the first line is written, because the head of the program holds the time "
+    "and the material, the part is centred on the bed, and limits are checked first. So a toolpath that is cut short "
+    "or breaks a limit gives no program at all. A program cut short later (a full disk, a killed process) lacks its "
+    "last line, 'end of program'.\n\n"
+    "A machine is a TOML file: NAME.toml in the folders of $FILUM_PROFILES or in share/filum/profiles, or any file "
+    "given by its path. Copy the nearest one and edit it; each key is explained there. Known are marlin, klipper, "
+    "reprapfirmware (filament), linuxcnc (three axes and an extruder axis), cellink-inkredible and bio-x (valves), and "
+    "syringe (a plunger). A bead above limits.section, a place off the bed, a feed above motion.max_speed is an error "
+    "that names the place or the key; feeds are lowered by themselves to keep limits.flow and motion.max_speed_z.\n\n"
+    "Templates in the profile hold the codes of the start, the end, and each layer; {names} in them stand for "
+    "numbers: every name of the profile's [values], and x_min x_max y_min y_max z_min z_max (the part), x_start "
+    "y_start z_start (the first stroke), bed_x_min bed_x_max bed_y_min bed_y_max bed_z_max, z_park (10 mm above the "
+    "part), layer layers z height, path_len travel_len (mm), time (s), strokes, material_mm3, material_e (in units of "
+    "the extruder), travel_feed z_feed (mm/min).";
 
-cli::Spec spec(Options& o) {
+cli::Spec spec(postproc::Options& o) {
     return {
         .name = "postproc",
         .synopsis = "a toolpath to machine code",
-        .description = "Writes.",
+        .description = kDescription,
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
-        .memory = "one span",
-        .options = {{"machine", &o.machine, "NAME", "machine profile"}},
+        .memory = "one span; what else arrives is kept, beyond 48 MiB in a temporary file in $TMPDIR",
+        .options = {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
+                    cli::Option{"place", &o.place, "",
+                                "where the part goes: center puts the middle of the toolpath on the middle of the "
+                                "bed, as-is keeps its coordinates"}
+                        .one_of({"center", "as-is"}),
+                    {"set", &o.set, "KEY=VALUE,...",
+                     "change keys of the profile, as feeds.bead=40; a key without a section is one of [values], as "
+                     "nozzle_temp=230"}},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
-                      "G-code"}}};
+                      "G-code for a filament printer"},
+                     {"slice part.stl | regions | sequence | fill | link3d | postproc --machine klipper --set "
+                      "nozzle_temp=230,feeds.bead=80 -o part.gcode",
+                      "the same, hotter and faster"},
+                     {"slice part.stl | regions | sequence | fill | link3d | postproc --machine linuxcnc -o part.ngc",
+                      "for LinuxCNC"}},
+        .see_also = {"link3d", "metrics", "sequence"}};
 }
 
-void run(const Options&, const cli::Io& io) {
+std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io& io, const machine::Profile& profile) {
+    std::vector<postproc::Stage> out;
+    const auto add = [&out](const std::string& program, const std::vector<stream::Setting>& settings) {
+        out.push_back({program, {}});
+        for (const auto& s : settings) out.back().settings.emplace_back(s.name, s.value);
+    };
+    for (const auto& run : before.history) add(run.program, run.settings);
+    add(io.program, io.settings);
+    auto& own = out.back().settings;
+    own.insert(own.begin(), {"machine", profile.name + " (profile " + profile.fingerprint + ")"});
+    return out;
+}
+
+void run(const postproc::Options& o, const cli::Io& io) {
+    const auto profile = machine::load_profile(o.machine, o.set);
     stream::Reader reader(io.input, stream::Payload::toolpath);
-    stream::Sink out(io.output, stream::Sink::Content::text);
-    out.write("G21\nG90\nM83\n");
-    const double filament = std::numbers::pi * 1.75 * 1.75 / 4;
-    while (auto f = reader.next()) {
-        if (f->tag == stream::Tag::note) continue;
-        const auto s = wire::span(*f);
-        std::string text;
-        for (std::size_t i = 0; i + 1 < s.points.size(); ++i) {
-            const auto& q = s.points[i + 1];
-            text += toolpath::extrudes(s.role) ? "G1 X" : "G0 X";
-            append_fixed(text, q.x, 3);
-            text += " Y";
-            append_fixed(text, q.y, 3);
-            text += " Z";
-            append_fixed(text, q.z, 3);
-            if (toolpath::extrudes(s.role)) text += " E", append_fixed(text, toolpath::volume(s, i) / filament, 5);
-            text += "\n";
+    stream::Sink sink(io.output, stream::Sink::Content::text);
+    stream::Spool spool;
+    cli::Progress progress(io, reader.header().expected);
+    Notes notes;
+    postproc::Surveyor surveyor(profile);
+    postproc::Walk measured(profile, [&](auto steps) { surveyor.add(steps); });
+    while (auto frame = reader.next()) {
+        if (frame->tag == stream::Tag::note) {
+            notes.push_back(stream::parse_note(frame->body));
+            continue;
         }
-        out.write(text);
+        measured.add(wire::span(*frame));
+        spool.add(std::move(*frame));
+        progress.step();
     }
-    out.commit();
+    measured.end();
+    const auto survey = surveyor.end();
+    const auto place = o.place == "center" ? postproc::Place::center : postproc::Place::as_is;
+    const auto shift = postproc::placement(survey, profile.bed, place);
+    postproc::check_limits(survey, profile, shift);
+
+    postproc::Program program(profile, survey, shift, [&](std::string_view text) { sink.write(text); });
+    program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes));
+    postproc::Walk written(profile, [&](auto steps) { program.add(steps); });
+    while (const auto frame = spool.next()) written.add(wire::span(*frame));
+    written.end();
+    program.end();
+    sink.commit();
 }
 
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<postproc::Options>(argc, argv, spec, run); }

@@ -1,43 +1,116 @@
-// sequence - processing order over all layers
+// sequence - the order in which all regions are printed
 // reads:  Regions
 // writes: Regions
-// memory: one region
+// memory: the whole graph
+#include "sequence/sequence.hpp"
+#include "base/number.hpp"
 #include "cli/command.hpp"
 #include "wire/planar.hpp"
+
+#include <numbers>
 
 namespace {
 
 using namespace filum;
 
 struct Options {
-    std::string order = "layers";
+    std::string order = "columns", head = "ordinary";
+    std::int64_t budget = 100;
+    double flat_radius = 0.2, cone_angle_deg = 60, cone_height = 8, gantry_height = 0;
+    std::vector<double> carriage{40, 40};
+    bool report = false;
 };
 
 cli::Spec spec(Options& o) {
-    return {.name = "sequence",
-            .synopsis = "processing order over all layers",
-            .description = "Layer by layer.",
-            .in = cli::reads(stream::Payload::regions),
-            .out = cli::writes(stream::Payload::regions),
-            .memory = "the whole graph",
-            .options = {cli::Option{"order", &o.order, "", "how to order"}.one_of({"layers"})},
-            .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"}}};
+    return {
+        .name = "sequence",
+        .synopsis = "order the regions of all layers so that few strokes print them",
+        .description =
+            "A stroke climbs from a region to one above it without stopping wherever 'regions' found that it can. Two "
+            "things hold it back: a region must wait for those that carry it, and the head must not touch what stands "
+            "there already. So a column is climbed until the head would come too close to its neighbours, then "
+            "another one catches up. To go layer by layer is always possible; the result is never worse than that.\n\n"
+            "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
+            "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"
+            "Strokes are the climbs without a stop. How few are possible is hard to know in general: searches of "
+            "growing "
+            "width are made until one is proven best or --budget is used up. The order, the strokes and the joins are "
+            "written into the regions. The number of strokes, a lower bound that no order can beat under the same head "
+            "(lower-bound), the least by the links alone (path-cover), and what going layer by layer needs at least "
+            "(layer-floor) travel with the stream and are printed with --report.",
+        .in = cli::reads(stream::Payload::regions),
+        .out = cli::writes(stream::Payload::regions),
+        .memory = "the whole graph",
+        .options =
+            {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
+                 {"columns", "layers"}),
+             cli::Option{"head", &o.head, "HEAD",
+                         "the head to keep clear of: ordinary, as the next options say, or none"}
+                 .one_of({"ordinary", "none"}),
+             cli::Option{"flat-radius", &o.flat_radius, "MM", "radius of the flat at the nozzle's tip"}.at_least(0),
+             cli::Option{"cone-angle", &o.cone_angle_deg, "DEG", "whole angle of the nozzle's cone"}
+                 .at_least(0)
+                 .at_most(175),
+             cli::Option{"cone-height", &o.cone_height, "MM", "height of the carriage above the tip"}.above(0),
+             cli::Option{"carriage", &o.carriage, "MM,MM", "size of the carriage in x and y, the nozzle in its middle"}
+                 .at_least(0)
+                 .numbers(2),
+             cli::Option{"gantry-height", &o.gantry_height, "MM",
+                         "height of the gantry above the tip, 0 for out of reach"}
+                 .at_least(0),
+             cli::Option{"budget", &o.budget, "MILLIONS", "steps that the search may take, about 5 ms per million"}
+                 .at_least(0)
+                 .at_most(1e6),
+             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
+        .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
+                     {"slice part.stl | regions | sequence --head none --report > part.sequence",
+                      "the fewest strokes, if the head were a needle"},
+                     {"slice part.stl | regions | sequence --order layers > part.sequence", "strictly layer by layer"}},
+        .see_also = {"regions", "fill", "link3d"}};
 }
 
-void run(const Options&, const cli::Io& io) {
-    std::int64_t last = -1;
-    std::uint32_t stroke = 0;
-    cli::scan_stage(io, stream::Payload::regions, stream::Payload::regions,
-                    [&](const stream::RawFrame& frame, const auto& emit, Notes&) {
-                        auto r = wire::region(frame);
-                        r.join = Join::start;
-                        for (const auto& o : r.below)
-                            if (o.below == last && o.inradius > 0) r.join = Join::vertical;
-                        if (r.join == Join::start && last >= 0) ++stroke;
-                        r.stroke = stroke;
-                        last = r.id;
-                        emit(wire::frame(r));
-                    });
+machine::Head head(const Options& o) {
+    machine::Head h;
+    h.none = o.head == "none";
+    h.flat_radius = o.flat_radius;
+    h.cone_angle = o.cone_angle_deg * std::numbers::pi / 180;
+    h.cone_height = o.cone_height;
+    h.carriage_x = o.carriage[0];
+    h.carriage_y = o.carriage[1];
+    if (o.gantry_height > 0) h.gantry_height = o.gantry_height;
+    return h;
+}
+
+void run(const Options& o, const cli::Io& io) {
+    std::vector<stream::RawFrame> frames;
+    std::vector<polygon::Region> regions;
+    auto whole = cli::read_all(io.input, stream::Payload::regions, [&](stream::RawFrame frame) {
+        regions.push_back(wire::region(frame));
+        frames.push_back(std::move(frame));
+    });
+    sequence::Options options;
+    options.head = head(o);
+    options.by_layers = o.order == "layers";
+    options.budget = static_cast<std::uint64_t>(o.budget) * 1'000'000;
+    auto result = sequence::sequence(std::move(regions), options);
+
+    whole.header.expected = frames.size();
+    stream::Writer writer(io.output, cli::header(io, stream::Payload::regions, {&whole.header}));
+    for (const auto& note : whole.notes) writer.write(note);
+    for (const auto& fact : whole.facts) writer.write(fact);
+    for (auto& fact : result.facts) {
+        fact.stage = io.program;
+        writer.write(fact);
+        if (o.report) io.say(fact.name + " " + fixed_text(fact.value, 4));
+    }
+    for (std::size_t i = 0; i < result.order.size(); ++i) {
+        const auto frame = std::move(frames[result.order[i]]);
+        auto region = wire::region(frame);
+        region.stroke = result.stroke[i];
+        region.join = result.join[i];
+        writer.write(wire::frame(region));
+    }
+    writer.close();
 }
 
 } // namespace

@@ -7,7 +7,9 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <malloc.h>
 #include <new>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,7 +17,8 @@
 namespace filum::cli {
 
 void Io::say(const std::string& text) const {
-    const std::string line = program + ": " + text + "\n"; // one write, so that stages do not mix their lines
+    // One write, so that stages do not mix their lines; on a terminal it takes the place of a progress bar.
+    const std::string line = (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + program + ": " + text + "\n";
     if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;
 }
 
@@ -106,7 +109,7 @@ void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapW
         io.threads, [&] { return reader.next(); },
         [&](stream::RawFrame frame) {
             MapResult result;
-            if (frame.tag == stream::Tag::note)
+            if (stream::is_remark(frame.tag))
                 result.frames.push_back(std::move(frame));
             else
                 result.frames = work(std::move(frame), result.notes);
@@ -141,7 +144,7 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     };
     Notes notes;
     while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) {
+        if (stream::is_remark(frame->tag)) {
             writer.write(*frame);
             continue;
         }
@@ -155,34 +158,86 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     report.say();
 }
 
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+    stream::Writer writer(io.output, header);
+    Report report(io);
+    Progress progress(io, parts);
+    const auto tell = [&](Notes& notes) {
+        for (Note& note : notes) {
+            note.stage = io.program;
+            writer.write(note);
+            report.add(note);
+        }
+    };
+    tell(found);
+    std::size_t next = 0;
+    parallel::ordered<std::size_t, MapResult>(
+        io.threads, [&]() -> std::optional<std::size_t> { return next < parts ? std::optional(next++) : std::nullopt; },
+        [&](std::size_t part) {
+            MapResult result;
+            result.frames = work(part, result.notes);
+            return result;
+        },
+        [&](MapResult result) {
+            for (const auto& frame : result.frames) writer.write(frame);
+            tell(result.notes);
+            progress.step();
+        });
+    writer.close();
+    report.say();
+}
+
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
     stream::Reader reader(path, expected);
-    Whole out{reader.header(), {}};
+    Whole out{reader.header(), {}, {}};
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note)
             out.notes.push_back(stream::parse_note(f->body));
+        else if (f->tag == stream::Tag::fact)
+            out.facts.push_back(stream::parse_fact(f->body));
         else
             frame(std::move(*f));
     }
     return out;
 }
 
-namespace detail {
-
 namespace {
 
-int fail(const Io& io, Exit exit, const std::string& what) {
-    io.say(what);
+// Frames come and go by the megabyte: returning each to the system costs three times as much as copying it.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    ::mallopt(M_MMAP_THRESHOLD, 256 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
+int fail(const std::string& program, Exit exit, const std::string& what) {
+    Io io;
+    io.program = program;
+    // In a chain started by the front command, a cut stream is told by the stage that failed.
+    if (exit != Exit::truncated || std::getenv("FILUM_CHAIN") == nullptr) io.say(what);
     return static_cast<int>(exit);
 }
 
 } // namespace
 
-int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work) {
+int guarded(const std::string& program, const std::function<int()>& work) {
     std::signal(SIGPIPE, SIG_DFL); // a reader that leaves ends us quietly
-    Io io;
-    io.program = spec.name;
     try {
+        return work();
+    } catch (const Error& e) {
+        return fail(program, e.exit(), e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(program, Exit::failure, "cannot go on: out of memory; see MEMORY USAGE in the manual");
+    } catch (const std::exception& e) {
+        return fail(program, Exit::failure, std::string("internal error: ") + e.what());
+    }
+}
+
+int detail::run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work) {
+    keep_freed_memory();
+    return guarded(spec.name, [&] {
+        Io io;
         const std::string text = parse(argc, argv, spec, io);
         if (text.empty()) {
             work(io);
@@ -192,15 +247,7 @@ int run(int argc, char** argv, const Spec& spec, const std::function<void(const 
         out.write(text);
         out.commit();
         return 0;
-    } catch (const Error& e) {
-        return fail(io, e.exit(), e.what());
-    } catch (const std::bad_alloc&) {
-        return fail(io, Exit::failure, "cannot go on: out of memory; see MEMORY USAGE in the manual");
-    } catch (const std::exception& e) {
-        return fail(io, Exit::failure, std::string("internal error: ") + e.what());
-    }
+    });
 }
-
-} // namespace detail
 
 } // namespace filum::cli

@@ -59,8 +59,8 @@ class Progress {
     bool active_ = false;
 };
 
-// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes of the input pass through; `work`
-// adds its own.  Writes the end frame only if the input's was read.
+// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass through;
+// `work` adds its own notes.  Writes the end frame only if the input's was read.
 using MapWork = std::function<std::vector<stream::RawFrame>(stream::RawFrame, Notes&)>;
 void map_stage(const Io& io, stream::Payload reads, stream::Payload writes, const MapWork& work);
 
@@ -70,12 +70,21 @@ using ScanEnd = std::function<void(const std::function<void(stream::RawFrame)>&,
 void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, const ScanWork& work,
                 const ScanEnd& end = {});
 
-// Reads a whole stream: calls `frame` per payload frame and collects the notes.  For folds and sinks.
+// Shape "source": no stream comes in; `parts` pieces of work, on all cores, give the frames of the output in order.
+// `found` is what was noted before.  The header's settings may be more than io.settings: what identifies the input.
+using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
+
+// Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {
     stream::Header header;
     Notes notes;
+    Facts facts;
 };
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
+
+// Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
+int guarded(const std::string& program, const std::function<int()>& work);
 
 namespace detail {
 int run(int argc, char** argv, const Spec& spec, const std::function<void(const Io&)>& work);

@@ -71,18 +71,29 @@ constexpr const char* kExits[][2] = {{"0", "all went well"},
                                      {"4", "the input ends too early: a stage before did not finish"},
                                      {"5", "reading or writing failed"}};
 
+// Text for the inside of a manual page: nothing in it is a request or the end of an argument.
 std::string roff(const std::string& text) {
     std::string out;
     for (const char c : text) {
-        if (c == '\\' || c == '-') out += '\\';
-        out += c;
+        if ((c == '.' || c == '\'') && (out.empty() || out.back() == '\n')) out += "\\&";
+        if (c == '"')
+            out += "\\(dq";
+        else if (c == '\\')
+            out += "\\e";
+        else if (c == '-')
+            out += "\\-";
+        else
+            out += c;
     }
     return out;
 }
 
+// Installed pages are called filum-slice.1, so that no other program's page is hidden.
+std::string page_name(const Spec& spec) { return spec.name == "filum" ? spec.name : "filum-" + spec.name; }
+
 } // namespace
 
-std::string version() { return "0.1.0"; }
+std::string version() { return FILUM_VERSION; }
 
 std::string value_text(const Option& o) {
     if (auto* const* d = std::get_if<double*>(&o.target)) return shortest_text(**d);
@@ -95,7 +106,9 @@ std::string value_text(const Option& o) {
     return out;
 }
 
-Port reads(stream::Payload p) { return {Port::Kind::stream, p, std::string(stream::name(p))}; }
+Port reads(stream::Payload p) {
+    return {Port::Kind::stream, p, p == stream::Payload::unknown ? "any stream" : std::string(stream::name(p))};
+}
 Port writes(stream::Payload p) { return reads(p); }
 Port file(std::string text) { return {Port::Kind::file, stream::Payload::unknown, std::move(text)}; }
 Port text(std::string text) { return {Port::Kind::text, stream::Payload::unknown, std::move(text)}; }
@@ -116,14 +129,14 @@ std::string help(const Spec& spec) {
     }
     if (!spec.examples.empty()) out += "\nexamples:\n";
     for (const Example& e : spec.examples) out += "  " + e.command + "\n      " + e.says + "\n";
-    out += "\nexit codes:";
-    for (const auto& e : kExits) out += std::string(" ") + e[0] + " " + e[1] + (e[0][0] == '5' ? "\n" : ",");
+    out += "\nexit codes:\n";
+    for (const auto& e : kExits) out += std::string("  ") + e[0] + "  " + e[1] + "\n";
     return out;
 }
 
 std::string man_page(const Spec& spec) {
-    std::string out = ".TH " + spec.name + " 1 \"\" \"filum " + version() + "\" \"Filum\"\n";
-    out += ".SH NAME\n" + roff(spec.name + " - " + spec.synopsis) + "\n";
+    std::string out = ".TH " + page_name(spec) + " 1 \"\" \"filum " + version() + "\" \"Filum\"\n";
+    out += ".SH NAME\n" + roff(page_name(spec) + " - " + spec.synopsis) + "\n";
     out += ".SH SYNOPSIS\n" + roff(usage(spec)) + "\n.SH DESCRIPTION\n";
     std::string body = roff(spec.description);
     for (std::size_t at = 0; (at = body.find("\n\n", at)) != std::string::npos; at += 4) body.replace(at, 2, "\n.PP\n");
@@ -162,7 +175,10 @@ std::string completion_line(const Spec& spec) {
     std::string out = spec.name;
     for (const Option& o : with_common(spec)) {
         out += " --" + o.name;
-        if (!o.choices.empty()) out += "=" + join(o.choices, ",");
+        if (!o.choices.empty())
+            out += "={" + join(o.choices, ",") + "}";
+        else if (const std::string value = value_name(o); !value.empty())
+            out += "=" + value;
     }
     return out + "\n";
 }
@@ -181,7 +197,11 @@ std::string contract(const Spec& spec) {
         }
         return "";
     };
-    std::string out = "in " + kind(spec.in) + "\nout " + kind(spec.out) + "\n";
+    std::string out = "synopsis " + spec.synopsis + "\nin " + kind(spec.in) + "\nout " + kind(spec.out) + "\n";
+    for (const Option& o : with_common(spec)) {
+        const std::string value = value_name(o);
+        out += (value.empty() ? "flag " + o.name : "option " + o.name + " " + value) + "\n";
+    }
     for (const Example& e : spec.examples) out += "example " + e.command + "\n";
     return out;
 }

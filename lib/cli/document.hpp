@@ -7,14 +7,16 @@
 
 namespace filum::cli {
 
-std::string version(); // "0.1.0"
+std::string version(); // of the project: "0.1.0"
 
 std::string help(const Spec& spec);
-std::string man_page(const Spec& spec);        // roff, section 1
-std::string markdown(const Spec& spec);        // docs/commands/NAME.md
-std::string completion_line(const Spec& spec); // one line: name, then its options; see scripts/generate-docs
+std::string man_page(const Spec& spec); // roff, section 1
+std::string markdown(const Spec& spec); // docs/commands/NAME.md
+// One line: the name, then the options: --flag, --option=UNIT, --file=FILE, --choice={a,b}.
+std::string completion_line(const Spec& spec);
 
-// One line per fact of the contract tests: "in stream REGIONS", "out text", ...
+// One line per fact that the tests and the front command go by: "synopsis ...", "in file|text|none|stream Regions",
+// "out ...", "flag NAME", "option NAME UNIT", "example COMMAND".
 std::string contract(const Spec& spec);
 
 // The value of an option as it stands in the history.

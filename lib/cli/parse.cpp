@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
 #include <cmath>
 
 namespace filum::cli {
@@ -85,15 +86,16 @@ std::string document(const std::string& verb, const Spec& spec) {
     return "";
 }
 
-} // namespace
+// The library's own message in our grammar: one line, lower case, no full stop.
+std::string in_house(std::string what) {
+    what = what.substr(0, what.find('\n'));
+    if (what.size() > 1 && std::islower(static_cast<unsigned char>(what[1])) != 0)
+        what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
+    while (what.ends_with('.')) what.pop_back();
+    return what;
+}
 
-std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
-    io.program = spec.name;
-    for (int i = 1; i < argc; ++i) {
-        if (std::string_view(argv[i]) == "--") break;
-        if (i > 1 && std::string_view(argv[i]).starts_with("--print-")) continue;
-        if (auto text = document(argv[i], spec); !text.empty()) return text;
-    }
+void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     CLI::App app;
     app.set_help_flag();
     for (const Option& o : spec.options) bind(app, o);
@@ -112,14 +114,32 @@ std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
         const std::string kind = first.starts_with("-") && first != "-" ? "unknown option '" : "unexpected argument '";
         misused(kind + first + "'; see '" + spec.name + " --help'");
     } catch (const CLI::ParseError& e) {
-        std::string what = e.what();
-        std::transform(what.begin(), what.begin() + std::min<long>(1, static_cast<long>(what.size())), what.begin(),
-                       [](unsigned char c) { return std::isupper(c) != 0 ? std::tolower(c) : c; });
-        misused("cannot read the command line: " + what + "; see '" + spec.name + " --help'");
+        misused("cannot read the command line: " + in_house(e.what()) + "; see '" + spec.name + " --help'");
     }
+}
+
+} // namespace
+
+std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
+    io.program = spec.name;
+    for (int i = 1; i < argc; ++i) {
+        if (std::string_view(argv[i]) == "--") break;
+        if (i > 1 && std::string_view(argv[i]).starts_with("--print-")) continue;
+        if (auto text = document(argv[i], spec); !text.empty()) return text;
+    }
+    std::vector<std::string> defaults;
+    for (const Option& o : spec.options) defaults.push_back(value_text(o));
+    read_command_line(argc, argv, spec, io);
+    for (const auto& path : io.inputs)
+        if (path.empty()) misused("cannot use '' as a file name; is a variable empty?");
+    if (io.output.empty()) misused("cannot use '' for --output; is a variable empty?");
     if (!io.inputs.empty()) io.input = io.inputs.front();
-    for (const Option& o : spec.options)
-        if (o.setting) io.settings.push_back({o.name, value_text(o)});
+    for (std::size_t i = 0; i < defaults.size(); ++i) {
+        const Option& o = spec.options[i];
+        if (!o.setting) continue;
+        const std::string value = value_text(o);
+        io.settings.push_back({o.name, value, value != defaults[i]});
+    }
     return "";
 }
 

@@ -17,6 +17,7 @@ struct Candidate {
     std::uint32_t ring, other;
     double s;    // on `ring`
     Vec2 across; // unit, towards the other ring
+    double bead; // mm, the narrower bead of the two
     double score;
 };
 
@@ -79,7 +80,7 @@ class Joiner {
         for (const double samples : {8.0, 64.0, 1024.0}) {
             if (forest_.groups() <= 1) break;
             const auto found = candidates(samples);
-            for (const double half : {0.5, 0.3, 0.17}) accept(found, half * width_);
+            for (const double half : {0.5, 0.3, 0.17}) accept(found, half);
         }
         return trace();
     }
@@ -103,7 +104,9 @@ class Joiner {
                 const double turn = graph_.turning(r, s - 0.6 * width_, s + 0.6 * width_) +
                                     graph_.turning(there->ring, there->s - 0.6 * width_, there->s + 0.6 * width_);
                 const Vec2 across = (1 / there->distance) * (there->point - here);
-                out.push_back({r, there->ring, s, across, std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
+                const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
+                out.push_back({r, there->ring, s, across, std::min(bead, width_),
+                               std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
             }
         }
         std::stable_sort(out.begin(), out.end(),
@@ -122,7 +125,8 @@ class Joiner {
             if (forest_.groups() <= 1) return;
             if (forest_.root(c.ring) == forest_.root(c.other)) continue;
             Bridge b;
-            if (!make(c, half, b) || !fits(b, half)) continue;
+            const double window = half * c.bead; // the links are beads, too, and as wide as those they join
+            if (!make(c, window, b) || !fits(b, window)) continue;
             for (const int k : {0, 1}) windows_.take(b.ring[k], b.s0[k], b.s1[k]);
             for (const int k : {0, 1}) links_.push_back(b.link(k));
             bridges_.push_back(b);

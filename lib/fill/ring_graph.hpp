@@ -26,6 +26,7 @@ class RingGraph {
     [[nodiscard]] std::size_t size() const { return length_.size(); }
     [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }
     [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
+    [[nodiscard]] double width(std::uint32_t ring, double s) const { return width_of(locate(ring, s)); }
 
     // The nearest place to p within `reach` on a ring for which use(ring) holds.  Ties: the lower segment.
     template <class Use>

@@ -8,9 +8,12 @@ namespace filum::fill {
 
 namespace {
 
+using polygon::Loops;
+
 // Beads lie a little nearer than their width, so that rounding never opens a seam between them.
 constexpr double kOverlap = 1.0 / 512;
-constexpr double kShortestRing = 1.3; // bead widths: shorter rings have no room for a link
+constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
+constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
 
 Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move) {
     const double w = o.bead_width;
@@ -19,6 +22,22 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     Spiral out{{}, first.unplaced};
     for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w))
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+    return out;
+}
+
+Loops without_specks(const Loops& region, double least, Notes& notes) {
+    Loops out;
+    Note closed{"", "hole smaller than a bead closed", 0, "mm2", 0};
+    for (std::size_t l = 0; l < region.size(); ++l) {
+        const double area = polygon::signed_area(region[l]);
+        if (l == 0 || -area >= least) {
+            out.add(region[l]);
+            continue;
+        }
+        closed.amount -= area, ++closed.count;
+        closed.x = region[l][0].x, closed.y = region[l][0].y;
+    }
+    if (closed.count > 0) notes.push_back(closed);
     return out;
 }
 
@@ -63,7 +82,8 @@ std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double c
     return crossings;
 }
 
-Spiral spiral(const polygon::Loops& region, const SpiralOptions& o, Notes& notes) {
+Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
+    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     struct Try {
         double tolerance; // bead widths
         bool move;

@@ -22,20 +22,47 @@ int outer_loops(const Loops& a) {
     return n;
 }
 
-// Whether some point of `rest` lies farther than `far` from every ring.
-bool reaches_beyond(const Loops& rest, const Loops& rings, double far) {
+// Whether some corner of the area lies farther than `far` from every ring: what sticks out farthest is a corner.
+bool reaches_beyond(const Loops& area, const Loops& rings, double far) {
     std::vector<geom::Segment> segments;
     for (std::size_t r = 0; r < rings.size(); ++r)
         for (std::size_t i = 0; i < rings[r].size(); ++i)
             segments.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()]});
     const geom::SegmentGrid grid(segments, far);
-    return std::any_of(rest.points.begin(), rest.points.end(), [&](Vec2 p) {
+    return std::any_of(area.points.begin(), area.points.end(), [&](Vec2 p) {
         bool near = false;
         grid.near({p.x - far, p.y - far}, {p.x + far, p.y + far}, [&](std::uint32_t i) {
             near = near || geom::point_segment_distance(segments[i].a, segments[i].b, p) <= far;
         });
         return !near;
     });
+}
+
+// Area of what beads of half-width r along `rings` cover, rings included: the Steiner formula, with sectors at convex
+// corners and none of the overlap at reflex ones.
+double swept_area(const Loops& rings, double r) {
+    double area = polygon::signed_area(rings);
+    for (std::size_t l = 0; l < rings.size(); ++l) {
+        const auto loop = rings[l];
+        area += polygon::perimeter(loop) * r;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec2 u = loop[i] - loop[i == 0 ? loop.size() - 1 : i - 1], v = loop[(i + 1) % loop.size()] - loop[i];
+            const double turn = std::atan2(geom::cross(u, v), geom::dot(u, v));
+            area += r * r * (turn > 0 ? turn / 2 : std::tan(turn / 2));
+        }
+    }
+    return area;
+}
+
+// Area of the thin wall along an edge of the medial axis between two straight sides.
+double wall_area(const MedialAxis& axis, const std::vector<std::uint32_t>& edges) {
+    double area = 0;
+    for (const auto k : edges) {
+        const double ra = axis.radius[axis.a[k]], rb = axis.radius[axis.b[k]];
+        const double l = geom::distance(axis.point[axis.a[k]], axis.point[axis.b[k]]);
+        area += (ra + rb) * std::sqrt(std::max(0.0, l * l - (ra - rb) * (ra - rb)));
+    }
+    return area;
 }
 
 // The edges of the medial axis that a thin wall's bead follows: radius below width/2 at one end at least, dead ends
@@ -121,25 +148,25 @@ std::vector<Vec2> hull(Vec2 p, double rp, Vec2 q, double rq, double tolerance) {
     return out;
 }
 
-// The union of the hulls over edges, every disc `share` times as large as it can be, but at least `least`.
-Loops strips(const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double share, double least,
-             double tolerance) {
-    Loops all;
+// The union of `rings` and the hulls over edges, every disc half as large as it can be, but at least `least`.
+Loops with_strips(Loops rings, const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double least,
+                  double tolerance) {
     for (const auto k : edges) {
         const auto a = axis.a[k], b = axis.b[k];
-        all.add(hull(axis.point[a], std::max(least, share * axis.radius[a]), axis.point[b],
-                     std::max(least, share * axis.radius[b]), tolerance));
+        rings.add(hull(axis.point[a], std::max(least, axis.radius[a] / 2), axis.point[b],
+                       std::max(least, axis.radius[b] / 2), tolerance));
     }
-    return polygon::unite(all);
+    return polygon::unite(rings);
 }
 
 // An area without a kept edge still gets a ring about its fattest point.
-Loops round_fattest(const MedialAxis& axis, double share, double least, double tolerance) {
-    const auto fattest = std::max_element(axis.radius.begin(), axis.radius.end()) - axis.radius.begin();
-    const Vec2 p = axis.point[static_cast<std::size_t>(fattest)];
-    const double r = std::max(least, share * axis.radius[static_cast<std::size_t>(fattest)]);
-    Loops out;
-    out.add(hull(p, r, p, r, tolerance));
+FirstRings round_fattest(const Loops& area, const MedialAxis& axis, double least, double tolerance) {
+    const auto at =
+        static_cast<std::size_t>(std::max_element(axis.radius.begin(), axis.radius.end()) - axis.radius.begin());
+    const double full = axis.radius[at], r = std::max(least, full / 2);
+    FirstRings out;
+    out.rings.add(hull(axis.point[at], r, axis.point[at], r, tolerance));
+    out.unplaced = std::max(0.0, polygon::signed_area(area) - std::numbers::pi * full * full);
     return out;
 }
 
@@ -147,26 +174,18 @@ Loops round_fattest(const MedialAxis& axis, double share, double least, double t
 
 FirstRings first_rings(const Loops& area, double width, double tolerance) {
     FirstRings out{polygon::simplify(polygon::offset(area, -width / 2, tolerance), tolerance), 0};
-    const Loops rest = polygon::subtract(area, polygon::offset(out.rings, width / 2, tolerance));
+    out.unplaced = std::max(0.0, polygon::signed_area(area) - swept_area(out.rings, width / 2));
     const bool connected = outer_loops(out.rings) == outer_loops(area);
-    out.unplaced = std::max(0.0, polygon::signed_area(rest));
-    if (connected && !reaches_beyond(rest, out.rings, (0.5 + kReach) * width)) return out;
+    if (connected && !reaches_beyond(area, out.rings, (0.5 + kReach) * width)) return out;
 
     const double least = 0.03 * width; // lanes must not touch
-    const MedialAxis axis = split_at(medial_axis(polygon::simplify(area, tolerance), width / 4), kThin * width);
-    if (axis.point.empty()) return out;
+    MedialAxis axis = split_at(medial_axis(polygon::simplify(area, 2 * tolerance), width / 4), kThin * width);
+    if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
+    if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
     const auto edges = ThinAxis(axis, width).edges();
-    if (edges.empty()) {
-        if (out.rings.empty()) {
-            out.rings = round_fattest(axis, 0.5, least, tolerance);
-            out.unplaced =
-                std::max(0.0, polygon::signed_area(polygon::subtract(rest, round_fattest(axis, 1, 0, tolerance))));
-        }
-        return out;
-    }
-    const Loops thin = strips(axis, edges, 0.5, least, tolerance);
-    out.rings = polygon::simplify(polygon::unite(out.rings, thin), tolerance);
-    out.unplaced = std::max(0.0, polygon::signed_area(polygon::subtract(rest, strips(axis, edges, 1, 0, tolerance))));
+    if (edges.empty()) return out.rings.empty() ? round_fattest(area, axis, least, tolerance) : out;
+    out.rings = polygon::simplify(with_strips(std::move(out.rings), axis, edges, least, tolerance), tolerance);
+    out.unplaced = std::max(0.0, out.unplaced - wall_area(axis, edges));
     return out;
 }
 

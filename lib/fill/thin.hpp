@@ -9,7 +9,7 @@ using polygon::Loops;
 
 struct FirstRings {
     Loops rings;         // where the outermost bead runs: level 0, solid on the left
-    double unplaced = 0; // mm2 of the area that no bead of these rings' depth reaches
+    double unplaced = 0; // mm2 of the area beyond these beads: rounded corners, tips (Steiner formula, to about 1 %)
 };
 
 // The outermost ring of every part of `area`, at depth width/2 where the wall is at least `width` thick, and at half

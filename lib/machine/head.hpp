@@ -1,6 +1,7 @@
 // The print head's shape above the nozzle tip: what must not touch the part while it grows.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,8 +17,10 @@ struct Head {
     double gantry_height = std::numeric_limits<double>::infinity(); // mm; above it the head is infinitely wide
     bool none = false;                                              // no head at all: nothing ever collides
 
-    // Half-width of the nozzle `dz` mm above the tip, 0 < dz <= cone_height.
-    [[nodiscard]] double cone_radius(double dz) const { return flat_radius + dz * std::tan(cone_angle / 2); }
+    // Radius of the nozzle `dz` mm above the tip; above the cone, that of its wide end.
+    [[nodiscard]] double cone_radius(double dz) const {
+        return flat_radius + std::min(dz, cone_height) * std::tan(cone_angle / 2);
+    }
 };
 
 } // namespace filum::machine

@@ -10,10 +10,11 @@
 namespace filum::mesh {
 
 using geom::Vec3;
+using Triangle = std::array<std::uint32_t, 3>;
 
 struct Mesh {
-    std::vector<Vec3> vertices;                          // mm
-    std::vector<std::array<std::uint32_t, 3>> triangles; // counter-clockwise seen from outside
+    std::vector<Vec3> vertices;      // mm
+    std::vector<Triangle> triangles; // counter-clockwise seen from outside
 };
 
 } // namespace filum::mesh

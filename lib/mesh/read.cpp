@@ -1,33 +1,143 @@
 #include "mesh/read.hpp"
 
 #include "base/error.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/text.hpp"
+#include "mesh/weld.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <map>
-#include <tuple>
 
 namespace filum::mesh {
 
-Mesh read(std::string_view bytes, const std::string& name) {
+namespace {
+
+constexpr std::size_t kStlHeader = 84, kStlRecord = 50;
+
+std::uint32_t announced_triangles(std::string_view bytes) {
     std::uint32_t n = 0;
-    if (bytes.size() < 84) throw Error(Exit::bad_input, "cannot read " + name + ": it is no mesh");
-    std::memcpy(&n, bytes.data() + 80, 4);
-    if (bytes.size() < 84 + std::size_t{50} * n)
-        throw Error(Exit::bad_input, "cannot read " + name + ": it is cut short");
-    Mesh out;
-    std::map<std::tuple<float, float, float>, std::uint32_t> seen;
-    for (std::uint32_t t = 0; t < n; ++t) {
-        std::array<std::uint32_t, 3> tri{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            float v[3];
-            std::memcpy(v, bytes.data() + 84 + std::size_t{50} * t + 12 + 12 * k, 12);
-            const auto [it, fresh] =
-                seen.try_emplace({v[0], v[1], v[2]}, static_cast<std::uint32_t>(out.vertices.size()));
-            if (fresh) out.vertices.push_back({v[0], v[1], v[2]});
-            tri[k] = it->second;
-        }
-        out.triangles.push_back(tri);
+    if (bytes.size() >= kStlHeader) std::memcpy(&n, bytes.data() + 80, 4);
+    return n;
+}
+
+bool is_text(std::string_view bytes) {
+    return std::all_of(bytes.begin(), bytes.begin() + static_cast<long>(std::min<std::size_t>(bytes.size(), 1024)),
+                       [](char c) { return static_cast<unsigned char>(c) >= 32 || is_blank(c) || c == '\n'; });
+}
+
+bool is_off(std::string_view word) {
+    constexpr std::string_view kHeads[] = {"OFF",    "COFF",   "NOFF",    "CNOFF", "NCOFF", "STOFF",
+                                           "STCOFF", "STNOFF", "STCNOFF", "4OFF",  "nOFF",  "4nOFF"};
+    return std::find(std::begin(kHeads), std::end(kHeads), word) != std::end(kHeads);
+}
+
+bool is_obj(std::string_view word) {
+    constexpr std::string_view kWords[] = {"v", "vt", "vn", "vp",     "f",      "o",     "g",
+                                           "s", "l",  "p",  "mtllib", "usemtl", "usemap"};
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+}
+
+Kind recognise_text(std::string_view bytes) {
+    Text text(bytes, '#');
+    if (!text.more()) return Kind::unknown;
+    const std::string_view word = text.word();
+    if (word == "ply") return Kind::ply;
+    if (is_off(word)) return Kind::off;
+    if (is_obj(word)) return Kind::obj;
+    if (begins_with(word, "solid") || begins_with(word, "facet")) return Kind::stl_ascii;
+    return Kind::unknown;
+}
+
+// Vertices with the same coordinates become one, in order of first appearance.
+void weld(Mesh& mesh) {
+    Weld<std::uint64_t> welded(mesh.vertices.size());
+    std::vector<std::uint32_t> to;
+    to.reserve(mesh.vertices.size());
+    for (const Vec3& v : mesh.vertices) {
+        welded.reserve(1);
+        const auto key = bits(v);
+        to.push_back(welded.add(key, Weld<std::uint64_t>::hash(key), {v.x + 0.0, v.y + 0.0, v.z + 0.0}));
     }
+    mesh.vertices = std::move(welded.vertices);
+    for (Triangle& t : mesh.triangles)
+        for (auto& v : t) v = to[v];
+}
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// Leaves out triangles with equal corners or with a corner that is no finite number, then vertices without a triangle
+// that are not finite either: nobody should have to look at them again.
+void leave_out_unusable(Mesh& mesh, Notes& notes) {
+    const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), finite);
+    std::size_t lost = 0;
+    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+        if (!all_finite && !(finite(mesh.vertices[t[0]]) && finite(mesh.vertices[t[1]]) && finite(mesh.vertices[t[2]])))
+            return ++lost, true;
+        return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    });
+    if (lost > 0) {
+        Note n = note("triangle with a corner that is no finite number left out", 0, "");
+        n.count = lost;
+        notes.push_back(std::move(n));
+    }
+    if (!all_finite)
+        for (Vec3& v : mesh.vertices)
+            if (!finite(v)) v = {};
+}
+
+Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, Notes& notes) {
+    switch (kind) {
+    case Kind::stl_binary:
+        return read_stl_binary(bytes, name, notes);
+    case Kind::stl_ascii:
+        return read_stl_ascii(bytes, name, notes);
+    case Kind::obj:
+        return read_obj(bytes, name, notes);
+    case Kind::ply:
+        return read_ply(bytes, name, notes);
+    case Kind::off:
+        return read_off(bytes, name, notes);
+    case Kind::threemf:
+        return read_3mf(bytes, name, notes);
+    case Kind::unknown:
+        break;
+    }
+    const std::string_view stream_mark("\x00\x89\x46\x69lum\n", 8);
+    if (bytes.substr(0, 16).find(stream_mark) != std::string_view::npos)
+        throw Error(Exit::bad_input, "cannot read " + name + ": it is a Filum stream, not a mesh");
+    throw Error(Exit::bad_input, "cannot read " + name + ": it is no STL, OBJ, PLY, OFF or 3MF file");
+}
+
+} // namespace
+
+void append_fan(std::vector<Triangle>& out, const std::vector<std::uint32_t>& corners) {
+    for (std::size_t k = 2; k < corners.size(); ++k) out.push_back({corners[0], corners[k - 1], corners[k]});
+}
+
+Kind recognise(std::string_view bytes) {
+    // The size tells a binary STL before any text does: in ASCII the four bytes of the count are letters, and stand for
+    // more than 500 million triangles.
+    const std::uint32_t n = announced_triangles(bytes);
+    if (bytes.size() >= kStlHeader && bytes.size() == kStlHeader + kStlRecord * std::size_t{n}) return Kind::stl_binary;
+    if (bytes.starts_with("PK\x03\x04")) return Kind::threemf;
+    if (bytes.starts_with("ply") || is_text(bytes)) return recognise_text(bytes);
+    // Binary, and of another size than it says: cut short, or with something behind.
+    const std::string_view body = bytes.size() > kStlHeader ? bytes.substr(kStlHeader) : std::string_view{};
+    const bool plausible = n > 0 && n < (1U << 27) && body.size() >= kStlRecord && std::size_t{n} < 1000 * body.size();
+    const bool stream = bytes.substr(0, 16).find("Filum") != std::string_view::npos;
+    return plausible && !stream ? Kind::stl_binary : Kind::unknown;
+}
+
+File read(std::string_view bytes, const std::string& name) {
+    if (bytes.empty()) throw Error(Exit::truncated, "cannot read " + name + ": it is empty");
+    File out;
+    out.kind = recognise(bytes);
+    out.mesh = read_kind(out.kind, bytes, name, out.notes);
+    if (out.kind != Kind::stl_binary && out.kind != Kind::stl_ascii) weld(out.mesh);
+    leave_out_unusable(out.mesh, out.notes);
+    if (out.mesh.triangles.empty())
+        throw Error(Exit::bad_input, "cannot use " + name + ": it holds no triangle with an area");
     return out;
 }
 

@@ -1,15 +1,47 @@
-// Reading mesh files.
+// Reading mesh files: STL (binary, ASCII), OBJ, PLY (ASCII, binary of either byte order), OFF, 3MF.
 #pragma once
 
+#include "base/note.hpp"
 #include "mesh/mesh.hpp"
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace filum::mesh {
 
-// The mesh in `bytes`, the whole content of a file; its kind is recognised by content.  `name` is for messages.
-// Throws Error(bad_input).
-Mesh read(std::string_view bytes, const std::string& name);
+enum class Kind : std::uint8_t { unknown, stl_binary, stl_ascii, obj, ply, off, threemf };
+
+// The kind of file that `bytes` are, by content alone: a binary STL whose header begins with "solid" is known by its
+// size, text by its first word.
+Kind recognise(std::string_view bytes);
+
+struct File {
+    Mesh mesh;
+    Kind kind = Kind::unknown;
+    Notes notes; // what was left out
+};
+
+// The mesh in `bytes`, the whole content of a file; `name` is for messages, in quotes if it is a path.
+// Vertices with the same coordinates are one; every coordinate is finite, every index in range, no triangle has two
+// equal corners (those have no area and bind no others, so they go without a note).  Triangles with a corner that is
+// no finite number are left out, with a note.  Polygons are cut into fans, whose slices are right for planar polygons
+// of any shape.  Coordinates are in the file's unit; of a 3MF, which states it, in mm.
+// Throws Error: truncated if the file is empty or ends before what it announces, bad_input if it is of no known kind,
+// malformed, or holds no triangle.
+File read(std::string_view bytes, const std::string& name);
+
+// A whole file in memory.
+struct Bytes {
+    std::unique_ptr<char[]> data;
+    std::size_t size = 0;
+    [[nodiscard]] std::string_view view() const { return {data.get(), size}; }
+};
+
+// The content of `path`, "-" for standard input; at most 4 GiB.  Throws Error(io), or bad_input if there is more.
+Bytes load(const std::string& path);
+
+// How messages name `path`: in quotes, or "standard input".
+std::string spoken_name(const std::string& path);
 
 } // namespace filum::mesh

@@ -22,10 +22,12 @@ int thread_count(int threads) { return threads > 0 ? threads : std::max(1, tbb::
 
 void for_chunks(std::size_t n, std::size_t grain, int threads,
                 const std::function<void(std::size_t, std::size_t)>& body) {
-    const std::size_t chunks = (n + grain - 1) / grain;
+    grain = std::max<std::size_t>(grain, 1);
+    const std::size_t chunks = n / grain + (n % grain != 0 ? 1 : 0);
+    const auto run = [&](std::size_t c) { body(c * grain, c * grain + std::min(n - c * grain, grain)); };
     const int count = thread_count(threads);
     if (count == 1 || chunks <= 1) {
-        for (std::size_t c = 0; c < chunks; ++c) body(c * grain, std::min(n, (c + 1) * grain));
+        for (std::size_t c = 0; c < chunks; ++c) run(c);
         return;
     }
     std::vector<std::exception_ptr> failed(chunks);
@@ -34,7 +36,7 @@ void for_chunks(std::size_t n, std::size_t grain, int threads,
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
             try {
-                body(c * grain, std::min(n, (c + 1) * grain));
+                run(c);
             } catch (...) {
                 failed[c] = std::current_exception();
             }
@@ -46,6 +48,26 @@ void for_chunks(std::size_t n, std::size_t grain, int threads,
 
 namespace detail {
 
+namespace {
+
+// What travels down the pipeline: an item, or why there is none.  A failure is thrown on by the sink, in its turn, so
+// that what was written before it and which failure is told do not depend on the threads.
+struct Slot {
+    Item item;
+    std::exception_ptr failed;
+};
+
+template <class Make>
+Slot guarded(const Make& make) {
+    try {
+        return {make(), nullptr};
+    } catch (...) {
+        return {nullptr, std::current_exception()};
+    }
+}
+
+} // namespace
+
 void ordered(int threads, const std::function<Item()>& source, const std::function<Item(Item)>& work,
              const std::function<void(Item)>& sink) {
     const int count = thread_count(threads);
@@ -53,18 +75,30 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
         while (Item item = source()) sink(work(std::move(item)));
         return;
     }
+    bool last = false; // only the source touches it
+    const auto from_source = [&](tbb::flow_control& flow) -> Slot {
+        Slot slot = last ? Slot{} : guarded(source);
+        if (slot.failed)
+            last = true;
+        else if (!slot.item)
+            flow.stop();
+        return slot;
+    };
+    const auto at_work = [&](Slot slot) -> Slot {
+        return slot.failed ? slot : guarded([&] { return work(std::move(slot.item)); });
+    };
+    const auto to_sink = [&](Slot slot) {
+        if (slot.failed) std::rethrow_exception(slot.failed);
+        sink(std::move(slot.item));
+    };
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     tbb::task_arena arena(count);
     arena.execute([&] {
+        constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
         tbb::parallel_pipeline(static_cast<std::size_t>(4 * count),
-                               tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
-                                                            [&](tbb::flow_control& flow) -> Item {
-                                                                Item item = source();
-                                                                if (!item) flow.stop();
-                                                                return item;
-                                                            }) &
-                                   tbb::make_filter<Item, Item>(tbb::filter_mode::parallel, work) &
-                                   tbb::make_filter<Item, void>(tbb::filter_mode::serial_in_order, sink));
+                               tbb::make_filter<void, Slot>(kInOrder, from_source) &
+                                   tbb::make_filter<Slot, Slot>(tbb::filter_mode::parallel, at_work) &
+                                   tbb::make_filter<Slot, void>(kInOrder, to_sink));
     });
 }
 

@@ -21,6 +21,7 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
 
 // source -> work -> sink, where work runs on all cores and sink sees the results in the order of the source.
 // `source` returns nullopt at the end; at most a few items per thread are in flight, so memory stays bounded.
+// An exception of source or work is thrown on when its turn comes: the sink has then seen all items before it.
 template <class In, class Out>
 void ordered(int threads, const std::function<std::optional<In>()>& source, const std::function<Out(In)>& work,
              const std::function<void(Out)>& sink) {

@@ -1,6 +1,7 @@
 #include "polygon/clip.hpp"
 
 #include "base/error.hpp"
+#include "polygon/simple.hpp"
 
 #include <polyclipping/clipper.hpp>
 
@@ -42,13 +43,16 @@ cl::PolyFillType fill_type(Fill rule) {
     return rule == Fill::positive ? cl::pftPositive : cl::pftNonZero;
 }
 
-Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule) {
+Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule, bool strict = true) {
     try {
         cl::Clipper clipper;
-        clipper.StrictlySimple(true);
         clipper.AddPaths(to_clipper(a), cl::ptSubject, true);
         if (b != nullptr) clipper.AddPaths(to_clipper(*b), cl::ptClip, true);
         cl::Paths out;
+        clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
+        Loops result = from_clipper(out);
+        if (!strict || is_simple(result)) return result;
+        clipper.StrictlySimple(true); // takes time by the square of the points, and is seldom needed
         clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
         return from_clipper(out);
     } catch (const cl::clipperException& e) {
@@ -110,6 +114,9 @@ void keep_far_points(std::span<const Vec2> loop, std::size_t first, std::size_t 
 Loops unite(const Loops& a, Fill rule) { return combine(cl::ctUnion, a, nullptr, rule); }
 Loops unite(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctUnion, a, &b, rule); }
 Loops intersect(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctIntersection, a, &b, rule); }
+Loops intersect_touching(const Loops& a, const Loops& b, Fill rule) {
+    return combine(cl::ctIntersection, a, &b, rule, false);
+}
 Loops subtract(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctDifference, a, &b, rule); }
 
 Loops offset(const Loops& a, double delta, double arc_tolerance) {

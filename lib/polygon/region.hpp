@@ -22,7 +22,8 @@ struct Layer {
 struct Overlap {
     std::uint32_t below = 0; // id of the lower region
     double area = 0;         // mm2
-    double inradius = 0;     // mm, of the largest circle in the common area
+    double inradius = 0;     // mm; a circle of this radius fits into the common area (a lower bound)
+    bool link = false;       // the curves that fill both pass within about a bead width of each other here
 };
 
 // One connected region of a layer.
@@ -37,6 +38,8 @@ struct Region {
     double unsupported = 0;   // mm2 with nothing below
     std::uint32_t stroke = 0; // set by `sequence`, as is join
     Join join = Join::start;
+    double inradius = 0; // mm; a circle of this radius fits into the region (a lower bound)
+    Box2 box;            // of the outer loop
 };
 
 } // namespace filum::polygon

@@ -1,34 +1,47 @@
 #include "regions/regions.hpp"
 
-#include "polygon/clip.hpp"
+#include "regions/inradius.hpp"
+#include "regions/outlines.hpp"
+#include "regions/overlaps.hpp"
+
+#include <utility>
 
 namespace filum::regions {
 
 std::vector<polygon::Region> regions(const polygon::Layer& layer, const std::vector<polygon::Region>& below,
-                                     std::uint32_t first_id, const Options& options, Notes&) {
+                                     std::uint32_t first_id, const Options& options, Notes& notes) {
+    const std::size_t said = notes.size();
+    auto parts = outlines(layer.contours, options.tolerance, notes);
     std::vector<polygon::Region> out;
-    auto parts = polygon::split(polygon::simplify(layer.contours, 0.001));
+    std::vector<std::int64_t> id(parts.part.size(), -1);
+    std::vector<std::size_t> part_of;
     for (std::size_t i = 0; i < parts.part.size(); ++i) {
         polygon::Region r;
-        r.id = first_id + static_cast<std::uint32_t>(i);
+        r.loops = std::move(parts.part[i]);
+        r.area = polygon::signed_area(r.loops);
+        r.inradius = inradius_bound(r.loops, options.bead_width / 2, options.least_width / 2);
+        if (r.inradius <= 0) {
+            const auto at = r.loops.points.front();
+            notes.push_back({"", "sliver left out", r.area, "mm2", 1, -1, at.x, at.y});
+            continue;
+        }
+        r.id = first_id + static_cast<std::uint32_t>(out.size());
         r.layer = layer.index;
         r.z = layer.z;
         r.height = layer.height;
-        r.loops = std::move(parts.part[i]);
-        r.area = polygon::signed_area(r.loops);
-        if (r.area <= 0) continue;
-        r.parent = parts.parent[i] < 0 ? -1 : first_id + parts.parent[i];
-        r.unsupported = r.area;
-        for (const auto& b : below) {
-            const auto common = polygon::intersect(r.loops, b.loops);
-            const double area = polygon::signed_area(common);
-            if (area <= 0) continue;
-            const bool wide = !polygon::offset(common, -options.bead_width / 2).empty();
-            r.below.push_back({b.id, area, wide ? options.bead_width / 2 : 0});
-            r.unsupported = std::max(0.0, r.unsupported - area);
-        }
+        r.box = polygon::bounds(r.loops[0]);
+        id[i] = r.id;
+        part_of.push_back(i);
         out.push_back(std::move(r));
     }
+    for (std::size_t k = 0; k < out.size(); ++k) {
+        int around = parts.parent[part_of[k]]; // the nearest one that was kept
+        while (around >= 0 && id[static_cast<std::size_t>(around)] < 0)
+            around = parts.parent[static_cast<std::size_t>(around)];
+        out[k].parent = around < 0 ? -1 : id[static_cast<std::size_t>(around)];
+    }
+    overlap(out, below, options.bead_width);
+    for (std::size_t k = said; k < notes.size(); ++k) notes[k].layer = layer.index;
     return out;
 }
 

@@ -1,52 +1,92 @@
 #include "slice/slice.hpp"
 
-#include "polygon/clip.hpp"
+#include "base/error.hpp"
+#include "mesh/holes.hpp"
+#include "mesh/place.hpp"
+#include "parallel/parallel.hpp"
 
-#include <map>
+#include <algorithm>
 
 namespace filum::slice {
 
-std::vector<polygon::Layer> slice(const mesh::Mesh& mesh, const Options& options, Notes&) {
-    double lo = 1e300, hi = -1e300;
-    for (const auto& v : mesh.vertices) lo = std::min(lo, v.z), hi = std::max(hi, v.z);
-    const auto count = static_cast<std::uint32_t>(std::lround((hi - lo) / options.layer_height));
+namespace {
+
+constexpr std::uint64_t kMaxPoints = std::uint64_t{1} << 32;
+constexpr std::size_t kGrain = 1 << 16;
+
+std::vector<std::uint32_t> ranks(const mesh::Mesh& mesh, const std::vector<Level>& levels, int threads) {
+    std::vector<double> planes;
+    for (const Level& l : levels) planes.push_back(l.plane);
+    std::vector<std::uint32_t> out(mesh.vertices.size());
+    parallel::for_chunks(out.size(), kGrain, threads, [&](std::size_t from, std::size_t to) {
+        for (std::size_t v = from; v < to; ++v) // as many planes as are <= z
+            out[v] = static_cast<std::uint32_t>(std::upper_bound(planes.begin(), planes.end(), mesh.vertices[v].z) -
+                                                planes.begin());
+    });
+    return out;
+}
+
+// Lists, per chunk of layers, the triangles that its planes meet.
+void fill_chunks(Sweep& s) {
+    const std::size_t chunks = (s.levels.size() + kChunk - 1) / kChunk;
+    s.chunk_start.assign(chunks + 1, 0);
+    std::uint64_t points = 0;
+    const auto each = [&](const auto& visit) {
+        for (std::uint32_t t = 0; t < s.mesh->triangles.size(); ++t) {
+            const auto& tri = s.mesh->triangles[t];
+            const auto [low, high] = std::minmax({s.rank[tri[0]], s.rank[tri[1]], s.rank[tri[2]]});
+            if (low < high) visit(t, low, high);
+        }
+    };
+    each([&](std::uint32_t, std::uint32_t low, std::uint32_t high) {
+        points += high - low;
+        for (std::size_t c = low / kChunk; c <= (high - 1) / kChunk; ++c) ++s.chunk_start[c + 1];
+        if (points > kMaxPoints)
+            throw Error(Exit::bad_input, "cannot slice into " + std::to_string(s.levels.size()) +
+                                             " layers: their contours would have more than 4 billion points; give a "
+                                             "larger --layer-height");
+    });
+    for (std::size_t c = 0; c < chunks; ++c) s.chunk_start[c + 1] += s.chunk_start[c];
+    s.triangles.resize(s.chunk_start.back());
+    std::vector<std::uint64_t> at(s.chunk_start.begin(), s.chunk_start.end() - 1);
+    each([&](std::uint32_t t, std::uint32_t low, std::uint32_t high) {
+        for (std::size_t c = low / kChunk; c <= (high - 1) / kChunk; ++c) s.triangles[at[c]++] = t;
+    });
+}
+
+} // namespace
+
+Part make_part(mesh::Mesh mesh, Notes& notes) {
+    Part out;
+    mesh::face_one_way(mesh, notes);
+    out.shells = mesh::face_outwards(mesh, notes);
+    out.lids = mesh::lids(mesh).triangles;
+    out.mesh = std::move(mesh);
+    return out;
+}
+
+Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes) {
+    Sweep s;
+    s.mesh = &part.mesh;
+    s.lids = part.lids;
+    s.options = options;
+    s.several_bodies = part.shells > 1;
+    s.levels = levels(part.mesh, options, notes);
+    s.rank = ranks(part.mesh, s.levels, threads);
+    fill_chunks(s);
+    return s;
+}
+
+std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads) {
+    const Sweep s = prepare(part, options, threads, notes);
+    std::vector<Cut> cuts(s.chunks());
+    parallel::for_chunks(cuts.size(), 1, threads, [&](std::size_t from, std::size_t to) {
+        for (std::size_t c = from; c < to; ++c) cuts[c] = cut(s, c);
+    });
     std::vector<polygon::Layer> out;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        polygon::Layer layer{
-            i, (i + 1) * options.layer_height, options.layer_height, lo + (i + 0.5) * options.layer_height, {}};
-        using Edge = std::pair<std::uint32_t, std::uint32_t>;
-        std::map<Edge, std::pair<geom::Vec2, Edge>> next;
-        for (const auto& t : mesh.triangles) {
-            Edge from, to;
-            geom::Vec2 at{};
-            int hits = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto a = t[k], b = t[(k + 1) % 3];
-                const bool up = mesh.vertices[a].z >= layer.plane, vp = mesh.vertices[b].z >= layer.plane;
-                if (up == vp) continue;
-                const auto [p, q] = std::minmax(a, b);
-                const auto &P = mesh.vertices[p], &Q = mesh.vertices[q];
-                if (!up)
-                    from = {p, q}, at = lerp(P.xy(), Q.xy(), (layer.plane - P.z) / (Q.z - P.z));
-                else
-                    to = {p, q};
-                ++hits;
-            }
-            if (hits == 2) next[to] = {at, from};
-        }
-        while (!next.empty()) {
-            auto it = next.begin();
-            std::vector<geom::Vec2> loop;
-            while (it != next.end()) {
-                loop.push_back(it->second.first);
-                const auto key = it->second.second;
-                next.erase(it);
-                it = next.find(key);
-            }
-            if (loop.size() > 2) layer.contours.add(loop);
-        }
-        layer.contours = polygon::unite(layer.contours);
-        out.push_back(std::move(layer));
+    for (Cut& c : cuts) {
+        std::move(c.layers.begin(), c.layers.end(), std::back_inserter(out));
+        std::move(c.notes.begin(), c.notes.end(), std::back_inserter(notes));
     }
     return out;
 }

@@ -4,6 +4,8 @@
 
 #include "filum/stream.pb.h"
 
+#include <cmath>
+
 namespace filum::stream {
 
 std::string_view name(Payload p) {
@@ -56,6 +58,22 @@ Note parse_note(std::string_view body) {
     if (!m.ParseFromArray(body.data(), static_cast<int>(body.size())))
         throw Error(Exit::bad_input, "cannot read a note frame: malformed");
     return {m.stage(), m.what(), m.amount(), m.unit(), m.count(), m.layer(), m.x(), m.y()};
+}
+
+std::string serialise(const Fact& f) {
+    proto::Fact m;
+    m.set_stage(f.stage);
+    m.set_name(f.name);
+    m.set_value(f.value);
+    m.set_unit(f.unit);
+    return m.SerializeAsString();
+}
+
+Fact parse_fact(std::string_view body) {
+    proto::Fact m;
+    if (!m.ParseFromArray(body.data(), static_cast<int>(body.size())) || !std::isfinite(m.value()))
+        throw Error(Exit::bad_input, "cannot read a fact frame: malformed");
+    return {m.stage(), m.name(), m.value(), m.unit()};
 }
 
 } // namespace filum::stream

@@ -1,6 +1,7 @@
 // The stream format: preamble, header frame, frames, end frame.  Knows no geometry; see docs/stream.md.
 #pragma once
 
+#include "base/fact.hpp"
 #include "base/note.hpp"
 
 #include <cstdint>
@@ -16,13 +17,14 @@ enum class Payload : std::uint8_t { unknown = 0, layers = 1, regions = 2, paths 
 std::string_view name(Payload p);
 
 // A frame's type: the field number of Frame's oneof.
-enum class Tag : std::uint32_t { header = 1, end = 2, note = 3, layer = 8, region = 9, paths = 10, span = 11 };
+enum class Tag : std::uint32_t { header = 1, end = 2, note = 3, fact = 4, layer = 8, region = 9, paths = 10, span = 11 };
 
 // The only payload tag that a stream of this kind holds.
 Tag tag_of(Payload p);
 
 struct Setting {
     std::string name, value;
+    bool changed = false; // differs from the program's default
 };
 
 // One program's part in making a stream.
@@ -48,5 +50,10 @@ inline constexpr std::size_t kMaxFrame = std::size_t{64} << 20;
 
 std::string serialise(const Note& note);
 Note parse_note(std::string_view body); // throws Error(bad_input)
+std::string serialise(const Fact& fact);
+Fact parse_fact(std::string_view body); // throws Error(bad_input): malformed, or not finite
+
+// True for frames that any stream may hold between its payload: stages that do not know them pass them on.
+inline bool is_remark(Tag tag) { return tag == Tag::note || tag == Tag::fact; }
 
 } // namespace filum::stream

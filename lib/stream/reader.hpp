@@ -21,8 +21,10 @@ class Reader {
     [[nodiscard]] const Header& header() const;
     // What to call the input in a message: 'part.layers' or 'standard input'.
     [[nodiscard]] const std::string& name() const;
+    // How many bytes of the stream were read: a frame border, but for the end of the input.
+    [[nodiscard]] std::uint64_t offset() const;
 
-    // The next payload or note frame; nullopt once the end frame was read and found right.
+    // The next payload, note or fact frame; nullopt once the end frame was read and found right.
     // Throws Error: truncated if the stream ends before its end frame; bad_input if the checksum or the frame count is
     // wrong, a frame is malformed, too long or of another kind, or something follows the end.
     std::optional<RawFrame> next();

@@ -38,6 +38,7 @@ std::string serialise(const Header& header) {
             auto* t = r->add_settings();
             t->set_name(s.name);
             t->set_value(s.value);
+            t->set_changed(s.changed);
         }
         for (const auto parent : run.parents) r->add_parents(parent);
     }
@@ -50,12 +51,13 @@ Header parse_header(std::string_view body) {
         throw Error(Exit::bad_input, "cannot read the header frame: malformed");
     if (m.units() != "mm") throw Error(Exit::bad_input, "cannot use the header frame: units are not mm");
     Header out;
-    out.payload = m.payload() >= 1 && m.payload() <= 4 ? static_cast<Payload>(m.payload()) : Payload::unknown;
-    if (out.payload == Payload::unknown) throw Error(Exit::bad_input, "cannot use the header frame: unknown payload");
+    if (m.payload() > 0 && m.payload() < 256) out.payload = static_cast<Payload>(m.payload());
+    if (name(out.payload) == name(Payload::unknown))
+        throw Error(Exit::bad_input, "cannot use the header frame: unknown payload");
     out.expected = m.expected();
     for (const auto& r : m.history()) {
         Run run{r.program(), r.version(), {}, {}};
-        for (const auto& t : r.settings()) run.settings.push_back({t.name(), t.value()});
+        for (const auto& t : r.settings()) run.settings.push_back({t.name(), t.value(), t.changed()});
         for (const auto parent : r.parents()) {
             if (parent >= out.history.size())
                 throw Error(Exit::bad_input, "cannot use the header frame: history refers to a later run");

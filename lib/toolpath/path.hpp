@@ -55,8 +55,11 @@ struct Span {
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }
 };
 
-// mm3 deposited by the segment i -> i + 1: length times the mean of the end sections.
+// mm3 deposited by the segment i -> i + 1: length times the mean of the end sections.  Joins lay nothing where they go
+// straight up or down, and travels lay nothing at all.
 inline double volume(const Span& s, std::size_t i) {
+    if (!extrudes(s.role)) return 0;
+    if (s.role != Role::bead && s.points[i].xy() == s.points[i + 1].xy()) return 0;
     const double a = s.width_at(i) * s.height_at(i), b = s.width_at(i + 1) * s.height_at(i + 1);
     return geom::distance(s.points[i], s.points[i + 1]) * (a + b) / 2;
 }

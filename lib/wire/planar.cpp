@@ -125,11 +125,13 @@ polygon::Region region(const RawFrame& frame) {
     out.unsupported = m.unsupported();
     out.stroke = m.stroke();
     out.join = join(m.join(), "region");
-    if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0))
+    out.inradius = m.inradius();
+    out.box = polygon::bounds(out.loops[0]);
+    if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0) || !(out.inradius >= 0))
         bad("region", "its area is not positive");
     for (const auto& o : m.below()) {
         if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad("region", "an overlap is negative");
-        out.below.push_back({o.below(), o.area(), o.inradius()});
+        out.below.push_back({o.below(), o.area(), o.inradius(), o.link()});
     }
     return out;
 }
@@ -148,10 +150,12 @@ RawFrame frame(const polygon::Region& region) {
         b->set_below(o.below);
         b->set_area(o.area);
         b->set_inradius(o.inradius);
+        b->set_link(o.link);
     }
     m.set_unsupported(region.unsupported);
     m.set_stroke(region.stroke);
     m.set_join(static_cast<proto::Join>(region.join));
+    m.set_inradius(region.inradius);
     return raw(Tag::region, m);
 }
 

@@ -1,0 +1,51 @@
+// filum - the front command: runs the stages
+// reads:  what the stage reads
+// writes: what the stage writes
+// memory: nothing of its own
+#include "chain/front.hpp"
+#include "cli/command.hpp"
+
+namespace {
+
+using namespace filum;
+
+struct Options {};
+
+cli::Spec spec(Options&) {
+    return {
+        .name = "filum",
+        .synopsis = "turn parts into unbroken toolpaths: runs the stages",
+        .description =
+            "filum STAGE ... runs a stage, as its own name would if the stages were on the PATH; filum list names "
+            "them, "
+            "filum help STAGE explains one.\n\n"
+            "filum print PART [OPTIONS] [-o FILE] runs the whole planar chain (slice, regions, sequence, fill, link3d, "
+            "postproc) and writes machine code. An option goes to every stage that has it, so one --bead-width serves "
+            "all; --fill.bead-width goes to fill alone and wins there. The exit code is that of the first stage that "
+            "failed by itself; then no output file appears. --dry-run prints the pipeline instead. See "
+            "filum help print.\n\n"
+            "filum env prints shell lines that put the stages on the PATH, with their manual pages and completion: "
+            "eval \"$(filum env)\".",
+        .in = cli::nothing(),
+        .out = cli::text("what the command writes"),
+        .memory = "nothing of its own",
+        .options = {},
+        .examples = {{"filum print part.stl --machine marlin -o part.gcode", "a part to G-code, in one command"},
+                     {"filum print part.stl --layer-height 0.3 --dry-run", "the pipeline that this would run"},
+                     {"filum slice part.stl | filum peek", "two stages by hand"},
+                     {"eval \"$(filum env)\" && slice part.stl | regions | peek", "the stages on the PATH"},
+                     {"filum list", "all stages, what they read and write"}},
+        .see_also = {"filum-slice", "filum-peek"},
+        .arguments = "COMMAND [ARGUMENTS]"};
+}
+
+void refuse(const Options&, const cli::Io&) {
+    throw Error(Exit::usage, "cannot go on without a command; see 'filum --help'");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return cli::main<Options>(argc, argv, spec, refuse);
+    return cli::guarded("filum", [&] { return chain::front({argv + 1, argv + argc}); });
+}

@@ -1,0 +1,131 @@
+// metrics - measures a finished toolpath, or the curves of a fill
+// reads:  Toolpath or Paths
+// writes: text
+// memory: the toolpath at 20 bytes per segment, and the outlines
+#include "cli/command.hpp"
+#include "metrics/pace.hpp"
+#include "metrics/report.hpp"
+#include "wire/planar.hpp"
+
+namespace {
+
+using namespace filum;
+
+struct Options : metrics::Options {
+    std::string regions, per_region, per_layer, machine = "marlin", set;
+    std::string format = "table";
+};
+
+constexpr const char* kDescription =
+    "Counts and measures what a toolpath really is, from its moves alone: strokes, stops, breaks and joins, lengths, "
+    "print "
+    "time and material, crossings, bead widths, sharp turns, how far apart neighbouring layers begin.  With --regions "
+    "also "
+    "what it really fills: coverage, what lies outside, what is laid where there is material already, the worst layer "
+    "and "
+    "the worst region.  No stage's own claim is used, but what the stages before said they dropped or repaired is "
+    "listed "
+    "at the end.  A Paths stream, the output of fill, can be measured, too: each curve counts as printed by itself.\n\n"
+    "A stop is a way of more than 0.05 mm in XY without extruding; a stroke ends at a stop, or where the nozzle rises "
+    "by more than two layers without extruding.  A bead is a straight stretch with round ends, as wide as its "
+    "cross-section "
+    "divided by the height of the layer that its z falls into.  Shares are of the outlines' area: coverage is what "
+    "lies under "
+    "beads, outside are beads over no outline, overfill is the sum of length times width less the area under beads.  "
+    "Crossings are pairs of moves of one layer that properly cross and do not follow each other.\n\n"
+    "Sharp turns follow the authors of the Connected Fermat Spirals: the path cuts a disc of one bead width's radius "
+    "in two, and the turn is sharp where the smaller part is below 0.3 of the disc.\n\n"
+    "Areas are swept by rows with exact ends; the result depends on the spacing of the rows only in the fourth digit "
+    "or so.";
+
+cli::Spec spec(Options& o) {
+    return {
+        .name = "metrics",
+        .synopsis = "measure a finished toolpath, or the curves of a fill",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::unknown),
+        .out = cli::text("a table, TSV or JSON"),
+        .memory = "the toolpath at 20 bytes per segment, and the outlines",
+        .options =
+            {cli::Option{"regions", &o.regions, "FILE", "the Regions stream that should be filled"}.not_a_setting(),
+             cli::Option{"format", &o.format, "", "how to write the figures"}.one_of({"table", "tsv", "json"}),
+             cli::Option{"per-region", &o.per_region, "FILE", "writes a line per region to this file, as TSV"}
+                 .not_a_setting(),
+             cli::Option{"per-layer", &o.per_layer, "FILE", "writes a line per layer to this file, as TSV"}
+                 .not_a_setting(),
+             cli::Option{"pixel", &o.pixel, "MM",
+                         "spacing of the rows that areas are swept by, 0 for a sixteenth of the bead width"}
+                 .at_least(0),
+             cli::Option{"turn-samples", &o.turn_samples, "N", "how many places are tested for sharp turns"}
+                 .at_least(1)
+                 .at_most(1e8),
+             cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile whose speeds the print time is for"}
+                 .not_a_setting(),
+             cli::Option{"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as feeds.bead=40"},
+             cli::Option{"density", &o.density, "G/CM3", "density of the material"}.above(0)},
+        .examples =
+            {{"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | metrics --regions "
+              "part.regions",
+              "all figures of a part"},
+             {"slice part.stl | regions > part.regions; sequence part.regions | fill | metrics --regions part.regions "
+              "--per-region part.tsv --format json",
+              "how well the fill fills, region by region"}},
+        .see_also = {"fill", "link3d", "render"}};
+}
+
+std::vector<polygon::Region> outlines(const std::string& file) {
+    std::vector<polygon::Region> out;
+    if (!file.empty())
+        cli::read_all(file, stream::Payload::regions,
+                      [&](const stream::RawFrame& f) { out.push_back(wire::region(f)); });
+    return out;
+}
+
+void write(const std::string& file, const std::string& text) {
+    stream::Sink out(file, stream::Sink::Content::text);
+    out.write(text);
+    out.commit();
+}
+
+void run(const Options& given, const cli::Io& io) {
+    Options options = given;
+    const auto profile = machine::load_profile(options.machine, options.set);
+    if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
+    const auto regions = outlines(options.regions);
+    metrics::Input input;
+    metrics::Beads beads;
+    beads.marks = metrics::layer_marks(regions);
+    stream::Reader reader(io.input, stream::Payload::unknown);
+    const auto payload = reader.header().payload;
+    if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
+        throw Error(Exit::bad_input, "cannot measure " + reader.name() + ": it carries " +
+                                         std::string(stream::name(payload)) + ", not Toolpath or Paths");
+    metrics::Pace pace(profile);
+    input.whole_program = payload == stream::Payload::toolpath;
+    while (auto f = reader.next()) {
+        if (f->tag == stream::Tag::note) {
+            input.notes.push_back(stream::parse_note(f->body));
+        } else if (f->tag == stream::Tag::paths) {
+            const auto paths = wire::paths(*f);
+            input.claimed_unplaced += paths.unplaced;
+            metrics::add(beads, paths);
+        } else if (f->tag == stream::Tag::span) {
+            const auto span = wire::span(*f);
+            metrics::add(beads, span);
+            metrics::follow(input.course, span);
+            pace.add(span);
+        }
+    }
+    input.seconds = pace.seconds();
+    const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
+    const auto figures = metrics::report(input, beads, regions, layers, options, io.threads);
+    if (!options.per_region.empty()) write(options.per_region, metrics::region_table(layers));
+    if (!options.per_layer.empty()) write(options.per_layer, metrics::layer_table(layers));
+    write(io.output, metrics::text(figures, options.format == "table" ? metrics::Format::table
+                                            : options.format == "tsv" ? metrics::Format::tsv
+                                                                      : metrics::Format::json));
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

@@ -1,0 +1,95 @@
+// render - a picture of any stream
+// reads:  Layers, Regions, Paths or Toolpath
+// writes: a PNG picture, or SVG
+// memory: the model
+#include "cli/command.hpp"
+#include "render/draw.hpp"
+#include "wire/planar.hpp"
+
+namespace {
+
+using namespace filum;
+
+constexpr const char* kDescription =
+    "Draws a toolpath in perspective, every bead as wide and as high as it is, lit so that neighbouring beads can be "
+    "told; or with --layer one layer flat from above, where voids show red if the outlines are given with --regions, "
+    "and material laid twice shows dark. Layers and Regions are drawn as solids, or with --layer as filled "
+    "outlines.\n\n"
+    "Colours tell where along the program a bead lies (progress), its stroke, its layer, its width, the feed of a "
+    "machine, or its class: bead, lift, jog, connector. In a layer, green dots are where a stretch of path begins, red "
+    "ones where it ends, orange ones lifts, and thin lines moves without material.\n\n"
+    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. Equal input gives equal "
+    "bytes.";
+
+constexpr double kTop = 4294967295.0; // the largest layer number
+
+cli::Spec spec(render::Options& o) {
+    using cli::Option;
+    return {.name = "render",
+            .synopsis = "draw a picture of any stream",
+            .description = kDescription,
+            .in = cli::reads(stream::Payload::unknown),
+            .out = cli::text("a PNG picture, or SVG"),
+            .memory = "the model",
+            .options =
+                {Option{"color", &o.color, "",
+                        "what colours mean; auto: stroke for Regions, layer for Layers, else progress"}
+                     .one_of({"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
+                 {"view", &o.view, "VIEW", "from where: iso, top, front, or X,Y,Z: the direction from part to camera"},
+                 Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all, in perspective"}
+                     .at_least(-1)
+                     .at_most(kTop),
+                 Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(kTop),
+                 Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(kTop),
+                 Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines --layer shows"}.not_a_setting(),
+                 Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
+                 Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.at_least(1).at_most(4096),
+                 Option{"machine", &o.machine, "NAME|FILE", "machine profile that --color speed shows"}.not_a_setting(),
+                 {"travels", &o.travels, "", "draws moves without material in perspective, too"},
+                 {"no-centres", &o.no_centres, "", "leaves out the lines along the middle of beads"},
+                 {"no-table", &o.no_table, "", "leaves out the table and its shadow"},
+                 {"svg", &o.svg, "", "writes SVG; needs --layer"}},
+            .examples = {{"slice part.stl | regions | sequence | fill | link3d | render --output part.png",
+                          "the whole toolpath in perspective"},
+                         {"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | "
+                          "render --regions part.regions --layer 3 --output layer.png",
+                          "one layer from above, with voids"},
+                         {"slice part.stl | regions | sequence | render --output order.png",
+                          "which regions are printed in one stroke"}},
+            .see_also = {"metrics", "peek"}};
+}
+
+// Adds what lies in `range` of `file` to the scene.
+stream::Payload load(const std::string& file, stream::Payload expected, render::Range range, render::Scene& scene) {
+    stream::Reader reader(file, expected);
+    while (auto f = reader.next()) {
+        if (f->tag == stream::Tag::span)
+            render::add(scene, wire::span(*f), range);
+        else if (f->tag == stream::Tag::paths)
+            render::add(scene, wire::paths(*f), range);
+        else if (f->tag == stream::Tag::layer)
+            render::add(scene, wire::layer(*f), range);
+        else if (f->tag == stream::Tag::region)
+            render::add(scene, wire::region(*f), range);
+    }
+    return reader.header().payload;
+}
+
+void run(const render::Options& given, const cli::Io& io) {
+    render::Options o = given;
+    o.svg = o.svg || io.output.ends_with(".svg");
+    render::check(o);
+    render::Scene scene;
+    const auto payload = load(io.input, stream::Payload::unknown, o.range(), scene);
+    if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene);
+    const char* color = payload == stream::Payload::regions  ? "stroke"
+                        : payload == stream::Payload::layers ? "layer"
+                                                             : "progress";
+    stream::Sink out(io.output, o.svg ? stream::Sink::Content::text : stream::Sink::Content::binary);
+    out.write(render::draw(std::move(scene), o, color, io.threads));
+    out.commit();
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<render::Options>(argc, argv, spec, run); }

@@ -1,0 +1,42 @@
+// Curves as they are printed: cut open, turned round, thinned beside a lane that is laid between them.
+#pragma once
+
+#include "link3d/segment_index.hpp"
+#include "toolpath/path.hpp"
+
+#include <vector>
+
+namespace filum::link3d {
+
+// An open bead line.
+struct Bead {
+    std::vector<Vec2> points;
+    std::vector<double> width; // mm, per point, or one for all
+};
+
+// Mean width of a curve, mm, by points.
+double mean_width(const toolpath::Curve& curve);
+
+double length(std::span<const Vec2> line); // mm
+double length(std::span<const geom::Vec3> line);
+
+// The gap that a cut leaves between the end of a closed bead and its start: w (1 - pi / 4), so that the two rounded
+// bead ends fill it (notes F8, A9); at most a tenth of the curve.
+double cut_gap(const toolpath::Curve& curve);
+
+// The closed curve cut at `at`: once around from there, along the order of its points or against it, ending `gap` mm
+// short of the start.
+Bead cut(const toolpath::Curve& curve, const Place& at, bool against, double gap);
+
+// The open curve, or its reverse.
+Bead run(const toolpath::Curve& curve, bool against);
+
+// Puts p, which is next to the bead, into it as a point.
+void pin(Bead& bead, Vec2 p);
+
+// Takes `lane_width` * length of `lane` (mm2) from the beads on both sides of the lane, half from each, where one is
+// within `reach` mm; segments there are split to at most `reach` / 2.  No point's width falls below `least` times its
+// own; what that forbids moves on to the neighbouring points.  Returns the area taken, mm2.
+double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least);
+
+} // namespace filum::link3d

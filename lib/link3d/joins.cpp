@@ -1,0 +1,125 @@
+// How the linker gets from one region to the next without stopping.
+#include "link3d/linker.hpp"
+#include "link3d/strip_route.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace filum::link3d {
+
+namespace {
+
+using toolpath::Curve;
+using toolpath::Role;
+
+constexpr double kDrift = 0.5; // bead widths per layer that an entry can be counted on to move
+constexpr std::array kStrips{Strips{}, Strips{0.05, 0.8}}; // where a lane just fits: better a thick place than a stop
+
+} // namespace
+
+// A plain lift, then a short jog to the nearest place of the front region: it cannot cross that region's beads.
+std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
+    const auto& r = window_.front();
+    const double rise = at_ ? r.paths.z - at_->z : 0;
+    if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
+    auto entry = nearest_entry(r, at_->xy(), options_.reach * r.width, {});
+    if (!entry) return std::nullopt;
+    *entry = drift(*entry);
+    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
+    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
+    ++counts_.lifts;
+    counts_.lift_length += entry->place.distance;
+    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
+    extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
+    return entry;
+}
+
+// A connector outside everything printed to whichever of the front region's four extreme places makes it the shortest.
+std::optional<Linker::Entry> Linker::go_around(const Emit& emit) {
+    const auto& r = window_.front();
+    if (!may_climb_ || !last_) return std::nullopt;
+    Box2 box = printed_.bounds();
+    box.add(r.index.bounds().lo), box.add(r.index.bounds().hi);
+    const auto free = [&](Vec3 a, Vec3 b) {
+        return a == *at_ ? leads_out(a, b, *last_, true) : leads_out(a, b, r.index, false);
+    };
+    std::optional<std::vector<Vec3>> best;
+    std::optional<Entry> entry;
+    for (const Place& p : r.index.extremes()) {
+        if (!r.paths.curves[p.curve].closed) continue;
+        auto way = around(box, 2 * r.width, *at_, at_height(p.point, r.paths.z), free);
+        if (way && (!best || length(*way) < length(*best))) best = std::move(way), entry = Entry{p};
+    }
+    if (!best) return std::nullopt;
+    ++counts_.connectors;
+    counts_.connector_length += length(*best);
+    printed_.begin(); // the two ends of a connector are two bodies
+    extrude(Role::connector, std::move(*best), {r.width}, emit);
+    return entry;
+}
+
+// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
+bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const {
+    const auto& r = window_.front();
+    return is_free(own, a.xy(), b.xy(), kMargin, kEnds, 0) &&
+           !printed_.blocks(a, b, a.z - r.paths.height / 2, 2 * r.width, leaves);
+}
+
+// The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.
+std::vector<Curve> Linker::as_printed(std::uint32_t c, const Bead& bead, const std::vector<Vec2>& lane) const {
+    std::vector<Curve> curves = window_.front().paths.curves;
+    curves[c] = {false, bead.points, {window_.front().width}};
+    curves.insert(curves.end(), joins_.begin(), joins_.end());
+    if (lane.size() > 1) curves.push_back({false, lane, {window_.front().width}});
+    return curves;
+}
+
+// How many of the next regions are in reach of p, with what entries drift until then; 0 if that is below `least`.
+int Linker::rank_above(Vec2 p, int least, double reach) const {
+    const int all = static_cast<int>(climbing());
+    int k = 0;
+    for (; k < all; ++k) {
+        const auto& next = window_[static_cast<std::size_t>(k) + 1];
+        if (!nearest_entry(next, p, (reach + kDrift * k) * next.width, {})) break;
+    }
+    return k < least ? 0 : k;
+}
+
+// Whether p, on the layer of the front region, has a straight way out of the part.
+bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
+    const auto& r = window_.front();
+    Box2 box = printed_.bounds();
+    box.add(own.bounds().lo), box.add(own.bounds().hi);
+    const double m = 2 * r.width;
+    const Vec3 a = at_height(p, r.paths.z);
+    const std::array<Vec2, 4> ends{
+        {{box.lo.x - m, p.y}, {box.hi.x + m, p.y}, {p.x, box.lo.y - m}, {p.x, box.hi.y + m}}};
+    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) { return leads_out(a, at_height(b, a.z), own, true); });
+}
+
+// Whether the next region can be reached from the end of the front region's last bead.
+bool Linker::ends_well(std::uint32_t c, const Bead& bead) const {
+    const Vec2 end = bead.points.back();
+    if (next_ == Next::above) return nearest_entry(window_[1], end, options_.reach * window_[1].width, {}).has_value();
+    return sees_outside(end, SegmentIndex(as_printed(c, bead, {})));
+}
+
+// The way from the end of the region's last bead, between its beads, to where the next region is in reach, and of those
+// behind it as many as possible; or to where it leads out.
+std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead) const {
+    const auto curves = as_printed(c, bead, {});
+    std::vector<std::vector<Vec2>> lines;
+    for (const auto& curve : curves) {
+        lines.push_back(curve.points);
+        if (curve.closed) lines.back().push_back(curve.points.front());
+    }
+    const SegmentIndex index(curves);
+    const bool above = next_ == Next::above;
+    const double reach = std::min(options_.reach, 1.0); // with some to spare
+    return strip_route(lines, index, bead.points.back(), window_.front().width, kStrips,
+                       above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
+                           return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
+                       });
+}
+
+} // namespace filum::link3d

@@ -1,0 +1,182 @@
+#include "link3d/linker.hpp"
+
+#include "geom/segment.hpp"
+
+#include <algorithm>
+
+namespace filum::link3d {
+
+namespace {
+
+using toolpath::Curve;
+using toolpath::Role;
+using toolpath::Span;
+
+double region_width(const toolpath::RegionPaths& r) {
+    double sum = 0;
+    for (const auto& c : r.curves) sum += mean_width(c);
+    return r.curves.empty() ? 0 : sum / static_cast<double>(r.curves.size());
+}
+
+} // namespace
+
+void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
+    SegmentIndex index(region.curves);
+    const double width = region_width(region);
+    bool closed = false, open = false;
+    for (const auto& c : region.curves) (c.closed ? closed : open) = true;
+    window_.push_back({std::move(region), std::move(index), width, closed, open});
+    if (window_.size() > options_.look_ahead) print_front(emit, notes);
+}
+
+void Linker::finish(const Emit& emit, Notes& notes) {
+    while (!window_.empty()) print_front(emit, notes);
+}
+
+void Linker::print_front(const Emit& emit, Notes& notes) {
+    const auto& r = window_.front().paths;
+    if (r.curves.empty()) {
+        if (r.area > 0) notes.push_back({"", "region without a bead", r.area, "mm2", 1, r.layer});
+        may_climb_ = false;
+        window_.pop_front();
+        return;
+    }
+    next_ = window_.size() < 2 || window_[1].paths.curves.empty()                           ? Next::anywhere
+            : window_[1].paths.join == Join::vertical                                       ? Next::above
+            : window_[1].paths.join == Join::beside && options_.connect == Connect::outside ? Next::outside
+                                                                                            : Next::anywhere;
+    const Entry first = enter(emit, notes);
+    std::vector<char> done(r.curves.size(), 0);
+    Entry entry = first;
+    const auto main = main_curve();
+    for (std::size_t left = r.curves.size(); left > 0; --left) {
+        if (main) done[*main] = left > 1 || *main == first.place.curve ? 1 : 0;
+        if (left < r.curves.size()) entry = hop(done, emit);
+        done[entry.place.curve] = 1;
+        print_curve(entry, left == 1, emit);
+    }
+    joins_.clear();
+    pin_.reset();
+    printed_.add(window_.front().index.bounds(), r.z);
+    may_climb_ = true;
+    window_.pop_front();
+}
+
+// The curve of the front region that is to be printed last, unless the region is entered there: the one that is longer
+// than all others together, if the next region climbs from this one; from there it is most likely in reach.
+std::optional<std::uint32_t> Linker::main_curve() const {
+    const auto& curves = window_.front().paths.curves;
+    if (curves.size() < 2 || climbing() == 0) return std::nullopt;
+    double all = 0, longest = 0;
+    std::uint32_t main = 0;
+    for (std::uint32_t c = 0; c < curves.size(); ++c) {
+        const double l = length(curves[c].points);
+        all += l;
+        if (l > longest) longest = l, main = c;
+    }
+    return longest > all / 2 ? std::optional(main) : std::nullopt;
+}
+
+// Gets the nozzle to the front region's first curve.
+Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
+    const auto& r = window_.front();
+    if (r.paths.join == Join::vertical) {
+        if (const auto entry = climb(emit)) return *entry;
+    } else if (r.paths.join == Join::beside && options_.connect == Connect::outside) {
+        if (const auto entry = go_around(emit)) return *entry;
+    }
+    if (r.paths.join != Join::start && at_ &&
+        (r.paths.join == Join::vertical || options_.connect == Connect::outside)) {
+        ++counts_.broken;
+        notes.push_back({"", "join broken, its ends are out of reach", 0, "", 1, r.paths.layer, at_->x, at_->y});
+    }
+    const Entry entry = start_entry();
+    stop_and_travel(entry.place.point, emit);
+    return entry;
+}
+
+// The nozzle's way from one curve of the front region to the nearest one that is left.
+Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit) {
+    const auto& r = window_.front();
+    auto entry = nearest_entry(r, at_->xy(), std::numeric_limits<double>::infinity(), done).value();
+    const Vec2 to = entry.place.point;
+    const bool near = entry.place.distance <= options_.reach * r.width;
+    if (near && is_free(r.index, at_->xy(), to, kMargin, kEnds, kEnds) && crosses_no_join(at_->xy(), to)) {
+        joins_.push_back({false, {at_->xy(), to}, {kThin * r.width}});
+        ++counts_.jogs;
+        counts_.jog_length += entry.place.distance;
+        if (entry.place.distance > kSame) extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
+    } else {
+        stop_and_travel(to, emit);
+    }
+    return entry;
+}
+
+bool Linker::crosses_no_join(Vec2 a, Vec2 b) const {
+    return std::none_of(joins_.begin(), joins_.end(),
+                        [&](const Curve& j) { return geom::cross_properly(a, b, j.points[0], j.points[1]); });
+}
+
+// Prints one curve of the front region; the last one is left where the next region can be reached, if it can.
+void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
+    const auto& r = window_.front();
+    const std::uint32_t c = entry.place.curve;
+    const Curve& curve = r.paths.curves[c];
+    const auto bead = [&](bool against) {
+        Bead b = curve.closed ? cut(curve, entry.place, against, cut_gap(curve)) : run(curve, entry.against);
+        if (pin_ && curve.closed) pin(b, *pin_);
+        return b;
+    };
+    const bool turn = r.paths.layer % 2 != 0; // beads run the other way on every second layer
+    Bead out = bead(turn);
+    std::optional<std::vector<Vec2>> way;
+    if (last && next_ != Next::anywhere && !ends_well(c, out)) {
+        Bead other = curve.closed ? bead(!turn) : out;
+        if (curve.closed && ends_well(c, other))
+            out = std::move(other);
+        else if ((way = lane(c, out)))
+            thin_beside(out, *way, kThin * r.width, r.width, kThin);
+    }
+    if (last && options_.connect == Connect::outside)
+        last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
+    print(out, emit);
+    if (!way) return;
+    std::vector<Vec3> points;
+    for (const auto p : *way) points.push_back(at_height(p, r.paths.z));
+    ++counts_.lanes;
+    counts_.lane_length += length(*way);
+    extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
+}
+
+void Linker::stop_and_travel(Vec2 to, const Emit& emit) {
+    const auto& r = window_.front().paths;
+    if (at_) {
+        Span s{Role::travel, stroke_, r.layer, r.region, travel(printed_, *at_, at_height(to, r.z), options_.head),
+               {},           {}};
+        counts_.travel_length += length(s.points);
+        ++counts_.breaks;
+        ++stroke_;
+        at_ = s.points.back();
+        emit(s);
+    } else {
+        at_ = at_height(to, r.z);
+    }
+    ++counts_.strokes;
+    printed_.begin();
+}
+
+void Linker::extrude(Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit) {
+    const auto& r = window_.front().paths;
+    at_ = points.back();
+    emit(Span{role, stroke_, r.layer, r.region, std::move(points), std::move(width), {r.height}});
+}
+
+void Linker::print(const Bead& bead, const Emit& emit) {
+    std::vector<Vec3> points;
+    points.reserve(bead.points.size());
+    for (const auto p : bead.points) points.push_back(at_height(p, window_.front().paths.z));
+    if (geom::distance(points.front(), *at_) < kSame) points.front() = *at_; // spans chain exactly
+    extrude(Role::bead, std::move(points), bead.width, emit);
+}
+
+} // namespace filum::link3d

@@ -1,0 +1,131 @@
+// Curves to one toolpath: where each is entered and left, and how one gets from each to the next.
+//
+// A closed curve is cut where it is entered, so its exit lies beside its entry.  From there a region above is entered
+// at the nearest place of its curve: a plain lift, then a short jog that cannot cross that curve.  If the region above
+// is out of reach, a lane is laid from the exit along the middle of the strip between two lanes of the curve
+// (strip_route.hpp), at half a bead's width, and the beads on both sides give up what it deposits.  Looking some
+// regions ahead, entries drift towards where the column goes, so that such lanes stay rare (notes 3c, L0).
+#pragma once
+
+#include "base/note.hpp"
+#include "link3d/bead.hpp"
+#include "link3d/segment_index.hpp"
+#include "link3d/travel.hpp"
+#include "toolpath/path.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+
+namespace filum::link3d {
+
+// What becomes of a join to a region that does not lie above the one before it.
+enum class Connect : std::uint8_t {
+    stop,    // a break: the nozzle stops, travels and starts again
+    outside, // an extruded connector around the part, to be trimmed
+};
+
+// Where a stroke begins.
+enum class Seam : std::uint8_t {
+    nearest, // at the place nearest to where the stroke before ended
+    inside,  // near the middle of the column that it is going to climb
+};
+
+struct Options {
+    double reach = 1.5;            // bead widths: the longest jog
+    std::uint32_t look_ahead = 16; // regions
+    Connect connect = Connect::stop;
+    Seam seam = Seam::nearest;
+    machine::Head head = {}; // for travels: what must pass over what is printed
+};
+
+// Every join of two curves, by class; strokes = breaks + 1.
+struct Counts {
+    std::uint64_t strokes = 0;
+    std::uint64_t lifts = 0;      // to a region above
+    std::uint64_t lanes = 0;      // of those, with a lane through the region below
+    std::uint64_t jogs = 0;       // between curves of a region
+    std::uint64_t connectors = 0; // outside the part
+    std::uint64_t breaks = 0;
+    std::uint64_t broken = 0; // of those, where the input asked for a join
+    double lift_length = 0, lane_length = 0, jog_length = 0, connector_length = 0, travel_length = 0; // mm
+};
+
+// Takes the regions in processing order, gives the spans in printing order.  Keeps at most look_ahead + 1 regions.
+// Every span begins where the one before it ended.
+class Linker {
+  public:
+    using Emit = std::function<void(const toolpath::Span&)>;
+    explicit Linker(const Options& options) : options_(options) {}
+
+    void add(toolpath::RegionPaths region, const Emit& emit, Notes& notes);
+    void finish(const Emit& emit, Notes& notes); // prints what is still waiting
+    [[nodiscard]] const Counts& counts() const { return counts_; }
+
+  private:
+    // A region that waits to be printed.
+    struct Waiting {
+        toolpath::RegionPaths paths;
+        SegmentIndex index;
+        double width;      // mm, mean of its beads
+        bool closed, open; // has curves of this kind
+    };
+    // Where a curve is entered: for an open one at its first point, or its last.
+    struct Entry {
+        Place place;
+        bool against = false;
+    };
+
+    // Where the nozzle must get to from the front region.
+    enum class Next : std::uint8_t { anywhere, above, outside };
+
+    static constexpr double kThin = 0.5;     // of the bead width: a bead laid where material is, or between two beads
+    static constexpr double kSame = 1e-6;    // mm; places nearer than this are one
+    static constexpr double kMargin = 0.003; // mm; joins keep this far from beads: more than a digit of machine code
+    static constexpr double kEnds = 0.01;    // mm; but for this much at their ends, which lie on beads
+    static Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
+
+    void print_front(const Emit& emit, Notes& notes);
+    Entry enter(const Emit& emit, Notes& notes);
+    std::optional<Entry> climb(const Emit& emit);
+    std::optional<Entry> go_around(const Emit& emit);
+    [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
+    Entry hop(std::span<const char> done, const Emit& emit);
+    [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
+    void print_curve(const Entry& entry, bool last, const Emit& emit);
+
+    // joins.cpp
+    [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
+    [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
+    [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
+    [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead) const;
+    [[nodiscard]] std::vector<toolpath::Curve> as_printed(std::uint32_t c, const Bead& bead,
+                                                          const std::vector<Vec2>& lane) const;
+    [[nodiscard]] std::optional<std::vector<Vec2>> lane(std::uint32_t c, const Bead& bead) const;
+
+    void stop_and_travel(Vec2 to, const Emit& emit);
+    void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
+    void print(const Bead& bead, const Emit& emit);
+
+    // entry.cpp
+    static std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done);
+    [[nodiscard]] std::size_t climbing() const;
+    [[nodiscard]] Entry start_entry() const;
+    [[nodiscard]] Entry drift(const Entry& nearest);
+    [[nodiscard]] Entry step_towards(const Entry& nearest, Vec2 to, double step) const;
+
+    Options options_;
+    Counts counts_;
+    std::deque<Waiting> window_;
+    std::optional<Vec3> at_;             // where the nozzle is
+    std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
+    std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
+    Next next_ = Next::anywhere;
+    bool may_climb_ = false; // something of the region before was printed
+    std::uint32_t stroke_ = 0;
+    std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
+    Printed printed_;
+};
+
+} // namespace filum::link3d

@@ -1,0 +1,176 @@
+#include "link3d/strip_route.hpp"
+
+#include "geom/segment.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+
+#include <algorithm>
+#include <array>
+#include <queue>
+
+namespace filum::link3d {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using FaceInfo = std::array<int, 3>; // number of the side opposite to each vertex, -1: none yet
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, FaceBase>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+using Face = Triangulation::Face_handle;
+
+constexpr int kNone = -1, kClosed = -2;
+
+// A side of a triangle that the way may pass through: its middle, and how it is best reached.
+struct Door {
+    Vec2 middle;
+    Face face; // one of the two at the side
+    int side = 0;
+    double length = std::numeric_limits<double>::infinity();
+    int before = kNone;
+    bool done = false;
+};
+
+Vec2 vec(const Point& p) { return {p.x(), p.y()}; }
+
+// The lines are split to pieces of at most `step` mm, so that there is a door about as often.
+Triangulation triangulate(std::span<const std::vector<Vec2>> lines, double step) {
+    Triangulation t;
+    std::vector<Point> points;
+    for (const auto& line : lines) {
+        points.clear();
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            if (i > 0 && line[i] == line[i - 1]) continue;
+            const double pieces = i > 0 ? std::ceil(geom::distance(line[i - 1], line[i]) / step) : 1;
+            for (double k = 1; k < pieces; ++k) {
+                const Vec2 p = geom::lerp(line[i - 1], line[i], k / pieces);
+                points.emplace_back(p.x, p.y);
+            }
+            points.emplace_back(line[i].x, line[i].y);
+        }
+        t.insert_constraint(points.begin(), points.end());
+    }
+    return t;
+}
+
+// Walks from door to door, nearest first (Dijkstra).
+class Search {
+  public:
+    Search(Triangulation& t, const SegmentIndex& index, double narrow, double wide)
+        : t_(t), index_(index), narrow_(narrow), wide_(wide) {}
+
+    std::optional<std::vector<Vec2>> run(Vec2 from, int best, const std::function<int(Vec2, int)>& rank) {
+        start(from);
+        int reached = 0, end = kNone;
+        while (!open_.empty() && reached < best) {
+            const auto [length, at] = open_.top();
+            open_.pop();
+            auto& door = doors_[static_cast<std::size_t>(at)];
+            if (door.done) continue;
+            door.done = true;
+            const Face face = door.face;
+            const int side = door.side;
+            const Vec2 middle = door.middle;
+            if (const int r = rank(middle, reached + 1); r > reached) reached = r, end = at;
+            for (const Face f : {face, face->neighbor(side)})
+                if (!t_.is_infinite(f)) spread(f, at, middle, length);
+        }
+        if (end == kNone) return std::nullopt;
+        return trace(from, end);
+    }
+
+  private:
+    void start(Vec2 from) {
+        const auto v = t_.insert(Point(from.x, from.y)); // a vertex already, if `from` is a point of a line
+        for (Face f : t_.all_face_handles()) f->info() = {kNone, kNone, kNone};
+        auto f = t_.incident_faces(v), end = f;
+        if (f == nullptr) return;
+        do {
+            if (!t_.is_infinite(f)) spread(f, kNone, from, 0);
+        } while (++f != end);
+    }
+
+    void spread(Face f, int before, Vec2 from, double length) {
+        for (int side = 0; side < 3; ++side) {
+            const int at = door(f, side);
+            if (at == kNone || at == before) continue;
+            auto& d = doors_[static_cast<std::size_t>(at)];
+            const double l = length + geom::distance(from, d.middle);
+            if (d.done || l >= d.length) continue;
+            if (before != kNone && !is_free(index_, from, d.middle, narrow_, 0, 0)) continue;
+            d.length = l, d.before = before;
+            open_.emplace(l, at);
+        }
+    }
+
+    // The number of the door at this side of f, kNone if the way may not pass there.
+    int door(Face f, int side) {
+        if (f->is_constrained(side)) return kNone;
+        const Face g = f->neighbor(side);
+        const int mirror = t_.mirror_index(f, side);
+        if (f->info()[static_cast<std::size_t>(side)] == kNone &&
+            g->info()[static_cast<std::size_t>(mirror)] == kNone) {
+            const Vec2 m = geom::lerp(vec(f->vertex(t_.cw(side))->point()), vec(f->vertex(t_.ccw(side))->point()), 0.5);
+            const auto near = index_.nearest(m, wide_);
+            const int number = near && near->distance > narrow_ ? static_cast<int>(doors_.size()) : kClosed;
+            if (number != kClosed) doors_.push_back({m, f, side});
+            f->info()[static_cast<std::size_t>(side)] = number;
+        }
+        const int number =
+            std::max(f->info()[static_cast<std::size_t>(side)], g->info()[static_cast<std::size_t>(mirror)]);
+        return number >= 0 ? number : kNone;
+    }
+
+    std::vector<Vec2> trace(Vec2 from, int at) const {
+        std::vector<Vec2> out;
+        for (; at != kNone; at = doors_[static_cast<std::size_t>(at)].before)
+            out.push_back(doors_[static_cast<std::size_t>(at)].middle);
+        out.push_back(from);
+        std::reverse(out.begin(), out.end());
+        return out;
+    }
+
+    Triangulation& t_;
+    const SegmentIndex& index_;
+    double narrow_, wide_; // mm
+    std::vector<Door> doors_;
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
+};
+
+// Drops points whose neighbours see each other within `tolerance` of them, keeping clear of the lines.
+std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& index, double clear, double tolerance) {
+    std::vector<Vec2> out{way.front()};
+    for (std::size_t i = 1; i + 1 < way.size();) {
+        std::size_t far = i;
+        for (std::size_t j = i + 1; j < way.size() && j < i + 64; ++j) {
+            bool near = true;
+            for (std::size_t k = i; k < j && near; ++k)
+                near = geom::point_segment_distance(out.back(), way[j], way[k]) <= tolerance;
+            if (!near || out.size() == 1 || !is_free(index, out.back(), way[j], clear, 0, 0)) break;
+            far = j;
+        }
+        out.push_back(way[far]);
+        i = far + 1;
+    }
+    if (out.back() != way.back()) out.push_back(way.back());
+    return out;
+}
+
+} // namespace
+
+std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
+                                             Vec2 from, double width, std::span<const Strips> strips, int best,
+                                             const std::function<int(Vec2, int)>& rank) {
+    Triangulation t = triangulate(lines, width);
+    if (t.dimension() < 2) return std::nullopt;
+    for (const auto& [narrow, wide] : strips)
+        if (const auto way = Search(t, index, narrow * width, wide * width).run(from, best, rank))
+            return straighten(*way, index, narrow * width, width / 20);
+    return std::nullopt;
+}
+
+} // namespace filum::link3d

@@ -1,0 +1,35 @@
+// Ways through a filled region that cross no bead.
+//
+// The lanes of a curve that does not cross itself leave strips between them, about one bead wide, and the strips on
+// either side of the curve are connected.  So a nozzle can get from one place of the curve to any other along the
+// middle of a strip, without crossing anything.
+#pragma once
+
+#include "link3d/segment_index.hpp"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace filum::link3d {
+
+// Which strips may be used, in bead widths: a way keeps more than `narrow` and, at its turns, at most `wide` away from
+// the nearest line.  Wider ones are holes and the outside of the part.
+struct Strips {
+    double narrow = 0.2, wide = 0.75;
+};
+
+// The way along the first kind of `strips` that has one, from `from`, a point of `lines`, along the middle of the
+// strips between the lines of a region to the place of the highest rank above zero, and of those the nearest; the first
+// point is `from`.  `rank(place, least)` says how good a place is to end at, at most `best`; it may say zero for
+// whatever is below `least`.
+//
+// Each step halves a triangle of the constrained Delaunay triangulation of `lines`, from the middle of one side to the
+// middle of another, so it crosses no line.  Nothing if there is no such way.  Tie: by the order of the triangulation,
+// which is that of the points.  `index` holds `lines`; `width` is that of a bead, mm.  Cost: near-linear in the points.
+std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
+                                             Vec2 from, double width, std::span<const Strips> strips, int best,
+                                             const std::function<int(Vec2, int)>& rank);
+
+} // namespace filum::link3d

@@ -1,0 +1,121 @@
+#include "link3d/travel.hpp"
+
+#include "geom/segment.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace filum::link3d {
+
+namespace {
+
+// True if a -> b comes within `margin` mm of the box (in both axes).
+bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
+    double from = 0, to = 1;
+    const auto clip = [&](double p, double d, double lo, double hi) {
+        if (d == 0) return p >= lo && p <= hi;
+        const double s = (lo - p) / d, t = (hi - p) / d;
+        from = std::max(from, std::min(s, t)), to = std::min(to, std::max(s, t));
+        return from <= to;
+    };
+    return clip(a.x, b.x - a.x, box.lo.x - margin, box.hi.x + margin) &&
+           clip(a.y, b.y - a.y, box.lo.y - margin, box.hi.y + margin);
+}
+
+} // namespace
+
+void Printed::add(const Box2& box, double top) {
+    bodies.back().box.add(box.lo), bodies.back().box.add(box.hi);
+    bodies.back().top = std::max(bodies.back().top, top);
+}
+
+Box2 Printed::bounds() const {
+    Box2 out;
+    for (const auto& b : bodies) out.add(b.box.lo), out.add(b.box.hi);
+    return out;
+}
+
+bool Printed::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
+    for (std::size_t i = 0; i + (own ? 1 : 0) < bodies.size(); ++i)
+        if (bodies[i].top > z && passes(a.xy(), b.xy(), bodies[i].box, margin)) return true;
+    return false;
+}
+
+std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machine::Head& head) {
+    const double level = std::max(from.z, to.z);
+    const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
+    double z = level;
+    for (const auto& b : printed.bodies) {
+        if (b.top <= level) continue;
+        if (passes(from.xy(), to.xy(), b.box, cone))
+            z = std::max(z, b.top);
+        else if (passes(from.xy(), to.xy(), b.box, carriage))
+            z = std::max(z, b.top - head.cone_height);
+    }
+    std::vector<Vec3> out{from};
+    for (const Vec3 p : {Vec3{from.x, from.y, z}, Vec3{to.x, to.y, z}, to})
+        if (p != out.back()) out.push_back(p);
+    if (out.size() == 1) out.push_back(to);
+    return out;
+}
+
+namespace {
+
+// Position along the box's border, counter-clockwise from its lower left corner, of a point on it.
+double along(const Box2& box, Vec2 p) {
+    const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y;
+    if (p.y == box.lo.y) return p.x - box.lo.x;
+    if (p.x == box.hi.x) return w + (p.y - box.lo.y);
+    if (p.y == box.hi.y) return w + h + (box.hi.x - p.x);
+    return 2 * w + h + (box.hi.y - p.y);
+}
+
+// The corners passed when going counter-clockwise from position s to position t.
+std::vector<Vec2> corners(const Box2& box, double s, double t) {
+    const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y, all = 2 * (w + h);
+    const std::array<std::pair<double, Vec2>, 4> each{
+        {{0, box.lo}, {w, {box.hi.x, box.lo.y}}, {w + h, box.hi}, {2 * w + h, {box.lo.x, box.hi.y}}}};
+    const double end = t >= s ? t : t + all;
+    std::vector<Vec2> out;
+    for (double round = 0; round <= all; round += all)
+        for (const auto& [position, corner] : each)
+            if (position + round > s && position + round < end) out.push_back(corner);
+    return out;
+}
+
+// Where the straight ways from p leave the box, if they are free.
+std::vector<Vec2> outlets(const Box2& box, Vec3 p, const std::function<bool(Vec3, Vec3)>& free) {
+    std::vector<Vec2> out;
+    for (const Vec2 q : {Vec2{box.lo.x, p.y}, Vec2{box.hi.x, p.y}, Vec2{p.x, box.lo.y}, Vec2{p.x, box.hi.y}})
+        if (free(p, {q.x, q.y, p.z})) out.push_back(q);
+    return out;
+}
+
+} // namespace
+
+std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
+                                        const std::function<bool(Vec3, Vec3)>& free) {
+    const Box2 wide{box.lo - Vec2{margin, margin}, box.hi + Vec2{margin, margin}};
+    const double all = 2 * (wide.hi.x - wide.lo.x + wide.hi.y - wide.lo.y);
+    std::optional<std::vector<Vec3>> best;
+    double shortest = 0;
+    for (const Vec2 a : outlets(wide, from, free)) {
+        for (const Vec2 b : outlets(wide, to, free)) {
+            const double s = along(wide, a), t = along(wide, b), ahead = t >= s ? t - s : t - s + all;
+            const double length =
+                geom::distance(from.xy(), a) + std::min(ahead, all - ahead) + geom::distance(b, to.xy());
+            if (best && length >= shortest) continue;
+            shortest = length;
+            auto way = ahead <= all - ahead ? corners(wide, s, t) : corners(wide, t, s);
+            if (ahead > all - ahead) std::reverse(way.begin(), way.end());
+            best.emplace({from, {a.x, a.y, from.z}});
+            for (const Vec2 c : way) best->push_back({c.x, c.y, from.z});
+            best->push_back({b.x, b.y, from.z});
+            if (to.z != from.z) best->push_back({b.x, b.y, to.z});
+            best->push_back(to);
+        }
+    }
+    return best;
+}
+
+} // namespace filum::link3d

@@ -1,0 +1,13 @@
+// How fast a machine moves along a bead.
+#pragma once
+
+#include "machine/profile.hpp"
+#include "toolpath/path.hpp"
+
+namespace filum::machine {
+
+// Feed of the extruding segment i -> i + 1 of `span`, mm/s: that of its role, at most feeds.first_layer on layer 0,
+// lowered so that limits.flow and motion.max_speed_z are kept; a lowered feed is a whole number where it is above one.
+double bead_feed(const Profile& profile, const toolpath::Span& span, std::size_t i);
+
+} // namespace filum::machine

@@ -1,0 +1,171 @@
+#include "machine/profile.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "machine/reader.hpp"
+#include "machine/template.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace filum::machine {
+
+namespace {
+
+using Range = Document::Range;
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+// A positive number not above `max`.
+Range above_zero(double max) { return {0, max, true}; }
+
+std::string fingerprint(std::string_view text) { // FNV-1a, 64 bits
+    std::uint64_t hash = 0xcbf29ce484222325;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    std::string out;
+    for (int shift = 60; shift >= 0; shift -= 4) out += "0123456789abcdef"[(hash >> shift) & 15];
+    return out;
+}
+
+bool is_name(std::string_view text) {
+    return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' || c == '_' ||
+               c == '-';
+    });
+}
+
+void read_bed(Document& doc, Bed& bed) {
+    for (const char* key : {"bed.x", "bed.y", "bed.z"}) doc.require(key);
+    const auto axis = [&doc](const std::string& key, double& lo, double& hi) {
+        doc.pair(key, lo, hi, {-1e5, 1e5});
+        if (lo >= hi) doc.fail(key, "the first number must be below the second");
+    };
+    axis("bed.x", bed.x_min, bed.x_max);
+    axis("bed.y", bed.y_min, bed.y_max);
+    axis("bed.z", bed.z_min, bed.z_max);
+}
+
+void read_head(Document& doc, Head& head) {
+    doc.number("head.flat_radius", head.flat_radius, above_zero(100));
+    double degrees = head.cone_angle * 180 / std::numbers::pi;
+    doc.number("head.cone_angle_deg", degrees, {0, 179});
+    head.cone_angle = degrees * std::numbers::pi / 180;
+    doc.number("head.cone_height", head.cone_height, {0, 1000});
+    doc.pair("head.carriage", head.carriage_x, head.carriage_y, {0, 10000});
+    doc.number("head.gantry_height", head.gantry_height, {0, kInf, true});
+    if (head.gantry_height < head.cone_height) doc.fail("head.gantry_height", "it must not be below cone_height");
+    doc.flag("head.none", head.none);
+}
+
+void read_extrusion(Document& doc, Extrusion& e) {
+    doc.require("extrusion.kind");
+    std::string kind, mode = e.relative ? "relative" : "absolute", letter(1, e.letter);
+    doc.choice("extrusion.kind", kind, {"filament", "plunger", "volume", "valve"});
+    e.feeding = kind == "filament"  ? Feeding::filament
+                : kind == "plunger" ? Feeding::plunger
+                : kind == "volume"  ? Feeding::volume
+                                    : Feeding::valve;
+    doc.choice("extrusion.letter", letter, {"E", "A", "B", "C", "U", "V", "W"});
+    e.letter = letter.front();
+    doc.choice("extrusion.mode", mode, {"relative", "absolute"});
+    e.relative = mode == "relative";
+    if (e.relative && e.letter != 'E') doc.fail("extrusion.mode", "an axis other than E counts absolutely");
+    if (e.feeding == Feeding::plunger || e.feeding == Feeding::filament) doc.require("extrusion.diameter");
+    doc.number("extrusion.diameter", e.diameter, {0.1, 200});
+    doc.number("extrusion.flow", e.flow, above_zero(100));
+    doc.text("extrusion.on", e.on);
+    doc.text("extrusion.off", e.off);
+    if (e.feeding == Feeding::valve && (e.on.empty() || e.off.empty()))
+        doc.fail(e.on.empty() ? "extrusion.on" : "extrusion.off", "a valve needs codes to open and to close");
+}
+
+void read_motion(Document& doc, Profile& p) {
+    Motion& m = p.motion;
+    doc.number("motion.max_speed", m.max_speed, above_zero(1e5));
+    doc.number("motion.max_speed_z", m.max_speed_z, above_zero(1e5));
+    doc.number("motion.acceleration", m.acceleration, above_zero(1e7));
+    doc.number("motion.travel_acceleration", m.travel_acceleration, above_zero(1e7));
+    doc.number("motion.corner_speed", m.corner_speed, above_zero(1e5));
+    const auto feed = [&](const std::string& key, double& out, double max, const char* name) {
+        doc.number(key, out, {0.01, 1e5});
+        if (out > max) doc.fail(key, "it must not be above " + std::string(name) + ", " + shortest_text(max));
+    };
+    feed("feeds.bead", p.feeds.bead, m.max_speed, "motion.max_speed");
+    feed("feeds.first_layer", p.feeds.first_layer, m.max_speed, "motion.max_speed");
+    feed("feeds.lift", p.feeds.lift, m.max_speed, "motion.max_speed");
+    feed("feeds.jog", p.feeds.jog, m.max_speed, "motion.max_speed");
+    feed("feeds.connector", p.feeds.connector, m.max_speed, "motion.max_speed");
+    feed("feeds.travel", p.feeds.travel, m.max_speed, "motion.max_speed");
+    feed("feeds.z", p.feeds.z, m.max_speed_z, "motion.max_speed_z");
+}
+
+void read_travel(Document& doc, Travel& t) {
+    doc.number("travel.lift", t.lift, {0, 1000});
+    doc.number("travel.retract", t.retract, {0, 1000});
+    doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
+    doc.number("travel.extra", t.extra, {0, 1000});
+    doc.number("travel.min_length", t.min_length, {0, 1e5});
+}
+
+void read_format(Document& doc, Format& f) {
+    doc.whole("format.xyz_decimals", f.xyz_decimals, 2, 6);
+    doc.whole("format.e_decimals", f.e_decimals, 3, 8);
+    doc.whole("format.f_decimals", f.f_decimals, 0, 3);
+    std::string comments = "semicolon", line_end = "lf";
+    doc.choice("format.comments", comments, {"semicolon", "parentheses"});
+    f.comments = comments == "semicolon" ? CommentStyle::semicolon : CommentStyle::parentheses;
+    doc.choice("format.line_end", line_end, {"lf", "crlf"});
+    f.crlf = line_end == "crlf";
+    doc.flag("format.viewer_comments", f.viewer_comments);
+    doc.choice("format.travel_code", f.travel_code, {"G0", "G1"});
+}
+
+void read_templates(Document& doc, Profile& p) {
+    const auto one = [&](const std::string& key, std::string& out) {
+        doc.text(key, out);
+        const auto fault = check_template(out, p.values);
+        if (!fault.why.empty()) doc.fail_in_text(key, fault.why, fault.line);
+    };
+    for (const auto& [name, value] : p.values) {
+        if (!is_name(name) || name.find_first_of(".-") != std::string::npos)
+            doc.fail("values." + name, "a name is made of letters, digits and '_'");
+        const auto& known = known_placeholders();
+        if (std::find(known.begin(), known.end(), name) != known.end())
+            doc.fail("values." + name, "the name is taken; every program knows it");
+    }
+    one("templates.start", p.templates.start);
+    one("templates.layer", p.templates.layer);
+    one("templates.end", p.templates.end);
+    one("extrusion.on", p.extrusion.on);
+    one("extrusion.off", p.extrusion.off);
+}
+
+} // namespace
+
+double Extrusion::per_mm3() const {
+    const double area = std::numbers::pi * diameter * diameter / 4;
+    return flow * (feeding == Feeding::filament || feeding == Feeding::plunger ? 1 / area : 1);
+}
+
+Profile parse_profile(std::string_view text, const std::string& file, const std::string& set) {
+    Document doc(text, file, set);
+    Profile p;
+    p.fingerprint = fingerprint(text);
+    doc.require("name");
+    doc.text("name", p.name);
+    if (!is_name(p.name)) doc.fail("name", "it must be letters, digits, '.', '_', '-', at most 64");
+    doc.text("about", p.about);
+    read_bed(doc, p.bed);
+    read_head(doc, p.head);
+    read_extrusion(doc, p.extrusion);
+    doc.number("limits.section", p.limits.section, above_zero(kInf));
+    doc.number("limits.flow", p.limits.flow, above_zero(kInf));
+    read_motion(doc, p);
+    read_travel(doc, p.travel);
+    read_format(doc, p.format);
+    doc.numbers("values", p.values);
+    read_templates(doc, p);
+    doc.finish();
+    return p;
+}
+
+} // namespace filum::machine

@@ -1,0 +1,112 @@
+// A machine as its profile file describes it: what it can reach, how it is fed, how its programs are written.
+#pragma once
+
+#include "geom/vec.hpp"
+#include "machine/head.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filum::machine {
+
+// What the nozzle tip can reach, mm.
+struct Bed {
+    double x_min = 0, x_max = 0, y_min = 0, y_max = 0, z_min = 0, z_max = 0;
+    [[nodiscard]] geom::Vec2 centre() const { return {(x_min + x_max) / 2, (y_min + y_max) / 2}; }
+};
+
+// What the extruder word of a move counts.
+enum class Feeding : std::uint8_t {
+    filament, // mm of filament
+    plunger,  // mm of a syringe's plunger
+    volume,   // mm3
+    valve,    // nothing: no word, the codes `on` and `off` open and close
+};
+
+struct Extrusion {
+    Feeding feeding = Feeding::filament;
+    char letter = 'E';                    // of the extruder word
+    bool relative = true;                 // per move, or counted on from the last reset
+    double diameter = 1.75;               // mm, of the filament or of the syringe's bore
+    double flow = 1;                      // factor on all material
+    std::string on, off;                  // codes before the first and after the last move of a stroke, may be empty
+    [[nodiscard]] double per_mm3() const; // extruder units for one mm3 of bead
+};
+
+struct Limits {
+    double section = std::numeric_limits<double>::infinity(); // mm2, largest bead cross-section
+    double flow = std::numeric_limits<double>::infinity();    // mm3/s; feeds are lowered to keep it
+};
+
+// Speeds of the nozzle, mm/s.
+struct Feeds {
+    double bead = 50, first_layer = 25, lift = 25, jog = 50, connector = 20, travel = 150, z = 10;
+};
+
+// What a break costs.
+struct Travel {
+    double lift = 0.6;         // mm above everything printed so far
+    double retract = 0.8;      // extruder units taken back, 0 for none
+    double retract_speed = 35; // extruder units per s
+    double extra = 0;          // extruder units given on top when printing goes on
+    double min_length = 0;     // mm; a shorter travel keeps its height and does not retract
+};
+
+// For print times; see motion.hpp.
+struct Motion {
+    double max_speed = 300;            // mm/s along the path
+    double max_speed_z = 10;           // mm/s along z
+    double acceleration = 1500;        // mm/s2, extruding
+    double travel_acceleration = 1500; // mm/s2
+    double corner_speed = 5;           // mm/s through a corner of 90 degrees (Klipper's square corner velocity)
+};
+
+enum class CommentStyle : std::uint8_t { semicolon, parentheses };
+
+struct Format {
+    int xyz_decimals = 3, e_decimals = 5, f_decimals = 0;
+    CommentStyle comments = CommentStyle::semicolon;
+    bool viewer_comments = true; // ;TYPE: ;LAYER_CHANGE ;Z: ;HEIGHT: ;WIDTH:
+    bool crlf = false;           // line ends
+    std::string travel_code = "G0";
+};
+
+// Text with {placeholders}; see template.hpp.
+struct Templates {
+    std::string start, layer, end;
+};
+
+struct Profile {
+    std::string name;        // letters, digits, '.', '_', '-'
+    std::string fingerprint; // 16 hex digits over the profile's text: with `name`, what the history says of it
+    std::string about;       // one line
+    Bed bed;
+    Head head;
+    Extrusion extrusion;
+    Limits limits;
+    Feeds feeds;
+    Travel travel;
+    Motion motion;
+    Format format;
+    Templates templates;
+    std::map<std::string, double> values; // the user's own placeholders: nozzle_temp, bed_temp, ...
+};
+
+// The profile in `name_or_path`: a file if that holds a '/' or ends in ".toml", else NAME.toml in the folders of
+// $FILUM_PROFILES (separated by ':'), then in ../share/filum/profiles and ../../share/filum/profiles beside the
+// executable.  `set` changes keys of the file: "feeds.bead=40,nozzle_temp=230"; a key without a section is a value.
+// Throws Error: usage for an unknown name (listing the known ones) or a wrong `set`; io if it cannot be read; bad_input
+// naming file, line and key for an unknown key, a wrong type or an impossible value.
+Profile load_profile(const std::string& name_or_path, const std::string& set = "");
+
+// The same from text; `file` is what messages call it.
+Profile parse_profile(std::string_view text, const std::string& file, const std::string& set = "");
+
+// Names that load_profile knows, sorted.
+std::vector<std::string> profile_names();
+
+} // namespace filum::machine

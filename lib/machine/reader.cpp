@@ -1,0 +1,239 @@
+#include "machine/reader.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "machine/toml_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+// In a release build toml++ 3.3 tells the compiler that its assertions hold, and texts such as "x = [1,}" break them.
+// So they are kept, as exceptions.
+namespace filum::machine {
+[[noreturn]] static void toml_assertion() { throw std::logic_error("malformed"); }
+} // namespace filum::machine
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(expression) ((expression) ? static_cast<void>(0) : filum::machine::toml_assertion())
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
+
+namespace filum::machine {
+
+struct Document::State {
+    std::string file;
+    toml::table root;
+    std::set<std::string> asked; // dotted keys
+    std::set<std::string> set;   // keys that came from `set`
+    std::vector<bool> opens;     // by line: a text of several lines begins at its end, so below it
+};
+
+namespace {
+
+std::string printable(std::string_view text) {
+    std::string out(text.substr(0, 60));
+    for (char& c : out)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    return out;
+}
+
+toml::node* find(toml::table& root, const std::string& key) {
+    const auto dot = key.find('.');
+    if (dot == std::string::npos) return root.get(key);
+    auto* section = root.get_as<toml::table>(key.substr(0, dot));
+    return section == nullptr ? nullptr : section->get(key.substr(dot + 1));
+}
+
+// What stands after '=' in `set`: a number, true or false, or else a text as it is.
+void assign(toml::table& to, const std::string& key, const std::string& value) {
+    if (value == "true" || value == "false") {
+        to.insert_or_assign(key, value == "true");
+        return;
+    }
+    try {
+        const double v = parse_number(value, key);
+        if (v == std::floor(v) && std::abs(v) < 1e15)
+            to.insert_or_assign(key, static_cast<std::int64_t>(v));
+        else
+            to.insert_or_assign(key, v);
+    } catch (const Error&) {
+        to.insert_or_assign(key, value);
+    }
+}
+
+[[noreturn]] void misused(const std::string& item, const std::string& why) {
+    throw Error(Exit::usage, "cannot set '" + printable(item) + "': " + why);
+}
+
+} // namespace
+
+Document::Document(std::string_view text, const std::string& file, const std::string& set)
+    : state_(std::make_unique<State>()) {
+    state_->file = file;
+    const TomlText known = examine(text);
+    if (!known.fault.empty())
+        throw Error(Exit::bad_input,
+                    "cannot read profile '" + file + "', line " + std::to_string(known.line) + ": " + known.fault);
+    state_->opens = known.opens;
+    try {
+        state_->root = toml::parse(text, file);
+    } catch (const toml::parse_error& e) {
+        throw Error(Exit::bad_input, "cannot read profile '" + file + "', line " +
+                                         std::to_string(e.source().begin.line) + ": " + printable(e.description()));
+    } catch (const std::logic_error&) {
+        throw Error(Exit::bad_input, "cannot read profile '" + file + "': it is no TOML");
+    }
+    for (std::size_t at = 0; at < set.size();) {
+        const std::size_t comma = std::min(set.find(',', at), set.size());
+        const std::string item = set.substr(at, comma - at);
+        at = comma + 1;
+        const auto equals = item.find('=');
+        if (equals == std::string::npos || equals == 0) misused(item, "it is not KEY=VALUE");
+        std::string key = item.substr(0, equals);
+        if (key.find('.') == std::string::npos) key = "values." + key;
+        const std::string section = key.substr(0, key.find('.')), name = key.substr(section.size() + 1);
+        if (section.empty() || name.empty() || name.find('.') != std::string::npos) misused(item, "it is no key");
+        if (state_->root.get(section) == nullptr) state_->root.insert(section, toml::table{});
+        auto* table = state_->root.get_as<toml::table>(section);
+        if (table == nullptr) misused(item, "'" + section + "' has no keys");
+        assign(*table, name, item.substr(equals + 1));
+        state_->set.insert(key);
+    }
+}
+
+Document::~Document() = default;
+
+void Document::fail(const std::string& key, const std::string& why) const { fail_in_text(key, why, 0); }
+
+void Document::fail_in_text(const std::string& key, const std::string& why, std::size_t line) const {
+    if (state_->set.count(key) != 0) misused(key, why);
+    const toml::node* node = find(state_->root, key);
+    std::string where = "'" + state_->file + "'";
+    if (node != nullptr && node->source().begin.line > 0) {
+        const std::size_t first = node->source().begin.line;
+        const bool below = node->is_string() && first <= state_->opens.size() && state_->opens[first - 1];
+        where += ", line " + std::to_string(first + line + (below ? 1 : 0));
+    }
+    throw Error(Exit::bad_input, "cannot use profile " + where + ", key '" + printable(key) + "': " + why);
+}
+
+void Document::require(const std::string& key) const {
+    if (find(state_->root, key) == nullptr) fail(key, "it is missing");
+}
+
+namespace {
+
+// The number in `node`; "" or what is wrong with it.
+std::string number_in(const toml::node& node, const Document::Range& range, double& out) {
+    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+    if (!value) return "it must be a number";
+    const double v = *value;
+    if (!(v >= range.min && v <= range.max) || (range.open && v == range.min)) { // nan fails, too
+        std::string why = "it must be " + std::string(range.open ? "above " : "at least ") + shortest_text(range.min);
+        if (std::isfinite(range.max)) why += " and at most " + shortest_text(range.max);
+        return why;
+    }
+    out = v;
+    return "";
+}
+
+} // namespace
+
+void Document::number(const std::string& key, double& out, Range range) {
+    state_->asked.insert(key);
+    const auto* node = find(state_->root, key);
+    if (node == nullptr) return;
+    if (const auto why = number_in(*node, range, out); !why.empty()) fail(key, why);
+}
+
+void Document::whole(const std::string& key, int& out, int min, int max) {
+    state_->asked.insert(key);
+    const auto* node = find(state_->root, key);
+    if (node == nullptr) return;
+    const auto* value = node->as_integer();
+    if (value == nullptr || value->get() < min || value->get() > max)
+        fail(key, "it must be a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+    out = static_cast<int>(value->get());
+}
+
+void Document::flag(const std::string& key, bool& out) {
+    state_->asked.insert(key);
+    const auto* node = find(state_->root, key);
+    if (node == nullptr) return;
+    if (!node->is_boolean()) fail(key, "it must be true or false");
+    out = node->as_boolean()->get();
+}
+
+void Document::text(const std::string& key, std::string& out) {
+    state_->asked.insert(key);
+    const auto* node = find(state_->root, key);
+    if (node == nullptr) return;
+    if (!node->is_string()) fail(key, "it must be a text in quotes");
+    out = node->as_string()->get();
+    for (const char c : out)
+        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
+            fail(key, "it holds a control character");
+}
+
+void Document::choice(const std::string& key, std::string& out, const std::vector<std::string>& choices) {
+    text(key, out);
+    if (std::find(choices.begin(), choices.end(), out) != choices.end()) return;
+    std::string all;
+    for (const auto& c : choices) all += (all.empty() ? "" : ", ") + c;
+    fail(key, "it must be one of " + all);
+}
+
+void Document::pair(const std::string& key, double& a, double& b, Range range) {
+    state_->asked.insert(key);
+    const auto* node = find(state_->root, key);
+    if (node == nullptr) return;
+    const auto* array = node->as_array();
+    if (array == nullptr || array->size() != 2) fail(key, "it must be two numbers in brackets");
+    auto why = number_in(*array->get(0), range, a);
+    if (why.empty()) why = number_in(*array->get(1), range, b);
+    if (!why.empty()) fail(key, why);
+}
+
+void Document::numbers(const std::string& section, std::map<std::string, double>& out) {
+    state_->asked.insert(section);
+    const auto* node = find(state_->root, section);
+    if (node == nullptr) return;
+    if (!node->is_table()) fail(section, "it must be a table");
+    for (const auto& [name, value] : *node->as_table()) {
+        const std::string key = section + "." + std::string(name.str());
+        double v = 0;
+        if (const auto why = number_in(value, {}, v); !why.empty()) fail(key, why);
+        out[std::string(name.str())] = v;
+    }
+}
+
+void Document::finish() const {
+    struct Left {
+        std::string key;
+        toml::source_position at;
+    };
+    std::vector<Left> left;
+    const auto consider = [&](const std::string& key, const toml::node& node) {
+        if (state_->asked.count(key) == 0) left.push_back({key, node.source().begin});
+    };
+    for (const auto& [name, node] : state_->root) {
+        const std::string key(name.str());
+        const bool section = std::any_of(state_->asked.begin(), state_->asked.end(),
+                                         [&](const std::string& a) { return a.starts_with(key + "."); });
+        if (!section || state_->asked.count(key) != 0) {
+            consider(key, node);
+            continue;
+        }
+        if (!node.is_table()) fail(key, "it must be a section");
+        for (const auto& [inner, value] : *node.as_table()) consider(key + "." + std::string(inner.str()), value);
+    }
+    if (left.empty()) return;
+    const auto first = std::min_element(left.begin(), left.end(), [](const Left& a, const Left& b) {
+        return std::pair(a.at.line, a.key) < std::pair(b.at.line, b.key);
+    });
+    fail(first->key, "there is no such key");
+}
+
+} // namespace filum::machine

@@ -1,0 +1,48 @@
+// Strict reading of a TOML document: every key is asked for by name, checked, and nothing may be left over.
+// Private to lib/machine; the TOML library itself stays behind this header.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filum::machine {
+
+class Document {
+  public:
+    // Parses `text`, then lays the keys of `set` ("a.b=1,c=2") over it.
+    Document(std::string_view text, const std::string& file, const std::string& set);
+    ~Document();
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    struct Range {
+        double min = -1e9, max = 1e9;
+        bool open = false; // min itself is not allowed
+    };
+    // Each leaves `out` as it is where the key is missing.  `key` is dotted: "feeds.bead".
+    void number(const std::string& key, double& out, Range range);
+    void whole(const std::string& key, int& out, int min, int max);
+    void flag(const std::string& key, bool& out);
+    void text(const std::string& key, std::string& out);
+    void choice(const std::string& key, std::string& out, const std::vector<std::string>& choices);
+    void pair(const std::string& key, double& a, double& b, Range range);         // [a, b]
+    void numbers(const std::string& section, std::map<std::string, double>& out); // a table of any names
+
+    void require(const std::string& key) const;
+    void finish() const; // throws for the first key (in the file's order) that was not asked for
+
+    // Throws: the value of `key` cannot be used.
+    [[noreturn]] void fail(const std::string& key, const std::string& why) const;
+    // Likewise, for a fault on line `line`, counted from 0, of a text.
+    [[noreturn]] void fail_in_text(const std::string& key, const std::string& why, std::size_t line) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace filum::machine

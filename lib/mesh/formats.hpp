@@ -1,0 +1,26 @@
+// One reader per file format; private to lib/mesh.  All throw Error as mesh::read says.
+#pragma once
+
+#include "mesh/read.hpp"
+
+namespace filum::mesh {
+
+// These two give welded vertices.
+Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& notes);
+Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& notes);
+
+// These give vertices as they stand in the file; indices are in range.
+Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes);
+Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes);
+Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes);
+Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes); // in mm
+
+// Appends the fan of a polygon's triangles, all from its first corner.
+void append_fan(std::vector<Triangle>& out, const std::vector<std::uint32_t>& corners);
+
+// A note of this library; the stage's name is set by the command.
+inline Note note(std::string what, double amount, std::string unit) {
+    return {.stage = "", .what = std::move(what), .amount = amount, .unit = std::move(unit)};
+}
+
+} // namespace filum::mesh

@@ -1,0 +1,180 @@
+#include "mesh/holes.hpp"
+
+#include "mesh/formats.hpp"
+#include "mesh/place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::mesh {
+
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// Side k of triangle t, from its corner k to the next one, is half-edge 3t + k.
+struct HalfEdge {
+    std::uint64_t key; // both vertices, the lower number in the high half
+    std::uint32_t side;
+    bool falls; // from the higher number to the lower
+};
+
+std::vector<HalfEdge> half_edges(const Mesh& mesh) {
+    std::vector<HalfEdge> out;
+    out.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint64_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+            out.push_back({std::min(a, b) << 32 | std::max(a, b), 3 * t + k, a > b});
+        }
+    std::sort(out.begin(), out.end(),
+              [](const HalfEdge& a, const HalfEdge& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
+    return out;
+}
+
+// Calls visit(first, last) for the half-edges of each edge.
+template <class Visit>
+void each_edge(const std::vector<HalfEdge>& sides, const Visit& visit) {
+    for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+        while (j < sides.size() && sides[j].key == sides[i].key) ++j;
+        visit(i, j);
+    }
+}
+
+double area(const Mesh& mesh, const Triangle& t) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    return norm(cross(b - a, c - a)) / 2;
+}
+
+// Per half-edge the one that it meets on an edge of exactly two triangles, and whether both run the same way.
+struct Meeting {
+    std::uint32_t side = kNone;
+    bool same_way = false;
+};
+std::vector<Meeting> meetings(const Mesh& mesh) {
+    const auto sides = half_edges(mesh);
+    std::vector<Meeting> out(sides.size());
+    each_edge(sides, [&](std::size_t i, std::size_t j) {
+        if (j - i != 2) return;
+        const bool same = sides[i].falls == sides[i + 1].falls;
+        out[sides[i].side] = {sides[i + 1].side, same};
+        out[sides[i + 1].side] = {sides[i].side, same};
+    });
+    return out;
+}
+
+// Surplus sides of edges that are not balanced, as (from, to) vertices, ascending.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> rims(const Mesh& mesh) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    const auto sides = half_edges(mesh);
+    each_edge(sides, [&](std::size_t i, std::size_t j) {
+        std::ptrdiff_t balance = 0;
+        for (std::size_t k = i; k < j; ++k) balance += sides[k].falls ? -1 : 1;
+        const auto low = static_cast<std::uint32_t>(sides[i].key >> 32),
+                   high = static_cast<std::uint32_t>(sides[i].key);
+        for (; balance > 0; --balance) out.emplace_back(low, high);
+        for (; balance < 0; ++balance) out.emplace_back(high, low);
+    });
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+// The closed rims that the surplus sides make; at every vertex as many end as begin.
+std::vector<std::vector<std::uint32_t>> closed_rims(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sides) {
+    std::vector<std::vector<std::uint32_t>> out;
+    std::vector<char> used(sides.size(), 0);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (used[i] != 0) continue;
+        std::vector<std::uint32_t> rim;
+        for (std::size_t j = i; j < sides.size() && used[j] == 0;) {
+            used[j] = 1;
+            rim.push_back(sides[j].first);
+            const std::uint32_t to = sides[j].second;
+            j = static_cast<std::size_t>(std::lower_bound(sides.begin(), sides.end(), std::pair{to, 0U}) -
+                                         sides.begin());
+            while (j < sides.size() && sides[j].first == to && used[j] != 0) ++j;
+            if (j < sides.size() && sides[j].first != to) break;
+        }
+        out.push_back(std::move(rim));
+    }
+    return out;
+}
+
+} // namespace
+
+bool is_closed(const Mesh& mesh) {
+    std::uint64_t sum = 0;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint64_t a = t[k], b = t[(k + 1) % 3];
+            std::uint64_t h = (std::min(a, b) << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15ULL;
+            h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ULL;
+            h ^= h >> 32;
+            sum += a < b ? h : 0 - h;
+        }
+    return sum == 0;
+}
+
+void face_one_way(Mesh& mesh, Notes& notes) {
+    if (is_closed(mesh)) return;
+    const auto meets = meetings(mesh);
+    std::vector<char> seen(mesh.triangles.size(), 0), turn(mesh.triangles.size(), 0);
+    std::vector<std::uint32_t> patch;
+    Note n = note("triangle turned round to face as its neighbours do", 0, "mm2");
+    n.count = 0;
+    for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
+        if (seen[first] != 0) continue;
+        seen[first] = 1;
+        patch.assign(1, first);
+        double all = 0, turned = 0;
+        for (std::size_t i = 0; i < patch.size(); ++i) {
+            const std::uint32_t t = patch[i];
+            const double a = area(mesh, mesh.triangles[t]);
+            all += a;
+            if (turn[t] != 0) turned += a;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const Meeting& m = meets[3 * t + k];
+                if (m.side == kNone || seen[m.side / 3] != 0) continue;
+                seen[m.side / 3] = 1;
+                turn[m.side / 3] = static_cast<char>((turn[t] != 0) != m.same_way);
+                patch.push_back(m.side / 3);
+            }
+        }
+        const char wrong = turned > all / 2 ? 0 : 1; // the mark of the smaller part
+        for (const std::uint32_t t : patch) {
+            if (turn[t] != wrong) continue;
+            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+            ++n.count;
+        }
+        n.amount += std::min(turned, all - turned);
+    }
+    if (n.count > 0) notes.push_back(std::move(n));
+}
+
+Lids lids(Mesh& mesh) {
+    Lids out;
+    if (is_closed(mesh)) return out;
+    const Shells shells = shells_of(mesh);
+    std::vector<double> size(shells.count, 0);
+    for (const Triangle& t : mesh.triangles) size[shells.of_vertex[t[0]]] += area(mesh, t);
+    for (const auto& rim : closed_rims(rims(mesh))) {
+        double round = 0;
+        Vec3 middle;
+        for (std::size_t i = 0; i < rim.size();
+             ++i) { // weighted with the lengths beside it, so that dense stretches do not pull
+            const Vec3 &p = mesh.vertices[rim[i]], &q = mesh.vertices[rim[(i + 1) % rim.size()]];
+            const double l = distance(p, q);
+            round += l;
+            middle = middle + l / 2 * (p + q);
+        }
+        if (!(round > 0) || round * round > 2 * size[shells.of_vertex[rim[0]]]) continue;
+        const auto centre = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(1 / round * middle);
+        for (std::size_t i = 0; i < rim.size(); ++i)
+            out.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], centre});
+        ++out.holes;
+    }
+    return out;
+}
+
+} // namespace filum::mesh

@@ -1,0 +1,27 @@
+// What is wrong with a surface along its edges: triangles that face the other way than their neighbours, and holes.
+#pragma once
+
+#include "base/note.hpp"
+#include "mesh/mesh.hpp"
+
+namespace filum::mesh {
+
+// True if every edge is passed as often one way as the other: the surface is closed, and all of it faces one way.
+// By a sum of 64-bit hashes that cancel out: takes one pass and no memory, and errs once in 2^64.
+bool is_closed(const Mesh& mesh);
+
+// Turns round triangles that disagree with their neighbours across edges of two triangles; the larger area of what
+// hangs together keeps its way.  Notes how many.  Does nothing to a closed mesh.
+void face_one_way(Mesh& mesh, Notes& notes);
+
+// Lids for the holes of a mesh: a fan from the middle of each hole's rim.  Not part of the mesh; its vertices are.
+struct Lids {
+    std::vector<Triangle> triangles;
+    std::size_t holes = 0;
+};
+
+// Finds the holes whose rim is short beside the shell that they are in (rim squared at most twice the shell's area: not
+// the outline of a sheet), appends their middles to mesh.vertices and returns their lids, by ascending first vertex.
+Lids lids(Mesh& mesh);
+
+} // namespace filum::mesh

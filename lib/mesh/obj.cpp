@@ -1,0 +1,69 @@
+// Wavefront OBJ: "v x y z", "f 1 2/1 3/1/1 -1"; everything else is left alone.
+#include "base/error.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/text.hpp"
+
+namespace filum::mesh {
+
+namespace {
+
+[[noreturn]] void bad(const std::string& name, const Text& text, const std::string& why) {
+    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
+}
+
+Vec3 vertex(Text& text, const std::string& name) {
+    double c[3] = {};
+    for (double& d : c)
+        if (!text.more_on_line() || !text.number(d)) bad(name, text, "a vertex takes three numbers");
+    return {c[0], c[1], c[2]};
+}
+
+// True over a backslash at the end of a line: the next line goes on.
+bool continued(Text& text) {
+    if (*text.at != '\\') return false;
+    const char* p = text.at + 1;
+    while (p < text.end && is_blank(*p)) ++p;
+    if (p == text.end || *p != '\n') return false;
+    text.at = p + 1;
+    return true;
+}
+
+// The corners of an "f" line, counted from 0; `count` vertices came before it.
+void face(Text& text, const std::string& name, std::size_t count, std::vector<std::uint32_t>& corners) {
+    corners.clear();
+    while (text.more_on_line()) {
+        if (continued(text)) continue;
+        long long i = 0;
+        if (!text.whole(i)) bad(name, text, "a corner of a face is no whole number");
+        while (text.at < text.end && !is_blank(*text.at) && *text.at != '\n') ++text.at; // texture, normal
+        if (i < 0) i += static_cast<long long>(count) + 1;
+        if (i < 1 || i > 0xffffffffLL) bad(name, text, "a face has a corner that is no vertex");
+        corners.push_back(static_cast<std::uint32_t>(i - 1));
+    }
+}
+
+} // namespace
+
+Mesh read_obj(std::string_view bytes, const std::string& name, Notes&) {
+    Text text(bytes, '#');
+    Mesh out;
+    std::vector<std::uint32_t> corners;
+    while (text.more()) {
+        const std::string_view word = text.word();
+        if (word == "v")
+            out.vertices.push_back(vertex(text, name));
+        else if (word == "f") {
+            face(text, name, out.vertices.size(), corners);
+            append_fan(out.triangles, corners);
+        }
+        text.skip_line();
+    }
+    for (const Triangle& t : out.triangles)
+        for (const std::uint32_t v : t)
+            if (v >= out.vertices.size())
+                throw Error(Exit::bad_input, "cannot read " + name + ": a face has vertex " + std::to_string(v + 1) +
+                                                 " of " + std::to_string(out.vertices.size()));
+    return out;
+}
+
+} // namespace filum::mesh

@@ -1,0 +1,126 @@
+#include "mesh/place.hpp"
+
+#include "base/error.hpp"
+#include "mesh/formats.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::mesh {
+
+namespace {
+
+// Sine and cosine that are exact for quarter turns: a part set upright must stand upright.
+struct Turn {
+    double cos, sin;
+};
+Turn turn(double degrees) {
+    const double d = std::remainder(degrees, 360.0);
+    if (d == 0) return {1, 0};
+    if (d == 90) return {0, 1};
+    if (d == -90) return {0, -1};
+    if (std::abs(d) == 180) return {-1, 0};
+    const double r = d * std::numbers::pi / 180;
+    return {std::cos(r), std::sin(r)};
+}
+
+Affine rotation(int axis, double degrees) {
+    const auto [c, s] = turn(degrees);
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    Affine out;
+    out.a[j][j] = c, out.a[j][k] = s;
+    out.a[k][j] = -s, out.a[k][k] = c;
+    return out;
+}
+
+constexpr std::pair<const char*, double> kUnits[] = {{"um", 0.001}, {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+
+// Parts are between some millimetres and some decimetres: a longest side below 0.4 units speaks for metres, below 4
+// for inches.
+const char* guess(double longest) { return longest < 0.4 ? "m" : longest < 4 ? "in" : "mm"; }
+
+double unit_mm(const std::string& unit, double longest, bool in_mm, Notes& notes) {
+    if (in_mm) {
+        if (unit != "auto" && unit != "mm")
+            throw Error(Exit::usage,
+                        "cannot use '" + unit + "' for --unit: a 3MF file states its own unit; use --scale");
+        return 1;
+    }
+    const std::string name = unit == "auto" ? guess(longest) : unit;
+    if (unit == "auto" && name != "mm") notes.push_back(note("unit of the file taken to be " + name, longest, name));
+    for (const auto& [text, mm] : kUnits)
+        if (name == text) return mm;
+    throw Error(Exit::usage, "cannot use '" + unit + "' for --unit: it must be one of auto, um, mm, cm, m, in");
+}
+
+Affine placement_map(const Placement& p, double unit) {
+    if (p.scale.size() != 1 && p.scale.size() != 3)
+        throw Error(Exit::usage, "cannot use --scale: it takes one number or three");
+    Affine map;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double s = p.scale.size() == 3 ? p.scale[k] : p.scale[0];
+        if (s == 0) throw Error(Exit::usage, "cannot use '0' for --scale: nothing would be left");
+        map.a[k][k] = s * unit;
+    }
+    for (int axis = 0; axis < 3; ++axis) map = then(map, rotation(axis, p.rotate_deg[static_cast<std::size_t>(axis)]));
+    for (std::size_t k = 0; k < 3; ++k) map.t[k] += p.translate[k];
+    return map;
+}
+
+void drop_unused_vertices(Mesh& mesh) {
+    constexpr std::uint32_t kUnused = ~std::uint32_t{0};
+    std::vector<std::uint32_t> to(mesh.vertices.size(), kUnused);
+    for (const Triangle& t : mesh.triangles)
+        for (const auto v : t) to[v] = 0;
+    if (std::find(to.begin(), to.end(), kUnused) == to.end()) return;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        if (to[i] == kUnused) continue;
+        mesh.vertices[count] = mesh.vertices[i];
+        to[i] = count++;
+    }
+    mesh.vertices.resize(count);
+    for (Triangle& t : mesh.triangles)
+        for (auto& v : t) v = to[v];
+}
+
+double longest_side(const Box3& b) { return std::max({b.hi.x - b.lo.x, b.hi.y - b.lo.y, b.hi.z - b.lo.z}); }
+
+bool within_limits(const Box3& b) {
+    for (const double v : {b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z})
+        if (!(std::abs(v) <= kMaxCoordinate)) return false;
+    return true;
+}
+
+} // namespace
+
+Box3 bounds(const Mesh& mesh) {
+    Box3 out{mesh.vertices.front(), mesh.vertices.front()};
+    for (const Vec3& v : mesh.vertices) {
+        out.lo = {std::min(out.lo.x, v.x), std::min(out.lo.y, v.y), std::min(out.lo.z, v.z)};
+        out.hi = {std::max(out.hi.x, v.x), std::max(out.hi.y, v.y), std::max(out.hi.z, v.z)};
+    }
+    return out;
+}
+
+void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
+    drop_unused_vertices(mesh);
+    Affine map = placement_map(placement, unit_mm(placement.unit, longest_side(bounds(mesh)), in_mm, notes));
+    for (Vec3& v : mesh.vertices) v = map(v);
+    if (map.mirrors())
+        for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    const Box3 box = bounds(mesh);
+    Vec3 shift;
+    if (!placement.center.empty()) {
+        shift.x = placement.center[0] - (box.lo.x + box.hi.x) / 2;
+        shift.y = placement.center[1] - (box.lo.y + box.hi.y) / 2;
+    }
+    if (placement.on_bed && !placement.keep_z) shift.z = -box.lo.z;
+    if (shift != Vec3{})
+        for (Vec3& v : mesh.vertices) v = v + shift;
+    if (!within_limits(box) || !within_limits(bounds(mesh)))
+        throw Error(Exit::bad_input, "cannot use the part: it reaches beyond 10000 m; check --unit and --scale");
+}
+
+} // namespace filum::mesh

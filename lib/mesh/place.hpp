@@ -1,0 +1,49 @@
+// Putting a mesh where it is to be made: unit, size, orientation, position.
+#pragma once
+
+#include "base/note.hpp"
+#include "mesh/affine.hpp"
+
+#include <string>
+
+namespace filum::mesh {
+
+// Applied in this order.
+struct Placement {
+    std::string unit = "mm";                 // of the file: um, mm, cm, m, in, or auto: guessed from the size
+    std::vector<double> scale{1};            // one factor, or one per axis; negative ones mirror
+    std::vector<double> rotate_deg{0, 0, 0}; // about the x axis, then y, then z, all through the origin
+    std::vector<double> translate{0, 0, 0};  // mm
+    std::vector<double> center{};            // x and y that the middle of the box comes to, mm; empty: leave it
+    bool on_bed = true;                      // the lowest point comes to z = 0,
+    bool keep_z = false;                     // unless this is set
+};
+
+struct Box3 {
+    Vec3 lo, hi;
+};
+Box3 bounds(const Mesh& mesh); // precondition: a vertex
+
+inline constexpr double kMaxCoordinate = 1e7; // mm
+
+// Moves `mesh` as `placement` says; `in_mm` if the file states its unit itself (then only "auto" and "mm" are allowed).
+// A map that mirrors turns the triangles round, so that outside stays outside.  Vertices without a triangle go.
+// Throws Error: usage for options that cannot be obeyed, bad_input if a coordinate ends up beyond 1e7 mm.
+void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
+
+// Signed volume, mm3: positive if the triangles face outwards.
+double volume(const Mesh& mesh);
+
+// Which triangles hang together, by shared vertices.
+struct Shells {
+    std::vector<std::uint32_t> of_vertex; // numbered by their first vertices
+    std::size_t count = 0;
+};
+Shells shells_of(const Mesh& mesh);
+
+// Turns round what is certainly inside out: the whole if its volume is negative, then every nearly closed shell of
+// negative volume that lies in the box of no shell of positive volume, so that it can be no cavity.  Notes how many.
+// Returns the number of shells.
+std::size_t face_outwards(Mesh& mesh, Notes& notes);
+
+} // namespace filum::mesh

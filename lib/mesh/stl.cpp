@@ -1,0 +1,107 @@
+// STL.  Binary: 80 bytes of anything, a count, 50 bytes per triangle: normal, three corners, attribute.
+// ASCII: solid NAME / facet normal / outer loop / vertex ... / endloop / endfacet / endsolid.
+#include "base/error.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/text.hpp"
+#include "mesh/weld.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace filum::mesh {
+
+namespace {
+
+constexpr std::size_t kHeader = 84, kRecord = 50;
+constexpr std::size_t kBlock = 32; // triangles hashed ahead of their look-up
+
+void add_block(const char* record, std::size_t count, Weld<std::uint32_t>& weld, std::vector<Triangle>& out) {
+    float v[3 * kBlock][3];
+    std::array<std::uint32_t, 3> key[3 * kBlock];
+    std::uint64_t hash[3 * kBlock];
+    for (std::size_t t = 0; t < count; ++t) {
+        std::memcpy(v[3 * t], record + kRecord * t + 12, 36);
+        for (std::size_t k = 3 * t; k < 3 * t + 3; ++k) {
+            for (std::size_t d = 0; d < 3; ++d) key[k][d] = std::bit_cast<std::uint32_t>(v[k][d] + 0.0F);
+            hash[k] = Weld<std::uint32_t>::hash(key[k]);
+            weld.prefetch(hash[k]);
+        }
+    }
+    for (std::size_t t = 0; t < count; ++t) {
+        Triangle tri{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t i = 3 * t + k;
+            tri[k] = weld.add(key[i], hash[i], {v[i][0] + 0.0F, v[i][1] + 0.0F, v[i][2] + 0.0F});
+        }
+        out.push_back(tri);
+    }
+}
+
+} // namespace
+
+Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& notes) {
+    std::uint32_t announced = 0;
+    std::memcpy(&announced, bytes.data() + 80, 4);
+    const std::size_t held = (bytes.size() - kHeader) / kRecord;
+    if (held < announced)
+        throw Error(Exit::truncated, "cannot read " + name + ": it announces " + std::to_string(announced) +
+                                         " triangles and ends after " + std::to_string(held) +
+                                         "; copy or export it again");
+    const std::size_t beyond = bytes.size() - kHeader - kRecord * announced;
+    if (beyond > 0)
+        notes.push_back(note("bytes after the last triangle not read", static_cast<double>(beyond), "bytes"));
+    Mesh out;
+    out.triangles.reserve(announced);
+    Weld<std::uint32_t> weld(announced / 2 + 16);
+    for (std::size_t t = 0; t < announced; t += kBlock) {
+        const std::size_t count = std::min<std::size_t>(kBlock, announced - t);
+        weld.reserve(3 * count);
+        add_block(bytes.data() + kHeader + kRecord * t, count, weld, out.triangles);
+    }
+    out.vertices = std::move(weld.vertices);
+    return out;
+}
+
+Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& notes) {
+    Text text(bytes);
+    Weld<std::uint64_t> weld(bytes.size() / 600); // about 250 bytes a triangle
+    Mesh out;
+    std::vector<std::uint32_t> corners;
+    bool in_facet = false, in_solid = false;
+    while (text.more()) {
+        const std::string_view word = text.word();
+        if (begins_with(word, "vertex")) {
+            double c[3] = {};
+            for (double& d : c)
+                if (!text.more_on_line() || !text.number(d)) {
+                    if (text.at_end()) throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
+                    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) +
+                                                     ": a vertex takes three numbers");
+                }
+            const Vec3 v{c[0] + 0.0, c[1] + 0.0, c[2] + 0.0};
+            weld.reserve(1);
+            corners.push_back(weld.add(bits(v), Weld<std::uint64_t>::hash(bits(v)), v));
+        } else if (begins_with(word, "facet")) {
+            for (int k = 0; k < 4; ++k) text.word(); // "normal" and its three numbers
+            in_facet = true;
+            corners.clear();
+        } else if (begins_with(word, "outer"))
+            text.word();
+        else if (begins_with(word, "endfacet")) {
+            append_fan(out.triangles, corners);
+            in_facet = false;
+            corners.clear();
+        } else if (begins_with(word, "solid") || begins_with(word, "endsolid")) {
+            in_solid = begins_with(word, "solid");
+            text.skip_line(); // its name
+        } else if (!begins_with(word, "endloop"))
+            throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": '" +
+                                             std::string(word.substr(0, 20)) + "' is no word of an STL file");
+    }
+    if (in_facet) throw Error(Exit::truncated, "cannot read " + name + ": it ends inside a facet");
+    if (in_solid) notes.push_back(note("'endsolid' missing: the file may be cut short", 0, ""));
+    out.vertices = std::move(weld.vertices);
+    return out;
+}
+
+} // namespace filum::mesh

@@ -1,0 +1,87 @@
+// A cursor over text for the readers of text formats; private to lib/mesh.
+#pragma once
+
+#include <charconv>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+namespace filum::mesh {
+
+inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
+
+// True if `text` begins with the lower-case `word`, in any case.
+inline bool begins_with(std::string_view text, std::string_view word) {
+    if (text.size() < word.size()) return false;
+    for (std::size_t i = 0; i < word.size(); ++i)
+        if (lower(text[i]) != word[i]) return false;
+    return true;
+}
+
+struct Text {
+    const char* at;
+    const char* end;
+    const char* begin;
+    char comment; // from here to the end of the line is no text; '\0' if the format has none
+
+    explicit Text(std::string_view t, char comment_mark = '\0')
+        : at(t.data()), end(t.data() + t.size()), begin(t.data()), comment(comment_mark) {
+        if (t.starts_with("\xef\xbb\xbf")) at += 3; // byte order mark
+    }
+
+    [[nodiscard]] bool at_end() const { return at == end; }
+    // Only for messages: counts from the start.
+    [[nodiscard]] std::size_t line() const {
+        std::size_t n = 1;
+        for (const char* p = begin; p < at; ++p) n += *p == '\n';
+        return n;
+    }
+    // To the end of the line, not beyond.
+    void skip_line() {
+        while (at < end && *at != '\n') ++at;
+    }
+    // Over blanks and a comment; true if something is left on this line.
+    bool more_on_line() {
+        while (at < end && is_blank(*at)) ++at;
+        if (at < end && comment != '\0' && *at == comment) skip_line();
+        return at < end && *at != '\n';
+    }
+    // Over blanks, comments and line ends; true if something is left.
+    bool more() {
+        while (!more_on_line()) {
+            if (at == end) return false;
+            ++at;
+        }
+        return true;
+    }
+    // The next word of this line, "" if there is none.
+    std::string_view word() {
+        if (!more_on_line()) return {};
+        const char* from = at;
+        while (at < end && !is_blank(*at) && *at != '\n') ++at;
+        return {from, static_cast<std::size_t>(at - from)};
+    }
+    // The next word as a number; false, and no move, if it is none.  "nan" and "inf" are numbers here.
+    bool number(double& value) {
+        const char* from = at;
+        if (from < end && *from == '+') ++from;
+        const auto [stop, error] = std::from_chars(from, end, value);
+        if (error == std::errc::result_out_of_range)
+            value = std::strtod(std::string(from, stop).c_str(), nullptr);
+        else if (error != std::errc())
+            return false;
+        at = stop;
+        return true;
+    }
+    bool whole(long long& value) {
+        const char* from = at;
+        if (from < end && *from == '+') ++from;
+        const auto [stop, error] = std::from_chars(from, end, value);
+        if (error != std::errc()) return false;
+        at = stop;
+        return true;
+    }
+};
+
+} // namespace filum::mesh

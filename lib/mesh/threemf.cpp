@@ -1,0 +1,211 @@
+// 3MF (core specification 1.3, and the production extension's parts in several files): a zip archive whose root model
+// lists objects (a mesh, or components: other objects, moved) and the build items that are to be made of them.
+#include "base/error.hpp"
+#include "mesh/affine.hpp"
+#include "mesh/formats.hpp"
+#include "mesh/text.hpp"
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <pugixml.hpp>
+#include <zip.h>
+
+namespace filum::mesh {
+
+namespace {
+
+constexpr std::size_t kMaxText = std::size_t{1} << 30;      // of all models together: a small zip can hold terabytes
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 26; // after all copies that components ask for
+constexpr std::size_t kMaxCopies = 100000;
+constexpr int kMaxDepth = 32;
+
+struct Model {
+    std::string text; // parsed in place
+    pugi::xml_document xml;
+    std::map<std::string, pugi::xml_node> objects; // by id
+    double unit = 1;                               // mm
+};
+
+// Element names without their namespace prefix.
+bool is(const pugi::xml_node& n, const char* name) {
+    const char* colon = std::strchr(n.name(), ':');
+    return std::strcmp(colon != nullptr ? colon + 1 : n.name(), name) == 0;
+}
+pugi::xml_node child(const pugi::xml_node& n, const char* name) {
+    return n.find_child([&](const pugi::xml_node& c) { return is(c, name); });
+}
+// The attribute "path" of the production extension, under whatever prefix.
+std::string part_path(const pugi::xml_node& n) {
+    for (const auto& a : n.attributes())
+        if (const char* colon = std::strchr(a.name(), ':'); colon != nullptr && std::strcmp(colon, ":path") == 0)
+            return a.value();
+    return "";
+}
+
+class Archive {
+  public:
+    Archive(std::string_view bytes, const std::string& name, Notes& notes) : name_(name), notes_(notes) {
+        zip_error_t error;
+        zip_error_init(&error);
+        zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+        if (source != nullptr) zip_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
+        if (zip_ == nullptr) {
+            const std::string why = zip_error_strerror(&error);
+            if (source != nullptr) zip_source_free(source);
+            zip_error_fini(&error);
+            bad("it is no whole zip archive: " + why);
+        }
+        zip_error_fini(&error);
+    }
+
+    Mesh build() {
+        const std::string root = root_path();
+        const Model& model = load(root);
+        const auto build = child(child(model.xml, "model"), "build");
+        for (const auto& item : build.children()) {
+            if (!is(item, "item")) continue;
+            if (std::strcmp(item.attribute("printable").value(), "0") == 0) {
+                notes_.push_back(note("build item marked as not printable left out", 0, ""));
+                continue;
+            }
+            const std::string path = part_path(item);
+            add(path.empty() ? root : path, item.attribute("objectid").value(), transform(item), 0);
+        }
+        return std::move(out_);
+    }
+
+  private:
+    [[noreturn]] void bad(const std::string& why) const {
+        throw Error(Exit::bad_input, "cannot read " + name_ + ": " + why);
+    }
+
+    std::string file(std::string path) {
+        if (path.starts_with('/')) path.erase(0, 1);
+        const zip_int64_t index = zip_name_locate(zip_.get(), path.c_str(), ZIP_FL_NOCASE);
+        if (index < 0) bad("'" + path + "' is missing in the archive");
+        const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> f(
+            zip_fopen_index(zip_.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
+        if (f == nullptr) bad("'" + path + "' in the archive cannot be opened: " + zip_strerror(zip_.get()));
+        std::string out;
+        constexpr std::size_t kStep = std::size_t{1} << 20;
+        for (;;) { // the size that the archive states is no promise
+            const std::size_t had = out.size();
+            out.resize(had + kStep);
+            const zip_int64_t n = zip_fread(f.get(), out.data() + had, kStep);
+            if (n < 0) bad("'" + path + "' in the archive is damaged: " + zip_file_strerror(f.get()));
+            out.resize(had + static_cast<std::size_t>(n));
+            if (n == 0) return out;
+            if (text_ += static_cast<std::size_t>(n); text_ > kMaxText) bad("its models hold more than 1 GiB of text");
+        }
+    }
+
+    std::string root_path() {
+        pugi::xml_document xml;
+        const std::string text = file("_rels/.rels");
+        if (!xml.load_buffer(text.data(), text.size())) bad("'_rels/.rels' in the archive is no XML");
+        for (const auto& r : child(xml, "Relationships").children())
+            if (std::string_view(r.attribute("Type").value()).ends_with("/3dmodel"))
+                return r.attribute("Target").value();
+        bad("the archive names no 3D model: it is no 3MF");
+    }
+
+    const Model& load(const std::string& path) {
+        auto& slot = models_[path];
+        if (slot != nullptr) return *slot;
+        slot = std::make_unique<Model>();
+        slot->text = file(path);
+        const auto result = slot->xml.load_buffer_inplace(slot->text.data(), slot->text.size());
+        if (!result) bad("'" + path + "' in the archive is no XML: " + result.description());
+        const auto model = child(slot->xml, "model");
+        slot->unit = unit(model.attribute("unit").value());
+        for (const auto& o : child(model, "resources").children())
+            if (is(o, "object")) slot->objects.emplace(o.attribute("id").value(), o);
+        return *slot;
+    }
+
+    [[nodiscard]] double unit(std::string_view word) const {
+        constexpr std::pair<std::string_view, double> kUnits[] = {
+            {"", 1},        {"millimeter", 1}, {"micron", 0.001}, {"centimeter", 10},
+            {"inch", 25.4}, {"foot", 304.8},   {"meter", 1000}};
+        for (const auto& [text, mm] : kUnits)
+            if (word == text) return mm;
+        bad("its unit '" + std::string(word.substr(0, 20)) + "' is unknown");
+    }
+
+    [[nodiscard]] Affine transform(const pugi::xml_node& n) const {
+        Affine out;
+        const auto attribute = n.attribute("transform");
+        if (!attribute) return out;
+        Text text(attribute.value());
+        for (int i = 0; i < 12; ++i) {
+            double& to = i < 9 ? out.a[i / 3][i % 3] : out.t[i - 9];
+            if (!text.more() || !text.number(to)) bad("a transform has no twelve numbers");
+        }
+        return out;
+    }
+
+    void add(const std::string& path, const std::string& id, const Affine& place, int depth) {
+        if (depth > kMaxDepth) bad("its components are nested more than 32 deep, or in a circle");
+        const Model& model = load(path);
+        const auto found = model.objects.find(id);
+        if (found == model.objects.end()) bad("object '" + id + "' is missing");
+        const auto& object = found->second;
+        if (const auto mesh = child(object, "mesh")) add_mesh(mesh, model.unit, place);
+        for (const auto& c : child(object, "components").children()) {
+            if (!is(c, "component")) continue;
+            const std::string other = part_path(c);
+            if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
+            add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1);
+        }
+    }
+
+    // The translation of a transform is in the model's unit as well, so scale last.
+    void add_mesh(const pugi::xml_node& mesh, double unit, const Affine& place) {
+        const std::size_t first = out_.vertices.size();
+        for (const auto& v : child(mesh, "vertices").children()) {
+            if (!is(v, "vertex")) continue;
+            out_.vertices.push_back(unit * place({number(v, "x"), number(v, "y"), number(v, "z")}));
+        }
+        const std::size_t count = out_.vertices.size() - first;
+        const bool turn = place.mirrors();
+        for (const auto& t : child(mesh, "triangles").children()) {
+            if (!is(t, "triangle")) continue;
+            Triangle tri{index(t, "v1", count), index(t, "v2", count), index(t, "v3", count)};
+            for (auto& v : tri) v += static_cast<std::uint32_t>(first);
+            if (turn) std::swap(tri[1], tri[2]);
+            out_.triangles.push_back(tri);
+        }
+        if (out_.triangles.size() > kMaxTriangles || out_.vertices.size() > kMaxTriangles)
+            bad("with all its copies it has more than 67 million triangles");
+    }
+
+    [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {
+        Text text(n.attribute(what).value());
+        double v = 0;
+        if (!text.more() || !text.number(v)) bad(std::string("a vertex has no number '") + what + "'");
+        return v;
+    }
+    [[nodiscard]] std::uint32_t index(const pugi::xml_node& n, const char* what, std::size_t count) const {
+        Text text(n.attribute(what).value());
+        long long v = -1;
+        if (!text.more() || !text.whole(v) || v < 0 || static_cast<std::size_t>(v) >= count)
+            bad("a triangle has a corner that is no vertex");
+        return static_cast<std::uint32_t>(v);
+    }
+
+    const std::string& name_;
+    Notes& notes_;
+    std::unique_ptr<zip_t, void (*)(zip_t*)> zip_{nullptr, [](zip_t* z) { zip_discard(z); }};
+    std::map<std::string, std::unique_ptr<Model>> models_; // by path
+    std::size_t text_ = 0, copies_ = 0;
+    Mesh out_;
+};
+
+} // namespace
+
+Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes) {
+    return Archive(bytes, name, notes).build();
+}
+
+} // namespace filum::mesh

@@ -1,0 +1,38 @@
+// Everything measured, as figures; and the tables with a line per layer or region.
+#pragma once
+
+#include "base/note.hpp"
+#include "metrics/course.hpp"
+#include "metrics/figures.hpp"
+#include "metrics/layers.hpp"
+#include "metrics/turns.hpp"
+#include "metrics/widths.hpp"
+
+namespace filum::metrics {
+
+struct Options {
+    double pixel = 0;             // mm between the rows that areas are swept by; 0: a sixteenth of the bead width
+    double filament_diameter = 0; // mm; 0: the machine is not fed with filament
+    double density = 1.24;        // g/cm3
+    std::int64_t turn_samples = 50000;
+};
+
+// What is known of the input besides its beads.
+struct Input {
+    bool whole_program = true; // a Toolpath; false for the curves of a fill, which have no course
+    bool outlines = true;      // Regions were given
+    Course course;
+    double seconds = -1;         // print time; below 0: unknown
+    Notes notes;                 // what the stages before said
+    double claimed_unplaced = 0; // mm2, by the fill's own account
+};
+
+// All figures, in the order in which they are to be read.
+Figures report(const Input& input, const Beads& beads, const std::vector<polygon::Region>& regions,
+               const std::vector<LayerFigures>& layers, const Options& options, int threads);
+
+// TSV with a head line.
+std::string region_table(const std::vector<LayerFigures>& layers);
+std::string layer_table(const std::vector<LayerFigures>& layers);
+
+} // namespace filum::metrics

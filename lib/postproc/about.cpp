@@ -1,0 +1,76 @@
+#include "postproc/about.hpp"
+
+#include "base/number.hpp"
+#include "postproc/digits.hpp"
+
+#include <cmath>
+
+namespace filum::postproc {
+
+namespace {
+
+constexpr std::size_t kWidth = 100;
+
+void pipeline(const std::vector<Stage>& stages, std::vector<std::string>& lines) {
+    if (stages.empty()) return;
+    lines.push_back(" made by");
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        std::string text = " - " + stages[i].program;
+        for (const auto& [name, value] : stages[i].settings)
+            if (!value.empty()) text += " --" + name + "=" + value;
+        if (i + 1 < stages.size()) text += " |";
+        for (auto& line : wrapped(text, kWidth, "     ")) lines.push_back(std::move(line));
+    }
+}
+
+void remarks(const Notes& notes, std::vector<std::string>& lines) {
+    Notes sums;
+    for (const Note& n : notes) {
+        auto it = sums.begin();
+        while (it != sums.end() && (it->stage != n.stage || it->what != n.what || it->unit != n.unit)) ++it;
+        if (it == sums.end())
+            sums.push_back(n);
+        else
+            it->amount += n.amount, it->count += n.count;
+    }
+    for (const Note& n : sums) {
+        std::string text = " note: " + n.stage + ": " + n.what + ", " + std::to_string(n.count) + " x";
+        if (!n.unit.empty() && std::isfinite(n.amount)) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
+        for (auto& line : wrapped(text, kWidth, "     ")) lines.push_back(std::move(line));
+    }
+}
+
+void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
+    const auto& e = profile.extrusion;
+    const double volume = s.volume * e.flow;
+    const bool filament = e.feeding == machine::Feeding::filament;
+    lines.push_back("TIME:" + std::to_string(static_cast<long long>(std::ceil(std::min(s.seconds, 1e15)))));
+    lines.push_back(" estimated printing time (normal mode) = " + duration(s.seconds));
+    if (filament) lines.push_back(" filament used [mm] = " + fixed_text(s.volume * e.per_mm3(), 2));
+    if (e.feeding == machine::Feeding::plunger)
+        lines.push_back(" plunger travel [mm] = " + fixed_text(s.volume * e.per_mm3(), 4));
+    lines.push_back(std::string(filament ? " filament used" : " material") +
+                    " [cm3] = " + fixed_text(volume / 1000, 3));
+    lines.push_back(" layers = " + std::to_string(s.layers) + ", strokes = " + std::to_string(s.strokes));
+    std::string path = " path [mm] = " + fixed_text(s.path_len, 1);
+    const std::pair<Role, const char*> roles[] = {
+        {Role::lift, "lifts"}, {Role::jog, "jogs"}, {Role::connector, "connectors"}, {Role::travel, "travel"}};
+    for (const auto& [role, name] : roles)
+        if (const double l = s.role_len[static_cast<std::size_t>(role)]; l > 0)
+            path += std::string(", ") + name + " " + fixed_text(l, 1);
+    lines.push_back(path);
+}
+
+} // namespace
+
+std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
+                               const Notes& notes) {
+    std::vector<std::string> lines;
+    lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
+    pipeline(stages, lines);
+    remarks(notes, lines);
+    totals(profile, survey, lines);
+    return lines;
+}
+
+} // namespace filum::postproc

@@ -1,0 +1,23 @@
+// The comments at the head of a program: what it is, how it was made, what it takes.
+#pragma once
+
+#include "base/note.hpp"
+#include "postproc/survey.hpp"
+
+#include <string>
+#include <vector>
+
+namespace filum::postproc {
+
+// One stage of the pipeline that made the toolpath, as a command line; no paths, no dates, so equal work gives equal
+// text.
+struct Stage {
+    std::string program;
+    std::vector<std::pair<std::string, std::string>> settings;
+};
+
+// The lines, without comment marks.  `notes` (of all stages) are summed by stage and phrase, in the order they came.
+std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
+                               const Notes& notes);
+
+} // namespace filum::postproc

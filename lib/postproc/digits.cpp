@@ -1,0 +1,52 @@
+#include "postproc/digits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::postproc {
+
+void append_comment(std::string& out, std::string_view text, machine::CommentStyle style) {
+    const bool round = style == machine::CommentStyle::parentheses;
+    out += round ? '(' : ';';
+    for (const char c : text) {
+        const auto u = static_cast<unsigned char>(c);
+        if (u < 0x20 || u == 0x7f)
+            out += '?';
+        else if (round && (c == '(' || c == ')'))
+            out += c == '(' ? '[' : ']';
+        else
+            out += c;
+    }
+    if (round) out += ')';
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t width, std::string_view indent) {
+    std::vector<std::string> lines;
+    std::string lead;
+    while (lead.size() + text.size() > width) {
+        const std::size_t room = width - lead.size();
+        std::size_t cut = text.rfind(' ', room);
+        if (cut == std::string_view::npos || cut == 0) cut = room; // a word longer than a line
+        lines.push_back(lead + std::string(text.substr(0, cut)));
+        text.remove_prefix(std::min(text.size(), text[cut] == ' ' ? cut + 1 : cut));
+        lead = indent;
+    }
+    lines.push_back(lead + std::string(text));
+    return lines;
+}
+
+std::string duration(double seconds) {
+    auto left = static_cast<std::int64_t>(std::ceil(std::min(seconds, 1e15)));
+    std::string out;
+    constexpr std::int64_t sizes[] = {86400, 3600, 60, 1};
+    constexpr char names[] = {'d', 'h', 'm', 's'};
+    for (int k = 0; k < 4; ++k) {
+        const std::int64_t n = left / sizes[k];
+        left %= sizes[k];
+        if (n == 0 && out.empty() && k < 3) continue;
+        out += (out.empty() ? "" : " ") + std::to_string(n) + names[k];
+    }
+    return out;
+}
+
+} // namespace filum::postproc

@@ -1,0 +1,225 @@
+#include "postproc/program.hpp"
+
+#include "base/number.hpp"
+#include "postproc/digits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace filum::postproc {
+
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{64} << 10;
+constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
+constexpr double kTold = 0.05; // share by which a width or height must change before viewers are told again
+
+double power_of_ten(int n) { return std::pow(10.0, n); }
+
+bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
+
+// What viewers know a kind of bead by (the names of PrusaSlicer, so that they get its colours).
+const char* type_name(Role role) {
+    switch (role) {
+    case Role::lift:
+        return "Perimeter";
+    case Role::jog:
+        return "Gap fill";
+    case Role::connector:
+        return "Support material";
+    case Role::bead:
+    case Role::travel:
+        break;
+    }
+    return "Solid infill";
+}
+
+} // namespace
+
+Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out)
+    : profile_(&profile), survey_(&survey), shift_(shift), out_(std::move(out)),
+      line_end_(profile.format.crlf ? "\r\n" : "\n"), values_(placeholders(survey, profile, shift)),
+      xyz_scale_(power_of_ten(profile.format.xyz_decimals)), e_scale_(power_of_ten(profile.format.e_decimals)),
+      f_scale_(power_of_ten(profile.format.f_decimals)), e_per_mm3_(profile.extrusion.per_mm3()), x_(kUnknown),
+      y_(kUnknown), z_(kUnknown) {
+    text_.reserve(kBlock + 1024);
+}
+
+void Program::spill() {
+    if (text_.size() < kBlock) return;
+    out_(text_);
+    text_.clear();
+}
+
+void Program::end_line() { text_ += line_end_; }
+
+void Program::comment(std::string_view text) {
+    append_comment(text_, text, profile_->format.comments);
+    end_line();
+}
+
+void Program::code(const std::string& text, const machine::Values& values) {
+    if (text.empty()) return;
+    for (const char c : machine::expand(text, values)) {
+        if (c == '\n')
+            end_line();
+        else
+            text_ += c;
+    }
+    if (text.back() != '\n') end_line();
+}
+
+void Program::begin(const std::vector<std::string>& about) {
+    for (const auto& line : about) comment(line);
+    code(profile_->templates.start, values_);
+    // what every later line relies on, whatever the template did
+    text_ += "G90";
+    end_line();
+    if (!counts()) return;
+    if (profile_->extrusion.letter == 'E') {
+        text_ += profile_->extrusion.relative ? "M83" : "M82";
+        end_line();
+    }
+    if (!profile_->extrusion.relative) reset_extruder();
+}
+
+void Program::reset_extruder() {
+    text_ += "G92 ";
+    text_ += profile_->extrusion.letter;
+    text_ += '0';
+    end_line();
+    e_ = 0;
+}
+
+void Program::end() {
+    code(profile_->templates.end, values_);
+    comment("end of program, " + std::to_string(lines_) + " moves");
+    out_(text_);
+    text_.clear();
+}
+
+void Program::layer(const Step& step) {
+    values_["layer"] = step.layer;
+    values_["z"] = step.to.z;
+    values_["height"] = step.height;
+    if (profile_->format.viewer_comments) {
+        comment("LAYER_CHANGE");
+        comment("LAYER:" + std::to_string(step.layer));
+        comment("Z:" + fixed_text(step.to.z, profile_->format.xyz_decimals));
+        comment("HEIGHT:" + fixed_text(step.height, 3));
+        height_ = step.height;
+    }
+    code(profile_->templates.layer, values_);
+    // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
+    // offset could halt the stroke.
+    if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
+}
+
+void Program::bead_comments(const Step& step) {
+    if (!profile_->format.viewer_comments) return;
+    if (step.role != role_) comment(std::string("TYPE:") + type_name(step.role));
+    if (differs(step.width, width_)) comment("WIDTH:" + fixed_text(width_ = step.width, 3));
+    if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
+    role_ = step.role;
+}
+
+// Appends the code and the words that changed; false, and nothing appended, if none did.  All in units.
+bool Program::words(std::int64_t x, std::int64_t y, std::int64_t z, std::string_view code) {
+    if (x == x_ && y == y_ && z == z_) return false;
+    text_ += code;
+    const auto word = [this](const char* letter, std::int64_t value, std::int64_t& last) {
+        if (value == last) return;
+        text_ += letter;
+        append_units(text_, value, profile_->format.xyz_decimals);
+        last = value;
+    };
+    word(" X", x, x_);
+    word(" Y", y, y_);
+    word(" Z", z, z_);
+    return true;
+}
+
+void Program::feed(double mm_per_s) {
+    const auto f = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::nearbyint(mm_per_s * 60 * f_scale_)));
+    if (f == f_) return;
+    text_ += " F";
+    append_units(text_, f, profile_->format.f_decimals);
+    f_ = f;
+}
+
+// Appends the extruder word for `units` more.
+void Program::material(std::int64_t units) {
+    if (units == 0) return;
+    e_ += units;
+    text_ += ' ';
+    text_ += profile_->extrusion.letter;
+    append_units(text_, profile_->extrusion.relative ? units : e_, profile_->format.e_decimals);
+}
+
+void Program::extruder_only(std::int64_t units, double speed) {
+    if (units == 0 || !counts()) return;
+    text_ += "G1";
+    material(units);
+    feed(speed);
+    end_line();
+}
+
+void Program::move(const Step& step) {
+    const auto units = [this](double v) { return static_cast<std::int64_t>(std::nearbyint(v * xyz_scale_)); };
+    const std::int64_t x = units(step.to.x + shift_.x), y = units(step.to.y + shift_.y), z = units(step.to.z);
+    if (step.act == Act::climb) {
+        if (!words(x_, y_, z, "G1")) return; // x and y stay, known or not
+    } else if (step.act == Act::travel) {
+        if (!words(x, y, z, profile_->format.travel_code)) return;
+    } else {
+        laid_ += step.volume * e_per_mm3_;
+        bead_comments(step);
+        if (!words(x, y, z, "G1")) return; // too short to see: its material goes on with the next
+        if (counts()) material(due());
+    }
+    feed(step.feed);
+    end_line();
+    ++lines_;
+}
+
+// Extruder units owed for all that was laid so far: never negative, so nothing is taken back within a stroke.
+std::int64_t Program::due() {
+    const auto total = static_cast<std::int64_t>(std::nearbyint(laid_ * e_scale_));
+    return total - std::exchange(laid_units_, total);
+}
+
+void Program::add(std::span<const Step> steps) {
+    const auto& t = profile_->travel;
+    const auto units = [this](double e) { return static_cast<std::int64_t>(std::nearbyint(e * e_scale_)); };
+    for (const Step& step : steps) {
+        switch (step.act) {
+        case Act::layer:
+            layer(step);
+            break;
+        case Act::open:
+            code(profile_->extrusion.on, values_);
+            break;
+        case Act::close:
+            extruder_only(due(), t.retract_speed);
+            code(profile_->extrusion.off, values_);
+            role_ = Role::travel;
+            break;
+        case Act::retract:
+            extruder_only(-units(t.retract), t.retract_speed);
+            break;
+        case Act::prime:
+            extruder_only(units(t.retract) + units(t.extra), t.retract_speed);
+            break;
+        case Act::travel:
+        case Act::climb:
+        case Act::extrude:
+            move(step);
+            break;
+        }
+        spill();
+    }
+}
+
+} // namespace filum::postproc

@@ -1,0 +1,66 @@
+// The text of a machine program.
+#pragma once
+
+#include "machine/template.hpp"
+#include "postproc/survey.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filum::postproc {
+
+struct Options {
+    std::string machine = "marlin"; // profile: name or file
+    std::string place = "center";   // center | as-is
+    std::string set;                // changes to the profile: "feeds.bead=40,nozzle_temp=230"
+};
+
+using Text = std::function<void(std::string_view)>;
+
+// Writes the program of the steps that `survey` was made of, moved by `shift`.
+//
+// Coordinates are whole multiples of the last decimal; a word is written only if it changed, a move that changes
+// nothing is left out and its material goes into the next one.  The extruder word is the difference of rounded totals,
+// so rounding never adds up and never takes back.  No number has an exponent.  The last line says "end of program".
+class Program {
+  public:
+    Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
+    void begin(const std::vector<std::string>& about); // `about`: lines for the head of the program, see about.hpp
+    void add(std::span<const Step> steps);
+    void end();
+
+  private:
+    void comment(std::string_view text);
+    void code(const std::string& text, const machine::Values& values);
+    void end_line();
+    void layer(const Step& step);
+    void move(const Step& step);
+    bool words(std::int64_t x, std::int64_t y, std::int64_t z, std::string_view code);
+    std::int64_t due();
+    void material(std::int64_t units);
+    void extruder_only(std::int64_t units, double speed);
+    void feed(double mm_per_s);
+    void bead_comments(const Step& step);
+    void reset_extruder();
+    void spill();
+    [[nodiscard]] bool counts() const { return profile_->extrusion.feeding != machine::Feeding::valve; }
+
+    const machine::Profile* profile_;
+    const Survey* survey_;
+    Vec2 shift_;
+    Text out_;
+    std::string text_, line_end_;
+    machine::Values values_;
+    double xyz_scale_, e_scale_, f_scale_, e_per_mm3_;
+    std::int64_t x_, y_, z_, f_ = -1; // as last written, in units of the last decimal
+    double laid_ = 0;                 // extruder units of the bead so far, exact
+    std::int64_t laid_units_ = 0;     // the same as written
+    std::int64_t e_ = 0;              // where the controller believes the extruder to be
+    Role role_ = Role::travel;
+    double width_ = 0, height_ = 0; // as last told to viewers
+    std::uint64_t lines_ = 0;       // moves written
+};
+
+} // namespace filum::postproc

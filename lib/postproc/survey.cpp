@@ -1,0 +1,147 @@
+#include "postproc/survey.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::postproc {
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+std::array<double, 3> coordinates(Vec3 p) { return {p.x, p.y, p.z}; }
+
+std::string place(std::uint32_t layer, Vec3 p) {
+    return "on layer " + std::to_string(layer) + " at x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " +
+           fixed_text(p.z, 3);
+}
+
+} // namespace
+
+Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile.motion) {
+    for (auto& e : survey_.low) e.value = kInf;
+    for (auto& e : survey_.high) e.value = -kInf;
+    survey_.part_low.fill(kInf);
+    survey_.part_high.fill(-kInf);
+}
+
+void Surveyor::check_section(const Step& step, double length) const {
+    const double section = step.volume / length * profile_->extrusion.flow;
+    if (section <= profile_->limits.section * (1 + 1e-9)) return;
+    throw Error(Exit::failure, "cannot print " + place(step.layer, step.to) + ": a bead of " + fixed_text(section, 4) +
+                                   " mm2 is above the " + fixed_text(profile_->limits.section, 4) + " mm2 that '" +
+                                   profile_->name + "' allows; use narrower beads, thinner layers or a larger nozzle");
+}
+
+void Surveyor::visit(const Step& step, bool extruding) {
+    const auto c = coordinates(step.to);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (c[k] < survey_.low[k].value) survey_.low[k] = {c[k], step.to, step.layer};
+        if (c[k] > survey_.high[k].value) survey_.high[k] = {c[k], step.to, step.layer};
+        if (!extruding) continue;
+        survey_.part_low[k] = std::min(survey_.part_low[k], c[k]);
+        survey_.part_high[k] = std::max(survey_.part_high[k], c[k]);
+    }
+}
+
+void Surveyor::add(std::span<const Step> steps) {
+    const auto& t = profile_->travel;
+    for (const Step& step : steps) {
+        switch (step.act) {
+        case Act::layer:
+            survey_.layers = std::max(survey_.layers, step.layer + 1);
+            break;
+        case Act::open:
+            if (survey_.strokes++ == 0) survey_.start = step.to;
+            visit(step, true);
+            break;
+        case Act::close:
+            break;
+        case Act::retract:
+            clock_.pause(t.retract / t.retract_speed);
+            break;
+        case Act::prime:
+            clock_.pause((t.retract + t.extra) / t.retract_speed);
+            break;
+        case Act::travel:
+        case Act::climb:
+        case Act::extrude: {
+            const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
+            const double length = geom::norm(d);
+            const bool extruding = step.act == Act::extrude;
+            if (extruding) check_section(step, length);
+            clock_.move(d, step.feed, extruding);
+            visit(step, extruding);
+            (extruding ? survey_.path_len : survey_.travel_len) += length;
+            survey_.role_len[static_cast<std::size_t>(extruding ? step.role : Role::travel)] += length;
+            survey_.volume += step.volume;
+            survey_.moves += length > 0 ? 1 : 0;
+            at_ = step.to;
+            placed_ = true;
+        }
+        }
+    }
+}
+
+Survey Surveyor::end() {
+    if (survey_.strokes == 0 || !(survey_.path_len > 0))
+        throw Error(Exit::bad_input, "cannot write a program: the toolpath lays no bead");
+    survey_.seconds = clock_.total();
+    return survey_;
+}
+
+Vec2 placement(const Survey& survey, const machine::Bed& bed, Place where) {
+    if (where == Place::as_is) return {0, 0};
+    const auto um = [](double v) { return std::round(v * 1000) / 1000; };
+    const Vec2 centre = bed.centre();
+    return {um(centre.x - (survey.low[0].value + survey.high[0].value) / 2),
+            um(centre.y - (survey.low[1].value + survey.high[1].value) / 2)};
+}
+
+void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift) {
+    const auto& bed = profile.bed;
+    const std::array<double, 3> moved{shift.x, shift.y, 0}, lo{bed.x_min, bed.y_min, bed.z_min},
+        hi{bed.x_max, bed.y_max, bed.z_max};
+    const auto refuse = [&](const Extreme& e, std::size_t k) {
+        const Vec3 p{e.at.x + shift.x, e.at.y + shift.y, e.at.z};
+        const char* axis = k == 0 ? "x" : k == 1 ? "y" : "z";
+        throw Error(Exit::failure, "cannot print " + place(e.layer, p) + ": '" + profile.name + "' reaches " + axis +
+                                       " " + fixed_text(lo[k], 3) + " to " + fixed_text(hi[k], 3) +
+                                       ", and the toolpath is " +
+                                       fixed_text(survey.high[k].value - survey.low[k].value, 3) + " mm in " + axis +
+                                       "; move, turn or scale the part");
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (survey.low[k].value + moved[k] < lo[k] - 5e-4) refuse(survey.low[k], k);
+        if (survey.high[k].value + moved[k] > hi[k] + 5e-4) refuse(survey.high[k], k);
+    }
+    if (!(survey.volume * profile.extrusion.per_mm3() * std::pow(10.0, profile.format.e_decimals) < 4e18))
+        throw Error(Exit::failure, "cannot count the material: " + fixed_text(survey.volume, 0) +
+                                       " mm3 is more than the extruder's numbers hold; are the bead widths right?");
+}
+
+std::map<std::string, double> placeholders(const Survey& s, const machine::Profile& profile, Vec2 shift) {
+    const auto& bed = profile.bed;
+    std::map<std::string, double> out = profile.values;
+    const auto add = [&out](const char* name, double value) { out[name] = value; };
+    add("x_min", s.part_low[0] + shift.x), add("x_max", s.part_high[0] + shift.x);
+    add("y_min", s.part_low[1] + shift.y), add("y_max", s.part_high[1] + shift.y);
+    add("z_min", s.part_low[2]), add("z_max", s.part_high[2]);
+    add("x_start", s.start.x + shift.x), add("y_start", s.start.y + shift.y), add("z_start", s.start.z);
+    add("bed_x_min", bed.x_min), add("bed_x_max", bed.x_max);
+    add("bed_y_min", bed.y_min), add("bed_y_max", bed.y_max), add("bed_z_max", bed.z_max);
+    add("z_park", std::min(s.part_high[2] + 10, bed.z_max));
+    add("layer", 0), add("layers", s.layers), add("z", s.start.z), add("height", s.start.z);
+    add("path_len", s.path_len), add("travel_len", s.travel_len), add("time", s.seconds);
+    add("strokes", static_cast<double>(s.strokes));
+    add("material_mm3", s.volume * profile.extrusion.flow);
+    add("material_e",
+        profile.extrusion.feeding == machine::Feeding::valve ? 0 : s.volume * profile.extrusion.per_mm3());
+    add("travel_feed", profile.feeds.travel * 60), add("z_feed", profile.feeds.z * 60);
+    return out;
+}
+
+} // namespace filum::postproc

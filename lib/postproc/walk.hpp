@@ -1,0 +1,70 @@
+// From the spans of a toolpath to the steps of a machine: what to do, one after the other, still in numbers.
+#pragma once
+
+#include "machine/profile.hpp"
+#include "toolpath/path.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace filum::postproc {
+
+using geom::Vec2;
+using geom::Vec3;
+using toolpath::Role;
+
+enum class Act : std::uint8_t {
+    layer,   // a span of another layer begins: `to.z` its top, `height` its thickness
+    open,    // material on: a stroke begins
+    close,   // material off: a stroke ends
+    retract, // take material back
+    prime,   // give it again
+    travel,  // move without material
+    climb,   // move along z alone, without material
+    extrude, // move and lay `volume`
+};
+
+struct Step {
+    Act act = Act::travel;
+    Role role = Role::bead;
+    std::uint32_t layer = 0;
+    Vec3 to;                      // mm, not yet placed on the bed
+    double feed = 0;              // mm/s
+    double volume = 0;            // mm3
+    double width = 0, height = 0; // mm, mean of the two ends
+};
+
+using Steps = std::function<void(std::span<const Step>)>;
+
+// Turns spans, in their order, into steps.  Within a stroke nothing but extruding moves (and layer marks) comes out.
+// A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
+// machine), moves, comes down, primes and opens again; one shorter than the profile's min_length only moves.
+// Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is a
+// whole number of mm/s where it is above one. Throws Error(bad_input) with the place if a span does not begin where the
+// one before ended.
+class Walk {
+  public:
+    Walk(const machine::Profile& profile, Steps out);
+    void add(const toolpath::Span& span);
+    void end(); // closes the last stroke
+
+  private:
+    void put(const Step& step);
+    void flush();
+    void travel(const toolpath::Span& span);
+    void begin_stroke(const toolpath::Span& span);
+    void extrude(const toolpath::Span& span);
+
+    const machine::Profile* profile_;
+    Steps out_;
+    std::vector<Step> buffer_;
+    Vec3 path_;      // end of the span before
+    Vec3 at_;        // of the nozzle
+    double top_ = 0; // highest point printed so far
+    std::int64_t layer_ = -1;
+    bool started_ = false, open_ = false, retracted_ = false;
+};
+
+} // namespace filum::postproc

@@ -1,0 +1,140 @@
+#include "regions/outlines.hpp"
+
+#include "geom/segment_grid.hpp"
+#include "regions/nesting.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace filum::regions {
+
+namespace {
+
+using geom::Vec2;
+using polygon::Loops;
+using polygon::Parts;
+
+constexpr double kGrid = 1e4; // points per mm, that of polygon/clip
+
+Loops on_grid(const Loops& a) {
+    Loops out;
+    out.points.reserve(a.points.size());
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        const std::size_t first = out.points.size();
+        for (const Vec2 p : a[l]) {
+            const Vec2 q{std::round(p.x * kGrid) / kGrid, std::round(p.y * kGrid) / kGrid};
+            if (out.points.size() == first || out.points.back() != q) out.points.push_back(q);
+        }
+        while (out.points.size() > first + 1 && out.points.back() == out.points[first]) out.points.pop_back();
+        if (out.points.size() < first + 3)
+            out.points.resize(first);
+        else
+            out.close();
+    }
+    return out;
+}
+
+Vec2 lowest_left(std::span<const Vec2> loop) {
+    return *std::min_element(loop.begin(), loop.end(),
+                             [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
+}
+
+// The parts of strictly simple loops; nullopt if an orientation does not fit its place (outer loops counter-clockwise).
+std::optional<Parts> assemble(const Loops& loops, const std::vector<int>& parent) {
+    const std::size_t n = loops.size();
+    std::vector<char> hole(n);
+    for (std::size_t l = 0; l < n; ++l) hole[l] = polygon::signed_area(loops[l]) < 0 ? 1 : 0;
+    std::vector<std::size_t> outer;
+    std::vector<std::vector<std::size_t>> holes(n);
+    for (std::size_t l = 0; l < n; ++l) {
+        const int p = parent[l];
+        const bool in_material = p >= 0 && hole[static_cast<std::size_t>(p)] == 0;
+        if (in_material != (hole[l] != 0)) return std::nullopt;
+        if (hole[l] != 0)
+            holes[static_cast<std::size_t>(p)].push_back(l);
+        else
+            outer.push_back(l);
+    }
+    std::vector<Vec2> key(n);
+    for (const std::size_t l : outer) key[l] = lowest_left(loops[l]);
+    std::sort(outer.begin(), outer.end(), [&](std::size_t a, std::size_t b) {
+        return key[a].y < key[b].y || (key[a].y == key[b].y && key[a].x < key[b].x);
+    });
+    std::vector<int> place(n, -1);
+    for (std::size_t i = 0; i < outer.size(); ++i) place[outer[i]] = static_cast<int>(i);
+    Parts out;
+    for (const std::size_t l : outer) {
+        Loops part;
+        part.add(loops[l]);
+        for (const std::size_t h : holes[l]) part.add(loops[h]);
+        out.part.push_back(std::move(part));
+        const int around = parent[l]; // a hole: its own surrounding loop is the outer loop of the parent
+        out.parent.push_back(around < 0 ? -1
+                                        : place[static_cast<std::size_t>(parent[static_cast<std::size_t>(around)])]);
+    }
+    return out;
+}
+
+bool crosses_itself(const Loops& loops) {
+    std::vector<geom::Segment> edges;
+    edges.reserve(loops.points.size());
+    double length = 0;
+    const auto whole = [](Vec2 p) { return Vec2{std::round(p.x * kGrid), std::round(p.y * kGrid)}; };
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        const auto loop = loops[l];
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            edges.push_back({whole(loop[i]), whole(loop[(i + 1) % loop.size()])});
+            length += geom::distance(edges.back().a, edges.back().b);
+        }
+    }
+    if (edges.empty()) return false;
+    const geom::SegmentGrid grid(edges, length / static_cast<double>(edges.size()));
+    for (const auto& e : edges)
+        if (grid.crosses(e.a, e.b, edges, [](std::uint32_t) { return true; })) return true;
+    return false;
+}
+
+// For outlines that touch: Clipper's parts, mended where its rounding left a crossing.
+Parts mended(const Loops& loops, Notes& notes) {
+    Parts found = polygon::split(loops), out;
+    std::vector<int> place(found.part.size(), -1);
+    for (std::size_t i = 0; i < found.part.size(); ++i) {
+        Loops part = found.part[i];
+        for (double r = 0.0005; r < 0.02 && crosses_itself(part); r *= 2) {
+            const Parts opened = polygon::split(polygon::offset(polygon::offset(found.part[i], -r), r));
+            part = {};
+            double largest = 0; // what an opening by a few um cuts off is dust
+            for (const auto& p : opened.part)
+                if (const double a = polygon::signed_area(p); a > largest) largest = a, part = p;
+        }
+        const double lost = polygon::signed_area(found.part[i]) - (part.empty() ? 0 : polygon::signed_area(part));
+        if (part.empty() || crosses_itself(part)) {
+            const Vec2 at = found.part[i].points.front();
+            notes.push_back({"", "outline that crosses itself left out", lost, "mm2", 1, -1, at.x, at.y});
+            continue;
+        }
+        place[i] = static_cast<int>(out.part.size());
+        out.part.push_back(std::move(part));
+        out.parent.push_back(static_cast<int>(i)); // found's numbers, until all places are known
+    }
+    for (int& p : out.parent) {
+        p = found.parent[static_cast<std::size_t>(p)];
+        if (p >= 0) p = place[static_cast<std::size_t>(p)];
+    }
+    return out;
+}
+
+} // namespace
+
+Parts outlines(const Loops& contours, double tolerance, Notes& notes) {
+    Loops loops = on_grid(polygon::simplify(contours, tolerance));
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        if (const auto parent = nesting(loops))
+            if (auto parts = assemble(loops, *parent)) return std::move(*parts);
+        loops = polygon::unite(loops);
+    }
+    return mended(loops, notes);
+}
+
+} // namespace filum::regions

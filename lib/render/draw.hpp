@@ -1,0 +1,30 @@
+// From a scene to the bytes of a picture.
+#pragma once
+
+#include "render/scene.hpp"
+
+#include <string>
+
+namespace filum::render {
+
+struct Options {
+    std::string color = "auto"; // auto | progress | stroke | layer | width | speed | class
+    std::string view = "iso";   // iso | top | front | X,Y,Z
+    std::string machine = "marlin";
+    std::string regions;                                            // file of outlines for a layer
+    std::int64_t layer = -1, from_layer = 0, to_layer = UINT32_MAX; // layer -1: all, in perspective
+    std::int64_t samples = 4;                                       // per pixel
+    std::vector<double> size = {1024, 768};                         // pixels
+    bool svg = false, travels = false, no_centres = false, no_table = false;
+
+    [[nodiscard]] bool flat() const { return layer >= 0; }
+    [[nodiscard]] Range range() const; // of the layers to draw
+};
+
+// Throws Error(usage) if the options do not fit together; for a look before anything is read.
+void check(const Options& options);
+
+// A PNG file, or an SVG one if `options.svg`.  `by_default`: what "auto" colours by.
+std::string draw(Scene scene, const Options& options, const std::string& by_default, int threads);
+
+} // namespace filum::render

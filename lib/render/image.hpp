@@ -1,0 +1,47 @@
+// Pictures as pixels, and as PNG.
+#pragma once
+
+#include "geom/vec.hpp"
+#include "render/colour.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filum::render {
+
+// 8-bit sRGB, rows from the top.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+
+    Image(int w, int h)
+        : width(w), height(h), rgb(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3, 255) {}
+    void set(int x, int y, Rgb c) {
+        const Srgb8 s = to_srgb8(c);
+        auto* p =
+            &rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3];
+        p[0] = s.r, p[1] = s.g, p[2] = s.b;
+    }
+    [[nodiscard]] Rgb get(int x, int y) const {
+        const auto* p =
+            &rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3];
+        return from_srgb8({p[0], p[1], p[2]});
+    }
+};
+
+// The file's bytes: equal pictures give equal bytes.  Throws Error(failure) if libpng fails.
+std::string encode_png(const Image& image);
+
+// Draws the line from a to b (pixels, y downwards, pixel centres at halves) with round ends, mixed in by `alpha`.
+void draw_line(Image& image, geom::Vec2 a, geom::Vec2 b, double width, Rgb colour, double alpha = 1);
+
+void draw_box(Image& image, int x0, int y0, int x1, int y1, Rgb colour, double alpha = 1);
+
+// Writes `text` in a plain stroke font of capitals, digits and . , - + / : = %; `size` is the height of a capital,
+// pixels; `at` its lower left corner.  Small letters are written as capitals.
+void draw_text(Image& image, geom::Vec2 at, double size, std::string_view text, Rgb colour);
+double text_width(double size, std::string_view text);
+
+} // namespace filum::render

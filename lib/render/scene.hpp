@@ -1,0 +1,39 @@
+// What is drawn: any planar stream as spans, and the outlines of layers.
+#pragma once
+
+#include "polygon/region.hpp"
+#include "toolpath/path.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace filum::render {
+
+struct Outline {
+    std::uint32_t layer = 0, stroke = 0;
+    double z = 0, height = 0;
+    polygon::Loops loops;
+};
+
+struct Scene {
+    std::vector<toolpath::Span> spans;
+    std::vector<Outline> outlines;
+    bool solid = false; // spans only stand for the outlines' solid: there are no beads
+};
+
+// A layer range, both ends included.
+struct Range {
+    std::uint32_t from = 0, to = UINT32_MAX;
+    [[nodiscard]] bool has(std::uint32_t layer) const { return layer >= from && layer <= to; }
+};
+
+void add(Scene& scene, const toolpath::Span& span, Range range);
+void add(Scene& scene, const toolpath::RegionPaths& paths, Range range); // curves as beads
+void add(Scene& scene, const polygon::Layer& layer, Range range);
+void add(Scene& scene, const polygon::Region& region, Range range);
+
+// Stands for the solid of the outlines: their borders, and lines a layer height apart that fill them, as beads as wide
+// as high.  For pictures in perspective of what has no beads yet.
+void fill_outlines(Scene& scene);
+
+} // namespace filum::render

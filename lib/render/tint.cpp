@@ -1,0 +1,147 @@
+#include "render/tint.hpp"
+
+#include "base/number.hpp"
+#include "machine/feed.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace filum::render {
+
+namespace {
+
+using toolpath::Role;
+
+constexpr int kSteps = 1024; // of the ramp
+
+constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel"};
+
+double length(const toolpath::Span& s) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < s.points.size(); ++i) sum += geom::distance(s.points[i], s.points[i + 1]);
+    return sum;
+}
+
+// What a segment's colour stands for, where that is an amount of its own.
+double amount(const Tint& tint, const toolpath::Span& s, std::size_t i) {
+    if (tint.by == By::speed) return machine::bead_feed(*tint.profile, s, i);
+    return (s.width_at(i) + s.width_at(i + 1)) / 2;
+}
+
+void amount_range(const Scene& scene, Tint& out) {
+    std::vector<std::pair<double, double>> all; // amount, length
+    double total = 0;
+    for (const auto& s : scene.spans) {
+        if (!toolpath::extrudes(s.role)) continue;
+        for (std::size_t i = 0; i + 1 < s.points.size(); ++i) {
+            all.emplace_back(amount(out, s, i), geom::distance(s.points[i], s.points[i + 1]));
+            total += all.back().second;
+        }
+    }
+    std::sort(all.begin(), all.end());
+    double sum = 0;
+    out.lo = out.hi = all.empty() ? 0 : all.front().first;
+    for (const auto& [w, l] : all) {
+        if (sum <= 0.01 * total) out.lo = w;
+        if (sum <= 0.99 * total) out.hi = w;
+        sum += l;
+    }
+}
+
+} // namespace
+
+Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
+    Tint out;
+    out.by = by, out.profile = profile;
+    for (int k = 0; k < kSteps; ++k) out.ramp.push_back(to_srgb8(ramp((k + 0.5) / kSteps)));
+    std::set<std::uint32_t> strokes;
+    std::uint32_t lo = UINT32_MAX, hi = 0;
+    double along = 0;
+    for (const auto& s : scene.spans) {
+        strokes.insert(s.stroke);
+        lo = std::min(lo, s.layer), hi = std::max(hi, s.layer);
+        out.roles[static_cast<std::size_t>(s.role)] = true;
+        if (by != By::progress) continue;
+        out.begin.push_back(along);
+        if (toolpath::extrudes(s.role)) along += length(s);
+    }
+    out.strokes = strokes.size();
+    if (by == By::progress) out.hi = std::max(along, 1e-9);
+    if (by == By::layer) out.lo = std::min(lo, hi), out.hi = hi;
+    if (by == By::width || by == By::speed) amount_range(scene, out);
+    return out;
+}
+
+Rgb role_colour(Role role) {
+    switch (role) {
+    case Role::bead:
+        return oklch(0.72, 0.09, 235);
+    case Role::lift:
+        return oklch(0.76, 0.17, 65);
+    case Role::jog:
+        return oklch(0.64, 0.21, 350);
+    case Role::connector:
+        return oklch(0.60, 0.22, 28);
+    case Role::travel:
+        return oklch(0.55, 0.02, 260);
+    }
+    return {};
+}
+
+Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along) {
+    const toolpath::Span& span = scene.spans[s];
+    if (!toolpath::extrudes(span.role)) return to_srgb8(role_colour(span.role));
+    const auto on_ramp = [&](double v) {
+        const double t = tint.hi > tint.lo ? (v - tint.lo) / (tint.hi - tint.lo) : 0.6;
+        return tint.ramp[static_cast<std::size_t>(std::clamp(t * kSteps, 0.0, kSteps - 1.0))];
+    };
+    switch (tint.by) {
+    case By::progress:
+        return on_ramp(tint.begin[s] + along);
+    case By::stroke:
+        return to_srgb8(distinct(span.stroke));
+    case By::layer:
+        return on_ramp(span.layer);
+    case By::width:
+    case By::speed:
+        return on_ramp(amount(tint, span, i));
+    case By::role:
+        return to_srgb8(role_colour(span.role));
+    }
+    return {};
+}
+
+void draw_legend(Image& image, const Tint& tint) {
+    const double size = std::clamp(image.height / 70.0, 7.0, 24.0);
+    if (image.width < 30 * size || image.height < 12 * size) return; // no room
+    const Rgb ink = oklch(0.42, 0.02, 260);
+    geom::Vec2 at{1.6 * size, image.height - 1.6 * size};
+    if (tint.by == By::role) {
+        for (std::size_t r = 0; r < tint.roles.size(); ++r) {
+            if (!tint.roles[r]) continue;
+            draw_line(image, {at.x, at.y - size / 2}, {at.x + size, at.y - size / 2}, 0.8 * size,
+                      role_colour(static_cast<Role>(r)));
+            draw_text(image, {at.x + 2 * size, at.y}, size, kRoles[r], ink);
+            at.x += 3.6 * size + text_width(size, kRoles[r]);
+        }
+        return;
+    }
+    if (tint.by == By::stroke) {
+        draw_text(image, at, size, std::to_string(tint.strokes) + (tint.strokes == 1 ? " stroke" : " strokes"), ink);
+        return;
+    }
+    std::string lo = "start", hi = "end";
+    if (tint.by == By::layer) lo = "layer " + fixed_text(tint.lo, 0), hi = fixed_text(tint.hi, 0);
+    if (tint.by == By::width) lo = "width " + fixed_text(tint.lo, 2), hi = fixed_text(tint.hi, 2) + " mm";
+    if (tint.by == By::speed) lo = "speed " + fixed_text(tint.lo, 1), hi = fixed_text(tint.hi, 1) + " mm/s";
+    draw_text(image, at, size, lo, ink);
+    const double x0 = at.x + text_width(size, lo) + 0.6 * size;
+    const int n = static_cast<int>(12 * size);
+    for (int k = 0; k < n; ++k) {
+        const int x = static_cast<int>(x0) + k, y = static_cast<int>(at.y);
+        draw_box(image, x, y - static_cast<int>(size), x + 1, y, ramp((k + 0.5) / n));
+    }
+    draw_text(image, {x0 + n + 0.8 * size, at.y}, size, hi, ink);
+}
+
+} // namespace filum::render

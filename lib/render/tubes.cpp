@@ -1,0 +1,185 @@
+#include "render/tubes.hpp"
+
+#include "base/error.hpp"
+#include "render/camera.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace filum::render {
+
+namespace {
+
+using geom::Vec3;
+
+constexpr double kOverlap = 1.03; // beads a little fatter than true, or light shines through where they just touch
+
+struct Box {
+    Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
+    void add(Vec3 p, double r, double up) {
+        lo = {std::min(lo.x, p.x - r), std::min(lo.y, p.y - r), std::min(lo.z, p.z - up)};
+        hi = {std::max(hi.x, p.x + r), std::max(hi.y, p.y + r), std::max(hi.z, p.z + up)};
+    }
+};
+
+bool drawn(const toolpath::Span& s, bool travels) { return toolpath::extrudes(s.role) || travels; }
+
+double width_of(const toolpath::Span& s, std::size_t i, double thread) {
+    return toolpath::extrudes(s.role) ? s.width_at(i) : thread;
+}
+
+// Middle of v; `otherwise` if it is empty.
+double median(std::vector<double>& v, double otherwise) {
+    if (v.empty()) return otherwise;
+    const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+    std::nth_element(v.begin(), middle, v.end());
+    return *middle;
+}
+
+} // namespace
+
+struct Tubes::State {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::vector<Srgb8> colour; // per segment
+    Vec3 centre, half;
+    double stretch = 1;   // z in Embree's space is z of the part times this
+    double thickness = 0; // mm
+    double lift = 0;      // mm from a bead's top, where the nozzle was, down to its axis
+
+    ~State() {
+        if (scene != nullptr) rtcReleaseScene(scene);
+        if (device != nullptr) rtcReleaseDevice(device);
+    }
+    void measure(const Scene& s, bool travels);
+    void fill(const Scene& s, const Tint& tint, bool travels);
+    [[nodiscard]] RTCRay ray(Vec3 from, Vec3 d, float reach) const {
+        return {static_cast<float>(from.x),
+                static_cast<float>(from.y),
+                static_cast<float>(from.z * stretch),
+                0,
+                static_cast<float>(d.x),
+                static_cast<float>(d.y),
+                static_cast<float>(d.z * stretch),
+                0,
+                reach,
+                0xffffffff,
+                0,
+                0};
+    }
+};
+
+void Tubes::State::measure(const Scene& s, bool travels) {
+    std::vector<double> widths, heights;
+    for (const auto& span : s.spans) {
+        if (!toolpath::extrudes(span.role)) continue;
+        widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
+    }
+    const double width = median(widths, 0.4), height = median(heights, 0.2);
+    stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
+    Box box;
+    for (const auto& span : s.spans)
+        for (std::size_t i = 0; drawn(span, travels) && i < span.points.size(); ++i) {
+            const double r = width_of(span, i, 0.3 * width) / 2;
+            const Vec3 p = span.points[i];
+            box.add({p.x, p.y, p.z - lift}, r, r / stretch);
+        }
+    if (box.lo.x > box.hi.x) return;
+    centre = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
+}
+
+void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
+    std::size_t points = 0, segments = 0;
+    for (const auto& span : s.spans)
+        if (drawn(span, travels)) points += span.points.size(), segments += span.points.size() - 1;
+    if (segments == 0) return;
+    if (points >= UINT32_MAX) throw Error(Exit::failure, "cannot draw more than 4 billion points; choose fewer layers");
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
+    auto* vertex = static_cast<float*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), points));
+    auto* index = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, sizeof(unsigned), segments));
+    auto* flags = static_cast<unsigned char*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, segments));
+    if (vertex == nullptr || index == nullptr || flags == nullptr) throw std::bad_alloc();
+    colour.reserve(segments);
+    unsigned at = 0;
+    for (std::size_t k = 0; k < s.spans.size(); ++k) {
+        const auto& span = s.spans[k];
+        if (!drawn(span, travels)) continue;
+        double along = 0;
+        for (std::size_t i = 0; i < span.points.size(); ++i, ++at) {
+            const Vec3 p = span.points[i] - centre;
+            const double fat = toolpath::extrudes(span.role) ? kOverlap / 2 : 0.5;
+            const float v[4] = {static_cast<float>(p.x), static_cast<float>(p.y),
+                                static_cast<float>((p.z - lift) * stretch),
+                                static_cast<float>(fat * width_of(span, i, 0.3 * 2 * thickness))};
+            std::memcpy(vertex + 4 * std::size_t{at}, v, sizeof v);
+            if (i + 1 == span.points.size()) continue;
+            const std::size_t n = colour.size();
+            index[n] = at;
+            flags[n] = static_cast<unsigned char>((i > 0 ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                                                  (i + 2 < span.points.size() ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+            colour.push_back(render::colour(tint, s, k, i, along));
+            if (tint.by == By::progress) along += geom::distance(span.points[i], span.points[i + 1]);
+        }
+    }
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(scene, g);
+    rtcReleaseGeometry(g);
+}
+
+Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : state_(std::make_unique<State>()) {
+    const std::string config = threads > 0 ? "threads=" + std::to_string(threads) : "";
+    state_->device = rtcNewDevice(config.c_str());
+    if (state_->device == nullptr) throw Error(Exit::failure, "cannot draw in perspective: Embree does not start");
+    state_->scene = rtcNewScene(state_->device);
+    state_->measure(scene, travels);
+    state_->fill(scene, tint, travels);
+    rtcCommitScene(state_->scene);
+    if (rtcGetDeviceError(state_->device) != RTC_ERROR_NONE)
+        throw Error(Exit::failure, "cannot draw in perspective: Embree has no memory left; choose fewer layers");
+}
+
+Tubes::~Tubes() = default;
+
+std::array<Hit, 4> Tubes::shoot(Vec3 from, const std::array<Vec3, 4>& direction) const {
+    alignas(16) RTCRayHit4 rh{};
+    alignas(16) const int all[4] = {-1, -1, -1, -1};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const RTCRay r = state_->ray(from, direction[k], INFINITY);
+        rh.ray.org_x[k] = r.org_x, rh.ray.org_y[k] = r.org_y, rh.ray.org_z[k] = r.org_z;
+        rh.ray.dir_x[k] = r.dir_x, rh.ray.dir_y[k] = r.dir_y, rh.ray.dir_z[k] = r.dir_z;
+        rh.ray.tfar[k] = r.tfar, rh.ray.mask[k] = r.mask;
+        rh.hit.geomID[k] = rh.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect4(all, state_->scene, &context, &rh);
+    std::array<Hit, 4> out;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (rh.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
+        Vec3 n = unit({rh.hit.Ng_x[k], rh.hit.Ng_y[k], rh.hit.Ng_z[k] * state_->stretch});
+        if (dot(n, direction[k]) > 0) n = -1.0 * n;
+        out[k] = {true, rh.ray.tfar[k], n, from_srgb8(state_->colour[rh.hit.primID[k]])};
+    }
+    return out;
+}
+
+bool Tubes::blocked(Vec3 from, Vec3 direction, float reach) const {
+    RTCRay r = state_->ray(from, direction, reach);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(state_->scene, &context, &r);
+    return r.tfar < 0;
+}
+
+bool Tubes::empty() const { return state_->colour.empty(); }
+Vec3 Tubes::centre() const { return state_->centre; }
+Vec3 Tubes::half() const { return state_->half; }
+double Tubes::thickness() const { return state_->thickness; }
+
+} // namespace filum::render

@@ -1,0 +1,111 @@
+#include "sequence/collision.hpp"
+
+#include <algorithm>
+
+namespace filum::sequence {
+
+namespace {
+
+using geom::Box2;
+
+constexpr std::size_t kBlock = 8; // regions of a column that share a box
+
+void add(Box2& to, const Box2& b) {
+    to.add(b.lo);
+    to.add(b.hi);
+}
+
+bool may_reach(const Box2& a, const Box2& b, const Reach& r) {
+    return r.everywhere || geom::distance(a, b) < r.radius ||
+           (a.lo.x - b.hi.x < r.half_x && b.lo.x - a.hi.x < r.half_x && a.lo.y - b.hi.y < r.half_y &&
+            b.lo.y - a.hi.y < r.half_y);
+}
+
+struct Search {
+    const Graph& g;
+    const Columns& columns;
+    const std::vector<Outline>& outlines;
+    const machine::Head& head;
+    std::vector<std::vector<Box2>> block; // per column, of every kBlock regions
+    std::vector<Box2> box;                // per column
+    std::vector<Pair> found;
+
+    [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box[0]; }
+    [[nodiscard]] Reach reach_of(Index v, Index u) const { return reach(head, g.node[u].z - g.node[v].z); }
+
+    void boxes() {
+        for (const auto& member : columns.member) {
+            block.emplace_back((member.size() + kBlock - 1) / kBlock);
+            box.emplace_back();
+            for (std::size_t i = 0; i < member.size(); ++i) add(block.back()[i / kBlock], box_of(member[i]));
+            for (const auto& b : block.back()) add(box.back(), b);
+        }
+    }
+
+    // The first place of column c, below `limit`, whose region stands in the way of v; `limit` if none.
+    [[nodiscard]] std::size_t first(Index v, Index c, std::size_t limit) const {
+        const auto& member = columns.member[c];
+        const Index layer = g.node[v].layer, lowest = g.node[member[0]].layer;
+        std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
+        for (; i < limit; ++i) {
+            if (i % kBlock == 0) {
+                const std::size_t last = std::min(member.size(), i + kBlock) - 1;
+                if (!may_reach(box_of(v), block[c][i / kBlock], reach_of(v, member[last]))) {
+                    i = last;
+                    continue;
+                }
+            }
+            const Reach r = reach_of(v, member[i]);
+            if (may_reach(box_of(v), box_of(member[i]), r) && within(outlines[v], outlines[member[i]], r)) return i;
+        }
+        return limit;
+    }
+
+    // A column whose lowest region rests on one that must wait for v waits as a whole.
+    [[nodiscard]] bool implied(Index c, const std::vector<std::size_t>& limit) const {
+        for (const Index p : g.before[columns.member[c][0]]) {
+            const Index d = columns.of[p];
+            if (g.node[p].layer - g.node[columns.member[d][0]].layer >= limit[d]) return true;
+        }
+        return false;
+    }
+
+    void column(Index a) {
+        const auto& own = columns.member[a];
+        std::vector<Index> others;
+        std::vector<std::size_t> limit(columns.member.size());
+        for (Index c = 0; c < columns.member.size(); ++c) {
+            const auto& member = columns.member[c];
+            limit[c] = member.size();
+            const double dz = g.node[member.back()].z - g.node[own[0]].z;
+            if (c != a && dz > 0 && may_reach(box[a], box[c], reach(head, dz))) others.push_back(c);
+        }
+        for (std::size_t i = own.size(); i-- > 0;) {
+            const Index v = own[i];
+            limit[a] = i; // what rests on v or higher waits for it by support
+            for (const Index c : others) {
+                if (limit[c] == 0) continue;
+                if (implied(c, limit)) {
+                    limit[c] = 0;
+                    continue;
+                }
+                const std::size_t at = first(v, c, limit[c]);
+                if (at < limit[c]) found.emplace_back(v, columns.member[c][at]);
+                limit[c] = at;
+            }
+        }
+    }
+};
+
+} // namespace
+
+std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
+                             const machine::Head& head) {
+    if (head.none) return {};
+    Search s{g, columns, outlines, head, {}, {}, {}};
+    s.boxes();
+    for (Index a = 0; a < columns.member.size(); ++a) s.column(a);
+    return std::move(s.found);
+}
+
+} // namespace filum::sequence

@@ -1,0 +1,111 @@
+#include "sequence/order.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+
+namespace filum::sequence {
+
+bool continues(const Graph& g, Index u, Index v) {
+    const auto up = g.up[u];
+    return std::binary_search(up.begin(), up.end(), v);
+}
+
+Cost cost(const Graph& g, std::span<const Index> order) {
+    Cost c;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i > 0 && continues(g, order[i - 1], order[i])) continue;
+        ++c.strokes;
+        if (i > 0) c.travel += geom::distance(g.node[order[i - 1]].centre, g.node[order[i]].centre);
+    }
+    return c;
+}
+
+void check(const Graph& g, std::span<const Index> order) {
+    const auto fail = [](const std::string& why) { throw Error(Exit::failure, "internal error: the order " + why); };
+    if (order.size() != g.size()) fail("does not hold every region");
+    std::vector<Index> place(g.size(), kNone);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (order[i] >= g.size() || place[order[i]] != kNone) fail("holds a region twice");
+        place[order[i]] = static_cast<Index>(i);
+    }
+    for (Index u = 0; u < g.size(); ++u)
+        for (const Index v : g.after[u])
+            if (place[u] > place[v])
+                fail("prints region " + std::to_string(v) + " before region " + std::to_string(u) +
+                     ", which it must follow");
+}
+
+namespace {
+
+struct Ends {
+    Index first = kNone, last = kNone;
+};
+
+// A state of the dynamic program: the links made so far when a region is the last (or first) of its layer.
+struct State {
+    Index links = 0;
+    Index from =
+        kNone; // of a first: the last region of the layer below that it continues; of a last: its layer's first
+};
+
+// The first and the last region of every layer, so that as many as possible link.
+std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index>>& layers) {
+    std::vector<State> first(g.size()), last(g.size());
+    Index best = kNone; // the best last region of the layer below
+    for (const auto& layer : layers) {
+        for (const Index v : layer) {
+            first[v] = {best == kNone ? 0 : last[best].links, best};
+            for (const Index u : g.down[v])
+                if (last[u].links + 1 > first[v].links) first[v] = {last[u].links + 1, u};
+        }
+        Index one = kNone, two = kNone; // the two best firsts: a last region must differ from the first, unless alone
+        for (const Index v : layer) {
+            if (one == kNone || first[v].links > first[one].links)
+                two = one, one = v;
+            else if (two == kNone || first[v].links > first[two].links)
+                two = v;
+        }
+        best = kNone;
+        for (const Index v : layer) {
+            const Index f = layer.size() == 1 || v != one ? one : two;
+            last[v] = {first[f].links, f};
+            if (best == kNone || last[v].links > last[best].links) best = v;
+        }
+    }
+    std::vector<Ends> out(layers.size());
+    for (std::size_t i = layers.size(); i-- > 0;) {
+        out[i] = {last[best].from, best};
+        best = first[out[i].first].from;
+    }
+    return out;
+}
+
+} // namespace
+
+Order layer_order(const Graph& g) {
+    std::vector<std::vector<Index>> layers;
+    for (Index v = 0; v < g.size(); ++v) {
+        if (g.node[v].layer >= layers.size()) layers.resize(g.node[v].layer + 1);
+        layers[g.node[v].layer].push_back(v);
+    }
+    const auto ends = layer_ends(g, layers);
+    Order out;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        auto& rest = layers[i];
+        out.push_back(ends[i].first);
+        std::erase_if(rest, [&](Index v) { return v == ends[i].first || v == ends[i].last; });
+        while (!rest.empty()) {
+            const auto at = g.node[out.back()].centre;
+            const auto next = std::min_element(rest.begin(), rest.end(), [&](Index a, Index b) {
+                return geom::norm2(g.node[a].centre - at) < geom::norm2(g.node[b].centre - at);
+            });
+            out.push_back(*next);
+            rest.erase(next);
+        }
+        if (ends[i].last != ends[i].first) out.push_back(ends[i].last);
+    }
+    return out;
+}
+
+} // namespace filum::sequence

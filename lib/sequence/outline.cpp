@@ -1,0 +1,157 @@
+#include "sequence/outline.hpp"
+
+#include "geom/segment.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace filum::sequence {
+
+namespace {
+
+using geom::Box2;
+using geom::Vec2;
+
+constexpr std::size_t kRun = 2; // edges per leaf
+
+double gap_x(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x}); }
+double gap_y(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y}); }
+
+bool may_reach(const Box2& a, const Box2& b, const Reach& r) {
+    const double x = gap_x(a, b), y = gap_y(a, b);
+    return x * x + y * y < r.radius * r.radius || (x < r.half_x && y < r.half_y);
+}
+
+// True if two points of the segments differ by less than half_x in x and half_y in y: the parallelogram of differences
+// meets the open box, by the separating axes of both.
+bool box_reaches(Vec2 a, Vec2 b, Vec2 c, Vec2 d, double half_x, double half_y) {
+    const Vec2 u = b - a, v = d - c, m = 0.5 * (c + d) - 0.5 * (a + b);
+    const auto apart = [&](Vec2 n) {
+        const double extent = 0.5 * (std::abs(geom::dot(n, u)) + std::abs(geom::dot(n, v))) + std::abs(n.x) * half_x +
+                              std::abs(n.y) * half_y;
+        return std::abs(geom::dot(n, m)) >= extent;
+    };
+    return !apart({1, 0}) && !apart({0, 1}) && (u == Vec2{} || !apart(geom::left_of(u))) &&
+           (v == Vec2{} || !apart(geom::left_of(v)));
+}
+
+// The k-th edge of the loops, counting through all of them: from point k to the next of its loop.
+struct Edges {
+    const polygon::Loops& loops;
+    std::size_t loop = 0;
+    explicit Edges(const polygon::Loops& l, std::size_t k) : loops(l) {
+        loop = static_cast<std::size_t>(std::upper_bound(l.start.begin(), l.start.end(), k) - l.start.begin()) - 1;
+    }
+    std::pair<Vec2, Vec2> at(std::size_t k) {
+        while (k >= loops.start[loop + 1]) ++loop;
+        return {loops.points[k], loops.points[k + 1 < loops.start[loop + 1] ? k + 1 : loops.start[loop]]};
+    }
+};
+
+std::pair<std::size_t, std::size_t> run(const Outline& o, std::size_t node) {
+    const std::size_t leaf = node - (o.leaves - 1), n = o.loops.points.size();
+    return {std::min(n, leaf * kRun), std::min(n, (leaf + 1) * kRun)};
+}
+
+Box2 span(Vec2 p, Vec2 q) {
+    return {{std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}};
+}
+
+// Calls near(a, b, c, d) for edge pairs whose boxes `open` lets through; stops once it returns true.
+template <class Open, class Near>
+bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
+    std::vector<std::pair<std::size_t, std::size_t>> todo{{0, 0}};
+    while (!todo.empty()) {
+        const auto [i, j] = todo.back();
+        todo.pop_back();
+        if (!open(a.box[i], b.box[j])) continue;
+        const bool leaf_a = i + 1 >= a.leaves, leaf_b = j + 1 >= b.leaves;
+        if (leaf_a && leaf_b) {
+            const auto [a0, a1] = run(a, i);
+            const auto [b0, b1] = run(b, j);
+            Edges ea(a.loops, a0);
+            for (std::size_t k = a0; k < a1; ++k) {
+                const auto [p, q] = ea.at(k);
+                Edges eb(b.loops, b0);
+                for (std::size_t l = b0; l < b1; ++l) {
+                    const auto [s, t] = eb.at(l);
+                    if (open(span(p, q), span(s, t)) && near(p, q, s, t)) return true;
+                }
+            }
+            continue;
+        }
+        const auto size = [](const Box2& x) { return x.hi.x - x.lo.x + x.hi.y - x.lo.y; };
+        if (leaf_b || (!leaf_a && size(a.box[i]) >= size(b.box[j]))) {
+            todo.emplace_back(2 * i + 1, j);
+            todo.emplace_back(2 * i + 2, j);
+        } else {
+            todo.emplace_back(i, 2 * j + 1);
+            todo.emplace_back(i, 2 * j + 2);
+        }
+    }
+    return false;
+}
+
+bool holds(const Outline& a, Vec2 p) {
+    const Box2& b = a.box[0];
+    return p.x >= b.lo.x && p.x <= b.hi.x && p.y >= b.lo.y && p.y <= b.hi.y && polygon::contains(a.loops, p);
+}
+
+} // namespace
+
+double Reach::farthest() const { return std::max({radius, half_x, half_y}); }
+
+Reach reach(const machine::Head& head, double dz) {
+    Reach r;
+    r.radius = head.cone_radius(dz);
+    if (dz > head.cone_height) r.half_x = head.carriage_x / 2, r.half_y = head.carriage_y / 2;
+    r.everywhere = dz > head.gantry_height;
+    return r;
+}
+
+Outline outline(polygon::Loops loops) {
+    Outline o;
+    o.loops = std::move(loops);
+    const std::size_t n = o.loops.points.size();
+    o.leaves = std::bit_ceil(std::max<std::size_t>(1, (n + kRun - 1) / kRun));
+    o.box.resize(2 * o.leaves - 1);
+    Edges edges(o.loops, 0);
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto [p, q] = edges.at(k);
+        Box2& b = o.box[o.leaves - 1 + k / kRun];
+        b.add(p);
+        b.add(q);
+    }
+    for (std::size_t i = o.leaves - 1; i-- > 0;)
+        for (const std::size_t c : {2 * i + 1, 2 * i + 2})
+            if (!o.box[c].empty()) o.box[i].add(o.box[c].lo), o.box[i].add(o.box[c].hi);
+    return o;
+}
+
+bool within(const Outline& a, const Outline& b, const Reach& r) {
+    if (r.everywhere) return true;
+    if (!may_reach(a.box[0], b.box[0], r)) return false;
+    if (holds(a, b.loops.points[0]) || holds(b, a.loops.points[0])) return true;
+    const bool box = r.half_x > 0 && r.half_y > 0;
+    return any_pair(
+        a, b, [&](const Box2& x, const Box2& y) { return may_reach(x, y, r); },
+        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
+            return geom::segment_distance(p, q, s, t) < r.radius ||
+                   (box && box_reaches(p, q, s, t, r.half_x, r.half_y));
+        });
+}
+
+double distance(const Outline& a, const Outline& b) {
+    if (holds(a, b.loops.points[0]) || holds(b, a.loops.points[0])) return 0;
+    double best = std::numeric_limits<double>::infinity();
+    any_pair(
+        a, b, [&](const Box2& x, const Box2& y) { return geom::distance(x, y) < best; },
+        [&](Vec2 p, Vec2 q, Vec2 s, Vec2 t) {
+            best = std::min(best, geom::segment_distance(p, q, s, t));
+            return best == 0;
+        });
+    return best;
+}
+
+} // namespace filum::sequence

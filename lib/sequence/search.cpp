@@ -1,0 +1,202 @@
+#include "sequence/search.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace filum::sequence {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) { // splitmix64
+    x += 0x9e3779b97f4a7c15U;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+    return x ^ (x >> 31);
+}
+
+// A stroke that was kept, and the one before it.
+struct Step {
+    Index parent = kNone;
+    Index first = 0, count = 0; // its regions in Search::printed
+};
+
+struct State {
+    double score = 0, travel = 0;
+    std::uint64_t hash = 0;
+    Index step = kNone;
+    Index last = kNone; // region
+};
+
+struct Candidate {
+    State state;
+    Index parent = 0;           // which state of the level
+    Index first = 0, count = 0; // its regions in Search::tried
+};
+
+struct Search {
+    const Graph& g;
+    const Columns& columns;
+    std::span<const double> weight;
+    std::size_t k;
+    std::vector<Index> place; // of each region in its column
+    std::uint64_t work = 0;
+
+    std::vector<Step> steps;
+    std::vector<Index> printed;
+    std::vector<State> level;
+    std::vector<Index> heights; // of the level's states, k each
+    std::vector<Candidate> candidates;
+    std::vector<Index> tried;
+
+    std::vector<Index> now; // heights while a stroke is tried
+    std::vector<Index> path;
+    bool reached_top = false; // a candidate of this state ends at a top: it alone counts
+
+    Search(const Graph& graph, const Columns& c, std::span<const double> w)
+        : g(graph), columns(c), weight(w), k(c.member.size()), place(graph.size()) {
+        for (const auto& member : c.member)
+            for (std::size_t i = 0; i < member.size(); ++i) place[member[i]] = static_cast<Index>(i);
+        level.emplace_back();
+        heights.assign(k, 0);
+    }
+
+    bool ready(Index v) {
+        const auto before = g.before[v];
+        for (const Index p : before) {
+            ++work;
+            if (now[columns.of[p]] <= place[p]) return false;
+        }
+        return true;
+    }
+
+    // Every stroke that begins with `path` and ends where nothing more is ready.
+    void extend(const State& from, Index parent) {
+        const Index u = path.back();
+        bool ended = true;
+        for (const Index v : g.up[u]) {
+            if (!ready(v)) continue;
+            ended = false;
+            path.push_back(v);
+            now[columns.of[v]] = place[v] + 1;
+            extend(from, parent);
+            if (reached_top) return;
+            now[columns.of[v]] = place[v];
+            path.pop_back();
+        }
+        if (ended) propose(from, parent);
+    }
+
+    void propose(const State& from, Index parent) {
+        if (g.up[path.back()].empty()) {
+            while (!candidates.empty() && candidates.back().parent == parent) candidates.pop_back();
+            reached_top = true;
+        }
+        Candidate c{from, parent, static_cast<Index>(tried.size()), static_cast<Index>(path.size())};
+        if (from.last != kNone) c.state.travel += geom::distance(g.node[from.last].centre, g.node[path[0]].centre);
+        for (const Index v : path) {
+            c.state.score += weight[v];
+            c.state.hash ^= mixed(v);
+        }
+        c.state.last = path.back();
+        tried.insert(tried.end(), path.begin(), path.end());
+        candidates.push_back(c);
+    }
+
+    void expand(Index s) {
+        reached_top = false;
+        for (Index c = 0; c < k && !reached_top; ++c) {
+            now.assign(heights.begin() + static_cast<long>(s * k), heights.begin() + static_cast<long>((s + 1) * k));
+            if (now[c] == columns.member[c].size()) continue;
+            const Index v = columns.member[c][now[c]];
+            ++work;
+            if (!ready(v)) continue;
+            path.assign(1, v);
+            ++now[c];
+            extend(level[s], s);
+        }
+    }
+
+    [[nodiscard]] bool below_another(const std::vector<Index>& h, const std::vector<Index>& kept) const {
+        constexpr std::size_t kCompared = 32;
+        for (std::size_t i = 0; i < std::min(kCompared, kept.size() / k); ++i)
+            if (std::equal(h.begin(), h.end(), kept.begin() + static_cast<long>(i * k), std::less_equal<>()))
+                return true;
+        return false;
+    }
+
+    // The next level from the candidates; true if none had to be dropped for want of width.
+    bool select(std::size_t width) {
+        std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+            return a.state.score > b.state.score || (a.state.score == b.state.score && a.state.travel < b.state.travel);
+        });
+        std::vector<State> next;
+        std::vector<Index> kept;
+        std::unordered_set<std::uint64_t> seen;
+        bool all = true;
+        for (const Candidate& c : candidates) {
+            if (!seen.insert(c.state.hash).second) continue;
+            now.assign(heights.begin() + static_cast<long>(c.parent * k),
+                       heights.begin() + static_cast<long>((c.parent + 1) * k));
+            for (Index i = 0; i < c.count; ++i) now[columns.of[tried[c.first + i]]] = place[tried[c.first + i]] + 1;
+            work += k;
+            if (below_another(now, kept)) continue;
+            if (next.size() == width) {
+                all = false;
+                break;
+            }
+            steps.push_back({c.state.step, static_cast<Index>(printed.size()), c.count});
+            printed.insert(printed.end(), tried.begin() + c.first, tried.begin() + c.first + c.count);
+            next.push_back(c.state);
+            next.back().step = static_cast<Index>(steps.size() - 1);
+            kept.insert(kept.end(), now.begin(), now.end());
+        }
+        level = std::move(next);
+        heights = std::move(kept);
+        return all;
+    }
+
+    [[nodiscard]] Order order(Index step) const {
+        std::vector<Index> back;
+        for (Index s = step; s != kNone; s = steps[s].parent) back.push_back(s);
+        Order out;
+        for (std::size_t i = back.size(); i-- > 0;)
+            for (Index j = 0; j < steps[back[i]].count; ++j) out.push_back(printed[steps[back[i]].first + j]);
+        return out;
+    }
+};
+
+} // namespace
+
+Found search(const Graph& g, const Columns& columns, std::span<const double> weight, std::size_t width,
+             std::uint64_t budget) {
+    Found out;
+    if (g.size() == 0) return {{}, true, 0};
+    Search s(g, columns, weight);
+    bool all = true;
+    for (;;) {
+        s.candidates.clear();
+        s.tried.clear();
+        for (Index i = 0; i < s.level.size(); ++i) {
+            s.expand(i);
+            if (s.work > budget) return {{}, false, s.work};
+        }
+        if (s.candidates.empty()) break; // nothing is left to print, in every state
+        all = s.select(width) && all;
+    }
+    return {s.order(s.level.front().step), all, s.work};
+}
+
+std::vector<double> weights(const Graph& g, const Columns& columns, double base) {
+    std::vector<double> out(g.size(), base);
+    for (Index v = 0; v < g.size(); ++v) {
+        Index least = kNone;
+        for (const Index u : g.before[v])
+            if (columns.of[u] != columns.of[v]) least = std::min(least, g.node[v].layer - g.node[u].layer);
+        for (const Index u : g.after[v])
+            if (columns.of[u] != columns.of[v]) least = std::min(least, g.node[u].layer - g.node[v].layer);
+        if (least != kNone) out[v] += 1.0 / least;
+    }
+    return out;
+}
+
+} // namespace filum::sequence

@@ -1,0 +1,32 @@
+// The processing order over all layers (paper 3.1, notes 3b): few strokes that the head can print, and a proven bound.
+#pragma once
+
+#include "base/fact.hpp"
+#include "machine/head.hpp"
+#include "sequence/order.hpp"
+
+namespace filum::sequence {
+
+struct Options {
+    bool by_layers = false; // strictly layer by layer
+    machine::Head head;
+    double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
+    std::uint64_t budget = 100'000'000; // precedences that the search may look at, and a tenth of it the bound
+};
+
+struct Result {
+    Order order;                       // ids in the order of printing
+    std::vector<std::uint32_t> stroke; // by place in `order`
+    std::vector<Join> join;            // likewise
+    // regions, strokes, lower-bound (no order that the head allows has fewer), path-cover (nor without a head),
+    // layer-floor (regions - layers + 1: layer by layer has no fewer), columns, collisions
+    Facts facts;
+};
+
+// Orders `regions`, which come layer by layer with ids from 0 without gaps; their outlines are given up.
+// Every order passes check(); layer order is always one of those compared, so it never does worse.
+// The same result for the same regions and options, on any machine: the budget counts steps, not time.
+// Throws Error(bad_input) if the regions are not what `regions` writes.
+Result sequence(std::vector<polygon::Region> regions, const Options& options);
+
+} // namespace filum::sequence

@@ -1,0 +1,210 @@
+#include "slice/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::slice {
+
+namespace {
+
+using geom::Box2;
+using geom::Vec2;
+using polygon::Loops;
+
+constexpr double kRounding = 0.001; // mm; below, two faces are the same but for rounding; bridges reach this far in
+
+struct Edge {
+    Vec2 a, b;
+    std::uint32_t loop, at, size; // which edge of which loop, and how many that has
+};
+
+std::vector<Edge> edges_of(const Loops& loops) {
+    std::vector<Edge> out;
+    out.reserve(loops.points.size());
+    for (std::uint32_t i = 0; i < loops.size(); ++i) {
+        const auto loop = loops[i];
+        const auto n = static_cast<std::uint32_t>(loop.size());
+        for (std::uint32_t k = 0; k < n; ++k) out.push_back({loop[k], loop[(k + 1) % n], i, k, n});
+    }
+    return out;
+}
+
+bool neighbours(const Edge& e, const Edge& f) {
+    if (e.loop != f.loop) return false;
+    const std::uint32_t d = e.at > f.at ? e.at - f.at : f.at - e.at;
+    return d <= 1 || d + 1 >= e.size;
+}
+
+// The stretch of e, as parameters, over which f runs against it at a signed distance of at most `width` (positive: on
+// the right, outside; down to -1 um: rounding), and that distance at both ends; false if there is none.
+struct Facing {
+    double u[2], gap[2];
+};
+bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
+    const Vec2 d = e.b - e.a, g = f.b - f.a;
+    const double l = norm(d);
+    if (!(l > 0) || dot(d, g) > -0.9 * l * norm(g)) return false;
+    const auto along = [&](Vec2 p) { return dot(p - e.a, d) / (l * l); };
+    const auto right = [&](Vec2 p) { return cross(p - e.a, d) / l; };
+    double u0 = along(f.b), u1 = along(f.a), h0 = right(f.b), h1 = right(f.a); // f runs backwards
+    if (!(u1 > u0)) return false;
+    const double slope = (h1 - h0) / (u1 - u0);
+    const auto cut = [&](double u, bool low) { // one end of the stretch moves to u
+        if (low && u > u0) h0 += slope * (u - u0), u0 = u;
+        if (!low && u < u1) h1 += slope * (u - u1), u1 = u;
+    };
+    cut(0, true);
+    cut(1, false);
+    if (!(u1 > u0)) return false;
+    if (slope != 0) // gap within [-kRounding, width]
+        for (const double h : {-kRounding, width}) {
+            const double u = u0 + (h - h0) / slope;
+            const bool below = h < 0;
+            if (u > u0 && u < u1) cut(u, below == (slope > 0));
+        }
+    const double middle = (h0 + h1) / 2;
+    if (middle < -kRounding || middle > width || (u1 - u0) * l < 1e-4) return false;
+    out = {{u0, u1}, {h0, h1}};
+    return true;
+}
+
+void add_bridge(const Edge& e, const Facing& f, Loops& out) {
+    const Vec2 d = e.b - e.a;
+    const Vec2 outwards = (-1 / norm(d)) * left_of(d);
+    const Vec2 p0 = lerp(e.a, e.b, f.u[0]), p1 = lerp(e.a, e.b, f.u[1]);
+    const Vec2 quad[4] = {p0 + (f.gap[0] + kRounding) * outwards, p1 + (f.gap[1] + kRounding) * outwards,
+                          p1 - kRounding * outwards, p0 - kRounding * outwards};
+    out.add(quad);
+}
+
+// A grid of cells over the edges; each cell lists the edges whose boxes, `margin` wider, meet it.
+struct Grid {
+    Vec2 corner;
+    double size = 1;
+    std::int64_t columns = 1, rows = 1;
+    std::vector<std::uint32_t> start, edges;
+
+    [[nodiscard]] std::int64_t column(double x) const {
+        return std::clamp(static_cast<std::int64_t>((x - corner.x) / size), std::int64_t{0}, columns - 1);
+    }
+    [[nodiscard]] std::int64_t row(double y) const {
+        return std::clamp(static_cast<std::int64_t>((y - corner.y) / size), std::int64_t{0}, rows - 1);
+    }
+    // Calls visit(cell) for the cells that edge e meets: row by row, so that a long slanting edge meets few.
+    template <class Visit>
+    void over(const Edge& e, double margin, const Visit& visit) const {
+        const Vec2 lo = e.a.y < e.b.y ? e.a : e.b, hi = e.a.y < e.b.y ? e.b : e.a;
+        const double per_y = hi.y > lo.y ? (hi.x - lo.x) / (hi.y - lo.y) : 0;
+        for (std::int64_t r = row(lo.y - margin); r <= row(hi.y + margin); ++r) {
+            const double y0 = std::clamp(corner.y + static_cast<double>(r) * size - margin, lo.y, hi.y);
+            const double y1 = std::clamp(corner.y + static_cast<double>(r + 1) * size + margin, lo.y, hi.y);
+            double x0 = lo.x + per_y * (y0 - lo.y), x1 = lo.x + per_y * (y1 - lo.y);
+            if (per_y == 0) x0 = lo.x, x1 = hi.x;
+            if (x0 > x1) std::swap(x0, x1);
+            for (std::int64_t c = column(x0 - margin); c <= column(x1 + margin); ++c)
+                visit(static_cast<std::size_t>(r * columns + c));
+        }
+    }
+};
+
+Grid grid_over(const std::vector<Edge>& edges, const Box2& box, double margin) {
+    Grid g;
+    double sum = 0;
+    for (const Edge& e : edges) sum += geom::distance(e.a, e.b);
+    const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y, n = static_cast<double>(edges.size());
+    // as wide as an edge is long, but not so fine that there are many more cells than edges
+    g.size = std::max({sum / n, std::sqrt(w * h / (4 * n)), std::max(w, h) / 4096, 4 * margin, 1e-3});
+    g.corner = box.lo;
+    g.columns = static_cast<std::int64_t>(w / g.size) + 1;
+    g.rows = static_cast<std::int64_t>(h / g.size) + 1;
+    g.start.assign(static_cast<std::size_t>(g.columns * g.rows) + 1, 0);
+    for (const Edge& e : edges) g.over(e, margin, [&](std::size_t cell) { ++g.start[cell + 1]; });
+    for (std::size_t i = 1; i < g.start.size(); ++i) g.start[i] += g.start[i - 1];
+    g.edges.resize(g.start.back());
+    std::vector<std::uint32_t> fill(g.start.begin(), g.start.end() - 1);
+    for (std::uint32_t i = 0; i < edges.size(); ++i)
+        g.over(edges[i], margin, [&](std::size_t cell) { g.edges[fill[cell]++] = i; });
+    return g;
+}
+
+bool near(const Edge& e, const Edge& f, double margin) {
+    return std::min(e.a.x, e.b.x) <= std::max(f.a.x, f.b.x) + margin &&
+           std::min(f.a.x, f.b.x) <= std::max(e.a.x, e.b.x) + margin &&
+           std::min(e.a.y, e.b.y) <= std::max(f.a.y, f.b.y) + margin &&
+           std::min(f.a.y, f.b.y) <= std::max(e.a.y, e.b.y) + margin;
+}
+
+// Loops that are narrower than `hairline` all along go: what union leaves where faces nearly coincide.
+Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, Notes& notes) {
+    Loops out;
+    Note filled{.stage = "",
+                .what = "hairline hole between bodies filled",
+                .amount = 0,
+                .unit = "mm2",
+                .count = 0,
+                .layer = layer};
+    Note dropped = filled;
+    dropped.what = "hairline sliver of a body dropped";
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const double area = polygon::signed_area(loops[i]);
+        if (2 * std::abs(area) > hairline * polygon::perimeter(loops[i])) { // area over half the length: its mean width
+            out.add(loops[i]);
+            continue;
+        }
+        if (2 * std::abs(area) <= kRounding * polygon::perimeter(loops[i])) continue; // rounding alone
+        Note& n = area < 0 ? filled : dropped;
+        if (std::abs(area) * static_cast<double>(n.count) >= n.amount) n.x = loops[i][0].x, n.y = loops[i][0].y;
+        n.amount += std::abs(area);
+        ++n.count;
+    }
+    for (Note* n : {&filled, &dropped})
+        if (n->count > 0) notes.push_back(std::move(*n));
+    return out;
+}
+
+} // namespace
+
+Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& gaps) {
+    gap_area = 0, gaps = 0;
+    Loops out;
+    const auto edges = edges_of(loops);
+    if (edges.empty()) return out;
+    const Grid grid = grid_over(edges, polygon::bounds(loops), width);
+    std::vector<std::uint64_t> pairs;
+    for (std::size_t c = 0; c + 1 < grid.start.size(); ++c)
+        for (std::uint32_t i = grid.start[c]; i < grid.start[c + 1]; ++i)
+            for (std::uint32_t j = i + 1; j < grid.start[c + 1]; ++j) {
+                const auto &e = edges[grid.edges[i]], &f = edges[grid.edges[j]];
+                if (!near(e, f, width) || neighbours(e, f)) continue;
+                if (Facing facing_now; facing(e, f, width, facing_now))
+                    pairs.push_back(std::uint64_t{grid.edges[i]} << 32 | grid.edges[j]);
+            }
+    std::sort(pairs.begin(), pairs.end()); // two edges may share many cells
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    for (const std::uint64_t pair : pairs) {
+        const auto &e = edges[pair >> 32], &f = edges[pair & 0xffffffff];
+        Facing between{};
+        if (!facing(e, f, width, between)) continue;
+        add_bridge(e, between, out);
+        const double gap = std::max(0.0, (between.gap[0] + between.gap[1]) / 2);
+        if (gap > kRounding) gap_area += gap * (between.u[1] - between.u[0]) * geom::distance(e.a, e.b), ++gaps;
+    }
+    return out;
+}
+
+Loops unite_bodies(const Loops& loops, polygon::Fill rule, double hairline, std::int64_t layer, Notes& notes) {
+    if (!(hairline > 0) || rule == polygon::Fill::even_odd) return polygon::unite(loops, rule);
+    double area = 0;
+    std::size_t gaps = 0;
+    const Loops between = bridges(loops, hairline, area, gaps);
+    if (gaps > 0)
+        notes.push_back({.stage = "",
+                         .what = "hairline gap between bodies closed",
+                         .amount = area,
+                         .unit = "mm2",
+                         .count = gaps,
+                         .layer = layer});
+    return without_slivers(polygon::unite(loops, between, rule), hairline, layer, notes);
+}
+
+} // namespace filum::slice

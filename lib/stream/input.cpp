@@ -1,0 +1,83 @@
+#include "stream/input.hpp"
+
+#include "base/error.hpp"
+#include "stream/crc32c.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+#include <utility>
+
+namespace filum::stream {
+
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{256} << 10; // stays in the cache between read() and the copy out of it
+constexpr int kPipe = 1 << 20;
+
+} // namespace
+
+Input::Input(const std::string& path) : block_(std::make_unique_for_overwrite<char[]>(kBlock)) {
+    if (path.empty() || path == "-") {
+        name_ = "standard input";
+        fd_ = STDIN_FILENO;
+        if (::isatty(fd_) != 0)
+            throw Error(Exit::usage, "cannot read a stream from a terminal; pipe one in or name a file");
+        ::fcntl(fd_, F_SETPIPE_SZ, kPipe); // fails harmlessly where it is no pipe
+        return;
+    }
+    name_ = "'" + path + "'";
+    fd_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd_ < 0) throw Error(Exit::io, "cannot open " + name_ + ": " + std::strerror(errno));
+}
+
+Input::~Input() {
+    if (fd_ > STDIN_FILENO) ::close(fd_);
+}
+
+// Reads what is there, at least one byte, behind block_[from].  Returns 0 at the end of the input.
+std::size_t Input::refill(std::size_t from) {
+    for (;;) {
+        const ssize_t n = ::read(fd_, block_.get() + from, kBlock - from);
+        if (n >= 0) {
+            filled_ = from + static_cast<std::size_t>(n);
+            return static_cast<std::size_t>(n);
+        }
+        if (errno != EINTR) throw Error(Exit::io, "cannot read " + name_ + ": " + std::strerror(errno));
+    }
+}
+
+std::string_view Input::ahead(std::size_t size) {
+    if (filled_ - at_ < size) {
+        std::memmove(block_.get(), block_.get() + at_, filled_ - at_);
+        filled_ -= std::exchange(at_, 0);
+        while (filled_ < size && refill(filled_) > 0) {
+        }
+    }
+    return {block_.get() + at_, std::min(size, filled_ - at_)};
+}
+
+void Input::drop(std::size_t size) {
+    at_ += size;
+    offset_ += size;
+}
+
+bool Input::append(std::string& to, std::size_t size, std::uint32_t& crc) {
+    to.reserve(to.size() + size); // address space only, until something is written there
+    while (size > 0) {
+        if (at_ == filled_) {
+            at_ = 0;
+            if (refill(0) == 0) return false;
+        }
+        const std::size_t n = std::min(size, filled_ - at_);
+        crc = crc32c(crc, block_.get() + at_, n); // while it is in the cache
+        to.append(block_.get() + at_, n);
+        drop(n);
+        size -= n;
+    }
+    return true;
+}
+
+} // namespace filum::stream

@@ -1,0 +1,158 @@
+#include "stream/sink.hpp"
+
+#include "base/error.hpp"
+
+#include <cerrno>
+#include <climits>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/uio.h>
+#include <unistd.h>
+#include <utility>
+
+namespace filum::stream {
+
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{256} << 10;
+constexpr int kPipe = 1 << 20; // what Linux allows to everyone: fewer changes of process
+
+[[noreturn]] void fail(const std::string& what, const std::string& name, int cause) {
+    throw Error(Exit::io, "cannot " + what + " " + name + ": " + std::strerror(cause));
+}
+
+std::string folder_of(const std::string& path) {
+    const auto slash = path.rfind('/');
+    if (slash == std::string::npos) return ".";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+// A link to a file is written through, not replaced.
+std::string without_links(const std::string& path) {
+    char* real = ::realpath(path.c_str(), nullptr);
+    if (real == nullptr) return path;
+    std::string out = real;
+    std::free(real); // NOLINT: realpath's contract
+    return out;
+}
+
+} // namespace
+
+struct Sink::State {
+    std::string name;      // for messages
+    std::string path;      // final name, "" where there is nothing to rename
+    std::string temporary; // its name until commit, "" while it has none
+    int fd = -1;
+    bool owned = false; // whether to close it
+    std::string buffer;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (owned && fd >= 0) ::close(fd);
+        if (!temporary.empty()) ::unlink(temporary.c_str());
+    }
+
+    void open(const std::string& wanted) {
+        struct stat info {};
+        owned = true;
+        if (::stat(wanted.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
+            fd = ::open(wanted.c_str(), O_WRONLY | O_CLOEXEC);
+            if (fd < 0) fail("create", name, errno);
+            return;
+        }
+        path = without_links(wanted);
+        fd = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+        if (fd >= 0) return;
+        temporary = temporary_name();
+        fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        if (fd >= 0) return;
+        temporary.clear();
+        fail("create", name, errno);
+    }
+
+    [[nodiscard]] std::string temporary_name() const { return path + ".part" + std::to_string(::getpid()); }
+
+    // Writes the buffer and `more` behind it, and empties the buffer.
+    void drain(std::string_view more) {
+        iovec parts[2] = {{buffer.data(), buffer.size()}, {const_cast<char*>(more.data()), more.size()}};
+        iovec* at = parts;
+        iovec* const end = parts + 2;
+        for (;;) {
+            while (at != end && at->iov_len == 0) ++at;
+            if (at == end) break;
+            const ssize_t n = ::writev(fd, at, static_cast<int>(end - at));
+            if (n < 0 && errno == EINTR) continue;
+            if (n < 0) fail("write to", name, errno);
+            auto left = static_cast<std::size_t>(n);
+            for (iovec* p = at; left > 0; ++p) {
+                const std::size_t step = std::min(left, p->iov_len);
+                p->iov_base = static_cast<char*>(p->iov_base) + step;
+                p->iov_len -= step;
+                left -= step;
+            }
+        }
+        buffer.clear();
+    }
+
+    // Gives the unnamed file a name beside the final one, since a link cannot replace a file.
+    void name_it() {
+        const std::string wanted = temporary_name();
+        const std::string self = "/proc/self/fd/" + std::to_string(fd);
+        ::unlink(wanted.c_str());
+        if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, wanted.c_str(), AT_SYMLINK_FOLLOW) != 0)
+            fail("create", name, errno);
+        temporary = wanted;
+    }
+};
+
+Sink::Sink(const std::string& path, Content content) : state_(std::make_unique<State>()) {
+    State& s = *state_;
+    s.buffer.reserve(kBlock);
+    if (path.empty() || path == "-") {
+        s.name = "standard output";
+        s.fd = STDOUT_FILENO;
+        ::fcntl(s.fd, F_SETPIPE_SZ, kPipe); // fails harmlessly where it is no pipe
+    } else {
+        s.name = "'" + path + "'";
+        s.open(path);
+    }
+    if (content == Content::binary && ::isatty(s.fd) != 0)
+        throw Error(Exit::usage, "cannot write a binary stream to a terminal; pipe it on or give --output FILE");
+}
+
+Sink::~Sink() = default;
+Sink::Sink(Sink&&) noexcept = default;
+Sink& Sink::operator=(Sink&&) noexcept = default;
+
+const std::string& Sink::name() const { return state_->name; }
+
+void Sink::write(std::string_view bytes) {
+    State& s = *state_;
+    if (s.buffer.size() + bytes.size() > kBlock)
+        s.drain(bytes);
+    else
+        s.buffer.append(bytes);
+}
+
+void Sink::commit() {
+    State& s = *state_;
+    s.drain({});
+    if (!s.owned) {
+        // a full disk may show only when the file is closed
+        if (::close(::dup(s.fd)) != 0) fail("write to", s.name, errno);
+        return;
+    }
+    if (!s.path.empty() && s.temporary.empty()) s.name_it();
+    const int fd = std::exchange(s.fd, -1);
+    if (::close(fd) != 0) fail("write to", s.name, errno);
+    if (s.path.empty()) return;
+    if (std::rename(s.temporary.c_str(), s.path.c_str()) != 0) fail("create", s.name, errno);
+    s.temporary.clear();
+}
+
+} // namespace filum::stream

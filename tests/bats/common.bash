@@ -1,0 +1,110 @@
+# shellcheck shell=bash disable=SC2034
+# What the shell tests share: a small part, the commands, and an input for each of them.
+
+# Where the commands under test are.
+commands_folder() { dirname "$(command -v filum)"; }
+
+# All commands, without the front command.
+stages() {
+    if [[ -d $BATS_FILE_TMPDIR/contracts ]]; then (cd "$BATS_FILE_TMPDIR/contracts" && ls -I filum); else filum list | cut -d ' ' -f 1; fi
+}
+
+# Asks every command once for what it says about itself.
+ask_all() {
+    local c all
+    all=$(stages)
+    mkdir -p "$BATS_FILE_TMPDIR/contracts"
+    for c in filum $all; do "$c" --print-contract > "$BATS_FILE_TMPDIR/contracts/$c"; done
+}
+
+# Writes a triangle (three corners, three coordinates each) of a binary STL.
+stl_triangle() {
+    printf '\0\0\0\0\0\0\0\0\0\0\0\0'
+    local v
+    for v in "$@"; do
+        case $v in
+            0) printf '\0\0\0\0' ;;
+            1) printf '\0\0\200\77' ;;
+            9) printf '\0\0\20\101' ;;
+        esac
+    done
+    printf '\0\0'
+}
+
+# A box of 9 x 9 x 1 mm, as a binary STL on standard output.
+box_stl() {
+    printf '%-80s' 'box of 9 x 9 x 1 mm'
+    printf '\14\0\0\0'
+    stl_triangle 0 0 0  9 9 0  9 0 0; stl_triangle 0 0 0  0 9 0  9 9 0
+    stl_triangle 0 0 1  9 0 1  9 9 1; stl_triangle 0 0 1  9 9 1  0 9 1
+    stl_triangle 0 0 0  9 0 0  9 0 1; stl_triangle 0 0 0  9 0 1  0 0 1
+    stl_triangle 9 0 0  9 9 0  9 9 1; stl_triangle 9 0 0  9 9 1  9 0 1
+    stl_triangle 9 9 0  0 9 0  0 9 1; stl_triangle 9 9 0  0 9 1  9 9 1
+    stl_triangle 0 9 0  0 0 0  0 0 1; stl_triangle 0 9 0  0 0 1  0 9 1
+}
+
+# Makes part.stl and a stream of every payload in the current folder.
+make_inputs() {
+    box_stl > part.stl
+    slice part.stl --output Layers
+    regions Layers --output Regions
+    sequence Regions --output sequenced
+    fill sequenced --output Paths
+    link3d Paths --output Toolpath
+}
+
+# fact COMMAND KEY: the rest of that line of the command's contract.
+fact() { sed -n "s/^$2 //p" "$BATS_FILE_TMPDIR/contracts/$1" | head -n 1; }
+
+# The file of make_inputs that the command reads; nothing for a command that reads none.
+input_of() {
+    local in
+    in=$(fact "$1" in)
+    case $1:$in in
+        fill:*) echo sequenced ;;
+        *:file) echo part.stl ;;
+        *:'stream unknown') echo Paths ;;
+        *:'stream '*) echo "${in#stream }" ;;
+    esac
+}
+
+# Stages that read a stream, and all that read anything.
+stream_readers() { for_each_input 'stream *'; }
+readers() { for_each_input '[fs]*'; }
+for_each_input() {
+    local c
+    for c in $(stages); do
+        # shellcheck disable=SC2053
+        if [[ $(fact "$c" in) == $1 ]]; then echo "$c"; fi
+    done
+}
+
+# flip FILE OFFSET: inverts one byte.
+flip() {
+    local byte
+    byte=$(od -An -tu1 -j "$2" -N 1 "$1" | tr -d ' ')
+    # shellcheck disable=SC2059
+    printf "\\$(printf %o $((byte ^ 255)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+}
+
+# expect CODE COMMAND...: runs it, keeps its output in $out and $err, complains unless it ends so.  CODE may be '3|4'.
+expect() {
+    local want=$1 code=0
+    shift
+    "$@" > "$BATS_TEST_TMPDIR/out" 2> "$BATS_TEST_TMPDIR/err" || code=$?
+    out=$(head -c 10000 "$BATS_TEST_TMPDIR/out" | tr -d '\0')
+    err=$(cat "$BATS_TEST_TMPDIR/err")
+    if [[ ! $code =~ ^($want)$ ]]; then
+        echo "expected $want, got $code: $*"
+        echo "stderr: $err"
+        return 1
+    fi
+}
+
+# complaint NAME: standard error is one line in the house's grammar.
+complaint() {
+    if [[ $(wc -l <<< "$err") -ne 1 || ! $err =~ ^$1:\ [^A-Z].*[^.]$ ]]; then
+        echo "no proper complaint of $1: $err"
+        return 1
+    fi
+}

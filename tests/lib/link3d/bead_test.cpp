@@ -1,0 +1,150 @@
+#include "curves.hpp"
+#include "link3d/bead.hpp"
+#include "link3d/strip_route.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::link3d {
+
+using namespace test;
+
+namespace {
+
+constexpr std::array kStrips{Strips{}};
+
+double area(const Bead& b) {
+    double sum = 0;
+    const auto w = [&](std::size_t i) { return b.width.size() == 1 ? b.width[0] : b.width[i]; };
+    for (std::size_t i = 0; i + 1 < b.points.size(); ++i)
+        sum += geom::distance(b.points[i], b.points[i + 1]) * (w(i) + w(i + 1)) / 2;
+    return sum;
+}
+
+double perimeter(const Curve& c) { return length(c.points) + geom::distance(c.points.back(), c.points.front()); }
+
+double clearance(const std::vector<Vec2>& way, const SegmentIndex& index) {
+    double least = 1e300; // the first step begins on the curve
+    for (std::size_t i = 1; i + 1 < way.size(); ++i)
+        for (int k = 0; k <= 20; ++k)
+            least = std::min(least, index.nearest(geom::lerp(way[i], way[i + 1], k / 20.0))->distance);
+    return least;
+}
+
+int crossings(const std::vector<Vec2>& way, const std::vector<Vec2>& line) {
+    int n = 0;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i)
+        for (std::size_t j = 0; j + 1 < line.size(); ++j)
+            n += geom::cross_properly(way[i], way[i + 1], line[j], line[j + 1]) ? 1 : 0;
+    return n;
+}
+
+} // namespace
+
+TEST(Bead, CutGoesOnceAroundAndStopsAGapShort) {
+    Random random{3};
+    for (const Curve& plain : {comb({1, 2}, 8, 10), rings({0, 0}, 3, 6), circle({0, 0}, 0.3, 12)}) {
+        for (const Curve& c : {plain, refined(plain, 0.3, random)}) {
+            const SegmentIndex index(std::span(&c, 1));
+            for (int k = 0; k < 100; ++k) {
+                const auto at = *index.nearest({10 * random() - 3, 8 * random() - 3});
+                const bool against = k % 2 == 0;
+                const double gap = cut_gap(c);
+                const Bead b = cut(c, at, against, gap);
+                EXPECT_EQ(b.points.front(), at.point);
+                EXPECT_NEAR(length(b.points), perimeter(c) - gap, 1e-5);
+                EXPECT_TRUE(b.width.size() == 1 || b.width.size() == b.points.size());
+                // every point is there, but for those in the gap, in the order asked for
+                std::size_t found = 0;
+                for (const auto p : c.points)
+                    for (const auto q : b.points) found += geom::distance(p, q) < 1e-5 ? 1 : 0;
+                EXPECT_GE(found + 2, c.points.size());
+                const Vec2 then = c.points[against ? at.segment : (at.segment + 1) % c.points.size()];
+                EXPECT_LT(std::min(geom::distance(b.points[1], then), geom::distance(at.point, then)), 1e-5);
+            }
+        }
+    }
+}
+
+TEST(Bead, OpenCurveRunsBothWays) {
+    const Curve c{false, {{0, 0}, {1, 0}, {1, 1}}, {0.4, 0.5, 0.6}};
+    const Bead b = run(c, true);
+    EXPECT_EQ(b.points, (std::vector<Vec2>{{1, 1}, {1, 0}, {0, 0}}));
+    EXPECT_EQ(b.width, (std::vector{0.6, 0.5, 0.4}));
+    EXPECT_EQ(run(c, false).points, c.points);
+}
+
+TEST(Bead, PinAddsAPointWithoutMovingTheLine) {
+    Random random{4};
+    const Curve c = refined(rings({0, 0}, 3, 6), 0.5, random);
+    const SegmentIndex index(std::span(&c, 1));
+    Bead b = run(c, false);
+    const double before = area(b);
+    const auto n = b.points.size();
+    const auto at = *index.nearest({2.7, 1.13});
+    pin(b, at.point);
+    EXPECT_EQ(b.points.size(), n + 1);
+    EXPECT_EQ(b.width.size(), n + 1);
+    EXPECT_NEAR(area(b), before, 1e-9);
+    pin(b, at.point);
+    EXPECT_EQ(b.points.size(), n + 1) << "it is there already";
+}
+
+// From anywhere to anywhere: nothing is crossed, and what the lane lays comes out of its neighbours.
+TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
+    Random random{5};
+    for (const Curve& plain : {comb({0, 0}, 9, 16), rings({4, 4}, 4, 10)}) {
+        for (const Curve& c : {plain, refined(plain, 0.35, random)}) {
+            const SegmentIndex closed(std::span(&c, 1));
+            for (int k = 0; k < 12; ++k) {
+                const auto at = *closed.nearest({8 * random(), 6 * random()});
+                Bead bead = cut(c, at, k % 2 == 0, cut_gap(c));
+                const Curve line{false, bead.points, {kWidth}};
+                const SegmentIndex index(std::span(&line, 1));
+                const Vec2 goal{1 + 6 * random(), 1 + 4 * random()};
+                const auto way =
+                    strip_route(std::span(&bead.points, 1), index, bead.points.back(), kWidth, kStrips, 1,
+                                [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
+                ASSERT_TRUE(way) << at.point.x << "," << at.point.y << " to " << goal.x << "," << goal.y << " case "
+                                 << k << " n " << c.points.size();
+                EXPECT_EQ(way->front(), bead.points.back());
+                EXPECT_LT(geom::distance(way->back(), goal), 1.5 * kWidth);
+                EXPECT_EQ(crossings(*way, bead.points), 0);
+                EXPECT_GT(clearance(*way, index), 0.19 * kWidth);
+                const double before = area(bead), lane = 0.5 * kWidth * length(*way);
+                const double taken = thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5);
+                EXPECT_NEAR(before - area(bead), taken, 1e-9);
+                EXPECT_NEAR(taken, lane, 0.02 * lane + 0.1 * kWidth * kWidth);
+                for (const double w : bead.width) EXPECT_GT(w, 0.5 * 0.9 * kWidth - 1e-9);
+            }
+        }
+    }
+}
+
+TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
+    const Curve c = comb({0, 0}, 9, 16);
+    const SegmentIndex index(std::span(&c, 1));
+    auto line = c.points;
+    line.push_back(line.front());
+    const Vec2 from = c.points[2];
+    const auto to = [&](int best) {
+        return strip_route(std::span(&line, 1), index, from, kWidth, kStrips, best, [](Vec2 p, int) {
+            return p.y > 4 ? 2 : p.y > 1 ? 1 : 0;
+        });
+    };
+    ASSERT_TRUE(to(1) && to(2));
+    EXPECT_GT(to(1)->back().y, 1);
+    EXPECT_LT(to(1)->back().y, 2);
+    EXPECT_GT(to(2)->back().y, 4);
+    EXPECT_LT(to(2)->back().y, 5);
+}
+
+TEST(StripRoute, KeepsOutOfHolesAndTheOutside) {
+    const std::vector<std::vector<Vec2>> lines{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}},
+                                               {{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}}};
+    const std::vector<Curve> curves{{false, lines[0], {kWidth}}, {false, lines[1], {kWidth}}};
+    const auto way = strip_route(lines, SegmentIndex(curves), {0, 0}, kWidth, kStrips, 1,
+                                 [](Vec2 p, int) { return p.x > 5 ? 1 : 0; });
+    EXPECT_FALSE(way);
+}
+
+} // namespace filum::link3d

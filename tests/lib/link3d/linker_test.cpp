@@ -1,0 +1,292 @@
+#include "curves.hpp"
+#include "link3d/linker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace filum::link3d {
+
+using namespace test;
+using geom::Vec3;
+using toolpath::RegionPaths;
+using toolpath::Role;
+using toolpath::Span;
+
+namespace {
+
+constexpr double kHeight = 0.2;
+
+struct Result {
+    std::vector<Span> spans;
+    Notes notes;
+    Counts counts;
+};
+
+Result link(const std::vector<RegionPaths>& regions, const Options& options = {}) {
+    Result r;
+    Linker linker(options);
+    const auto emit = [&](const Span& s) { r.spans.push_back(s); };
+    for (const auto& region : regions) linker.add(region, emit, r.notes);
+    linker.finish(emit, r.notes);
+    r.counts = linker.counts();
+    return r;
+}
+
+RegionPaths region(std::uint32_t id, std::uint32_t layer, Join join, std::vector<Curve> curves) {
+    RegionPaths r;
+    r.region = id, r.layer = layer, r.z = kHeight * (layer + 1), r.height = kHeight, r.area = 1, r.join = join;
+    r.curves = std::move(curves);
+    return r;
+}
+
+// A column: one region per layer, each climbing from the one below.
+std::vector<RegionPaths> column(const std::vector<std::vector<Curve>>& layers) {
+    std::vector<RegionPaths> out;
+    for (std::uint32_t i = 0; i < layers.size(); ++i)
+        out.push_back(region(i, i, i == 0 ? Join::start : Join::vertical, layers[i]));
+    return out;
+}
+
+double volume(const Result& r, bool beads_only) {
+    double v = 0;
+    for (const auto& s : r.spans)
+        for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
+            if (!beads_only || s.role == Role::bead) v += toolpath::volume(s, i);
+    return v;
+}
+
+// Pairs of extruded segments of one height that cross.
+int crossings(const std::vector<Span>& spans) {
+    std::map<double, std::vector<std::pair<Vec2, Vec2>>> at;
+    for (const auto& s : spans)
+        for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
+            if (toolpath::extrudes(s.role) && s.points[i].z == s.points[i + 1].z)
+                at[s.points[i].z].emplace_back(s.points[i].xy(), s.points[i + 1].xy());
+    int n = 0;
+    for (const auto& [z, line] : at)
+        for (std::size_t i = 0; i < line.size(); ++i)
+            for (std::size_t j = i + 2; j < line.size(); ++j)
+                n += geom::cross_properly(line[i].first, line[i].second, line[j].first, line[j].second) ? 1 : 0;
+    return n;
+}
+
+// What holds for every toolpath.
+void check(const std::vector<RegionPaths>& regions, const Result& r) {
+    std::uint64_t breaks = 0;
+    std::map<Role, std::uint64_t> spans;
+    for (std::size_t i = 0; i < r.spans.size(); ++i) {
+        const Span& s = r.spans[i];
+        ++spans[s.role];
+        ASSERT_GE(s.points.size(), 2U);
+        EXPECT_EQ(s.stroke, breaks) << "strokes are numbered in order";
+        if (s.role == Role::travel) ++breaks;
+        if (i > 0) {
+            EXPECT_EQ(s.points.front(), r.spans[i - 1].points.back()) << "spans chain";
+        }
+        for (std::size_t k = 0; k + 1 < s.points.size(); ++k)
+            if (s.role != Role::travel) {
+                EXPECT_GE(s.points[k + 1].z, s.points[k].z) << "a stroke never goes down";
+            }
+    }
+    std::size_t curves = 0;
+    for (const auto& region : regions) {
+        std::map<std::pair<double, double>, int> printed;
+        for (const auto& s : r.spans)
+            if (s.role == Role::bead && s.region == region.region)
+                for (const auto& p : s.points) ++printed[{std::round(p.x * 1e4), std::round(p.y * 1e4)}];
+        std::size_t missing = 0;
+        for (const auto& c : region.curves)
+            for (const auto p : c.points)
+                missing += printed.count({std::round(p.x * 1e4), std::round(p.y * 1e4)}) == 0 ? 1 : 0;
+        EXPECT_LE(missing, region.curves.size()) << "every point is printed, but for one in a gap";
+        curves += region.curves.size();
+    }
+    EXPECT_EQ(spans[Role::bead], curves);
+    EXPECT_EQ(spans[Role::lift], r.counts.lifts);
+    EXPECT_EQ(spans[Role::connector], r.counts.connectors);
+    EXPECT_EQ(spans[Role::travel], r.counts.breaks);
+    if (curves > 0) {
+        EXPECT_EQ(r.counts.strokes, r.counts.breaks + 1);
+    }
+    EXPECT_EQ(r.counts.lifts + r.counts.jogs + r.counts.connectors + r.counts.breaks + (curves > 0 ? 1 : 0), curves);
+    EXPECT_EQ(crossings(r.spans), 0);
+}
+
+} // namespace
+
+TEST(Linker, ClimbsAPrismWithoutLayingAnythingBetween) {
+    const auto regions = column(std::vector<std::vector<Curve>>(20, {comb({0, 0}, 8, 10)}));
+    const auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_EQ(r.counts.lifts, 19U);
+    EXPECT_LT(r.counts.lift_length, 1e-5);
+    EXPECT_TRUE(r.notes.empty());
+    const double gap = cut_gap(regions[0].curves[0]);
+    const Curve& c = regions[0].curves[0];
+    const double around = length(c.points) + geom::distance(c.points.back(), c.points.front());
+    EXPECT_NEAR(volume(r, false), 20 * (around - gap) * kWidth * kHeight, 1e-4);
+}
+
+// Layers that have nothing in common but their place: turned, moved, other curves.
+TEST(Linker, ClimbsFromAnyCurveToAnyOther) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        Random random{seed};
+        std::vector<std::vector<Curve>> layers;
+        for (int i = 0; i < 12; ++i) {
+            const Curve c = random() < 0.5
+                                ? rings({4 + random(), 4 + random()}, 3 + random(), 6 + static_cast<int>(2 * random()))
+                                : comb({2 + random(), 2 + random()}, 4 + random(), 12, 0.3 * random());
+            layers.push_back({random() < 0.5 ? c : refined(c, 0.3, random)});
+        }
+        const auto regions = column(layers);
+        const auto r = link(regions);
+        check(regions, r);
+        EXPECT_EQ(r.counts.strokes, 1U);
+    }
+}
+
+// A plate, then a pin on it far from where the plate was entered: a lane leads there, and costs no material.
+TEST(Linker, LaysALaneWhenThePinIsFar) {
+    for (const bool fine : {false, true}) {
+        for (const std::uint32_t look_ahead : {1U, 2U, 16U}) {
+            Random random{9};
+            std::vector<std::vector<Curve>> layers(4, {comb({0, 0}, 20, 40)});
+            layers.resize(7, {rings({17.3, 12.7}, 1, 2)});
+            if (fine)
+                for (auto& l : layers) l[0] = refined(l[0], 0.3, random);
+            const auto regions = column(layers);
+            Options options;
+            options.look_ahead = look_ahead;
+            options.seam = Seam::nearest;
+            auto r = link(regions, options);
+            check(regions, r);
+            EXPECT_EQ(r.counts.strokes, 1U);
+            if (look_ahead == 1) {
+                EXPECT_EQ(r.counts.lanes, 1U);
+            }
+            if (look_ahead == 16) {
+                EXPECT_EQ(r.counts.lanes, 0U) << "the stroke may begin below the pin";
+            }
+            double plain = 0;
+            for (const auto& p : regions) {
+                const auto& c = p.curves[0];
+                for (std::size_t i = 0; i < c.points.size(); ++i) {
+                    const std::size_t j = (i + 1) % c.points.size();
+                    plain += geom::distance(c.points[i], c.points[j]) * (c.width_at(i) + c.width_at(j)) / 2 * kHeight;
+                }
+            }
+            EXPECT_NEAR(volume(r, false), plain, 0.002 * plain);
+        }
+    }
+}
+
+// The column leans by more than a bead per layer: entries drift with it.
+TEST(Linker, FollowsAColumnThatLeansAndShrinks) {
+    std::vector<std::vector<Curve>> layers;
+    for (int i = 0; i < 10; ++i) layers.push_back({comb({0.55 * i, 0.3 * i}, 12 - 0.9 * i, 24 - 2 * i)});
+    const auto regions = column(layers);
+    const auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_TRUE(r.notes.empty());
+}
+
+TEST(Linker, BreaksWhereThereIsNoWay) {
+    auto regions = column({{comb({0, 0}, 8, 10)}, {comb({20, 0}, 8, 10)}, {}, {comb({20, 0}, 8, 10)}});
+    const auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.strokes, 3U);
+    EXPECT_EQ(r.counts.broken, 2U);
+    std::map<std::string, std::uint64_t> notes;
+    for (const auto& n : r.notes) notes[n.what] += n.count;
+    EXPECT_EQ(notes["join broken, its ends are out of reach"], 2U);
+    EXPECT_EQ(notes["region without a bead"], 1U);
+}
+
+TEST(Linker, JoinsRingsOfARegionButNotBeyondReach) {
+    std::vector<Curve> nested;
+    for (int k = 0; k < 8; ++k) nested.push_back(circle({0, 0}, 4 - k * kWidth, 120));
+    auto regions = column({nested, nested});
+    regions.push_back(region(2, 2, Join::vertical, {circle({0, 0}, 4, 90), circle({0, 0}, 2, 60)}));
+    auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.jogs, 14U);
+    EXPECT_GE(r.counts.breaks, 1U);
+    Options none;
+    none.reach = 0;
+    r = link(regions, none);
+    check(regions, r);
+    EXPECT_EQ(r.counts.jogs, 0U);
+    EXPECT_EQ(r.counts.strokes, 18U - r.counts.lifts) << "a lift straight up needs no reach";
+}
+
+TEST(Linker, EntersOpenLinesAtTheirEnds) {
+    std::vector<Curve> lines;
+    for (int k = 0; k < 20; ++k) lines.push_back({false, {{0, k * kWidth}, {10, k * kWidth}}, {kWidth}});
+    const auto regions = column({lines, lines});
+    const auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_EQ(r.counts.jogs, 38U);
+    EXPECT_NEAR(volume(r, true), 2 * 20 * 10 * kWidth * kHeight, 1e-6);
+}
+
+TEST(Linker, TravelsOverWhatIsPrinted) {
+    std::vector<RegionPaths> regions;
+    const auto add = [&](double x, std::uint32_t layer, Join join) {
+        regions.push_back(region(static_cast<std::uint32_t>(regions.size()), layer, join, {comb({x, 0}, 4, 8)}));
+    };
+    for (std::uint32_t i = 0; i < 3; ++i) add(0, i, i == 0 ? Join::start : Join::vertical);
+    for (std::uint32_t i = 0; i < 30; ++i) add(10, i, i == 0 ? Join::start : Join::vertical);
+    for (std::uint32_t i = 0; i < 3; ++i) add(60, i, i == 0 ? Join::start : Join::vertical);
+    add(0, 3, Join::start);
+    const auto r = link(regions);
+    check(regions, r);
+    ASSERT_EQ(r.counts.breaks, 3U);
+    std::vector<double> highest;
+    for (const auto& s : r.spans) {
+        if (s.role != Role::travel) continue;
+        highest.push_back(0);
+        for (const auto& p : s.points) highest.back() = std::max(highest.back(), p.z);
+        for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
+            EXPECT_TRUE(s.points[i].z == s.points[i + 1].z || s.points[i].xy() == s.points[i + 1].xy())
+                << "upright or level";
+    }
+    EXPECT_NEAR(highest[0], 0.6, 1e-9) << "nothing is in the way";
+    EXPECT_NEAR(highest[1], 6.0, 1e-9) << "from the top of the tall column";
+    EXPECT_NEAR(highest[2], 6.0, 1e-9) << "over the tall column";
+}
+
+TEST(Linker, ConnectsOutsideThePart) {
+    std::vector<RegionPaths> regions;
+    for (std::uint32_t layer = 0; layer < 6; ++layer)
+        for (std::uint32_t k = 0; k < 2; ++k) {
+            const bool second = (layer + k) % 2 == 1;
+            const Join join = layer + k == 0 ? Join::start : k == 0 ? Join::vertical : Join::beside;
+            regions.push_back(region(2 * layer + k, layer, join, {rings({second ? 12.0 : 0.0, 0}, 2, 4)}));
+        }
+    auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.breaks, 6U);
+    EXPECT_TRUE(r.notes.empty()) << "a break is what was asked for";
+    Options outside;
+    outside.connect = Connect::outside;
+    r = link(regions, outside);
+    check(regions, r);
+    EXPECT_EQ(r.counts.connectors, 6U);
+    EXPECT_EQ(r.counts.strokes, 1U);
+}
+
+TEST(Linker, TakesNothingAndOddThings) {
+    EXPECT_TRUE(link({}).spans.empty());
+    const Curve dot{true, {{1, 1}, {1, 1}}, {kWidth}}, flat{true, {{0, 0}, {1, 0}}, {kWidth}};
+    const Curve line{false, {{2, 2}, {2, 2}}, {kWidth}};
+    const auto r = link(column({{dot}, {flat}, {line}, {dot, flat, line}, {circle({0, 0}, 0.01, 3)}}));
+    for (std::size_t i = 1; i < r.spans.size(); ++i) EXPECT_EQ(r.spans[i].points.front(), r.spans[i - 1].points.back());
+    for (const auto& s : r.spans)
+        for (const auto& p : s.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+}
+
+} // namespace filum::link3d

@@ -1,0 +1,261 @@
+// Every format gives back the mesh that was written; variants; what is no mesh.
+#include "base/error.hpp"
+#include "mesh/place.hpp"
+#include "mesh/read.hpp"
+#include "shapes.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace filum;
+using namespace filum::mesh;
+
+namespace {
+
+Exit exit_of(const std::string& bytes) {
+    try {
+        read(bytes, "it");
+    } catch (const Error& e) {
+        return e.exit();
+    }
+    return Exit::ok;
+}
+
+// Through memory: g++ 12 -O2 drops double -> float -> double where it vectorises.
+double as_float(double v) {
+    const volatile float f = static_cast<float>(v);
+    return f;
+}
+
+// Coordinates that a float holds exactly, so that every format can carry them.
+Mesh sample(int which) {
+    Mesh m = which == 0   ? shapes::box({-3, 1, 0}, {4, 2.5, 8})
+             : which == 1 ? shapes::sphere(7, 3)
+                          : shapes::torus(9, 2, 40, 17);
+    for (Vec3& v : m.vertices) v = {as_float(v.x), as_float(v.y), as_float(v.z)};
+    return m;
+}
+
+struct Written {
+    Kind kind;
+    std::string bytes;
+};
+std::vector<Written> all_formats(const Mesh& m) {
+    return {{Kind::stl_binary, shapes::stl_binary(m)},
+            {Kind::stl_binary, shapes::stl_binary(m, "solid looks like text facet normal")},
+            {Kind::stl_ascii, shapes::stl_ascii(m)},
+            {Kind::stl_ascii, "\xef\xbb\xbf \r\n" + shapes::stl_ascii(m, "\r\n")},
+            {Kind::obj, shapes::obj(m)},
+            {Kind::off, shapes::off(m)},
+            {Kind::off, shapes::off(m, "COFF", " 0.5 0.5 0.5 1")},
+            {Kind::off, shapes::off(m, "NOFF", " 0 0 1")},
+            {Kind::ply, shapes::ply(m, shapes::Ply::ascii)},
+            {Kind::ply, shapes::ply(m, shapes::Ply::little)},
+            {Kind::ply, shapes::ply(m, shapes::Ply::big)},
+            {Kind::threemf, shapes::threemf(m)}};
+}
+
+} // namespace
+
+TEST(Formats, all_give_back_what_was_written) {
+    for (int which = 0; which < 3; ++which) {
+        const Mesh m = sample(which);
+        for (const auto& [kind, bytes] : all_formats(m)) {
+            SCOPED_TRACE(static_cast<int>(kind));
+            const File f = read(bytes, "it");
+            EXPECT_EQ(f.kind, kind);
+            EXPECT_TRUE(f.notes.empty());
+            EXPECT_EQ(f.mesh.vertices.size(), m.vertices.size());
+            ASSERT_EQ(f.mesh.triangles.size(), m.triangles.size());
+            for (std::size_t t = 0; t < m.triangles.size(); ++t)
+                for (std::size_t k = 0; k < 3; ++k)
+                    ASSERT_EQ(f.mesh.vertices[f.mesh.triangles[t][k]], m.vertices[m.triangles[t][k]]);
+        }
+    }
+}
+
+TEST(Formats, minus_zero_welds_with_zero) {
+    Mesh m = shapes::box({0, 0, 0}, {1, 1, 1});
+    std::string bytes = shapes::stl_binary(m);
+    for (std::size_t t = 0; t < m.triangles.size(); t += 2)
+        for (std::size_t k = 0; k < 9; ++k) {
+            float v = 0;
+            char* at = bytes.data() + 84 + 50 * t + 12 + 4 * k;
+            std::memcpy(&v, at, 4);
+            v = v == 0 ? -0.0F : v;
+            std::memcpy(at, &v, 4);
+        }
+    EXPECT_EQ(read(bytes, "it").mesh.vertices.size(), 8U);
+}
+
+TEST(Obj, polygons_negative_indices_and_continued_lines) {
+    const File f = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                        "f 4 3 2 1\nf -4/7 -3//8 \\\n -2 -1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nl 1 2\n",
+                        "it");
+    EXPECT_EQ(f.mesh.triangles.size(), 12U);
+    EXPECT_NEAR(volume(f.mesh), 1, 1e-12);
+}
+
+TEST(Obj, a_concave_polygon_has_the_right_volume) {
+    std::string text; // an L, extruded by 2
+    const double xy[6][2] = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+    for (const int z : {0, 2})
+        for (const auto& p : xy)
+            text += "v " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(z) + "\n";
+    text += "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n";
+    for (int k = 1; k <= 6; ++k) {
+        const int n = k % 6 + 1;
+        text += "f " + std::to_string(k) + " " + std::to_string(n) + " " + std::to_string(n + 6) + " " +
+                std::to_string(k + 6) + "\n";
+    }
+    EXPECT_NEAR(volume(read(text, "it").mesh), 10, 1e-9);
+}
+
+TEST(Obj, faults_are_named_with_their_line) {
+    EXPECT_EQ(exit_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), Exit::bad_input);
+    EXPECT_EQ(exit_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n"), Exit::bad_input);
+    EXPECT_EQ(exit_of("v 0 0\n"), Exit::bad_input);
+    try {
+        read("v 0 0 0\nv 1 x 0\n", "'a.obj'");
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("'a.obj': line 2"), std::string::npos) << e.what();
+    }
+}
+
+TEST(Ply, other_elements_are_passed_over) {
+    const std::string text = "ply\r\nformat ascii 1.0\r\nelement camera 1\r\nproperty float f\r\nproperty list uchar "
+                             "int l\r\nelement vertex "
+                             "3\r\nproperty float z\r\nproperty float y\r\nproperty float x\r\nelement face "
+                             "1\r\nproperty uchar c\r\nproperty list "
+                             "uchar int vertex_index\r\nelement edge 1\r\nproperty int a\r\nend_header\r\n1.5 2 4 "
+                             "5\r\n3 0 0\r\n0 1 0\r\n0 0 1\r\n9 3 0 1 2\r\n1\r\n";
+    const Mesh m = read(text, "it").mesh;
+    ASSERT_EQ(m.triangles.size(), 1U);
+    EXPECT_EQ(m.vertices[m.triangles[0][0]], (Vec3{0, 0, 3}));
+    EXPECT_EQ(m.vertices[m.triangles[0][2]], (Vec3{1, 0, 0}));
+}
+
+TEST(ThreeMf, units_components_and_transforms) {
+    const std::string unit_box = shapes::model_mesh(shapes::box({0, 0, 0}, {1, 1, 1}));
+    const std::string model =
+        "<model unit=\"inch\"><resources><object id=\"1\">" + unit_box +
+        "</object><object id=\"2\"><components><component objectid=\"1\"/>"
+        "<component objectid=\"1\" transform=\"-2 0 0 0 1 0 0 0 1 10 0 0\"/></components></object></resources>"
+        "<build><item objectid=\"2\" transform=\"0 1 0 -1 0 0 0 0 1 0 0 5\"/>"
+        "<item objectid=\"1\" printable=\"0\"/></build></model>";
+    const File f = read(shapes::archive(model), "it");
+    EXPECT_EQ(f.mesh.triangles.size(), 24U);
+    EXPECT_EQ(f.notes.size(), 1U);                             // the item that is not to be printed
+    EXPECT_NEAR(volume(f.mesh), 3 * 25.4 * 25.4 * 25.4, 1e-6); // the mirrored one faces outwards, too
+    const Box3 b = bounds(f.mesh);
+    EXPECT_NEAR(b.lo.x, -25.4, 1e-9);
+    EXPECT_NEAR(b.hi.y, 254, 1e-9);
+    EXPECT_NEAR(b.lo.z, 127, 1e-9);
+}
+
+TEST(ThreeMf, circles_and_too_many_copies_end) {
+    EXPECT_EQ(exit_of(shapes::archive("<model><resources><object id=\"1\"><components><component "
+                                      "objectid=\"1\"/></components></object></resources>"
+                                      "<build><item objectid=\"1\"/></build></model>")),
+              Exit::bad_input);
+    std::string nested =
+        "<model><resources><object id=\"0\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {1, 1, 1})) + "</object>";
+    for (int i = 1; i <= 30; ++i) { // 2^30 boxes
+        nested += "<object id=\"" + std::to_string(i) + "\"><components>";
+        for (int k = 0; k < 2; ++k) nested += "<component objectid=\"" + std::to_string(i - 1) + "\"/>";
+        nested += "</components></object>";
+    }
+    const std::string heavy = shapes::archive(nested + "</resources><build><item objectid=\"22\"/></build></model>");
+    EXPECT_EQ(exit_of(heavy), Exit::bad_input);
+    EXPECT_EQ(exit_of("PK\x03\x04 no zip at all, but long enough for one to be looked for in here"), Exit::bad_input);
+}
+
+TEST(Read, a_size_that_is_not_there_is_never_allocated) {
+    std::string stl = shapes::stl_binary(shapes::box({0, 0, 0}, {1, 1, 1}));
+    const std::uint32_t many = 100000000;
+    std::memcpy(stl.data() + 80, &many, 4);
+    EXPECT_NE(exit_of(stl), Exit::ok);
+    EXPECT_EQ(exit_of("OFF\n4000000000 1 0\n0 0 0\n"), Exit::truncated);
+    EXPECT_EQ(exit_of("OFF\n99999999999999999999 1 0\n0 0 0\n"), Exit::bad_input);
+    const std::string body = "property float x\nproperty float y\nproperty float z\n";
+    for (const std::string format : {"ascii", "binary_little_endian"})
+        EXPECT_EQ(exit_of("ply\nformat " + format + " 1.0\nelement vertex 9000000000000000000\n" + body +
+                          "end_header\n0 0 0\n"),
+                  Exit::truncated);
+    EXPECT_EQ(exit_of("ply\nformat binary_little_endian 1.0\nelement vertex 9000000000000000000\nend_header\n"),
+              Exit::bad_input);
+    EXPECT_EQ(exit_of("ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint uint "
+                      "vertex_indices\nend_header\n\xff\xff\xff\xff"),
+              Exit::truncated);
+}
+
+TEST(Read, corners_that_are_no_number_are_left_out_and_said) {
+    Mesh m = shapes::sphere(5, 2);
+    m.vertices[7].y = std::nan("");
+    m.vertices[9].x = INFINITY;
+    for (const auto& bytes :
+         {shapes::stl_binary(m), shapes::stl_ascii(m), shapes::obj(m), shapes::ply(m, shapes::Ply::little)}) {
+        const File f = read(bytes, "it");
+        std::size_t lost = 0;
+        for (const auto& t : m.triangles)
+            for (const auto v : t)
+                if (v == 7 || v == 9) {
+                    ++lost;
+                    break;
+                }
+        EXPECT_EQ(f.mesh.triangles.size(), m.triangles.size() - lost);
+        ASSERT_EQ(f.notes.size(), 1U);
+        EXPECT_EQ(f.notes[0].count, lost);
+        for (const Vec3& v : f.mesh.vertices)
+            EXPECT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+    }
+}
+
+TEST(Read, what_is_no_mesh) {
+    EXPECT_EQ(exit_of(""), Exit::truncated);
+    EXPECT_EQ(exit_of("hello\n"), Exit::bad_input);
+    EXPECT_EQ(exit_of(std::string(500, '\0')), Exit::bad_input);
+    EXPECT_EQ(exit_of("solid empty\nendsolid empty\n"), Exit::bad_input);
+    EXPECT_EQ(exit_of("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"), Exit::truncated);
+    EXPECT_EQ(exit_of("OFF BINARY\n"), Exit::bad_input);
+    EXPECT_EQ(exit_of("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), Exit::bad_input);
+    EXPECT_EQ(exit_of("v 0 0 0\nv 0 0 0\nv 1 0 0\nf 1 2 3\n"), Exit::bad_input); // no area
+    EXPECT_EQ(exit_of(std::string("\x0e\x09\x00\x89\x46\x69lum\n", 10) + "\x15" + std::string(4, '\1')),
+              Exit::bad_input);
+}
+
+// Cut anywhere, a binary file says that it was cut; a text either does or is a mesh with less in it.
+TEST(Read, cut_anywhere) {
+    const Mesh m = sample(0);
+    for (const auto& [kind, bytes] : all_formats(m))
+        for (std::size_t n = 0; n < bytes.size(); n += 1 + n / 97) {
+            const std::string part = bytes.substr(0, n);
+            const Exit exit = exit_of(part);
+            const bool binary = kind == Kind::stl_binary || kind == Kind::threemf;
+            if (binary) {
+                ASSERT_NE(exit, Exit::ok) << static_cast<int>(kind) << " cut after " << n;
+            }
+            ASSERT_TRUE(exit == Exit::ok || exit == Exit::bad_input || exit == Exit::truncated);
+        }
+}
+
+// Flipped bytes give an error or a mesh that keeps its promises.
+TEST(Read, flipped_bytes) {
+    std::uint64_t state = 1;
+    const auto random = [&] { return (state = state * 6364136223846793005ULL + 1442695040888963407ULL) >> 33; };
+    for (const auto& [kind, bytes] : all_formats(sample(0)))
+        for (int round = 0; round < 200; ++round) {
+            std::string broken = bytes;
+            for (std::uint64_t k = 1 + random() % 4; k > 0; --k)
+                broken[random() % broken.size()] = static_cast<char>(random());
+            try {
+                const File f = read(broken, "it");
+                for (const auto& t : f.mesh.triangles)
+                    for (const auto v : t) ASSERT_LT(v, f.mesh.vertices.size());
+                for (const Vec3& v : f.mesh.vertices)
+                    ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+            } catch (const Error& e) {
+                ASSERT_TRUE(e.exit() == Exit::bad_input || e.exit() == Exit::truncated);
+            }
+        }
+}
