@@ -77,11 +77,16 @@ void run(const postproc::Options& o, const cli::Io& io) {
     stream::Spool spool;
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
+    Facts facts;
     postproc::Surveyor surveyor(profile);
     postproc::Walk measured(profile, [&](auto steps) { surveyor.add(steps); });
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) {
             notes.push_back(stream::parse_note(frame->body));
+            continue;
+        }
+        if (frame->tag == stream::Tag::fact) {
+            facts.push_back(stream::parse_fact(frame->body));
             continue;
         }
         measured.add(wire::span(*frame));
@@ -95,7 +100,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     postproc::check_limits(survey, profile, shift);
 
     postproc::Program program(profile, survey, shift, [&](std::string_view text) { sink.write(text); });
-    program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes));
+    program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
     postproc::Walk written(profile, [&](auto steps) { program.add(steps); });
     while (const auto frame = spool.next()) written.add(wire::span(*frame));
     written.end();

@@ -161,6 +161,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     doc.number("limits.flow", p.limits.flow, above_zero(kInf));
     read_motion(doc, p);
     read_travel(doc, p.travel);
+    if (p.extrusion.feeding == Feeding::valve) p.travel.retract = p.travel.extra = 0; // it has nothing to take back
     read_format(doc, p.format);
     doc.numbers("values", p.values);
     read_templates(doc, p);

@@ -64,11 +64,16 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 } // namespace
 
 std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
-                               const Notes& notes) {
+                               const Notes& notes, const Facts& facts) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     pipeline(stages, lines);
     remarks(notes, lines);
+    for (const Fact& f : facts) {
+        const std::string value = fixed_text(f.value, 4) + (f.unit.empty() ? "" : " " + f.unit);
+        for (auto& line : wrapped(" " + f.stage + ": " + f.name + " = " + value, kWidth, "     "))
+            lines.push_back(std::move(line));
+    }
     totals(profile, survey, lines);
     return lines;
 }

@@ -1,6 +1,7 @@
 // The comments at the head of a program: what it is, how it was made, what it takes.
 #pragma once
 
+#include "base/fact.hpp"
 #include "base/note.hpp"
 #include "postproc/survey.hpp"
 
@@ -16,8 +17,9 @@ struct Stage {
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
-// The lines, without comment marks.  `notes` (of all stages) are summed by stage and phrase, in the order they came.
+// The lines, without comment marks.  `notes` (of all stages) are summed by stage and phrase, in the order they came;
+// `facts` stand as they are.
 std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
-                               const Notes& notes);
+                               const Notes& notes, const Facts& facts);
 
 } // namespace filum::postproc

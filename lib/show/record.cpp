@@ -111,12 +111,18 @@ Record record(const Note& n) {
              {"y", n.y}}};
 }
 
+Record record(const Fact& f) {
+    return {"fact", {{"stage", f.stage}, {"name", f.name}, {"value", f.value}, {"unit", f.unit}}};
+}
+
 } // namespace
 
 Record record(const stream::RawFrame& frame) {
     switch (frame.tag) {
     case stream::Tag::note:
         return record(stream::parse_note(frame.body));
+    case stream::Tag::fact:
+        return record(stream::parse_fact(frame.body));
     case stream::Tag::layer:
         return record(wire::layer(frame));
     case stream::Tag::region:
