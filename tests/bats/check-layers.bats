@@ -130,3 +130,11 @@ finds() {
     printf '\177ELF\0\0' >"$tree/examples/cut"
     finds 'examples/cut: is a compiled program'
 }
+
+@test "a link that leads nowhere" {
+    mkdir "$tree/docs"
+    printf '[a](b.md) [c](../lib/LAYERS) [d](https://example.org/e)\n' >"$tree/docs/a.md"
+    finds "docs/a.md:1: links to 'b.md'"
+    echo x >"$tree/docs/b.md"
+    "$check" "$tree"
+}

@@ -47,7 +47,8 @@ END
     $top/examples/slices/to-layers -o s.layers "$top"/examples/slices/*.txt
     peek --check s.layers
     regions s.layers -o s.regions
-    [ "$(peek --json s.layers | grep -c '"plane"')" -eq "$(ls "$top"/examples/slices/*.txt | wc -l)" ]
+    layers=$(peek --json s.layers | python3 -c 'import json, sys; print(len(json.load(sys.stdin)["frames"]))')
+    [ "$layers" -eq "$(ls "$top"/examples/slices/*.txt | wc -l)" ]
 }
 
 @test "to-layers: bad slices" {
