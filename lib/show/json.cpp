@@ -112,6 +112,15 @@ std::string json(const Summary& s) {
         member(one, "count", std::to_string(n.count));
         notes += (notes.size() > 1 ? "," : "") + one + "}";
     }
+    std::string facts = "[";
+    for (const Fact& f : s.facts) {
+        std::string one = "{";
+        member(one, "stage", quoted(f.stage));
+        member(one, "name", quoted(f.name));
+        member(one, "value", number(f.value));
+        member(one, "unit", quoted(f.unit));
+        facts += (facts.size() > 1 ? "," : "") + one + "}";
+    }
     member(out, "records", kinds + "}");
     member(out, "points", std::to_string(s.points));
     member(out, "layers", std::to_string(s.layers));
@@ -119,6 +128,7 @@ std::string json(const Summary& s) {
     member(out, "named", named + "}");
     member(out, "areas", areas + "}");
     member(out, "ranges", ranges + "}");
+    member(out, "facts", facts + "]");
     member(out, "notes", notes + "]");
     return out + "}";
 }
