@@ -22,7 +22,8 @@ cli::Spec spec(Options& o) {
         .description =
             "Reads a whole stream of any kind, from a file or standard input, and prints its payload, its history with "
             "all settings, and a summary of its contents: how many frames, points, layers and strokes, areas, bounds, "
-            "and the sums of the notes by which stages tell what they dropped, repaired or could not place.\n\n"
+            "the facts that stages found out about the whole, and the sums of the notes by which they tell what they "
+            "dropped, repaired or could not place.\n\n"
             "The stream is verified as it is read: the preamble, every frame and its values, the checksum, the end "
             "frame. A stream whose writer did not finish ends with exit code 4, a corrupt one with 3; --check does "
             "only "
@@ -54,12 +55,7 @@ show::Summary read_frames(const Options& o, stream::Reader& reader, stream::Sink
     bool first = true;
     for (std::uint64_t at = reader.offset(); const auto frame = reader.next(); at = reader.offset()) {
         const show::Record record = show::record(*frame);
-        if (frame->tag == stream::Tag::note)
-            add(summary, stream::parse_note(frame->body));
-        else if (frame->tag == stream::Tag::fact)
-            summary.facts.push_back(stream::parse_fact(frame->body));
-        else
-            add(summary, record);
+        add(summary, *frame, record);
         if (o.json) out.write((first ? "\n" : ",\n") + show::json(record));
         if (o.text) out.write(show::text(record, static_cast<int>(o.decimals)));
         if (o.frames) out.write(std::to_string(at) + " " + record.kind + "\n");

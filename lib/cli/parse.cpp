@@ -102,20 +102,19 @@ void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     app.add_option("--output,-o", io.output);
     app.add_option("--threads", io.threads)->check(CLI::Range(0, 1024));
     app.add_flag("--quiet,-q", io.quiet);
-    if (spec.in.kind != Port::Kind::none || spec.many_inputs) {
-        auto* inputs = app.add_option("input", io.inputs);
-        if (!spec.many_inputs) inputs->expected(0, 1);
-    }
+    app.add_option("input", io.inputs);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {
         const auto left = app.remaining();
         const std::string first = left.empty() ? "" : left.front();
-        const std::string kind = first.starts_with("-") && first != "-" ? "unknown option '" : "unexpected argument '";
-        misused(kind + first + "'; see '" + spec.name + " --help'");
+        misused("unknown option '" + first + "'; see '" + spec.name + " --help'");
     } catch (const CLI::ParseError& e) {
         misused("cannot read the command line: " + in_house(e.what()) + "; see '" + spec.name + " --help'");
     }
+    const std::size_t most = spec.many_inputs ? io.inputs.size() : spec.in.kind == Port::Kind::none ? 0 : 1;
+    if (io.inputs.size() > most)
+        misused("unexpected argument '" + io.inputs[most] + "'; see '" + spec.name + " --help'");
 }
 
 } // namespace

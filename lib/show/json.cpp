@@ -98,19 +98,11 @@ std::string json(const stream::Header& header) {
 }
 
 std::string json(const Summary& s) {
-    std::string kinds = "{", ranges = "{", areas = "{", named = "{", notes = "[", facts = "[", out = "{";
+    std::string kinds = "{", ranges = "{", areas = "{", named = "{", notes = "[", out = "{";
     for (const auto& [kind, count] : s.records) member(kinds, kind, std::to_string(count));
     for (const auto& [name, count] : s.named) member(named, name, std::to_string(count));
     for (const auto& [name, sum] : s.areas) member(areas, name, number(sum));
     for (const auto& [name, r] : s.ranges) member(ranges, name, "[" + number(r.lo) + "," + number(r.hi) + "]");
-    for (const Fact& f : s.facts) {
-        std::string one = "{";
-        member(one, "stage", quoted(f.stage));
-        member(one, "name", quoted(f.name));
-        member(one, "value", number(f.value));
-        member(one, "unit", quoted(f.unit));
-        facts += (facts.size() > 1 ? "," : "") + one + "}";
-    }
     for (const Note& n : s.notes) {
         std::string one = "{";
         member(one, "stage", quoted(n.stage));
@@ -119,6 +111,15 @@ std::string json(const Summary& s) {
         member(one, "unit", quoted(n.unit));
         member(one, "count", std::to_string(n.count));
         notes += (notes.size() > 1 ? "," : "") + one + "}";
+    }
+    std::string facts = "[";
+    for (const Fact& f : s.facts) {
+        std::string one = "{";
+        member(one, "stage", quoted(f.stage));
+        member(one, "name", quoted(f.name));
+        member(one, "value", number(f.value));
+        member(one, "unit", quoted(f.unit));
+        facts += (facts.size() > 1 ? "," : "") + one + "}";
     }
     member(out, "records", kinds + "}");
     member(out, "points", std::to_string(s.points));

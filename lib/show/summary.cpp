@@ -26,9 +26,7 @@ void add_index(Summary& s, const Record& record, const std::string& name, std::i
     if (name == "stroke") s.strokes = std::max(s.strokes, v + 1);
 }
 
-} // namespace
-
-void add(Summary& s, const Record& record) {
+void add_record(Summary& s, const Record& record) {
     ++s.records[record.kind];
     if (record.kind == "overlap") return; // its area counts the same surface again
     for (const auto& [name, value] : record.fields) {
@@ -46,12 +44,12 @@ void add(Summary& s, const Record& record) {
                 for (const double v : numbers) range.add(v);
             }
         } else {
-            for (const Record& inner : std::get<std::vector<Record>>(value)) add(s, inner);
+            for (const Record& inner : std::get<std::vector<Record>>(value)) add_record(s, inner);
         }
     }
 }
 
-void add(Summary& s, const Note& note) {
+void add_note(Summary& s, const Note& note) {
     for (Note& sum : s.notes) {
         if (sum.stage != note.stage || sum.what != note.what || sum.unit != note.unit) continue;
         sum.amount += note.amount;
@@ -59,6 +57,17 @@ void add(Summary& s, const Note& note) {
         return;
     }
     s.notes.push_back(note);
+}
+
+} // namespace
+
+void add(Summary& s, const stream::RawFrame& frame, const Record& record) {
+    if (frame.tag == stream::Tag::note)
+        add_note(s, stream::parse_note(frame.body));
+    else if (frame.tag == stream::Tag::fact)
+        s.facts.push_back(stream::parse_fact(frame.body));
+    else
+        add_record(s, record);
 }
 
 } // namespace filum::show

@@ -20,17 +20,18 @@ struct Range {
 };
 
 struct Summary {
-    std::map<std::string, std::uint64_t> records; // how many of each kind, nested ones included, notes excluded
-    std::map<std::string, std::uint64_t> named;   // how many with each value of `role` and `join`: "role bead"
-    std::map<std::string, double> areas;          // mm2, summed by name: "area", "unplaced"
-    std::map<std::string, Range> ranges;          // mm: x, y, z, width, height, plane
+    std::map<std::string, std::uint64_t>
+        records;                                // how many of each kind, nested ones included, notes and facts excluded
+    std::map<std::string, std::uint64_t> named; // how many with each value of `role` and `join`: "role bead"
+    std::map<std::string, double> areas;        // mm2, summed by name: "area", "unplaced"
+    std::map<std::string, Range> ranges;        // mm: x, y, z, width, height, plane
     std::uint64_t points = 0;
     std::int64_t layers = 0, strokes = 0; // one more than the greatest index
-    Facts facts;                          // in the order of the stream
+    Facts facts;                          // as they come
     Notes notes;                          // summed by stage, phrase and unit; in the order of their first case
 };
 
-void add(Summary& summary, const Record& record);
-void add(Summary& summary, const Note& note);
+// Adds a frame, of which `record` is the content.
+void add(Summary& summary, const stream::RawFrame& frame, const Record& record);
 
 } // namespace filum::show

@@ -93,8 +93,8 @@ std::string text(const Summary& s) {
     for (const auto& [name, range] : s.ranges)
         if (!range.empty()) out += line(name, fixed_text(range.lo, 4) + " to " + fixed_text(range.hi, 4) + " mm");
     for (const Fact& f : s.facts)
-        out += line("fact", f.stage + ": " + f.name + " " + fixed_text(f.value, 4) +
-                                (f.unit.empty() || f.unit == f.name ? "" : " " + f.unit));
+        out +=
+            line("fact", f.stage + ": " + f.name + " " + fixed_text(f.value, 4) + (f.unit.empty() ? "" : " " + f.unit));
     for (const Note& n : s.notes)
         out += line("note", n.stage + ": " + n.what + ": " + std::to_string(n.count) +
                                 (n.count == 1 ? " case" : " cases") +

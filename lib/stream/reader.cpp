@@ -35,7 +35,7 @@ struct Reader::State {
     Header header;
     bool ended = false;
 
-    explicit State(const std::string& path) : input(path) {}
+    explicit State(const std::string& path) : input(path) { be_quiet(); }
 
     [[noreturn]] void bad(const std::string& why) const {
         throw Error(Exit::bad_input, "cannot read " + input.name() + ": " + why);

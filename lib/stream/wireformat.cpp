@@ -6,6 +6,8 @@
 
 namespace filum::stream {
 
+void be_quiet() { google::protobuf::SetLogHandler(nullptr); }
+
 std::string preamble() {
     proto::Preamble m;
     m.set_magic(kMagic);

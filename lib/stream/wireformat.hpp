@@ -19,6 +19,9 @@ inline void append_varint(std::string& out, std::uint64_t v) {
     out.push_back(static_cast<char>(v));
 }
 
+// Stops protobuf from telling about malformed messages on standard error: we say it ourselves, once.
+void be_quiet();
+
 // The delimited preamble of this version.
 std::string preamble();
 

@@ -99,6 +99,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
             cp "$in" flipped.stream
             flip flipped.stream "$at"
             expect '3|4' "$c" flipped.stream --output result
+            complaint "$c"
             [[ ! -e result ]] || { echo "$c wrote a result, byte $at"; false; }
         done
     done

@@ -1,0 +1,17 @@
+// Any bytes as a region message: refused, or the same after another trip.
+#include "base/error.hpp"
+#include "wire/planar.hpp"
+
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace filum;
+    const stream::RawFrame raw{stream::Tag::region, {reinterpret_cast<const char*>(data), size}};
+    try {
+        const auto once = wire::frame(wire::region(raw));
+        if (wire::frame(wire::region(once)).body != once.body) std::abort();
+    } catch (const Error& e) {
+        if (e.exit() != Exit::bad_input) std::abort();
+    }
+    return 0;
+}

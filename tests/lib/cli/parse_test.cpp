@@ -1,0 +1,182 @@
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/document.hpp"
+#include "cli/parse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace filum::cli {
+namespace {
+
+struct Options {
+    double width = 0.4;
+    std::int64_t count = 3;
+    bool flag = false;
+    std::string order = "layers";
+    std::vector<double> move{0, 0, 0};
+    std::string file;
+};
+
+Spec spec(Options& o) {
+    return {.name = "stage",
+            .synopsis = "does something",
+            .description = "One paragraph.\n\n.Another, \"quoted\" - with 'all' that roff\\minds.",
+            .in = reads(stream::Payload::layers),
+            .out = writes(stream::Payload::regions),
+            .memory = "one layer",
+            .options = {Option{"width", &o.width, "MM", "a width"}.above(0).at_most(10),
+                        Option{"count", &o.count, "N", "how many"}.at_least(1),
+                        {"flag", &o.flag, "", "on or off"},
+                        Option{"order", &o.order, "", "how"}.one_of({"layers", "greedy"}),
+                        Option{"move", &o.move, "X,Y,Z", "where to"}.numbers(3),
+                        Option{"file", &o.file, "FILE", "a file"}.not_a_setting()},
+            .examples = {{"slice part.stl | stage", "an example"}}};
+}
+
+std::string parse_words(std::vector<std::string> words, Options& o, Io& io) {
+    words.insert(words.begin(), "stage");
+    std::vector<char*> argv;
+    for (auto& w : words) argv.push_back(w.data());
+    return parse(static_cast<int>(argv.size()), argv.data(), spec(o), io);
+}
+
+std::string refusal(const std::vector<std::string>& words) {
+    Options o;
+    Io io;
+    try {
+        parse_words(words, o, io);
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::usage);
+        const std::string what = e.what();
+        EXPECT_FALSE(std::isupper(static_cast<unsigned char>(what[0]))) << what;
+        EXPECT_NE(what.back(), '.') << what;
+        EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+        return what;
+    }
+    return "";
+}
+
+TEST(parse, binds_every_kind_of_option) {
+    Options o;
+    Io io;
+    EXPECT_EQ(parse_words({"--width", "0.5", "--count=7", "--flag", "--order", "greedy", "--move", "-1,2.5,-3e1",
+                           "--file", "f", "in.layers", "-o", "out", "--threads", "2", "-q"},
+                          o, io),
+              "");
+    EXPECT_EQ(o.width, 0.5);
+    EXPECT_EQ(o.count, 7);
+    EXPECT_TRUE(o.flag);
+    EXPECT_EQ(o.order, "greedy");
+    EXPECT_EQ(o.move, (std::vector<double>{-1, 2.5, -30}));
+    EXPECT_EQ(o.file, "f");
+    EXPECT_EQ(io.input, "in.layers");
+    EXPECT_EQ(io.output, "out");
+    EXPECT_EQ(io.threads, 2);
+    EXPECT_TRUE(io.quiet);
+}
+
+TEST(parse, settings_are_resolved_and_tell_what_was_changed) {
+    Options o;
+    Io io;
+    parse_words({"--width=0.50", "--count", "3", "--file", "secret"}, o, io);
+    ASSERT_EQ(io.settings.size(), 5U); // the file is none
+    EXPECT_EQ(io.settings[0].name, "width");
+    EXPECT_EQ(io.settings[0].value, "0.5");
+    EXPECT_TRUE(io.settings[0].changed);
+    EXPECT_EQ(io.settings[1].value, "3");
+    EXPECT_FALSE(io.settings[1].changed); // given, but as the default has it
+    EXPECT_EQ(io.settings[4].value, "0,0,0");
+}
+
+TEST(parse, the_last_of_two_wins) {
+    Options o;
+    Io io;
+    parse_words({"--width=0.5", "--width=0.6"}, o, io);
+    EXPECT_EQ(o.width, 0.6);
+}
+
+TEST(parse, refuses_what_does_not_fit_and_says_why) {
+    EXPECT_NE(refusal({"--width", "0"}).find("above 0 and at most 10"), std::string::npos);
+    EXPECT_NE(refusal({"--width", "11"}), "");
+    EXPECT_NE(refusal({"--width", "nan"}), "");
+    EXPECT_NE(refusal({"--width", "1e400"}), "");
+    EXPECT_NE(refusal({"--width", ""}), "");
+    EXPECT_NE(refusal({"--width"}), "");
+    EXPECT_NE(refusal({"--count", "1.5"}).find("whole number"), std::string::npos);
+    EXPECT_NE(refusal({"--count", "0"}), "");
+    EXPECT_NE(refusal({"--order", "other"}).find("layers, greedy"), std::string::npos);
+    EXPECT_NE(refusal({"--move", "1,2"}).find("3 numbers"), std::string::npos);
+    EXPECT_NE(refusal({"--move", "1,2,"}), "");
+    EXPECT_NE(refusal({"--flag=maybe"}), "");
+    EXPECT_NE(refusal({"--nothing"}).find("unknown option '--nothing'"), std::string::npos);
+    EXPECT_NE(refusal({"one", "two"}).find("'two'"), std::string::npos);
+    EXPECT_NE(refusal({"--threads", "-1"}), "");
+    EXPECT_NE(refusal({""}), "");
+    EXPECT_NE(refusal({"--output", ""}), "");
+}
+
+TEST(parse, random_words_are_refused_or_taken_never_worse) {
+    std::mt19937 random(3);
+    const std::vector<std::string> words{"--width",      "--width=1",    "=",       "--",  "-",   "-1",
+                                         "--move=1,2,3", "\xff\xfe",     "--count", "-o",  "x",   "-q",
+                                         "--flag",       "--flag=false", "---",     "-vv", "--=", "@"};
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<std::string> line(random() % 5);
+        for (auto& w : line) w = words[random() % words.size()];
+        Options o;
+        Io io;
+        try {
+            parse_words(line, o, io);
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::usage);
+        }
+    }
+}
+
+TEST(document, every_option_is_in_every_document) {
+    Options o;
+    const Spec s = spec(o);
+    for (const std::string& text : {help(s), markdown(s), completion_line(s)})
+        for (const char* name :
+             {"--width", "--count", "--flag", "--order", "--move", "--file", "--output", "--threads"})
+            EXPECT_NE(text.find(name), std::string::npos) << name;
+    EXPECT_NE(completion_line(s).find("--order={layers,greedy}"), std::string::npos);
+    EXPECT_NE(contract(s).find("\nin stream Layers\nout stream Regions\n"), std::string::npos);
+    EXPECT_NE(contract(s).find("\nflag flag\n"), std::string::npos);
+}
+
+TEST(document, help_lines_are_at_most_100_wide) {
+    Options o;
+    const std::string text = help(spec(o));
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find('\n', at);
+        EXPECT_LE(end - at, 100U) << text.substr(at, end - at);
+        at = end + 1;
+    }
+}
+
+TEST(document, no_line_of_the_manual_page_is_a_request_by_accident) {
+    Options o;
+    const std::string page = man_page(spec(o));
+    EXPECT_NE(page.find("\n\\&.Another, \\(dqquoted\\(dq"), std::string::npos) << page;
+    EXPECT_NE(page.find("roff\\eminds"), std::string::npos);
+}
+
+TEST(header, histories_are_joined_with_their_parents) {
+    Io io;
+    io.program = "join";
+    io.settings = {{"a", "1", true}};
+    stream::Header first, second;
+    first.history = {{"slice", "1", {}, {}}, {"regions", "1", {}, {0}}};
+    second.history = {{"slice", "1", {}, {}}};
+    const auto h = header(io, stream::Payload::paths, {&first, &second});
+    ASSERT_EQ(h.history.size(), 4U);
+    EXPECT_EQ(h.history[1].parents, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(h.history[3].program, "join");
+    EXPECT_EQ(h.history[3].parents, (std::vector<std::uint32_t>{1, 2}));
+}
+
+} // namespace
+} // namespace filum::cli

@@ -1,0 +1,71 @@
+#include "geom/segment.hpp"
+#include "geom/vec.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace filum::geom {
+namespace {
+
+struct Random {
+    std::mt19937 engine{4};
+    std::uniform_real_distribution<double> coordinate{-10, 10};
+    Vec2 point() { return {coordinate(engine), coordinate(engine)}; }
+};
+
+TEST(segment, the_nearest_point_is_nearer_than_any_sample) {
+    Random r;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 a = r.point(), b = r.point(), p = r.point();
+        const double d = point_segment_distance(a, b, p);
+        for (int k = 0; k <= 20; ++k) EXPECT_LE(d, distance(lerp(a, b, k / 20.0), p) + 1e-12);
+    }
+    EXPECT_EQ(point_segment_distance({1, 1}, {1, 1}, {4, 5}), 5);
+}
+
+TEST(segment, distances_are_symmetric_and_zero_where_they_cross) {
+    Random r;
+    int crossings = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const Vec2 a = r.point(), b = r.point(), c = r.point(), d = r.point();
+        const double there = segment_distance(a, b, c, d);
+        EXPECT_NEAR(there, segment_distance(d, c, b, a), 1e-12);
+        EXPECT_EQ(cross_properly(a, b, c, d), cross_properly(d, c, a, b));
+        if (cross_properly(a, b, c, d)) {
+            EXPECT_EQ(there, 0);
+            ++crossings;
+        }
+        double sampled = 1e300;
+        for (int k = 0; k <= 10; ++k) sampled = std::min(sampled, point_segment_distance(a, b, lerp(c, d, k / 10.0)));
+        EXPECT_LE(there, sampled + 1e-12);
+    }
+    EXPECT_GT(crossings, 500);
+}
+
+TEST(segment, touching_and_overlapping_do_not_cross) {
+    EXPECT_TRUE(cross_properly({0, 0}, {2, 2}, {0, 2}, {2, 0}));
+    EXPECT_FALSE(cross_properly({0, 0}, {2, 0}, {1, 0}, {1, 5}));
+    EXPECT_FALSE(cross_properly({0, 0}, {2, 0}, {1, 0}, {3, 0}));
+    EXPECT_FALSE(cross_properly({0, 0}, {1, 0}, {1, 0}, {2, 1}));
+}
+
+TEST(box, distance_is_that_of_its_nearest_points) {
+    Box2 a, b;
+    EXPECT_TRUE(a.empty());
+    a.add({0, 0}), a.add({1, 1});
+    b.add({4, 5}), b.add({6, 7});
+    EXPECT_EQ(distance(a, b), 5);
+    EXPECT_EQ(distance(a, a), 0);
+}
+
+TEST(vec, orient_is_positive_to_the_left) {
+    EXPECT_GT(orient({0, 0}, {1, 0}, {0, 1}), 0);
+    EXPECT_LT(orient({0, 0}, {1, 0}, {0, -1}), 0);
+    EXPECT_EQ(orient({0, 0}, {1, 1}, {2, 2}), 0);
+    EXPECT_EQ(left_of({1, 0}), (Vec2{0, 1}));
+    EXPECT_EQ(cross(Vec3{1, 0, 0}, Vec3{0, 1, 0}), (Vec3{0, 0, 1}));
+}
+
+} // namespace
+} // namespace filum::geom

@@ -1,0 +1,114 @@
+#include "parallel/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace filum::parallel {
+namespace {
+
+TEST(for_chunks, covers_everything_once_in_the_same_chunks_for_any_threads) {
+    for (const std::size_t n : {0U, 1U, 7U, 8U, 9U, 1000U}) {
+        std::set<std::pair<std::size_t, std::size_t>> first;
+        for (const int threads : {1, 2, 8, 0}) {
+            std::vector<std::atomic<int>> seen(n);
+            std::set<std::pair<std::size_t, std::size_t>> chunks;
+            std::mutex guard;
+            for_chunks(n, 8, threads, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) ++seen[i];
+                const std::lock_guard lock(guard);
+                chunks.emplace(begin, end);
+            });
+            for (const auto& s : seen) EXPECT_EQ(s, 1);
+            if (threads == 1) first = chunks;
+            EXPECT_EQ(chunks, first);
+        }
+    }
+}
+
+TEST(for_chunks, throws_the_first_failure_by_place) {
+    for (const int threads : {1, 2, 8}) {
+        try {
+            for_chunks(100, 1, threads, [](std::size_t i, std::size_t) {
+                if (i >= 30) throw std::runtime_error(std::to_string(i));
+            });
+            FAIL();
+        } catch (const std::runtime_error& e) {
+            EXPECT_STREQ(e.what(), "30");
+        }
+    }
+}
+
+// What the sink saw, and what was thrown, "" for nothing.
+struct Seen {
+    std::vector<int> seen;
+    std::string thrown;
+    bool operator==(const Seen&) const = default;
+};
+
+Seen run(int threads, int n, int work_fails, int source_fails) {
+    Seen out;
+    int i = 0;
+    try {
+        ordered<int, int>(
+            threads,
+            [&]() -> std::optional<int> {
+                if (i == source_fails) throw std::runtime_error("source");
+                return i < n ? std::optional(i++) : std::nullopt;
+            },
+            [&](int v) {
+                if (v % 7 == 0) std::this_thread::sleep_for(std::chrono::microseconds(200));
+                if (v >= work_fails) throw std::runtime_error("work " + std::to_string(v));
+                return v * v;
+            },
+            [&](int v) { out.seen.push_back(v); });
+    } catch (const std::runtime_error& e) {
+        out.thrown = e.what();
+    }
+    return out;
+}
+
+TEST(ordered, the_sink_sees_the_order_of_the_source) {
+    for (const int threads : {1, 2, 8}) {
+        const Seen r = run(threads, 500, 1000, -1);
+        ASSERT_EQ(r.seen.size(), 500U);
+        for (std::size_t k = 0; k < 500; ++k) ASSERT_EQ(r.seen[k], static_cast<int>(k * k));
+    }
+}
+
+TEST(ordered, failures_are_the_same_for_any_threads) {
+    const Seen work = run(1, 500, 100, -1), source = run(1, 500, 1000, 50), both = run(1, 500, 40, 50);
+    EXPECT_EQ(work.thrown, "work 100");
+    EXPECT_EQ(work.seen.size(), 100U);
+    EXPECT_EQ(source.thrown, "source");
+    EXPECT_EQ(source.seen.size(), 50U);
+    EXPECT_EQ(both.thrown, "work 40");
+    for (const int threads : {2, 8}) {
+        EXPECT_EQ(run(threads, 500, 100, -1), work);
+        EXPECT_EQ(run(threads, 500, 1000, 50), source);
+        EXPECT_EQ(run(threads, 500, 40, 50), both);
+    }
+}
+
+TEST(ordered, only_a_few_items_are_in_flight) {
+    std::atomic<int> taken{0};
+    int given = 0, most = 0;
+    ordered<int, int>(
+        2, [&]() -> std::optional<int> { return taken < 1000 ? std::optional(taken++) : std::nullopt; },
+        [](int v) { return v; },
+        [&](int) {
+            ++given;
+            most = std::max(most, taken - given);
+        });
+    EXPECT_LE(most, 16);
+}
+
+} // namespace
+} // namespace filum::parallel

@@ -1,0 +1,180 @@
+// Invariants of the boolean operations, offsets, splitting and simplifying, on random areas.
+#include "polygon/clip.hpp"
+
+#include "geom/segment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace filum::polygon {
+namespace {
+
+// A star-shaped loop about a random centre.
+void add_star(Loops& out, std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0, 1);
+    const Vec2 centre{20 * unit(random), 20 * unit(random)};
+    const std::size_t n = 3 + random() % 40;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+        const double radius = 1 + 6 * unit(random);
+        out.points.push_back(centre + radius * Vec2{std::cos(angle), std::sin(angle)});
+    }
+    out.close();
+}
+
+Loops random_area(unsigned seed) {
+    std::mt19937 random(seed);
+    Loops out;
+    for (unsigned k = 0; k < 1 + seed % 5; ++k) add_star(out, random);
+    return out;
+}
+
+// Slack in mm2 for the grid: its step times the length of the outlines.
+double slack(const Loops& a) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += perimeter(a[i]);
+    return 1e-6 + 2e-4 * sum;
+}
+
+double area(const Loops& a) { return signed_area(a); }
+
+double distance_to(const Loops& a, Vec2 p) {
+    double best = 1e300;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < a[i].size(); ++k)
+            best = std::min(best, geom::point_segment_distance(a[i][k], a[i][(k + 1) % a[i].size()], p));
+    return best;
+}
+
+TEST(booleans, areas_add_up) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        const Loops a = unite(random_area(seed)), b = unite(random_area(seed + 1000));
+        const double s = slack(a) + slack(b);
+        const double both = area(intersect(a, b)), any = area(unite(a, b));
+        EXPECT_NEAR(any + both, area(a) + area(b), s) << seed;
+        EXPECT_NEAR(area(subtract(a, b)), area(a) - both, s) << seed;
+        EXPECT_NEAR(area(intersect(a, a)), area(a), s);
+        EXPECT_NEAR(area(subtract(a, a)), 0, s);
+        EXPECT_LE(both, std::min(area(a), area(b)) + s);
+    }
+}
+
+TEST(booleans, a_point_is_in_the_result_where_it_should_be) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> coordinate(-5, 25);
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        const Loops a = unite(random_area(seed)), b = unite(random_area(seed + 500));
+        const Loops both = intersect(a, b), any = unite(a, b), rest = subtract(a, b);
+        for (int k = 0; k < 100; ++k) {
+            const Vec2 p{coordinate(random), coordinate(random)};
+            if (std::min(distance_to(a, p), distance_to(b, p)) < 1e-3) continue; // on the grid's edge
+            const bool in_a = contains(a, p), in_b = contains(b, p);
+            EXPECT_EQ(contains(both, p), in_a && in_b);
+            EXPECT_EQ(contains(any, p), in_a || in_b);
+            EXPECT_EQ(contains(rest, p), in_a && !in_b);
+        }
+    }
+}
+
+TEST(booleans, results_are_simple) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const Loops a = unite(random_area(seed));
+        std::vector<std::pair<Vec2, Vec2>> edges;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            for (std::size_t k = 0; k < a[i].size(); ++k) edges.emplace_back(a[i][k], a[i][(k + 1) % a[i].size()]);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            for (std::size_t k = i + 1; k < edges.size(); ++k)
+                ASSERT_FALSE(geom::cross_properly(edges[i].first, edges[i].second, edges[k].first, edges[k].second))
+                    << seed;
+    }
+}
+
+TEST(offset, outlines_keep_their_distance) {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const Loops a = unite(random_area(seed));
+        for (const double delta : {-0.8, -0.2, 0.3, 1.5}) {
+            const Loops moved = offset(a, delta);
+            for (const Vec2 p : moved.points) EXPECT_NEAR(distance_to(a, p), std::abs(delta), 0.006) << seed;
+            if (delta > 0)
+                EXPECT_GT(area(moved), area(a));
+            else
+                EXPECT_LT(area(moved), area(a));
+        }
+        EXPECT_NEAR(area(offset(a, 0)), area(a), slack(a));
+    }
+}
+
+TEST(offset, a_square_grows_as_steiner_says) {
+    Loops square;
+    const Vec2 corners[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    square.add(corners);
+    EXPECT_NEAR(area(offset(square, 1)), 100 + 40 + std::numbers::pi, 0.02);
+    EXPECT_NEAR(area(offset(square, -1)), 64, 0.001);
+    EXPECT_TRUE(offset(square, -5.1).empty());
+}
+
+TEST(split, parts_are_disjoint_connected_and_complete) {
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        const Loops a = unite(random_area(seed));
+        const Parts parts = split(a);
+        ASSERT_EQ(parts.part.size(), parts.parent.size());
+        double sum = 0;
+        for (std::size_t i = 0; i < parts.part.size(); ++i) {
+            const Loops& part = parts.part[i];
+            EXPECT_GT(signed_area(part[0]), 0);
+            for (std::size_t h = 1; h < part.size(); ++h) {
+                EXPECT_LT(signed_area(part[h]), 0);
+            }
+            sum += area(part);
+            const int parent = parts.parent[i];
+            EXPECT_LT(parent, static_cast<int>(parts.part.size()));
+            if (parent >= 0) {
+                Loops outer;
+                outer.add(parts.part[static_cast<std::size_t>(parent)][0]);
+                EXPECT_TRUE(contains(outer, part[0][0]));
+            }
+        }
+        EXPECT_NEAR(sum, area(a), slack(a)) << seed;
+    }
+}
+
+TEST(split, an_island_in_a_hole_has_its_ring_as_parent) {
+    Loops a;
+    const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, hole[] = {{1, 1}, {1, 9}, {9, 9}, {9, 1}},
+               island[] = {{3, 3}, {7, 3}, {7, 7}, {3, 7}};
+    a.add(outer), a.add(hole), a.add(island);
+    const Parts parts = split(a);
+    ASSERT_EQ(parts.part.size(), 2U);
+    EXPECT_EQ(parts.part[0].size(), 2U);
+    EXPECT_EQ(parts.parent, (std::vector<int>{-1, 0}));
+}
+
+TEST(simplify, nothing_moves_farther_than_the_tolerance) {
+    for (unsigned seed = 0; seed < 60; ++seed) {
+        const Loops a = unite(random_area(seed));
+        for (const double tolerance : {0.001, 0.05, 0.5}) {
+            const Loops s = simplify(a, tolerance);
+            EXPECT_LE(s.points.size(), a.points.size());
+            if (s.size() != a.size()) continue; // a loop thinner than the tolerance vanished
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                Loops one;
+                one.add(s[i]);
+                for (const Vec2 p : a[i]) EXPECT_LE(distance_to(one, p), tolerance + 1e-12);
+            }
+        }
+    }
+}
+
+TEST(simplify, points_on_straight_lines_go) {
+    Loops a;
+    for (int i = 0; i < 100; ++i) a.points.push_back({0.1 * i, 0});
+    for (int i = 0; i < 100; ++i) a.points.push_back({10, 0.1 * i});
+    a.points.push_back({10, 10});
+    a.close();
+    EXPECT_EQ(simplify(a, 1e-6)[0].size(), 3U);
+}
+
+} // namespace
+} // namespace filum::polygon

@@ -1,0 +1,234 @@
+// Property tests of the framing: what goes in comes out, and nothing broken passes.
+#include "base/error.hpp"
+#include "stream/reader.hpp"
+#include "stream/wireformat.hpp"
+#include "stream/writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace filum::stream {
+namespace {
+
+std::string temporary(const std::string& name) {
+    return testing::TempDir() + "filum-" + std::to_string(::getpid()) + "-" + name;
+}
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream f(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(f), {}};
+}
+
+void put(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+Header header() {
+    Header h;
+    h.payload = Payload::layers;
+    h.expected = 3;
+    h.history = {{"slice", "0.1.0", {{"layer-height", "0.2", false}}, {}}, {"x", "1", {{"a", "b", true}}, {0}}};
+    return h;
+}
+
+std::string write(const std::string& path, const std::vector<RawFrame>& frames) {
+    Writer writer(path, header());
+    for (const auto& f : frames) writer.write(f);
+    writer.close();
+    return bytes_of(path);
+}
+
+// Reads all; the exit code that a command would end with, 0 if the stream is whole.
+int verdict(const std::string& path, std::vector<RawFrame>* frames = nullptr) {
+    try {
+        Reader reader(path, Payload::unknown);
+        while (auto f = reader.next())
+            if (frames != nullptr) frames->push_back(std::move(*f));
+        return 0;
+    } catch (const Error& e) {
+        return static_cast<int>(e.exit());
+    }
+}
+
+std::vector<RawFrame> random_frames(unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<RawFrame> frames(random() % 12);
+    const std::size_t sizes[] = {0, 1, 127, 128, 1000, 300'000, 1'000'000};
+    for (auto& f : frames) {
+        f.tag = random() % 4 == 0 ? Tag::note : Tag::layer;
+        f.body.resize(sizes[random() % 7]);
+        for (auto& c : f.body) c = static_cast<char>(random());
+    }
+    return frames;
+}
+
+TEST(stream, random_frames_come_out_as_they_went_in) {
+    const std::string path = temporary("round");
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        const auto frames = random_frames(seed);
+        write(path, frames);
+        std::vector<RawFrame> got;
+        ASSERT_EQ(verdict(path, &got), 0) << seed;
+        ASSERT_EQ(got.size(), frames.size());
+        for (std::size_t i = 0; i < got.size(); ++i) {
+            EXPECT_EQ(got[i].tag, frames[i].tag);
+            EXPECT_EQ(got[i].body, frames[i].body);
+        }
+    }
+}
+
+TEST(stream, the_header_comes_out_as_it_went_in) {
+    const std::string path = temporary("header");
+    write(path, {});
+    const Reader reader(path, Payload::layers);
+    const Header& h = reader.header();
+    EXPECT_EQ(h.payload, Payload::layers);
+    EXPECT_EQ(h.expected, 3U);
+    ASSERT_EQ(h.history.size(), 2U);
+    EXPECT_EQ(h.history[0].settings[0].value, "0.2");
+    EXPECT_FALSE(h.history[0].settings[0].changed);
+    EXPECT_TRUE(h.history[1].settings[0].changed);
+    EXPECT_EQ(h.history[1].parents, std::vector<std::uint32_t>{0});
+}
+
+TEST(stream, cut_at_any_byte_it_is_truncated) {
+    const std::string path = temporary("cut");
+    const std::string whole = write(path, {{Tag::layer, std::string(40, 'a')}, {Tag::note, "n"}, {Tag::layer, ""}});
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+        put(path, whole.substr(0, n));
+        EXPECT_EQ(verdict(path), 4) << "cut at " << n << " of " << whole.size();
+    }
+}
+
+TEST(stream, any_flipped_bit_is_noticed) {
+    const std::string path = temporary("bit");
+    const std::string whole = write(path, {{Tag::layer, std::string(40, 'a')}, {Tag::note, "n"}, {Tag::layer, ""}});
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+        for (int bit = 0; bit < 8; ++bit) {
+            std::string broken = whole;
+            broken[n] = static_cast<char>(broken[n] ^ (1 << bit));
+            put(path, broken);
+            const int code = verdict(path);
+            EXPECT_TRUE(code == 3 || code == 4) << "byte " << n << " bit " << bit << ": " << code;
+        }
+    }
+}
+
+TEST(stream, frames_lost_swapped_or_repeated_are_noticed) {
+    const std::string path = temporary("lost");
+    const RawFrame a{Tag::layer, "first"}, b{Tag::layer, "other"};
+    const std::string whole = write(path, {a, b});
+    const std::string fa = frame_prefix(a.tag, a.body.size()) + a.body,
+                      fb = frame_prefix(b.tag, b.body.size()) + b.body;
+    const auto at = whole.find(fa);
+    ASSERT_NE(at, std::string::npos);
+    const std::string head = whole.substr(0, at), tail = whole.substr(at + fa.size() + fb.size());
+    for (const auto& middle : {fa, fb, fb + fa, fa + fb + fb, fa + fa, std::string()}) {
+        put(path, head + middle + tail);
+        EXPECT_EQ(verdict(path), 3);
+    }
+    put(path, head + fa + fb + tail);
+    EXPECT_EQ(verdict(path), 0);
+}
+
+TEST(stream, false_lengths_cost_no_memory) {
+    const std::string path = temporary("long");
+    const auto with = [&](std::uint64_t length, std::uint64_t inner) {
+        std::string s = preamble();
+        append_varint(s, length);
+        append_varint(s, 1 << 3 | 2);
+        append_varint(s, inner);
+        put(path, s + "few bytes");
+        return verdict(path);
+    };
+    rusage before{}, after{};
+    ::getrusage(RUSAGE_SELF, &before);
+    EXPECT_EQ(with(kMaxFrame, kMaxFrame - 5), 4);     // it might be true: read on, and find the end
+    EXPECT_EQ(with(kMaxFrame + 1, kMaxFrame - 4), 3); // too long
+    EXPECT_EQ(with(3, ~std::uint64_t{0} - 7), 3);     // the sum wraps around
+    EXPECT_EQ(with(~std::uint64_t{0}, 1), 3);
+    ::getrusage(RUSAGE_SELF, &after);
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 20'000); // kB
+}
+
+TEST(stream, tags_that_only_look_right_after_truncation_are_refused) {
+    const std::string path = temporary("tag");
+    std::string inner;
+    append_varint(inner, (std::uint64_t{1} << 32 | 1) << 3 | 2);
+    append_varint(inner, 0);
+    std::string s = preamble();
+    append_varint(s, inner.size());
+    put(path, s + inner);
+    EXPECT_EQ(verdict(path), 3);
+}
+
+TEST(stream, another_payload_is_refused_by_name) {
+    const std::string path = temporary("payload");
+    write(path, {});
+    try {
+        const Reader reader(path, Payload::paths);
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::bad_input);
+        EXPECT_NE(std::string(e.what()).find("Layers, not Paths"), std::string::npos) << e.what();
+    }
+}
+
+TEST(stream, a_frame_of_another_kind_is_refused) {
+    const std::string path = temporary("kind");
+    write(path, {{Tag::span, "x"}});
+    EXPECT_EQ(verdict(path), 3);
+}
+
+TEST(stream, history_that_refers_forward_is_refused) {
+    Header h = header();
+    h.history[0].parents = {0};
+    EXPECT_THROW(parse_header(serialise(h)), Error);
+}
+
+TEST(stream, notes_come_out_as_they_went_in) {
+    const Note note{"slice", "gap closed", 0.25, "mm", 3, 7, 1.5, std::nan("")};
+    const Note got = parse_note(serialise(note));
+    EXPECT_EQ(got.stage, note.stage);
+    EXPECT_EQ(got.what, note.what);
+    EXPECT_EQ(got.amount, note.amount);
+    EXPECT_EQ(got.count, note.count);
+    EXPECT_EQ(got.layer, note.layer);
+    EXPECT_EQ(got.x, note.x);
+    EXPECT_TRUE(std::isnan(got.y));
+}
+
+TEST(sink, a_named_file_appears_only_by_commit) {
+    const std::string path = temporary("sink");
+    {
+        Sink sink(path, Sink::Content::text);
+        sink.write(std::string(1'000'000, 'x'));
+    }
+    EXPECT_FALSE(std::filesystem::exists(path));
+    Sink sink(path, Sink::Content::text);
+    sink.write("whole");
+    EXPECT_FALSE(std::filesystem::exists(path));
+    sink.commit();
+    EXPECT_EQ(bytes_of(path), "whole");
+}
+
+TEST(sink, a_link_is_written_through) {
+    const std::string path = temporary("real"), link = temporary("link");
+    put(path, "old");
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(path, link);
+    Sink sink(link, Sink::Content::text);
+    sink.write("new");
+    sink.commit();
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_EQ(bytes_of(path), "new");
+}
+
+} // namespace
+} // namespace filum::stream
