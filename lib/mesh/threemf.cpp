@@ -15,7 +15,7 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::size_t kMaxText = std::size_t{1} << 30;      // of all models together: a small zip can hold terabytes
+constexpr std::size_t kMaxText = std::size_t{1} << 29;      // of all models together: a small zip can hold terabytes
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 26; // after all copies that components ask for
 constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
@@ -96,7 +96,8 @@ class Archive {
             if (n < 0) bad("'" + path + "' in the archive is damaged: " + zip_file_strerror(f.get()));
             out.resize(had + static_cast<std::size_t>(n));
             if (n == 0) return out;
-            if (text_ += static_cast<std::size_t>(n); text_ > kMaxText) bad("its models hold more than 1 GiB of text");
+            if (text_ += static_cast<std::size_t>(n); text_ > kMaxText)
+                bad("its models hold more than 512 MiB of text");
         }
     }
 
