@@ -25,6 +25,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     auto entry = nearest_entry(r, at_->xy(), options_.reach * r.width, {});
     if (!entry) return std::nullopt;
     *entry = drift(*entry);
+    if (entry->place.distance > r.width && !passes_neighbours(entry->place.point)) return std::nullopt;
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
     if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     ++counts_.lifts;
@@ -32,6 +33,15 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
+}
+
+// A jog that is longer than a bead is wide may begin above a neighbour of the front region.  True if it crosses none of
+// those that are yet to come.
+bool Linker::passes_neighbours(Vec2 to) const {
+    const auto& r = window_.front();
+    return std::all_of(window_.begin() + 1, window_.end(), [&](const Waiting& other) {
+        return other.paths.z != r.paths.z || is_free(other.index, at_->xy(), to, kMargin, 0, 0);
+    });
 }
 
 // A connector outside everything printed to whichever of the front region's four extreme places makes it the shortest.
@@ -97,10 +107,12 @@ bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
     return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) { return leads_out(a, at_height(b, a.z), own, true); });
 }
 
-// Whether the next region can be reached from the end of the front region's last bead.
+// Whether the next region can be reached from the end of the front region's last bead.  By no more than a bead width: a
+// longer jog could begin above a neighbour of that region, and cross its outer bead.
 bool Linker::ends_well(std::uint32_t c, const Bead& bead) const {
     const Vec2 end = bead.points.back();
-    if (next_ == Next::above) return nearest_entry(window_[1], end, options_.reach * window_[1].width, {}).has_value();
+    if (next_ == Next::above)
+        return nearest_entry(window_[1], end, std::min(options_.reach, 1.0) * window_[1].width, {}).has_value();
     return sees_outside(end, SegmentIndex(as_printed(c, bead, {})));
 }
 

@@ -88,6 +88,7 @@ class Linker {
     static constexpr double kSame = 1e-6;    // mm; places nearer than this are one
     static constexpr double kMargin = 0.003; // mm; joins keep this far from beads: more than a digit of machine code
     static constexpr double kEnds = 0.01;    // mm; but for this much at their ends, which lie on beads
+    static constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it
     static Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
 
     void print_front(const Emit& emit, Notes& notes);
@@ -100,6 +101,7 @@ class Linker {
     void print_curve(const Entry& entry, bool last, const Emit& emit);
 
     // joins.cpp
+    [[nodiscard]] bool passes_neighbours(Vec2 to) const;
     [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
     [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
     [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
@@ -117,6 +119,8 @@ class Linker {
     [[nodiscard]] std::size_t climbing() const;
     [[nodiscard]] Entry start_entry() const;
     [[nodiscard]] Entry drift(const Entry& nearest);
+    [[nodiscard]] bool within_segment(const Place& place) const;
+    [[nodiscard]] bool leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const;
     [[nodiscard]] Entry step_towards(const Entry& nearest, Vec2 to, double step) const;
 
     Options options_;
