@@ -6,6 +6,12 @@
 
 namespace filum::link3d {
 
+namespace {
+
+constexpr double kInside = 0.8; // bead widths: farther from all beads of a region is outside it
+
+} // namespace
+
 // The nearest place of a closed curve or end of an open one, of those not done.  Tie: closed curves first, then by
 // index.
 std::optional<Linker::Entry> Linker::nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done) {
@@ -91,7 +97,8 @@ bool Linker::within_segment(const Place& place) const {
     return std::min(geom::distance(place.point, a), geom::distance(place.point, b)) > 2 * kOn;
 }
 
-// The jog a -> b meets no bead of the front region's one curve before its end, but for the segment that it begins on.
+// The jog a -> b meets no bead of the front region's one curve before its end, but for the segment that it begins on,
+// and stays so near to that curve that it cannot meet a neighbour of the region.
 bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     const double l = geom::distance(a, b);
     if (l <= kEnds) return true;
@@ -103,6 +110,9 @@ bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
         return free = s == on || geom::segment_distance(a, end, c, d) > kMargin;
     });
+    const auto& r = window_.front();
+    for (int k = 0; k < 8 && free; ++k)
+        free = r.index.nearest(geom::lerp(a, b, k / 8.0), kInside * r.width).has_value();
     return free;
 }
 

@@ -22,10 +22,9 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
     const double rise = at_ ? r.paths.z - at_->z : 0;
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), options_.reach * r.width, {});
+    auto entry = nearest_entry(r, at_->xy(), climb_reach() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     *entry = drift(*entry);
-    if (entry->place.distance > r.width && !passes_neighbours(entry->place.point)) return std::nullopt;
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
     if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     ++counts_.lifts;
@@ -33,15 +32,6 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
-}
-
-// A jog that is longer than a bead is wide may begin above a neighbour of the front region.  True if it crosses none of
-// those that are yet to come.
-bool Linker::passes_neighbours(Vec2 to) const {
-    const auto& r = window_.front();
-    return std::all_of(window_.begin() + 1, window_.end(), [&](const Waiting& other) {
-        return other.paths.z != r.paths.z || is_free(other.index, at_->xy(), to, kMargin, 0, 0);
-    });
 }
 
 // A connector outside everything printed to whichever of the front region's four extreme places makes it the shortest.
@@ -85,12 +75,12 @@ std::vector<Curve> Linker::as_printed(std::uint32_t c, const Bead& bead, const s
 }
 
 // How many of the next regions are in reach of p, with what entries drift until then; 0 if that is below `least`.
-int Linker::rank_above(Vec2 p, int least, double reach) const {
+int Linker::rank_above(Vec2 p, int least) const {
     const int all = static_cast<int>(climbing());
     int k = 0;
     for (; k < all; ++k) {
         const auto& next = window_[static_cast<std::size_t>(k) + 1];
-        if (!nearest_entry(next, p, (reach + kDrift * k) * next.width, {})) break;
+        if (!nearest_entry(next, p, (climb_reach() + kDrift * k) * (window_[0].width + next.width) / 2, {})) break;
     }
     return k < least ? 0 : k;
 }
@@ -107,12 +97,12 @@ bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
     return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) { return leads_out(a, at_height(b, a.z), own, true); });
 }
 
-// Whether the next region can be reached from the end of the front region's last bead.  By no more than a bead width: a
-// longer jog could begin above a neighbour of that region, and cross its outer bead.
+// Whether the next region can be reached from the end of the front region's last bead.
 bool Linker::ends_well(std::uint32_t c, const Bead& bead) const {
     const Vec2 end = bead.points.back();
     if (next_ == Next::above)
-        return nearest_entry(window_[1], end, std::min(options_.reach, 1.0) * window_[1].width, {}).has_value();
+        return nearest_entry(window_[1], end, climb_reach() * (window_[0].width + window_[1].width) / 2, {})
+            .has_value();
     return sees_outside(end, SegmentIndex(as_printed(c, bead, {})));
 }
 
@@ -127,10 +117,9 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead)
     }
     const SegmentIndex index(curves);
     const bool above = next_ == Next::above;
-    const double reach = std::min(options_.reach, 1.0); // with some to spare
     return strip_route(lines, index, bead.points.back(), window_.front().width, kStrips,
                        above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
-                           return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
+                           return above ? rank_above(p, least) : sees_outside(p, index) ? 1 : 0;
                        });
 }
 

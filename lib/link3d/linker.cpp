@@ -75,6 +75,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
     pin_.reset();
     printed_.add(window_.front().index.bounds(), r.z);
     may_climb_ = true;
+    width_before_ = window_.front().width;
     window_.pop_front();
 }
 

@@ -14,6 +14,7 @@
 #include "link3d/travel.hpp"
 #include "toolpath/path.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -101,10 +102,12 @@ class Linker {
     void print_curve(const Entry& entry, bool last, const Emit& emit);
 
     // joins.cpp
-    [[nodiscard]] bool passes_neighbours(Vec2 to) const;
+    // In mean widths of both regions. A longer jog could begin above a neighbour of the region above, and cross its
+    // outer bead.
+    [[nodiscard]] double climb_reach() const { return std::min(options_.reach, 1.0); }
     [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
     [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
-    [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
+    [[nodiscard]] int rank_above(Vec2 p, int least) const;
     [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead) const;
     [[nodiscard]] std::vector<toolpath::Curve> as_printed(std::uint32_t c, const Bead& bead,
                                                           const std::vector<Vec2>& lane) const;
@@ -130,7 +133,8 @@ class Linker {
     std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
     std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
     Next next_ = Next::anywhere;
-    bool may_climb_ = false; // something of the region before was printed
+    double width_before_ = 0; // mm, of the region before
+    bool may_climb_ = false;  // something of the region before was printed
     std::uint32_t stroke_ = 0;
     std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
     Printed printed_;
