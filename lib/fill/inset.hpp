@@ -1,0 +1,20 @@
+// How deep a region is, and what of it a bead cannot reach.
+#pragma once
+
+#include "base/note.hpp"
+#include "polygon/loops.hpp"
+
+namespace filum::fill {
+
+// The area at least `by` mm inside (grown if negative), its points thinned out.  Error below 10 um.
+polygon::Loops inset(const polygon::Loops& area, double by);
+
+// Radius in mm of the largest circle in the area, to `tolerance` mm from below; 0 if there is none of `least` mm.
+double inradius(const polygon::Loops& area, double least, double tolerance);
+
+// Adds one note for the connected parts of `region` outside `reached` that hold more than one bead width squared and a
+// disc half a bead wide (the rest are the tips of corners, which no round bead fills): their number, their area in mm2
+// and the place of the largest.  Returns that area.
+double note_unplaced(const polygon::Loops& region, const polygon::Loops& reached, double bead_width, Notes& notes);
+
+} // namespace filum::fill
