@@ -12,14 +12,14 @@ namespace filum::fill {
 struct ContourOptions {
     double bead_width = 0.4; // mm
     int rings = 0;           // at most this many, from the outline inwards; 0: until the region is full
-    bool fit = true;         // adapt the spacing to the region's inradius, so that the innermost ring leaves no void
+    bool fit = true;         // share a wall's odd thickness between its innermost beads, and follow thin walls
 };
 
-// Closed rings of one connected region (outer loop, then holes): ring k lies (k - 1/2) spacings inside the outline.
-// With `fit` the spacing and the bead width are inradius / n, n the least number that makes them at most 1.1 times
-// bead_width (1 + 0.1 / n, to be exact).
-// Order: from outside inwards, in each depth as the offset yields them.  Parts narrower than a bead carry no ring; they
-// become a note.  Error of the depth: below 10 um.
+// Closed rings of one connected region (outer loop, then holes), in the order of depth; every point carries its width,
+// or all share one.  Without `fit` ring k lies (k - 1/2) bead widths inside the outline, to 10 um, and is one bead
+// wide: the classical fill, with its voids and overlaps of up to a bead at the medial axis.  With `fit` the rings are
+// those of `spiral` before they are joined; they are checked for crossings and made again like that.
+// Note: area that no bead reaches (mm2).
 std::vector<toolpath::Curve> contour(const polygon::Loops& region, const ContourOptions& options, Notes& notes);
 
 } // namespace filum::fill

@@ -11,22 +11,6 @@ Loops inset(const Loops& area, double by) {
     return polygon::simplify(polygon::offset(area, -by, arc), simplify);
 }
 
-double inradius(const Loops& area, double least, double tolerance) {
-    Loops reached = inset(area, least);
-    if (reached.empty()) return 0;
-    double depth = least, step = least;
-    while (true) { // strides that double while something is left, then halve
-        Loops next = inset(reached, step);
-        if (next.empty()) break;
-        depth += step, step *= 2, reached = std::move(next);
-    }
-    for (step /= 2; step > tolerance; step /= 2) {
-        Loops next = inset(reached, step);
-        if (!next.empty()) depth += step, reached = std::move(next);
-    }
-    return depth;
-}
-
 double note_unplaced(const Loops& region, const Loops& reached, double bead_width, Notes& notes) {
     const auto rest = polygon::subtract(region, reached);
     Note note{"", "not reached by a bead", 0, "mm2", 0};

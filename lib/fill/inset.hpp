@@ -1,4 +1,4 @@
-// How deep a region is, and what of it a bead cannot reach.
+// Insets, and what of a region no bead reaches.
 #pragma once
 
 #include "base/note.hpp"
@@ -8,9 +8,6 @@ namespace filum::fill {
 
 // The area at least `by` mm inside (grown if negative), its points thinned out.  Error below 10 um.
 polygon::Loops inset(const polygon::Loops& area, double by);
-
-// Radius in mm of the largest circle in the area, to `tolerance` mm from below; 0 if there is none of `least` mm.
-double inradius(const polygon::Loops& area, double least, double tolerance);
 
 // Adds one note for the connected parts of `region` outside `reached` that hold more than one bead width squared and a
 // disc half a bead wide (the rest are the tips of corners, which no round bead fills): their number, their area in mm2
