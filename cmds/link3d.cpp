@@ -43,17 +43,20 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the regions it looks ahead",
-        .options =
-            {cli::Option{"reach", &o.reach, "WIDTHS", "the longest jog, in bead widths; 0 stops after every curve"}
-                 .at_least(0)
-                 .at_most(10),
-             cli::Option{"look-ahead", &o.look_ahead, "REGIONS", "how many regions are read before one is printed"}
-                 .at_least(1)
-                 .at_most(1000),
-             cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
-                 {"break", "outside"}),
-             cli::Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}
-                 .one_of({"nearest", "inside"})},
+        .options = {cli::Option{"reach", &o.reach, "WIDTHS",
+                                "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
+                                "only what touches"}
+                        .at_least(0)
+                        .at_most(10),
+                    cli::Option{"look-ahead", &o.look_ahead, "REGIONS",
+                                "how many regions are read before one is printed"}
+                        .at_least(1)
+                        .at_most(1000),
+                    cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
+                        {"break", "outside"}),
+                    cli::Option{"seam", &o.seam, "",
+                                "where a stroke begins: nearest to the one before, or inside the part"}
+                        .one_of({"nearest", "inside"})},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
                       "with connectors around the part instead of stops"}},

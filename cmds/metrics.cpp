@@ -94,9 +94,9 @@ void run(const metrics::Options& given, const cli::Io& io) {
     metrics::Pace pace(profile);
     input.whole_program = payload == stream::Payload::toolpath;
     while (auto f = reader.next()) {
-        if (f->tag == stream::Tag::note) {
-            input.notes.push_back(stream::parse_note(f->body));
-        } else if (f->tag == stream::Tag::paths) {
+        if (f->tag == stream::Tag::note) input.notes.push_back(stream::parse_note(f->body));
+        if (f->tag == stream::Tag::fact) input.facts.push_back(stream::parse_fact(f->body));
+        if (f->tag == stream::Tag::paths) {
             const auto paths = wire::paths(*f);
             input.claimed_unplaced += paths.unplaced;
             metrics::add(beads, paths);

@@ -86,8 +86,9 @@ ClosedLine without_specks(const ClosedLine& line, double least) {
 
 class Joiner {
   public:
-    Joiner(const BeadRings& rings, double width)
-        : graph_(rings, 1.5 * width), width_(width), forest_(graph_.size()), windows_(graph_) {}
+    Joiner(const BeadRings& rings, double width, const Loops& outline)
+        : graph_(rings, 1.5 * width), outline_(segments_of(outline)), outline_grid_(outline_, 1.5 * width),
+          width_(width), forest_(graph_.size()), windows_(graph_) {}
 
     std::vector<ClosedLine> run() {
         // few samples first: most rings face their neighbours all the way round
@@ -179,6 +180,7 @@ class Joiner {
             if (geom::distance(l.a, l.b) > kLongestLink * width_) return false;
             // not quite to the ends, which lie on rings
             if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
+            if (outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
             for (const auto& m : links_)
                 if (geom::segment_distance(l.a, l.b, m.a, m.b) < 0.1 * width_) return false;
         }
@@ -265,7 +267,17 @@ class Joiner {
         return out;
     }
 
+    static std::vector<geom::Segment> segments_of(const Loops& loops) {
+        std::vector<geom::Segment> out;
+        for (std::size_t r = 0; r < loops.size(); ++r)
+            for (std::size_t i = 0; i < loops[r].size(); ++i)
+                out.push_back({loops[r][i], loops[r][(i + 1) % loops[r].size()]});
+        return out;
+    }
+
     RingGraph graph_;
+    std::vector<geom::Segment> outline_;
+    geom::SegmentGrid outline_grid_;
     double width_;
     Forest forest_;
     Windows windows_;
@@ -275,9 +287,9 @@ class Joiner {
 
 } // namespace
 
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width) {
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline) {
     if (rings.loops.empty()) return {};
-    return Joiner(rings, width).run();
+    return Joiner(rings, width, outline).run();
 }
 
 } // namespace filum::fill

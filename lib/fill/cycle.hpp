@@ -18,8 +18,10 @@ struct ClosedLine {
 // links never cross anything, so the result does not cross itself.  Neighbours are found by true segment distance up to
 // 2.2 `width`: rings spaced `width` inside a connected erosion then always form one connected graph (Lemma 2).
 //
+// No link crosses `outline` either: rings on both sides of a narrow slot are near, but not neighbours.
+//
 // Returns one curve if all rings could be joined, else one per connected group, the longest first.
 // Ties: better facing first, then the lower ring, then the earlier place on it.
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width);
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {});
 
 } // namespace filum::fill

@@ -20,7 +20,7 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     const FirstRings first = first_rings(region, w, tolerance);
     const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
     Spiral out{{}, first.unplaced};
-    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w))
+    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region))
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     return out;
 }

@@ -89,12 +89,13 @@ Bead run(const toolpath::Curve& curve, bool against) {
     return b;
 }
 
-void pin(Bead& bead, Vec2 p) {
+void pin(Bead& bead, Vec2 p, double reach) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < bead.points.size(); ++i)
         if (const double d = geom::point_segment_distance(bead.points[i], bead.points[i + 1], p); d < least)
             least = d, best = i;
+    if (least > reach) return;
     if (bead.points[best] == p || bead.points[best + 1] == p) return;
     const double t = geom::nearest_parameter(bead.points[best], bead.points[best + 1], p);
     const auto at = static_cast<std::ptrdiff_t>(best + 1);

@@ -31,8 +31,8 @@ Bead cut(const toolpath::Curve& curve, const Place& at, bool against, double gap
 // The open curve, or its reverse.
 Bead run(const toolpath::Curve& curve, bool against);
 
-// Puts p, which is next to the bead, into it as a point.
-void pin(Bead& bead, Vec2 p);
+// Puts p into the bead as a point, where that is at most `reach` mm away.
+void pin(Bead& bead, Vec2 p, double reach);
 
 // Takes `lane_width` * length of `lane` (mm2) from the beads on both sides of the lane, half from each, where one is
 // within `reach` mm; segments there are split to at most `reach` / 2.  No point's width falls below `least` times its

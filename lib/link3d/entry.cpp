@@ -8,7 +8,7 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kOn = 0.02; // mm; a nozzle this near to a bead is on it
+constexpr double kInside = 0.8; // bead widths: farther from all beads of a region is outside it
 
 } // namespace
 
@@ -90,6 +90,34 @@ Linker::Entry Linker::drift(const Entry& nearest) {
     return nearest;
 }
 
+// True if a place lies inside its segment, not next to an end of it.
+bool Linker::within_segment(const Place& place) const {
+    const auto& points = window_.front().paths.curves[place.curve].points;
+    const Vec2 a = points[place.segment], b = points[(place.segment + 1) % points.size()];
+    return std::min(geom::distance(place.point, a), geom::distance(place.point, b)) > 2 * kOn;
+}
+
+// The jog a -> b meets no bead of the front region's one curve before its end, but for the segment that it begins on,
+// and stays so near to that curve that it cannot meet a neighbour of the region.
+bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
+    const double l = geom::distance(a, b);
+    if (l <= kEnds) return true;
+    const Vec2 end = geom::lerp(b, a, kEnds / l);
+    Box2 box;
+    box.add(a), box.add(end);
+    box.lo = box.lo - Vec2{kMargin, kMargin}, box.hi = box.hi + Vec2{kMargin, kMargin};
+    bool free = true;
+    window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
+        return free = s == on || geom::segment_distance(a, end, c, d) > kMargin;
+    });
+    const auto& r = window_.front();
+    for (int k = 0; k < 8 && free; ++k)
+        free = r.index.nearest(geom::lerp(a, b, k / 8.0), kInside * r.width).has_value();
+    return free;
+}
+
+// Among the places in `step` mm of the nozzle the one nearest to `to` that is reached freely; `nearest` if there is
+// none.
 Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) const {
     const auto& r = window_.front();
     const Vec2 from = at_->xy();
@@ -99,7 +127,8 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
         double t;
     };
     std::vector<Candidate> candidates;
-    const double leave = nearest.place.distance < kOn ? kOn : 0;
+    const bool on = nearest.place.distance < kOn;
+    if (on && !within_segment(nearest.place)) return nearest;
     const double least = geom::distance(nearest.place.point, to) - 0.1 * r.width;
     r.index.within({from - Vec2{step, step}, from + Vec2{step, step}}, [&](std::uint32_t s, Vec2 a, Vec2 b) {
         // the part of a -> b inside the circle, and its point nearest to the goal
@@ -110,6 +139,7 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
         const double lo = std::max(0.0, foot - half), hi = std::min(1.0, foot + half);
         if (lo > hi) return true;
         const double t = std::clamp(geom::nearest_parameter(a, b, to), lo, hi);
+        if (on && s == nearest.place.segment) return true; // along the bead
         if (const double left = geom::distance(geom::lerp(a, b, t), to); left < least)
             candidates.push_back({left, s, t});
         return true;
@@ -119,7 +149,8 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
     for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 32); ++i) {
         const Place place = r.index.place(candidates[i].segment, candidates[i].t, from);
         if (!r.paths.curves[place.curve].closed) continue;
-        if (is_free(r.index, from, place.point, kMargin, leave, kEnds)) return {place, false};
+        if (leads_free(from, place.point, on ? std::optional(nearest.place.segment) : std::nullopt))
+            return {place, false};
     }
     return nearest;
 }

@@ -22,7 +22,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
     const double rise = at_ ? r.paths.z - at_->z : 0;
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), options_.reach * r.width, {});
+    auto entry = nearest_entry(r, at_->xy(), climb_reach() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     *entry = drift(*entry);
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
@@ -75,12 +75,12 @@ std::vector<Curve> Linker::as_printed(std::uint32_t c, const Bead& bead, const s
 }
 
 // How many of the next regions are in reach of p, with what entries drift until then; 0 if that is below `least`.
-int Linker::rank_above(Vec2 p, int least, double reach) const {
+int Linker::rank_above(Vec2 p, int least) const {
     const int all = static_cast<int>(climbing());
     int k = 0;
     for (; k < all; ++k) {
         const auto& next = window_[static_cast<std::size_t>(k) + 1];
-        if (!nearest_entry(next, p, (reach + kDrift * k) * next.width, {})) break;
+        if (!nearest_entry(next, p, (climb_reach() + kDrift * k) * (window_[0].width + next.width) / 2, {})) break;
     }
     return k < least ? 0 : k;
 }
@@ -100,7 +100,9 @@ bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
 // Whether the next region can be reached from the end of the front region's last bead.
 bool Linker::ends_well(std::uint32_t c, const Bead& bead) const {
     const Vec2 end = bead.points.back();
-    if (next_ == Next::above) return nearest_entry(window_[1], end, options_.reach * window_[1].width, {}).has_value();
+    if (next_ == Next::above)
+        return nearest_entry(window_[1], end, climb_reach() * (window_[0].width + window_[1].width) / 2, {})
+            .has_value();
     return sees_outside(end, SegmentIndex(as_printed(c, bead, {})));
 }
 
@@ -115,10 +117,9 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead)
     }
     const SegmentIndex index(curves);
     const bool above = next_ == Next::above;
-    const double reach = std::min(options_.reach, 1.0); // with some to spare
     return strip_route(lines, index, bead.points.back(), window_.front().width, kStrips,
                        above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
-                           return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
+                           return above ? rank_above(p, least) : sees_outside(p, index) ? 1 : 0;
                        });
 }
 

@@ -75,6 +75,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
     pin_.reset();
     printed_.add(window_.front().index.bounds(), r.z);
     may_climb_ = true;
+    width_before_ = window_.front().width;
     window_.pop_front();
 }
 
@@ -140,7 +141,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
     const Curve& curve = r.paths.curves[c];
     const auto bead = [&](bool against) {
         Bead b = curve.closed ? cut(curve, entry.place, against, cut_gap(curve)) : run(curve, entry.against);
-        if (pin_ && curve.closed) pin(b, *pin_);
+        if (pin_ && curve.closed) pin(b, *pin_, kOn);
         return b;
     };
     const bool turn = r.paths.layer % 2 != 0; // beads run the other way on every second layer

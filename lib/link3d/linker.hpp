@@ -14,6 +14,7 @@
 #include "link3d/travel.hpp"
 #include "toolpath/path.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -88,6 +89,7 @@ class Linker {
     static constexpr double kSame = 1e-6;    // mm; places nearer than this are one
     static constexpr double kMargin = 0.003; // mm; joins keep this far from beads: more than a digit of machine code
     static constexpr double kEnds = 0.01;    // mm; but for this much at their ends, which lie on beads
+    static constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it
     static Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
 
     void print_front(const Emit& emit, Notes& notes);
@@ -100,9 +102,12 @@ class Linker {
     void print_curve(const Entry& entry, bool last, const Emit& emit);
 
     // joins.cpp
+    // In mean widths of both regions. A longer jog could begin above a neighbour of the region above, and cross its
+    // outer bead.
+    [[nodiscard]] double climb_reach() const { return std::min(options_.reach, 1.0); }
     [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
     [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
-    [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
+    [[nodiscard]] int rank_above(Vec2 p, int least) const;
     [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead) const;
     [[nodiscard]] std::vector<toolpath::Curve> as_printed(std::uint32_t c, const Bead& bead,
                                                           const std::vector<Vec2>& lane) const;
@@ -117,6 +122,8 @@ class Linker {
     [[nodiscard]] std::size_t climbing() const;
     [[nodiscard]] Entry start_entry() const;
     [[nodiscard]] Entry drift(const Entry& nearest);
+    [[nodiscard]] bool within_segment(const Place& place) const;
+    [[nodiscard]] bool leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const;
     [[nodiscard]] Entry step_towards(const Entry& nearest, Vec2 to, double step) const;
 
     Options options_;
@@ -126,7 +133,8 @@ class Linker {
     std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
     std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
     Next next_ = Next::anywhere;
-    bool may_climb_ = false; // something of the region before was printed
+    double width_before_ = 0; // mm, of the region before
+    bool may_climb_ = false;  // something of the region before was printed
     std::uint32_t stroke_ = 0;
     std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
     Printed printed_;

@@ -176,7 +176,10 @@ void shape(const Beads& beads, const std::vector<polygon::Region>& regions, cons
     }
 }
 
-void said_before(const Notes& notes, Figures& out) {
+void said_before(const Notes& notes, const Facts& facts, Figures& out) {
+    for (const Fact& f : facts)
+        out.push_back({"said by the stages before", f.stage + ": " + f.name,
+                       fixed_text(f.value, 4) + (f.unit.empty() ? "" : " " + f.unit)});
     Notes sums;
     for (const Note& n : notes) {
         const auto it = std::find_if(sums.begin(), sums.end(), [&](const Note& s) {
@@ -209,7 +212,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     shape(beads, regions, w, options, threads, out);
     if (input.whole_program) lengths(input.course, input.seconds, options, out);
     if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
-    said_before(input.notes, out);
+    said_before(input.notes, input.facts, out);
     return out;
 }
 

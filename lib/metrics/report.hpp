@@ -1,6 +1,7 @@
 // Everything measured, as figures; and the tables with a line per layer or region.
 #pragma once
 
+#include "base/fact.hpp"
 #include "base/note.hpp"
 #include "metrics/course.hpp"
 #include "metrics/figures.hpp"
@@ -26,7 +27,8 @@ struct Input {
     bool outlines = true;      // Regions were given
     Course course;
     double seconds = -1;         // print time; below 0: unknown
-    Notes notes;                 // what the stages before said
+    Notes notes;                 // what the stages before dropped or repaired
+    Facts facts;                 // and what they found out
     double claimed_unplaced = 0; // mm2, by the fill's own account
 };
 

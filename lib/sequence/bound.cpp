@@ -12,7 +12,7 @@ Index path_cover(const Graph& g) { return g.size() - matched(maximum_matching(g.
 
 namespace {
 
-constexpr std::size_t kWidth = 256;
+constexpr std::size_t kWidth = 64;
 constexpr std::uint64_t kSlabBudget = 2'000'000;
 
 // A few regions with what holds between them, numbered anew in the same order.

@@ -41,6 +41,7 @@ struct Packing {
     [[nodiscard]] Window lowest_pair() const;
     [[nodiscard]] Window grown(const Window& w) const;
     [[nodiscard]] double size(const Window& w) const;
+    void leave_below(const Window& pair);
     void take(const Window& w);
 };
 
@@ -88,6 +89,21 @@ Window Packing::lowest_pair() const {
             if (top < lowest) lowest = top, best = {{a, b}, {ea, eb}};
         }
     return best;
+}
+
+// Gives up the links below the foot of the lowest-ending pair, its feet raised as far as its heads allow: they could
+// only make windows longer.
+void Packing::leave_below(const Window& pair) {
+    Index foot = kNone;
+    for (const std::size_t i : {0, 1}) {
+        const auto& s = steps.at({pair.column[i], pair.column[1 - i]});
+        const auto it = std::upper_bound(s.begin(), s.end(), pair.end[1 - i], [](Index e, Step x) { return e < x.to; });
+        foot = std::min(foot, layer(pair.column[i], std::prev(it)->from));
+    }
+    for (Index c = 0; c < at.size(); ++c) {
+        const Index lowest = layer(c, 0), highest = static_cast<Index>(columns.member[c].size() - 1);
+        if (foot > lowest) at[c] = std::max(at[c], std::min(highest, foot - lowest));
+    }
 }
 
 // `w` with the one more column that makes it least larger; empty if none fits.
@@ -139,6 +155,7 @@ Index window_bound(const Graph& g, const Columns& columns, const std::vector<Pai
     Packing p{g, columns, {}, {}, {}, {}};
     p.gather(collisions);
     for (Window w = p.lowest_pair(); !w.column.empty() && p.work < kMostWork; w = p.lowest_pair()) {
+        p.leave_below(w);
         Window best = w;
         for (w = p.grown(w); !w.column.empty(); w = p.grown(w))
             if (static_cast<double>(w.column.size() - 1) * p.size(best) >

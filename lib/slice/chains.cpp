@@ -146,7 +146,7 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
     for (;;) {
         const Chain& c = chains[end / 2];
         done[end / 2] = 1;
-        out.lid += c.lid;
+        out.lid += c.lid, out.jumped += c.jumped;
         const double l = length(c);
         if (is_start(end)) {
             for (const Vec2 p : c.points) append(out.points, p);
@@ -158,6 +158,7 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
         const std::uint32_t other = end ^ 1U;
         out.tail = is_start(other) ? c.head : c.tail;
         end = mates[other];
+        if (end != kFree) out.jumped += geom::distance(place(chains, other), place(chains, end));
         closed = end == from;
         if (closed || end == kFree) break;
     }
@@ -169,9 +170,18 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
     return out;
 }
 
-// Joins what `mates` says; closed ones go to `out`, the others are returned.  `turned` and `lid` get what the closed
-// ones have of these.
-std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Loops& out, double& turned, double& lid) {
+// What closing contours came across, mm.
+struct Found {
+    double turned = 0, lid = 0; // of the closed ones
+    double filled = 0;          // length of the contours of cavities that were left out
+    Vec2 where;                 // on one of these
+};
+
+// The contour of a cavity of which more than a tenth is made up says more than the surface does.
+bool guessed_cavity(const Chain& c) { return c.lid + c.jumped > 0.1 * length(c) && polygon::signed_area(c.points) < 0; }
+
+// Joins what `mates` says; closed ones go to `out`, the others are returned.
+std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Loops& out, Found& found) {
     std::vector<Chain> open;
     std::vector<char> done(chains.size(), 0);
     const auto take = [&](std::uint32_t end) {
@@ -181,8 +191,12 @@ std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Lo
             open.push_back(std::move(c));
             return;
         }
-        turned += c.turned, lid += c.lid;
         if (c.points.size() > 1 && c.points.front() == c.points.back()) c.points.pop_back();
+        if (guessed_cavity(c)) {
+            found.filled += length(c) - c.lid - c.jumped, found.where = c.points.front();
+            return;
+        }
+        found.turned += c.turned, found.lid += c.lid;
         if (c.points.size() > 2) out.add(c.points);
     };
     for (std::uint32_t e = 0; e < mates.size(); ++e) // from free ends first, then round what is left: circles
@@ -221,12 +235,12 @@ double length(const Chain& chain) {
 
 double close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& o,
                     std::int64_t layer, Loops& out, Notes& notes) {
-    double turned = 0, lid = 0;
+    Found found;
     const auto tell = [&](const char* what, double amount, Vec2 at) {
         notes.push_back(
             {.stage = "", .what = what, .amount = amount, .unit = "mm", .layer = layer, .x = at.x, .y = at.y});
     };
-    chains = join(chains, mates_on_edges(chains), out, turned, lid);
+    chains = join(chains, mates_on_edges(chains), out, found);
 
     Mates mates(2 * chains.size(), kFree);
     const double widest = std::max(o.close_gaps, kSeam);
@@ -237,28 +251,30 @@ double close_chains(std::vector<Chain> chains, const std::function<std::vector<C
             if (radius >= widest) break;
         }
     note_joints(chains, mates, "gap in a contour closed", layer, notes);
-    chains = join(chains, mates, out, turned, lid);
+    chains = join(chains, mates, out, found);
 
     if (!chains.empty() && o.close_openings > 0) {
         const Vec2 at = chains.front().points.front();
         for (Chain& c : lids()) chains.push_back(std::move(c));
-        chains = join(chains, mates_on_edges(chains), out, turned, lid);
+        chains = join(chains, mates_on_edges(chains), out, found);
         std::erase_if(chains, [](const Chain& c) { return c.lid >= length(c); }); // no contour came to these
-        if (lid > 0) tell("contour led across a hole in the surface", lid, at);
+        if (found.lid > 0) tell("contour led across a hole in the surface", found.lid, at);
     }
     for (std::size_t before = 0; before != chains.size();) { // what is joined is longer, and may bear wider openings
         before = chains.size();
         mates.assign(2 * chains.size(), kFree);
         marry_far(chains, o.close_openings, mates);
         note_joints(chains, mates, "wide opening in a contour closed straight", layer, notes);
-        chains = join(chains, mates, out, turned, lid);
+        chains = join(chains, mates, out, found);
     }
 
     for (const Chain& c : chains)
         if (length(c) > kSeam) tell("open contour left out", length(c), c.points[c.points.size() / 2]);
-    if (turned > 0)
-        tell("piece of contour turned round: its triangles face the wrong way", turned, {std::nan(""), std::nan("")});
-    return turned;
+    if (found.filled > 0) tell("cavity filled whose contour the surface leaves open", found.filled, found.where);
+    if (found.turned > 0)
+        tell("piece of contour turned round: its triangles face the wrong way", found.turned,
+             {std::nan(""), std::nan("")});
+    return found.turned;
 }
 
 } // namespace filum::slice

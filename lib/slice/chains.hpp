@@ -23,6 +23,7 @@ struct Chain {
     EdgeKey head = 0, tail = 0; // the edges on which it begins and ends
     double turned = 0;          // mm of it that run against their triangles' orientation
     double lid = 0;             // mm of it that run over the lids of holes
+    double jumped = 0;          // mm of it that run straight from one end of a contour to another
 };
 
 double length(const Chain& chain);
@@ -31,8 +32,9 @@ double length(const Chain& chain);
 // triangle between them is flipped); ends no farther apart than options.close_gaps, nearest first, one's end to the
 // other's start before anything else; ends on the rim of a hole that has a lid, along `lids`, the lids' own chains at
 // this height; wider openings, end to start, up to options.close_openings of the length of what is joined.
-// Appends the closed ones to `out`, running as most of their length does, and notes what was closed, turned round and
-// left open on `layer`.  Ties: by position in `chains`.  Returns the length that was turned round, mm.
+// A cavity whose contour would be made up to more than a tenth is left out: what the surface leaves open there is
+// filled. Appends the closed ones to `out`, running as most of their length does, and notes what was closed, turned
+// round and left open on `layer`.  Ties: by position in `chains`.  Returns the length that was turned round, mm.
 double close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& options,
                     std::int64_t layer, Loops& out, Notes& notes);
 

@@ -81,11 +81,12 @@ TEST(Bead, PinAddsAPointWithoutMovingTheLine) {
     const double before = area(b);
     const auto n = b.points.size();
     const auto at = *index.nearest({2.7, 1.13});
-    pin(b, at.point);
+    pin(b, at.point, 0.001);
     EXPECT_EQ(b.points.size(), n + 1);
     EXPECT_EQ(b.width.size(), n + 1);
     EXPECT_NEAR(area(b), before, 1e-9);
-    pin(b, at.point);
+    pin(b, {0.01, 0.02}, 0.001);
+    pin(b, at.point, 0.001);
     EXPECT_EQ(b.points.size(), n + 1) << "it is there already";
 }
 

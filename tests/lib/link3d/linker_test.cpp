@@ -289,7 +289,7 @@ TEST(Printed, IgnoresBodiesWithNothingInThem) {
     EXPECT_FALSE(printed.blocks({5, 5, 1}, {6, 6, 1}, 0.5, 0.1, false));
     EXPECT_TRUE(printed.blocks({-1, 0.5, 1}, {2, 0.5, 1}, 0.5, 0.1, false));
     EXPECT_FALSE(printed.blocks({-1, 0.5, 1}, {2, 0.5, 1}, 0.5, 0.1, true));
-    EXPECT_EQ(travel(printed, {5, 5, 1}, {6, 6, 1.5}, {}).size(), 3U);
+    EXPECT_EQ(travel(printed, {50, 50, 1}, {60, 60, 1.5}, {}).size(), 3U);
 }
 
 TEST(Linker, TakesNothingAndOddThings) {

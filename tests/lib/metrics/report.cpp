@@ -75,7 +75,9 @@ TEST(Report, RepeatsWhatStagesSaid) {
     job.input.notes = {{"slice", "gap closed", 0.5, "mm", 2},
                        {"slice", "gap closed", 0.25, "mm", 1},
                        {"fill", "ring not joined", 3, "", 3}};
+    job.input.facts = {{"sequence", "lower-bound", 3, "strokes"}};
     const Figures f = job.figures();
+    EXPECT_EQ(std::get<std::string>(find(f, "sequence: lower-bound")->value), "3 strokes");
     EXPECT_EQ(std::get<std::string>(find(f, "slice: gap closed")->value), "3 cases, 0.75 mm");
     EXPECT_EQ(std::get<std::string>(find(f, "fill: ring not joined")->value), "3 cases");
 }

@@ -1,0 +1,82 @@
+#include "fill/rectilinear.hpp"
+
+#include "fill/contour.hpp"
+#include "fill/inset.hpp"
+#include "fill/rows.hpp"
+#include "polygon/clip.hpp"
+
+#include <algorithm>
+
+namespace filum::fill {
+
+using geom::Vec2;
+using polygon::Loops;
+
+namespace {
+
+// A line is kept where it is this many pitches inside the outline; its ends draw back to half a pitch from an upright
+// outline.  So a line along a flat edge may stand out by a quarter of its width rather than leave a void of up to one.
+constexpr double kInset = 0.25, kTrim = 1 - 2 * kInset;
+constexpr double kGive = 0.15;     // how much wider or narrower than asked a line may be to fit between flat edges
+constexpr double kShortest = 0.25; // pitches; shorter lines are dropped
+
+struct Line {
+    double y, from, to, width;
+    bool laid = false;
+};
+
+// Lays the lines row by row, each next to the one before where they overlap.
+void lay(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve>& out) {
+    for (std::size_t first = 0; first < rows.size(); ++first)
+        for (auto& start : rows[first]) {
+            bool right = true;
+            Line* line = start.laid ? nullptr : &start;
+            for (std::size_t row = first; line != nullptr; right = !right) {
+                line->laid = true;
+                Vec2 a{line->from, line->y}, b{line->to, line->y};
+                if (!right) std::swap(a, b);
+                out.push_back({false, {a, b}, {line->width}});
+                if (++row == rows.size()) break;
+                const auto next = std::find_if(rows[row].begin(), rows[row].end(), [&](const Line& l) {
+                    return !l.laid && l.from < line->to && line->from < l.to;
+                });
+                line = next == rows[row].end() ? nullptr : &*next;
+            }
+        }
+}
+
+// The lines of one connected part, in the frame where they run along x.
+void fill_part(const Loops& part, double bead_width, std::vector<toolpath::Curve>& out) {
+    const auto strips = cuts(part, bead_width, kGive);
+    std::vector<double> y, pitch;
+    for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
+        y.push_back((strips[i] + strips[i + 1]) / 2);
+        pitch.push_back(strips[i + 1] - strips[i]);
+    }
+    const auto stretches = scan(inset(part, kInset * bead_width), y);
+    std::vector<std::vector<Line>> rows(y.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        for (const Stretch s : stretches[i])
+            if (s.to - s.from > (kTrim + kShortest) * bead_width)
+                rows[i].push_back({y[i], s.from + kTrim * bead_width / 2, s.to - kTrim * bead_width / 2, pitch[i]});
+    lay(rows, out);
+}
+
+} // namespace
+
+std::vector<toolpath::Curve> rectilinear(const Loops& region, const RectilinearOptions& o, Notes& notes) {
+    std::vector<toolpath::Curve> out;
+    Loops core = region;
+    if (o.rings > 0) {
+        out = contour(region, {.bead_width = o.bead_width, .rings = o.rings, .fit = false}, notes);
+        core = inset(region, o.rings * o.bead_width);
+    } else {
+        note_unplaced(region, inset(inset(region, o.bead_width / 2), -o.bead_width / 2), o.bead_width, notes);
+    }
+    const std::size_t first = out.size();
+    for (const auto& part : polygon::split(rotated(core, -o.angle)).part) fill_part(part, o.bead_width, out);
+    for (std::size_t i = first; i < out.size(); ++i) rotate(out[i].points, o.angle);
+    return out;
+}
+
+} // namespace filum::fill

@@ -1,0 +1,123 @@
+#include "fill/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace filum::fill {
+
+using geom::Vec2;
+using polygon::Loops;
+
+void rotate(std::vector<Vec2>& points, double angle) {
+    if (angle == 0) return;
+    const Vec2 x{std::cos(angle), std::sin(angle)}, y = geom::left_of(x);
+    for (Vec2& p : points) p = p.x * x + p.y * y;
+}
+
+Loops rotated(const Loops& loops, double angle) {
+    Loops out = loops;
+    rotate(out.points, angle);
+    return out;
+}
+
+std::vector<std::vector<Stretch>> scan(const Loops& area, const std::vector<double>& y) {
+    std::vector<std::vector<double>> cuts(y.size());
+    for (std::size_t i = 0; i < area.size(); ++i) {
+        const auto loop = area[i];
+        for (std::size_t j = 0, k = loop.size() - 1; j < loop.size(); k = j++) {
+            const Vec2 a = loop[k].y < loop[j].y ? loop[k] : loop[j], b = loop[k].y < loop[j].y ? loop[j] : loop[k];
+            for (auto r = std::lower_bound(y.begin(), y.end(), a.y); r != y.end() && *r < b.y; ++r)
+                cuts[static_cast<std::size_t>(r - y.begin())].push_back(a.x + (b.x - a.x) * (*r - a.y) / (b.y - a.y));
+        }
+    }
+    std::vector<std::vector<Stretch>> out(y.size());
+    for (std::size_t r = 0; r < y.size(); ++r) {
+        std::sort(cuts[r].begin(), cuts[r].end());
+        for (std::size_t i = 0; i + 1 < cuts[r].size(); i += 2) out[r].push_back({cuts[r][i], cuts[r][i + 1]});
+    }
+    return out;
+}
+
+namespace {
+
+constexpr int kSteps = 40;       // per strip height
+constexpr double kFlat = 0.25;   // slope from which an edge counts as upright, not flat
+constexpr double kUneven = 0.15; // cost of a strip twice as high as wanted, as a share of its area
+
+// Length of flat outline per step of y; an edge counts the less the steeper it is.
+std::vector<double> flats(const Loops& area, double low, double step, std::size_t count) {
+    std::vector<double> out(count, 0.0);
+    for (std::size_t i = 0; i < area.size(); ++i) {
+        const auto loop = area[i];
+        for (std::size_t j = 0, k = loop.size() - 1; j < loop.size(); k = j++) {
+            const double dx = std::abs(loop[j].x - loop[k].x), dy = std::abs(loop[j].y - loop[k].y);
+            if (dy >= kFlat * dx) continue;
+            const int parts = 1 + static_cast<int>(dy / step);
+            for (int part = 0; part < parts; ++part) {
+                const double y = loop[k].y + (loop[j].y - loop[k].y) * (part + 0.5) / parts;
+                const auto at = static_cast<std::size_t>(std::lround((y - low) / step));
+                out[std::min(at, count - 1)] += dx * (1 - dy / (kFlat * dx)) / parts;
+            }
+        }
+    }
+    return out;
+}
+
+// Cost, for each pair of cuts i < j, of the flat outline between them; from running sums, in constant time.
+struct Misfit {
+    std::vector<double> length, moment; // sums over the steps before i of f and f * i
+
+    explicit Misfit(const std::vector<double>& f) : length(f.size() + 1, 0.0), moment(f.size() + 1, 0.0) {
+        for (std::size_t i = 0; i < f.size(); ++i) {
+            length[i + 1] = length[i] + f[i];
+            moment[i + 1] = moment[i] + f[i] * static_cast<double>(i);
+        }
+    }
+    // Sum of f * steps to the nearer of i and j.
+    [[nodiscard]] double operator()(std::size_t i, std::size_t j) const {
+        const std::size_t m = (i + j + 1) / 2;
+        const double below = moment[m] - moment[i] - static_cast<double>(i) * (length[m] - length[i]);
+        const double above = static_cast<double>(j) * (length[j] - length[m]) - (moment[j] - moment[m]);
+        return below + above;
+    }
+};
+
+} // namespace
+
+std::vector<double> cuts(const Loops& area, double height, double give) {
+    const auto box = polygon::bounds(area);
+    const double extent = box.hi.y - box.lo.y;
+    const double wanted = std::max(1.0, std::round(extent / height));
+    std::vector<double> even;
+    for (int i = 0; i <= static_cast<int>(wanted); ++i) even.push_back(box.lo.y + i * extent / wanted);
+    const double least = (1 - give) * height, most = (1 + give) * height;
+    if (extent / wanted < least || extent / wanted > most) return even;
+
+    const auto steps = static_cast<std::size_t>(std::max(1.0, std::round(extent / (height / kSteps))));
+    const double step = extent / static_cast<double>(steps);
+    const Misfit misfit(flats(area, box.lo.y, step, steps + 1));
+    const auto lo = static_cast<std::size_t>(std::ceil(least / step - 1e-9));
+    const auto hi = static_cast<std::size_t>(std::floor(most / step + 1e-9));
+    const double breadth = polygon::signed_area(area) / extent; // mean length of a line in the area
+    constexpr double never = std::numeric_limits<double>::infinity();
+    std::vector<double> cost(steps + 1, never);
+    std::vector<std::size_t> from(steps + 1, 0);
+    cost[0] = 0;
+    for (std::size_t j = lo; j <= steps; ++j)
+        for (std::size_t h = lo; h <= std::min(hi, j); ++h) {
+            if (cost[j - h] == never) continue;
+            const double off = static_cast<double>(h) * step / height - 1;
+            const double c = cost[j - h] + misfit(j - h, j) * step + kUneven * breadth * height * off * off;
+            if (c < cost[j]) cost[j] = c, from[j] = j - h;
+        }
+    if (cost[steps] == never) return even;
+    std::vector<double> out;
+    for (std::size_t j = steps; j > 0; j = from[j]) out.push_back(box.lo.y + static_cast<double>(j) * step);
+    out.push_back(box.lo.y);
+    std::reverse(out.begin(), out.end());
+    out.back() = box.hi.y;
+    return out;
+}
+
+} // namespace filum::fill

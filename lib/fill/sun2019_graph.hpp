@@ -1,0 +1,33 @@
+// The contour graph of the 2019 paper: contours, their adjacency, and the tree left of it (Figures 3 and 4).
+#pragma once
+
+#include "fill/sun2019.hpp"
+
+namespace filum::fill::sun {
+
+using Ring = std::vector<geom::Vec2>; // closed, counter-clockwise
+
+// The equidistant contours, sampled; the outer one first.
+std::vector<Ring> contours(const polygon::Loops& region, const Sun2019Options& options);
+
+// Two contours and the vertices where they are nearest.
+struct Edge {
+    int a = 0, b = 0; // a < b
+    double distance = 0;
+    std::uint32_t vertex_a = 0, vertex_b = 0;
+};
+
+// All pairs of contours with vertices at most `reach` mm apart.  Order: by a, then b.  Tie between vertices: the first.
+std::vector<Edge> adjacency(const std::vector<Ring>& rings, double reach);
+
+// A node of the tree; its contour has the same index.
+struct Node {
+    int parent = -1;           // -1 at the root of a piece
+    std::uint32_t start = 0;   // vertex nearest the parent
+    std::vector<int> children; // ascending
+};
+
+// Each piece of the graph rid of loops and hung up at its first contour.
+std::vector<Node> tree(std::size_t contours, std::vector<Edge> edges);
+
+} // namespace filum::fill::sun

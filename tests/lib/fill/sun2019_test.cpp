@@ -1,0 +1,151 @@
+#include "fill/sun2019.hpp"
+
+#include "fill/sun2019_graph.hpp"
+#include "pattern_check.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace filum::fill {
+namespace {
+
+using namespace test;
+using sun::Edge;
+
+TEST(Sun2019, AdjacencyIsTheLeastDistanceOfVertices) {
+    for (unsigned seed = 0; seed < 6; ++seed)
+        for (const auto& region : random_regions(seed)) {
+            const auto rings = sun::contours(region, {});
+            const auto edges = sun::adjacency(rings, 0.6);
+            std::size_t next = 0;
+            for (std::size_t a = 0; a < rings.size(); ++a)
+                for (std::size_t b = a + 1; b < rings.size(); ++b) {
+                    double least = 1e300;
+                    for (const Vec2 p : rings[a])
+                        for (const Vec2 q : rings[b]) least = std::min(least, geom::distance(p, q));
+                    if (least > 0.6) continue;
+                    ASSERT_LT(next, edges.size());
+                    EXPECT_EQ(edges[next].a, static_cast<int>(a));
+                    EXPECT_EQ(edges[next].b, static_cast<int>(b));
+                    EXPECT_EQ(edges[next].distance, least);
+                    ++next;
+                }
+            EXPECT_EQ(next, edges.size());
+        }
+}
+
+// The rule as the paper names it: heaviest edges go first, unless the graph would fall apart.
+std::vector<Edge> reverse_delete(std::size_t n, std::vector<Edge> edges) {
+    const auto pieces = [&](const std::vector<Edge>& e) {
+        std::vector<int> label(n);
+        for (std::size_t i = 0; i < n; ++i) label[i] = static_cast<int>(i);
+        for (bool again = true; again;) {
+            again = false;
+            for (const auto& x : e) {
+                int &a = label[static_cast<std::size_t>(x.a)], &b = label[static_cast<std::size_t>(x.b)];
+                if (a != b) a = b = std::min(a, b), again = true;
+            }
+        }
+        std::sort(label.begin(), label.end());
+        return std::unique(label.begin(), label.end()) - label.begin();
+    };
+    std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) {
+        return std::tie(l.distance, l.a, l.b) > std::tie(r.distance, r.a, r.b);
+    });
+    for (std::size_t i = 0; i < edges.size();) {
+        auto fewer = edges;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        if (pieces(fewer) == pieces(edges))
+            edges = std::move(fewer);
+        else
+            ++i;
+    }
+    return edges;
+}
+
+TEST(Sun2019, TreeIsWhatReverseDeleteLeaves) {
+    std::mt19937 random(7);
+    for (int round = 0; round < 40; ++round) {
+        const std::size_t n = 3 + random() % 8;
+        std::vector<Edge> edges;
+        for (int a = 0; a < static_cast<int>(n); ++a)
+            for (int b = a + 1; b < static_cast<int>(n); ++b)
+                if (random() % 3 == 0) edges.push_back({a, b, static_cast<double>(random() % 4), 0, 0}); // with ties
+        std::vector<std::pair<int, int>> kept, expected;
+        const auto nodes = sun::tree(n, edges);
+        for (std::size_t i = 0; i < n; ++i)
+            if (nodes[i].parent >= 0) kept.push_back(std::minmax(nodes[i].parent, static_cast<int>(i)));
+        for (const auto& e : reverse_delete(n, edges)) expected.emplace_back(e.a, e.b);
+        std::sort(kept.begin(), kept.end()), std::sort(expected.begin(), expected.end());
+        EXPECT_EQ(kept, expected);
+    }
+}
+
+TEST(Sun2019, DiscIsOneSpiralWithoutCrossings) {
+    Notes notes;
+    const auto region = disc({0, 0}, 6);
+    const auto curves = sun2019(region, {}, notes);
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_FALSE(curves[0].closed);
+    EXPECT_EQ(crossings(curves), 0U);
+    EXPECT_NEAR(laid(curves) / polygon::signed_area(region), 1, 0.03);
+    // both ends outside, one lane apart
+    EXPECT_LT(distance_to_outline(region, curves[0].points.front()), 0.25);
+    EXPECT_LT(distance_to_outline(region, curves[0].points.back()), 0.65);
+}
+
+TEST(Sun2019, StartsOnTheMainAxis) {
+    Notes notes;
+    const auto along_x = sun2019(rectangle(0, 0, 20, 4), {}, notes).at(0).points.front();
+    EXPECT_GT(along_x.x, 19);
+    EXPECT_NEAR(along_x.y, 2, 0.6);
+    const auto along_y = sun2019(rectangle(0, 0, 4, 20), {}, notes).at(0).points.front();
+    EXPECT_GT(along_y.y, 19);
+    const auto shifted = sun2019(rectangle(0, 0, 20, 4), {.start_shift = 5}, notes).at(0).points.front();
+    EXPECT_GT(geom::distance(along_x, shifted), 3);
+}
+
+TEST(Sun2019, NeckNarrowerThanABeadSplitsIt) { // failure mode F2
+    const auto region =
+        polygon::unite(polygon::unite(disc({-5, 0}, 3), disc({5, 0}, 3)), rectangle(-5, -0.15, 5, 0.15));
+    Notes notes;
+    EXPECT_EQ(sun2019(region, {}, notes).size(), 2U);
+}
+
+TEST(Sun2019, VoidsAtTheMedialAxis) { // failure mode F1: 2.3 beads a side leave 0.6 of one in the middle
+    Notes notes;
+    const auto region = rectangle(0, 0, 40, 2 * 2.3 * 0.4);
+    EXPECT_LT(coverage(region, sun2019(region, {}, notes)), 0.93);
+}
+
+TEST(Sun2019, EveryContourIsInTheCurves) {
+    for (unsigned seed = 0; seed < 20; ++seed)
+        for (const auto& region : random_regions(seed)) {
+            Notes notes;
+            const auto curves = sun2019(region, {}, notes);
+            expect_sound(curves);
+            double rings = 0, links = 0;
+            const auto contours = sun::contours(region, {});
+            for (const auto& c : contours) rings += polygon::perimeter(c);
+            for (const auto& c : curves) links += length_of(c);
+            // each contour gives up about one offset and gets links of a few
+            EXPECT_NEAR(links, rings, 4 * 0.4 * static_cast<double>(contours.size()) + 0.4) << seed;
+        }
+}
+
+TEST(Sun2019, IsRepeatable) {
+    Notes notes;
+    for (const auto& region : random_regions(9))
+        EXPECT_TRUE(same(sun2019(region, {}, notes), sun2019(region, {}, notes)));
+}
+
+TEST(Sun2019, TakesWhateverIsTooSmall) {
+    for (const double size : {0.002, 0.05, 0.3, 0.401, 0.41, 0.79}) {
+        Notes notes;
+        expect_sound(sun2019(rectangle(0, 0, size, size), {}, notes));
+        expect_sound(sun2019(rectangle(0, 0, 10, size), {}, notes));
+    }
+}
+
+} // namespace
+} // namespace filum::fill
