@@ -8,7 +8,19 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kInside = 0.8; // bead widths: farther from all beads of a region is outside it
+constexpr double kInside = 0.8;   // bead widths: farther from all beads of a region is outside it
+constexpr double kCorner = 0.005; // mm: a curve entered so near to a corner is entered at the corner
+
+// A shorter piece before a sharp corner would fold over its neighbours where machine code rounds it.
+Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from) {
+    const Vec2 a = curve.points[place.segment], b = curve.points[(place.segment + 1) % curve.points.size()];
+    const double to_a = geom::distance(place.point, a), to_b = geom::distance(place.point, b);
+    if (std::min(to_a, to_b) >= kCorner) return place;
+    place.t = to_a <= to_b ? 0 : 1;
+    place.point = to_a <= to_b ? a : b;
+    place.distance = geom::distance(place.point, from);
+    return place;
+}
 
 } // namespace
 
@@ -25,7 +37,10 @@ std::optional<Linker::Entry> Linker::nearest_entry(const Waiting& r, Vec2 p, dou
                 for (std::size_t c = 0; c < skip.size(); ++c)
                     skip[c] = skip[c] != 0 || !r.paths.curves[c].closed ? 1 : 0;
         }
-        if (const auto place = r.index.nearest(p, limit, skip)) best = Entry{*place, false}, limit = place->distance;
+        if (const auto place = r.index.nearest(p, limit, skip)) {
+            best = Entry{at_corner(*place, r.paths.curves[place->curve], p), false};
+            limit = place->distance;
+        }
     }
     if (!r.open) return best;
     for (std::uint32_t c = 0; c < r.paths.curves.size(); ++c) {
@@ -147,8 +162,9 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const auto& a, const auto& b) { return a.left < b.left; });
     for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 32); ++i) {
-        const Place place = r.index.place(candidates[i].segment, candidates[i].t, from);
-        if (!r.paths.curves[place.curve].closed) continue;
+        const Place found = r.index.place(candidates[i].segment, candidates[i].t, from);
+        if (!r.paths.curves[found.curve].closed) continue;
+        const Place place = at_corner(found, r.paths.curves[found.curve], from);
         if (leads_free(from, place.point, on ? std::optional(nearest.place.segment) : std::nullopt))
             return {place, false};
     }
