@@ -18,13 +18,48 @@ constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no roo
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
 
+// Whether a bead runs from a to b and back over itself to c: no turn at all, and where it is cut, rounding makes it
+// cross itself.
+bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
+    constexpr double kFlat = 0.002; // mm
+    return dot(b - a, c - b) <= 0 &&
+           (geom::point_segment_distance(b, c, a) < kFlat || geom::point_segment_distance(a, b, c) < kFlat);
+}
+
+// Puts the line on the grid; drops points that fall together and the tips of spikes.
+void tidy(ClosedLine& line) {
+    for (geom::Vec2& p : line.points) p = snapped(p);
+    ClosedLine out;
+    const auto size = [&] { return out.points.size(); };
+    const auto drop = [&] { out.points.pop_back(), out.width.pop_back(); };
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const geom::Vec2 p = line.points[i];
+        while (size() > 1 && spike(out.points[size() - 2], out.points.back(), p)) drop();
+        if (size() > 0 && out.points.back() == p) continue;
+        out.points.push_back(p), out.width.push_back(line.width[i]);
+    }
+    std::size_t first = 0; // the same where the line closes
+    for (bool again = true; again && size() - first > 3;) {
+        again = out.points.back() == out.points[first] ||
+                spike(out.points[size() - 2], out.points.back(), out.points[first]);
+        if (again) {
+            drop();
+        } else if (spike(out.points.back(), out.points[first], out.points[first + 1])) {
+            again = true, ++first;
+        }
+    }
+    if (size() - first < 3) return; // less than a curve: as it was
+    line.points.assign(out.points.begin() + static_cast<std::ptrdiff_t>(first), out.points.end());
+    line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
+}
+
 Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move) {
     const double w = o.bead_width;
     const FirstRings first = first_rings(region, w, tolerance);
     const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
     Spiral out{{}, first.unplaced};
     for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region)) {
-        for (geom::Vec2& p : line.points) p = snapped(p);
+        tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
     return out;

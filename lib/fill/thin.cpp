@@ -15,6 +15,17 @@ namespace {
 constexpr double kReach = 0.4; // bead widths: shorter tips are not followed
 constexpr double kThin = 0.55; // bead widths: walls of a smaller half-thickness are thin; above a half, so that the
                                // rings of thin and fat parts overlap well where they meet
+constexpr double kLeast =
+    0.03; // bead widths: lanes in a thin wall keep twice this apart, if they can: so they do not touch
+constexpr double kHairline = 0.015; // bead widths: tips of a smaller half-thickness have no room for two lanes, which
+                                    // would leave the area there and meet those of a neighbour
+
+// mm: how far from the medial axis the lanes of a thin wall run where its half-thickness is r.  Where a neck leaves no
+// room, they lie in the parts that it joins.
+double lane(double r, double width) {
+    if (r < kHairline * width * (1 - 1e-9)) return kLeast * width;
+    return std::max(r / 2, std::min(kLeast * width, r - kHairline / 3 * width));
+}
 
 int outer_loops(const Loops& a) {
     int n = 0;
@@ -80,6 +91,9 @@ class ThinAxis {
         kept_.assign(axis.a.size(), 0);
         for (const auto k : alive_) kept_[k] = 1;
         for (std::size_t v = 0; v < n; ++v) reach_[v] = axis.radius[v];
+        // 1e-9: where the axis was split the radius is off by rounding; what is a hairline all over is kept
+        hairline_ = kHairline * width * (1 + 1e-9);
+        if (*std::max_element(axis.radius.begin(), axis.radius.end()) <= hairline_) hairline_ = 0;
     }
 
     // Indices of the edges kept, ascending.
@@ -105,7 +119,7 @@ class ThinAxis {
             const std::uint32_t k = *std::find_if(at_[v].begin(), at_[v].end(), [&](auto e) { return kept_[e] != 0; });
             const std::uint32_t u = axis_.a[k] == v ? axis_.b[k] : axis_.a[k];
             const double beyond = reach_[v] + geom::distance(axis_.point[u], axis_.point[v]);
-            if (beyond - axis_.radius[u] > kReach * width_) continue;
+            if (beyond - axis_.radius[u] > kReach * width_ && axis_.radius[u] > hairline_) continue;
             kept_[k] = 0;
             --degree_[u], --degree_[v];
             reach_[u] = std::max(reach_[u], beyond);
@@ -117,6 +131,7 @@ class ThinAxis {
 
     const MedialAxis& axis_;
     double width_;
+    double hairline_ = 0; // mm
     std::vector<std::uint32_t> alive_;
     std::vector<int> degree_;
     std::vector<double> reach_; // per vertex: how far its discs and the twigs cut off there reach
@@ -148,13 +163,13 @@ std::vector<Vec2> hull(Vec2 p, double rp, Vec2 q, double rq, double tolerance) {
     return out;
 }
 
-// The union of `rings` and the hulls over edges, every disc half as large as it can be, but at least `least`.
-Loops with_strips(Loops rings, const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double least,
+// The union of `rings` and the hulls over edges, every disc about half as large as it can be.
+Loops with_strips(Loops rings, const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width,
                   double tolerance) {
     for (const auto k : edges) {
         const auto a = axis.a[k], b = axis.b[k];
-        rings.add(hull(axis.point[a], std::max(least, axis.radius[a] / 2), axis.point[b],
-                       std::max(least, axis.radius[b] / 2), tolerance));
+        rings.add(
+            hull(axis.point[a], lane(axis.radius[a], width), axis.point[b], lane(axis.radius[b], width), tolerance));
     }
     return polygon::unite(rings);
 }
@@ -178,13 +193,14 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     const bool connected = outer_loops(out.rings) == outer_loops(area);
     if (connected && !reaches_beyond(area, out.rings, (0.5 + kReach) * width)) return out;
 
-    const double least = 0.03 * width; // lanes must not touch
+    const double least = kLeast * width;
     MedialAxis axis = split_at(medial_axis(polygon::simplify(area, 2 * tolerance), width / 4), kThin * width);
+    for (const double r : {2 * kLeast, kLeast, kHairline}) axis = split_at(axis, r * width); // where lane() bends
     if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
     if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
     const auto edges = ThinAxis(axis, width).edges();
     if (edges.empty()) return out.rings.empty() ? round_fattest(area, axis, least, tolerance) : out;
-    out.rings = polygon::simplify(with_strips(std::move(out.rings), axis, edges, least, tolerance), tolerance);
+    out.rings = polygon::simplify(with_strips(std::move(out.rings), axis, edges, width, tolerance), tolerance);
     out.unplaced = std::max(0.0, out.unplaced - wall_area(axis, edges));
     return out;
 }

@@ -16,7 +16,8 @@ struct FirstRings {
 // the local half-thickness where it is thinner: there the ring runs up one side and down the other, two lanes of half
 // the wall each.  Formally the outline of the union of the discs about the medial axis points x with radius max(r(x) -
 // width/2, r(x)/2), which is connected if `area` is, and has as many holes. Corners and tips that reach less than 0.4
-// width beyond the discs next to them are left to the rounding of the bead.
+// width beyond the discs next to them are left to the rounding of the bead, and what is thinner than 0.03 width of a
+// tip is left out.
 FirstRings first_rings(const Loops& area, double width, double tolerance);
 
 } // namespace filum::fill
