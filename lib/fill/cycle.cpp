@@ -97,6 +97,11 @@ class Joiner {
             const auto found = candidates(samples);
             for (const double half : {0.5, 0.3, 0.17}) accept(found, half);
         }
+        if (forest_.groups() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
+            stay_inside_ = false;
+            const auto found = candidates(1024);
+            for (const double half : {0.3, 0.17, 0.05}) accept(found, half);
+        }
         return trace();
     }
 
@@ -180,7 +185,8 @@ class Joiner {
             if (geom::distance(l.a, l.b) > kLongestLink * width_) return false;
             // not quite to the ends, which lie on rings
             if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
-            if (outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
+            if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; }))
+                return false;
             for (const auto& m : links_)
                 if (geom::segment_distance(l.a, l.b, m.a, m.b) < 0.1 * width_) return false;
         }
@@ -279,6 +285,7 @@ class Joiner {
     std::vector<geom::Segment> outline_;
     geom::SegmentGrid outline_grid_;
     double width_;
+    bool stay_inside_ = true;
     Forest forest_;
     Windows windows_;
     std::vector<Bridge> bridges_;

@@ -84,13 +84,13 @@ std::optional<Place> RingGraph::hit(Vec2 p, Vec2 d, std::uint32_t ring, double r
 
 double RingGraph::turning(std::uint32_t ring, double s0, double s1) const {
     const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
-    double turned = 0, s = wrapped(ring, s0);
-    const double end = s + (s1 - s0);
-    for (std::uint32_t i = segment_at(ring, s) - first; s_[first + i] <= end || i < n; i = i + 1) {
+    const double s = wrapped(ring, s0), end = s + (s1 - s0);
+    double turned = 0;
+    for (std::uint32_t i = segment_at(ring, s) - first; i <= 2 * n; ++i) {
         const std::uint32_t here = first + i % n, next = first + (i + 1) % n;
         const double corner =
             s_[here] + geom::distance(segments_[here].a, segments_[here].b) + (i >= n ? length_[ring] : 0);
-        if (corner >= end || i > 2 * n) break;
+        if (corner >= end) break;
         const Vec2 u = segments_[here].b - segments_[here].a, v = segments_[next].b - segments_[next].a;
         turned += std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
     }

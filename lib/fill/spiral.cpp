@@ -15,13 +15,18 @@ constexpr double kOverlap = 1.0 / 512;
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
 constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
 
+// To the micrometre, which machines are told: what does not cross here does not cross there.
+geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
+
 Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move) {
     const double w = o.bead_width;
     const FirstRings first = first_rings(region, w, tolerance);
     const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
     Spiral out{{}, first.unplaced};
-    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region))
+    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region)) {
+        for (geom::Vec2& p : line.points) p = snapped(p);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+    }
     return out;
 }
 

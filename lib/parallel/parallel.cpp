@@ -7,6 +7,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <vector>
 
@@ -75,9 +76,11 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
         while (Item item = source()) sink(work(std::move(item)));
         return;
     }
-    bool last = false; // only the source touches it
+    bool last = false;              // only the source touches it
+    std::atomic<bool> stop = false; // set by the sink; the pipeline then runs dry, since cancelled items would leak
+    std::exception_ptr failed;      // only the sink touches it
     const auto from_source = [&](tbb::flow_control& flow) -> Slot {
-        Slot slot = last ? Slot{} : guarded(source);
+        Slot slot = last || stop ? Slot{} : guarded(source);
         if (slot.failed)
             last = true;
         else if (!slot.item)
@@ -85,11 +88,12 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
         return slot;
     };
     const auto at_work = [&](Slot slot) -> Slot {
-        return slot.failed ? slot : guarded([&] { return work(std::move(slot.item)); });
+        return slot.failed || stop ? slot : guarded([&] { return work(std::move(slot.item)); });
     };
     const auto to_sink = [&](Slot slot) {
-        if (slot.failed) std::rethrow_exception(slot.failed);
-        sink(std::move(slot.item));
+        if (stop) return;
+        failed = slot.failed ? slot.failed : guarded([&] { return sink(std::move(slot.item)), Item(); }).failed;
+        stop = failed != nullptr;
     };
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     tbb::task_arena arena(count);
@@ -100,6 +104,7 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
                                    tbb::make_filter<Slot, Slot>(tbb::filter_mode::parallel, at_work) &
                                    tbb::make_filter<Slot, void>(kInOrder, to_sink));
     });
+    if (failed) std::rethrow_exception(failed);
 }
 
 } // namespace detail
