@@ -1,6 +1,7 @@
 #include "fill/spacing.hpp"
 
 #include "fill/ring_samples.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,19 +30,11 @@ struct Share {
     [[nodiscard]] double widen() const { return lanes == 0 ? 0 : error / lanes - thinner; }
 };
 
-std::vector<Segment> outline(const Loops& loops) {
-    std::vector<Segment> out;
-    for (std::size_t r = 0; r < loops.size(); ++r)
-        for (std::size_t i = 0; i < loops[r].size(); ++i)
-            out.push_back({loops[r][i], loops[r][(i + 1) % loops[r].size()]});
-    return out;
-}
-
 class Spacing {
   public:
     Spacing(const Rings& rings, const Loops& boundary, double width, int lanes)
-        : samples_(rings, 0.75 * width, 1.5 * width), edges_(outline(boundary)), edge_grid_(edges_, 1.5 * width),
-          width_(width), lanes_(lanes) {}
+        : samples_(rings, 0.75 * width, 1.5 * width), edges_(polygon::segments(boundary)),
+          edge_grid_(edges_, 1.5 * width), width_(width), lanes_(lanes) {}
 
     // Rings that keep so close to the medial axis that the ring around them does better alone.
     [[nodiscard]] std::vector<char> slivers() const {

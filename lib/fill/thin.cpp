@@ -3,6 +3,7 @@
 #include "fill/medial_axis.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -25,10 +26,7 @@ int outer_loops(const Loops& a) {
 
 // Whether some corner of the area lies farther than `far` from every ring: what sticks out farthest is a corner.
 bool reaches_beyond(const Loops& area, const Loops& rings, double far) {
-    std::vector<geom::Segment> segments;
-    for (std::size_t r = 0; r < rings.size(); ++r)
-        for (std::size_t i = 0; i < rings[r].size(); ++i)
-            segments.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()]});
+    const auto segments = polygon::segments(rings);
     const geom::SegmentGrid grid(segments, far);
     return std::any_of(area.points.begin(), area.points.end(), [&](Vec2 p) {
         bool near = false;
