@@ -35,7 +35,9 @@ cli::Spec spec(fill::Options& o) {
         .options = {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
                     Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
                     Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
-                    Option{"min-width", &o.min_width, "MM", "narrower beads of a spiral are reported"}.at_least(0),
+                    Option{"min-width", &o.min_width, "MM",
+                           "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
+                        .at_least(0),
                     Option{"angles", &o.angles_deg, "DEG,...",
                            "angles of straight rows from the x axis, layer after layer, over and over"},
                     Option{
