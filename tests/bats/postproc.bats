@@ -53,8 +53,8 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
     cp part.stl elsewhere/other.stl
     (cd elsewhere && slice other.stl | regions | sequence | fill | link3d | postproc --machine marlin -o ../b.gcode)
     cmp a.gcode b.gcode
-    head -n 12 a.gcode | grep -q '^; - slice --layer-height=0.2'
-    head -n 12 a.gcode | grep -q '^; - postproc --machine=marlin (profile [0-9a-f]\{16\}) --place=center'
+    head -n 40 a.gcode | grep -q '^; - slice --layer-height=0.2'
+    head -n 40 a.gcode | grep -q '^; - postproc --machine=marlin (profile [0-9a-f]\{16\}) --place=center'
     absent "$BATS_FILE_TMPDIR\|other.stl" b.gcode
 }
 
