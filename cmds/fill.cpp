@@ -12,17 +12,19 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Lays bead lines into each connected region and hands it on, in the order it came. The default pattern is a "
-    "spiral: "
-    "one closed curve per region that never crosses itself. Nested rings follow the outline at one bead width; where a "
-    "wall is no multiple of it, the rings next to its middle share the difference; where a wall is thinner than a "
-    "bead, "
-    "two narrower lanes run along it, there and back. Neighbouring rings are then joined along a spanning tree, each "
-    "pair by two short links across facing gaps.\n\n"
+    "spiral: one closed curve per region that never crosses itself. Nested rings follow the outline at one bead width; "
+    "where a wall is no multiple of it, the rings next to its middle share the difference; where a wall is thinner "
+    "than a bead, two narrower lanes run along it, there and back. Neighbouring rings are then joined along a spanning "
+    "tree, each pair by two short links across facing gaps. With --method sun2019 the spiral is built as in the 2019 "
+    "paper, unrepaired, to compare.\n\n"
+    "zigzag and spiral+zigzag (rings outside, rows inside) also give one closed curve per region. contour and "
+    "contour+zigzag leave the rings apart; rectilinear lays separate lines, like an ordinary slicer.\n\n"
     "Every bead carries its width, point by point: width times layer height times length is what the machine will "
     "extrude. Whatever no bead reaches (corners, tips) is summed in each region's frame as unplaced area; beads "
     "narrower than --min-width are laid all the same and reported.";
 
 cli::Spec spec(fill::Options& o) {
+    using cli::Option;
     return {
         .name = "fill",
         .synopsis = "bead lines that fill each region",
@@ -30,12 +32,25 @@ cli::Spec spec(fill::Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::paths),
         .memory = "one region per thread",
-        .options = {cli::Option{"pattern", &o.pattern, "", "how to fill"}.one_of({"spiral"}),
-                    cli::Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
-                    cli::Option{"min-width", &o.min_width, "MM", "beads narrower than this are reported"}.at_least(0)},
+        .options = {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
+                    Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
+                    Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
+                    Option{"min-width", &o.min_width, "MM",
+                           "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
+                        .at_least(0),
+                    Option{"angles", &o.angles_deg, "DEG,...",
+                           "angles of straight rows from the x axis, layer after layer, over and over"},
+                    Option{
+                        "rings", &o.rings, "N",
+                        "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
+                        .at_least(-1)
+                        .at_most(1e6),
+                    Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
+                        .at_least(1)
+                        .at_most(4)},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
-                     {"slice part.stl | regions | sequence | fill --bead-width 0.8 > part.paths",
-                      "the same with a wide nozzle"}},
+                     {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
+                      "rows, turned by 90 degrees from layer to layer"}},
         .see_also = {"sequence", "link3d", "metrics"}};
 }
 

@@ -10,7 +10,7 @@ struct Fact {
     std::string stage; // the program that says it
     std::string name;  // lower case, words joined by '-': "strokes", "lower-bound"
     double value = 0;
-    std::string unit;  // "mm", "strokes"; empty for a pure number
+    std::string unit; // "mm", "strokes"; empty for a pure number
 };
 
 using Facts = std::vector<Fact>;

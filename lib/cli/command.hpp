@@ -59,8 +59,8 @@ class Progress {
     bool active_ = false;
 };
 
-// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass through;
-// `work` adds its own notes.  Writes the end frame only if the input's was read.
+// Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass
+// through; `work` adds its own notes.  Writes the end frame only if the input's was read.
 using MapWork = std::function<std::vector<stream::RawFrame>(stream::RawFrame, Notes&)>;
 void map_stage(const Io& io, stream::Payload reads, stream::Payload writes, const MapWork& work);
 

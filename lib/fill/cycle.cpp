@@ -1,6 +1,7 @@
 #include "fill/cycle.hpp"
 
 #include "fill/ring_graph.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -87,7 +88,7 @@ ClosedLine without_specks(const ClosedLine& line, double least) {
 class Joiner {
   public:
     Joiner(const BeadRings& rings, double width, const Loops& outline)
-        : graph_(rings, 1.5 * width), outline_(segments_of(outline)), outline_grid_(outline_, 1.5 * width),
+        : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
           width_(width), forest_(graph_.size()), windows_(graph_) {}
 
     std::vector<ClosedLine> run() {
@@ -270,14 +271,6 @@ class Joiner {
         std::stable_sort(out.begin(), out.end(), [](const ClosedLine& a, const ClosedLine& b) {
             return polygon::perimeter(a.points) > polygon::perimeter(b.points);
         });
-        return out;
-    }
-
-    static std::vector<geom::Segment> segments_of(const Loops& loops) {
-        std::vector<geom::Segment> out;
-        for (std::size_t r = 0; r < loops.size(); ++r)
-            for (std::size_t i = 0; i < loops[r].size(); ++i)
-                out.push_back({loops[r][i], loops[r][(i + 1) % loops[r].size()]});
         return out;
     }
 

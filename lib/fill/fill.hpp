@@ -6,20 +6,27 @@
 #include "toolpath/path.hpp"
 
 #include <string>
+#include <vector>
 
 namespace filum::fill {
 
+// The names that Options::pattern takes.
+inline const std::vector<std::string> kPatterns = {"spiral",        "contour",        "zigzag",
+                                                   "spiral+zigzag", "contour+zigzag", "rectilinear"};
+
 struct Options {
-    std::string pattern = "spiral"; // spiral, contour, zigzag, rectilinear
-    std::string method = "cyc";     // of the spiral: cyc, sun2019
-    double bead_width = 0.4;        // mm
-    double min_width = 0.1;         // mm: narrower beads are reported
-    double angle_deg = 0;           // of zigzag and rectilinear lines from the x axis
-    std::int64_t rings = 0;         // contour: at most this many (0: all); rectilinear: rings along the outline
-    double threshold = 1.5;         // sun2019: adjacency, in bead widths
+    std::string pattern = "spiral";       // one of kPatterns
+    std::string method = "cyc";           // of the spiral: cyc, or sun2019 for the paper's own construction
+    double bead_width = 0.4;              // mm
+    double min_width = 0.1;               // mm: narrower beads of the spiral are reported
+    std::vector<double> angles_deg = {0}; // of straight lines from the x axis: layer after layer, over and over
+    std::int64_t rings = -1; // along the outline: of contour at most this many, of the hybrids and rectilinear exactly;
+                             // -1: the pattern's own number (all, 2, 0)
+    double threshold = 1.5;  // sun2019: bead widths within which contours are adjacent
 };
 
-// What fills `region`, with the region's own data handed on.  Ties and errors as the pattern's own header says.
+// What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,
+// zigzag and spiral+zigzag give one closed curve.  Throws Error(usage) for a pattern or method that does not exist.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
 
 } // namespace filum::fill

@@ -1,23 +1,12 @@
 #include "fill/ring_graph.hpp"
 
+#include "polygon/segments.hpp"
+
 namespace filum::fill {
 
-namespace {
-
-std::vector<geom::Segment> segments_of(const Loops& rings) {
-    std::vector<geom::Segment> out;
-    out.reserve(rings.points.size());
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-        const auto loop = rings[r];
-        for (std::size_t i = 0; i < loop.size(); ++i) out.push_back({loop[i], loop[i + 1 == loop.size() ? 0 : i + 1]});
-    }
-    return out;
-}
-
-} // namespace
-
 RingGraph::RingGraph(const BeadRings& beads, double cell)
-    : segments_(segments_of(beads.loops)), start_(beads.loops.start), width_(beads.width), grid_(segments_, cell) {
+    : segments_(polygon::segments(beads.loops)), start_(beads.loops.start), width_(beads.width),
+      grid_(segments_, cell) {
     const Loops& rings = beads.loops;
     ring_of_.resize(segments_.size());
     s_.resize(segments_.size());

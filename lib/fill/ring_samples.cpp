@@ -1,5 +1,7 @@
 #include "fill/ring_samples.hpp"
 
+#include "polygon/segments.hpp"
+
 #include <algorithm>
 
 namespace filum::fill {
@@ -21,19 +23,10 @@ Rings resampled(const Rings& in, double step) {
     return out;
 }
 
-std::vector<geom::Segment> segments_of(const Loops& loops) {
-    std::vector<geom::Segment> out;
-    out.reserve(loops.points.size());
-    for (std::size_t r = 0; r < loops.size(); ++r)
-        for (std::size_t i = 0; i < loops[r].size(); ++i)
-            out.push_back({loops[r][i], loops[r][i + 1 == loops[r].size() ? 0 : i + 1]});
-    return out;
-}
-
 } // namespace
 
 RingSamples::RingSamples(const Rings& rings, double step, double cell)
-    : rings_(resampled(rings, step)), segments_(segments_of(rings_.loops)), grid_(segments_, cell) {
+    : rings_(resampled(rings, step)), segments_(polygon::segments(rings_.loops)), grid_(segments_, cell) {
     const Loops& loops = rings_.loops;
     const std::size_t n = loops.points.size();
     ring_.resize(n), next_.resize(n), before_.resize(n), s_.resize(n);

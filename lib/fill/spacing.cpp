@@ -1,6 +1,7 @@
 #include "fill/spacing.hpp"
 
 #include "fill/ring_samples.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,19 +30,11 @@ struct Share {
     [[nodiscard]] double widen() const { return lanes == 0 ? 0 : error / lanes - thinner; }
 };
 
-std::vector<Segment> outline(const Loops& loops) {
-    std::vector<Segment> out;
-    for (std::size_t r = 0; r < loops.size(); ++r)
-        for (std::size_t i = 0; i < loops[r].size(); ++i)
-            out.push_back({loops[r][i], loops[r][(i + 1) % loops[r].size()]});
-    return out;
-}
-
 class Spacing {
   public:
     Spacing(const Rings& rings, const Loops& boundary, double width, int lanes)
-        : samples_(rings, 0.75 * width, 1.5 * width), edges_(outline(boundary)), edge_grid_(edges_, 1.5 * width),
-          width_(width), lanes_(lanes) {}
+        : samples_(rings, 0.75 * width, 1.5 * width), edges_(polygon::segments(boundary)),
+          edge_grid_(edges_, 1.5 * width), width_(width), lanes_(lanes) {}
 
     // Rings that keep so close to the medial axis that the ring around them does better alone.
     [[nodiscard]] std::vector<char> slivers() const {
@@ -90,16 +83,23 @@ class Spacing {
         measure_outside(i, n);
         if (n.mitre == 0 || n.mitre > 1.5) return {}; // a sharp corner faces nothing in particular
         const auto hit = samples_.hit(i, n.inward, kAcross * width_);
-        if (!hit) return {};
+        if (!hit) return end_of_wall(i);
         if (samples_.level(hit->segment) > samples_.level(i)) return known_[i] = 1, of_child(*hit);
         const Normal there = samples_.side(hit->segment);
-        if (geom::dot(n.inward, there.inward) > kOpposite) return {}; // the end of a wall, not its other side
+        if (geom::dot(n.inward, there.inward) > kOpposite) return end_of_wall(i);
         const double half_gap = std::min(hit->distance / 2, 1.1 * width_);
-        if (samples_.inner_radius(i, n.inward, half_gap, kBlind * width_) < 0.8 * half_gap) return {}; // likewise
+        if (samples_.inner_radius(i, n.inward, half_gap, kBlind * width_) < 0.8 * half_gap) return end_of_wall(i);
         known_[i] = 1;
         if (thin(i)) return {0, 0, 1, width_ - outside_[i] - half_gap};
         const int lanes = std::min(lanes_, samples_.level(i) + 1);
         return {half_gap - outside_[i], 0, lanes, 0};
+    }
+
+    // A sample that faces no other side: a ring inside another keeps its distance from that one there; what to do on
+    // level 0, the neighbours know.
+    Share end_of_wall(std::uint32_t i) {
+        known_[i] = samples_.level(i) > 0 ? 1 : 0;
+        return {};
     }
 
     // How far outwards the space of a bead on level 0 goes: half a width, or to the outline where that is nearer.

@@ -3,6 +3,7 @@
 #include "fill/medial_axis.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -15,8 +16,9 @@ namespace {
 constexpr double kReach = 0.4; // bead widths: shorter tips are not followed
 constexpr double kThin = 0.55; // bead widths: walls of a smaller half-thickness are thin; above a half, so that the
                                // rings of thin and fat parts overlap well where they meet
+constexpr double kFat = 0.95;  // bead widths: from here on a depth of half a bead is as good
 constexpr double kLeast =
-    0.03; // bead widths: lanes in a thin wall keep twice this apart, if they can: so they do not touch
+    0.03; // bead widths: half of what the lanes in a thin wall keep between them, so as not to touch
 constexpr double kHairline = 0.015; // bead widths: tips of a smaller half-thickness have no room for two lanes, which
                                     // would leave the area there and meet those of a neighbour
 
@@ -35,10 +37,7 @@ int outer_loops(const Loops& a) {
 
 // Whether some corner of the area lies farther than `far` from every ring: what sticks out farthest is a corner.
 bool reaches_beyond(const Loops& area, const Loops& rings, double far) {
-    std::vector<geom::Segment> segments;
-    for (std::size_t r = 0; r < rings.size(); ++r)
-        for (std::size_t i = 0; i < rings[r].size(); ++i)
-            segments.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()]});
+    const auto segments = polygon::segments(rings);
     const geom::SegmentGrid grid(segments, far);
     return std::any_of(area.points.begin(), area.points.end(), [&](Vec2 p) {
         bool near = false;
@@ -99,8 +98,9 @@ class ThinAxis {
     // Indices of the edges kept, ascending.
     std::vector<std::uint32_t> edges() {
         prune();
+        ease_in();
         std::vector<std::uint32_t> out;
-        for (const auto k : alive_)
+        for (std::uint32_t k = 0; k < kept_.size(); ++k)
             if (kept_[k]) out.push_back(k);
         return out;
     }
@@ -124,6 +124,30 @@ class ThinAxis {
             --degree_[u], --degree_[v];
             reach_[u] = std::max(reach_[u], beyond);
             if (leaf(u)) leaves.emplace(reach_[u], u);
+        }
+    }
+    // From where thin walls end on into the fat part, as long as the wall gets thicker: there half the thickness and
+    // half a bead's depth come to the same, and the ring has no notch.
+    void ease_in() {
+        std::vector<std::vector<std::uint32_t>> rising(axis_.point.size()); // per vertex: edges to thicker places
+        for (std::uint32_t k = 0; k < axis_.a.size(); ++k) {
+            const auto a = axis_.a[k], b = axis_.b[k];
+            const double low = std::min(axis_.radius[a], axis_.radius[b]),
+                         high = std::max(axis_.radius[a], axis_.radius[b]);
+            if (low >= kThin * width_ && high <= kFat * width_)
+                rising[axis_.radius[a] <= axis_.radius[b] ? a : b].push_back(k);
+        }
+        std::vector<std::uint32_t> todo;
+        for (const auto k : alive_)
+            if (kept_[k]) todo.push_back(axis_.a[k]), todo.push_back(axis_.b[k]);
+        while (!todo.empty()) {
+            const std::uint32_t v = todo.back();
+            todo.pop_back();
+            for (const auto k : rising[v]) {
+                if (kept_[k]) continue;
+                kept_[k] = 1;
+                todo.push_back(axis_.a[k] == v ? axis_.b[k] : axis_.a[k]);
+            }
         }
     }
     // A dead end that does not lie in a fat part.
@@ -194,8 +218,9 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     if (connected && !reaches_beyond(area, out.rings, (0.5 + kReach) * width)) return out;
 
     const double least = kLeast * width;
-    MedialAxis axis = split_at(medial_axis(polygon::simplify(area, 2 * tolerance), width / 4), kThin * width);
-    for (const double r : {2 * kLeast, kLeast, kHairline}) axis = split_at(axis, r * width); // where lane() bends
+    MedialAxis axis = medial_axis(polygon::simplify(area, 2 * tolerance), width / 4);
+    for (const double r : {kThin, kFat, 2 * kLeast, kLeast, kHairline}) // where the lanes' distance bends
+        axis = split_at(axis, r * width);
     if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
     if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
     const auto edges = ThinAxis(axis, width).edges();

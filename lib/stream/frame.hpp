@@ -17,7 +17,16 @@ enum class Payload : std::uint8_t { unknown = 0, layers = 1, regions = 2, paths 
 std::string_view name(Payload p);
 
 // A frame's type: the field number of Frame's oneof.
-enum class Tag : std::uint32_t { header = 1, end = 2, note = 3, fact = 4, layer = 8, region = 9, paths = 10, span = 11 };
+enum class Tag : std::uint32_t {
+    header = 1,
+    end = 2,
+    note = 3,
+    fact = 4,
+    layer = 8,
+    region = 9,
+    paths = 10,
+    span = 11
+};
 
 // The only payload tag that a stream of this kind holds.
 Tag tag_of(Payload p);

@@ -1,23 +1,11 @@
 #!/usr/bin/env bats
 # render from the outside: every stream, PNG and SVG, faults.
 
+load common
+
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
-    # a box of 20 x 10 x 1 mm, as binary STL: corner i at x = bit 0, y = bit 1, z = bit 2
-    local zero='\0\0\0\0' one='\0\0\x80\x3f' ten='\0\0\x20\x41' twenty='\0\0\xa0\x41' i x y z count=0
-    {
-        printf '%80s' box
-        printf '\14\0\0\0'
-        for i in 0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5; do
-            [ $((++count % 3)) -ne 1 ] || printf "$zero$zero$zero"
-            x=$zero y=$zero z=$zero
-            [ $((i & 1)) -eq 0 ] || x=$twenty
-            [ $((i & 2)) -eq 0 ] || y=$ten
-            [ $((i & 4)) -eq 0 ] || z=$one
-            printf "$x$y$z"
-            [ $((count % 3)) -ne 0 ] || printf '\0\0'
-        done
-    } > part.stl
+    flat_box_stl > part.stl
     slice part.stl | regions > part.regions
     sequence part.regions | fill > part.paths
     link3d part.paths > part.toolpath
