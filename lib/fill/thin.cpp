@@ -219,8 +219,7 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
 
     const double least = kLeast * width;
     MedialAxis axis = medial_axis(polygon::simplify(area, 2 * tolerance), width / 4);
-    for (const double r : {kThin, kFat, 2 * kLeast, kLeast, kHairline}) // where the lanes' distance bends
-        axis = split_at(axis, r * width);
+    for (const double r : {kThin, kFat, kHairline}) axis = split_at(axis, r * width);
     if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
     if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
     const auto edges = ThinAxis(axis, width).edges();
