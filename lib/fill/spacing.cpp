@@ -229,6 +229,8 @@ class Spacing {
     // All samples strictly between a and b lie on their chord, in place and in width.
     [[nodiscard]] bool straight(std::uint32_t a, std::uint32_t b, double tolerance) const {
         if (b - a > 200) return false; // bounds the work on long straight rings
+        // machines lay a segment in one width: it must not differ much between the ends
+        if (std::abs(widen_[a] - widen_[b]) > 0.08 * width_) return false;
         const Vec2 p = result_[a], q = result_[b];
         for (std::uint32_t i = a + 1; i < b; ++i) {
             const double t = geom::nearest_parameter(p, q, result_[i]);

@@ -38,6 +38,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 }
 
 @test "a frame longer than it is costs no memory" {
+    [ -z "${FILUM_SANITIZED:-}" ] || skip "AddressSanitizer reserves more address space than the limit here"
     (head -c 15 Layers; printf '\377\377\377\37\12\377\377\377\37') > long
     expect '3|4' bash -c 'ulimit -v 4000000; peek --check long'
     (head -c 15 Layers; printf '\377\377\377\377\377\377\377\377\377\177') > long
