@@ -1,5 +1,6 @@
 #include "fill/spiral.hpp"
 
+#include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
 #include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
@@ -99,6 +100,12 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
+// With noses into what the beads leave open; should the result cross itself, without.
+void absorb_voids(const Loops& region, const SpiralOptions& o, Spiral& spiral) {
+    auto curves = absorb::absorb(region, spiral.curves, {.bead_width = o.bead_width});
+    if (count_crossings(curves, o.bead_width) == 0) spiral.curves = std::move(curves);
+}
+
 } // namespace
 
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
@@ -131,7 +138,9 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     Spiral out;
     for (const Try t : {Try{1.0 / 128, true}, Try{1.0 / 1024, true}, Try{1.0 / 1024, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move);
-        if (count_crossings(out.curves, o.bead_width) == 0) break;
+        if (count_crossings(out.curves, o.bead_width) > 0) continue;
+        absorb_voids(region, o, out);
+        break;
     }
     report(out, o, notes);
     return out;
