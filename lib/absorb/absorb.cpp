@@ -1,6 +1,8 @@
 #include "absorb/absorb.hpp"
 
+#include "absorb/cracks.hpp"
 #include "absorb/nose.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,7 @@ namespace filum::absorb {
 
 namespace {
 
+constexpr double kUsual = 1.25;                     // of the mean width: beads are hardly wider
 constexpr double kPixel = 1.0 / 16;                 // bead widths
 constexpr int kCore = 896, kMargin = 64, kRim = 10; // pixels: tiles lap over each other by what an edit can reach
 constexpr int kRounds = 3;
@@ -23,22 +26,35 @@ constexpr double kClear = 0.02;                                            // be
 class Absorber {
   public:
     Absorber(const polygon::Loops& region, const std::vector<toolpath::Curve>& curves, const Options& o)
-        : region_(region), chain_(curves), width_(o.bead_width), box_(polygon::bounds(region)) {
+        : region_(region), chain_(curves), width_(std::min(o.bead_width, kUsual * mean_width())),
+          box_(polygon::bounds(region)) {
         const Vec2 size = box_.hi - box_.lo;
-        pixel_ = std::min(kPixel * width_, std::max(std::max(size.x, size.y) / 48, 1e-3));
+        pixel_ = std::min(kPixel * width_, std::max(size.x, size.y) / 48);
+        pixel_ = std::max({pixel_, kPixel / 8 * o.bead_width, 1e-3});
     }
 
     std::vector<toolpath::Curve> run() {
         const double core = kCore * pixel_;
-        const int nx = std::max(1, static_cast<int>(std::ceil((box_.hi.x - box_.lo.x) / core)));
-        const int ny = std::max(1, static_cast<int>(std::ceil((box_.hi.y - box_.lo.y) / core)));
-        spread(nx, ny);
-        for (int y = 0; y < ny; ++y)
-            for (int x = 0; x < nx; ++x) tile(x, y, nx);
+        columns_ = std::max(1, static_cast<int>(std::ceil((box_.hi.x - box_.lo.x) / core)));
+        rows_ = std::max(1, static_cast<int>(std::ceil((box_.hi.y - box_.lo.y) / core)));
+        spread();
+        for (int y = 0; y < rows_; ++y)
+            for (int x = 0; x < columns_; ++x) tile(x, y);
         return chain_.curves();
     }
 
   private:
+    // Of the beads, by length: much less than the usual width where all walls are thin.
+    [[nodiscard]] double mean_width() const {
+        double length = 0, laid = 0;
+        for (std::uint32_t i = 0; i < chain_.size(); ++i) {
+            const Bead b = chain_.bead(i);
+            const double l = geom::distance(b.a, b.b);
+            length += l, laid += l * b.width;
+        }
+        return length > 0 ? laid / length : 1;
+    }
+
     // A tile's own part, and as much around it as an edit can reach, or as beads can stick out of the region.
     struct Place {
         Box2 own, all;
@@ -53,32 +69,38 @@ class Absorber {
         return p;
     }
 
-    // The original segments of every tile.
-    void spread(int nx, int ny) {
-        of_tile_.resize(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
-        const double core = kCore * pixel_, margin = (kMargin + 32) * pixel_;
-        const auto cell = [&](double v, int n) {
-            return static_cast<int>(std::clamp(std::floor(v / core), 0.0, n - 1.0));
-        };
+    [[nodiscard]] int cell(double v, int n) const {
+        return static_cast<int>(std::clamp(std::floor(v / (kCore * pixel_)), 0.0, n - 1.0));
+    }
+
+    // The segments of the curves near every tile, and the edges of the region on the level of every row of tiles.
+    void spread() {
+        const auto nx = static_cast<std::size_t>(columns_);
+        of_tile_.resize(nx * static_cast<std::size_t>(rows_)), of_row_.resize(static_cast<std::size_t>(rows_));
+        const double margin = (kMargin + 32) * pixel_;
         for (std::uint32_t i = 0; i < chain_.size(); ++i) {
             const Bead b = chain_.bead(i);
-            const int x0 = cell(std::min(b.a.x, b.b.x) - margin - box_.lo.x, nx),
-                      x1 = cell(std::max(b.a.x, b.b.x) + margin - box_.lo.x, nx);
-            const int y0 = cell(std::min(b.a.y, b.b.y) - margin - box_.lo.y, ny),
-                      y1 = cell(std::max(b.a.y, b.b.y) + margin - box_.lo.y, ny);
-            for (int y = y0; y <= y1; ++y)
-                for (int x = x0; x <= x1; ++x)
-                    of_tile_[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)]
-                        .push_back(i);
+            const Vec2 lo = Vec2{std::min(b.a.x, b.b.x) - margin, std::min(b.a.y, b.b.y) - margin} - box_.lo;
+            const Vec2 hi = Vec2{std::max(b.a.x, b.b.x) + margin, std::max(b.a.y, b.b.y) + margin} - box_.lo;
+            for (int y = cell(lo.y, rows_); y <= cell(hi.y, rows_); ++y)
+                for (int x = cell(lo.x, columns_); x <= cell(hi.x, columns_); ++x)
+                    of_tile_[static_cast<std::size_t>(y) * nx + static_cast<std::size_t>(x)].push_back(i);
+        }
+        for (const geom::Segment& e : polygon::segments(region_)) {
+            const int y0 = cell(std::min(e.a.y, e.b.y) - margin - box_.lo.y, rows_);
+            const int y1 = cell(std::max(e.a.y, e.b.y) + margin - box_.lo.y, rows_);
+            for (int y = y0; y <= y1; ++y) of_row_[static_cast<std::size_t>(y)].push_back(e);
         }
     }
 
-    void tile(int x, int y, int nx) {
+    void tile(int x, int y) {
+        const auto& segments =
+            of_tile_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+        if (segments.empty()) return;
         const Place p = place(x, y);
-        Tile tile(region_, p.all, pixel_);
+        Tile tile(of_row_[static_cast<std::size_t>(y)], p.all, pixel_);
         Near near(chain_, p.all, std::max(width_, 16 * pixel_));
-        for (const std::uint32_t original :
-             of_tile_[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)])
+        for (const std::uint32_t original : segments)
             chain_.pieces(original, [&](std::uint32_t i) { tile.add(chain_.bead(i), 1), near.add(i); });
         const Pixel lo = tile.at(p.own.lo), hi = tile.at(p.own.hi);
         const auto inside = static_cast<double>(tile.count(lo, hi).inside);
@@ -86,6 +108,7 @@ class Absorber {
         search.width = width_;
         rounds(tile, near, lo, hi, kGood * inside, search);
         if (static_cast<double>(tile.count(lo, hi).empty) < kPoor * inside) return;
+        close_cracks(tile, chain_, near, segments, width_);
         search.thorough = true, search.prices.twice = kLowPrice;
         rounds(tile, near, lo, hi, kFair * inside, search);
     }
@@ -132,7 +155,9 @@ class Absorber {
     double width_;
     Box2 box_;
     double pixel_ = 0;
+    int columns_ = 1, rows_ = 1; // of tiles
     std::vector<std::vector<std::uint32_t>> of_tile_;
+    std::vector<std::vector<geom::Segment>> of_row_;
 };
 
 } // namespace

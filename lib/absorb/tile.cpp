@@ -34,11 +34,11 @@ std::uint64_t high_bits(std::uint64_t bytes) { return (((bytes & each(0x80)) >> 
 
 } // namespace
 
-Tile::Tile(const Loops& region, const Box2& box, double pixel)
+Tile::Tile(std::span<const geom::Segment> edges, const Box2& box, double pixel)
     : origin_(box.lo), pixel_(pixel), width_(up(((box.hi.x - box.lo.x) / pixel)) + 1),
       height_(up(((box.hi.y - box.lo.y) / pixel)) + 1),
       value_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0) {
-    mark_inside(region);
+    mark_inside(edges);
 }
 
 Pixel Tile::at(Vec2 p) const {
@@ -47,20 +47,17 @@ Pixel Tile::at(Vec2 p) const {
 }
 
 // Every edge flips the pixels to its right; what is flipped an odd number of times is inside.
-void Tile::mark_inside(const Loops& region) {
-    for (std::size_t l = 0; l < region.size(); ++l) {
-        const auto loop = region[l];
-        for (std::size_t i = 0, k = loop.size() - 1; i < loop.size(); k = i++) {
-            Vec2 a = loop[k], b = loop[i];
-            if (a.y > b.y) std::swap(a, b);
-            const int y0 = std::max(0, up(((a.y - origin_.y) / pixel_ - 0.5)));
-            const int y1 = std::min(height_ - 1, up(((b.y - origin_.y) / pixel_ - 0.5)) - 1);
-            for (int y = y0; y <= y1; ++y) {
-                const double cy = origin_.y + (y + 0.5) * pixel_;
-                const double x = a.x + (b.x - a.x) * ((cy - a.y) / (b.y - a.y));
-                const int from = std::max(0, up(((x - origin_.x) / pixel_ - 0.5)));
-                if (from < width_) value_[index({from, y})] ^= kInside;
-            }
+void Tile::mark_inside(std::span<const geom::Segment> edges) {
+    for (const auto& edge : edges) {
+        Vec2 a = edge.a, b = edge.b;
+        if (a.y > b.y) std::swap(a, b);
+        const int y0 = std::max(0, up((a.y - origin_.y) / pixel_ - 0.5));
+        const int y1 = std::min(height_ - 1, up((b.y - origin_.y) / pixel_ - 0.5) - 1);
+        for (int y = y0; y <= y1; ++y) {
+            const double cy = origin_.y + (y + 0.5) * pixel_;
+            const double x = a.x + (b.x - a.x) * ((cy - a.y) / (b.y - a.y));
+            const int from = std::max(0, up((x - origin_.x) / pixel_ - 0.5));
+            if (from < width_) value_[index({from, y})] ^= kInside;
         }
     }
     for (int y = 0; y < height_; ++y) {

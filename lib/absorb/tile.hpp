@@ -1,7 +1,7 @@
 // A square part of the plane in pixels: what belongs to the region, and how many beads cover it.
 #pragma once
 
-#include "polygon/loops.hpp"
+#include "geom/segment_grid.hpp"
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,6 @@ namespace filum::absorb {
 
 using geom::Box2;
 using geom::Vec2;
-using polygon::Loops;
 
 // A straight bead with round ends.
 struct Bead {
@@ -31,8 +30,9 @@ struct Mask {
 
 class Tile {
   public:
-    // Covers `box` with pixels of side `pixel`; a pixel is the region's if its centre is.
-    Tile(const Loops& region, const Box2& box, double pixel);
+    // Covers `box` with pixels of side `pixel`; a pixel is the region's if its centre lies within `edges` by the
+    // even-odd rule: all edges of the region on the level of the box, or all of them.
+    Tile(std::span<const geom::Segment> edges, const Box2& box, double pixel);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
@@ -41,6 +41,10 @@ class Tile {
         return {origin_.x + (p.x + 0.5) * pixel_, origin_.y + (p.y + 0.5) * pixel_};
     }
     [[nodiscard]] Pixel at(Vec2 p) const; // the nearest pixel of the tile
+    [[nodiscard]] bool holds(Vec2 p) const {
+        const Vec2 d = p - origin_;
+        return d.x >= 0 && d.y >= 0 && d.x < width_ * pixel_ && d.y < height_ * pixel_;
+    }
     [[nodiscard]] std::size_t index(Pixel p) const {
         return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(p.x);
     }
@@ -71,7 +75,7 @@ class Tile {
     void paint(const Bead& bead, Pixel lo, Pixel hi, int times);
     template <class F>
     void rows(const Bead& bead, Pixel lo, Pixel hi, F&& f) const;
-    void mark_inside(const Loops& region);
+    void mark_inside(std::span<const geom::Segment> edges);
 
     Vec2 origin_;
     double pixel_;

@@ -2,6 +2,7 @@
 
 #include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
+#include "fill/speck.hpp"
 #include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
 
@@ -136,6 +137,13 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
         bool move;
     };
     Spiral out;
+    if (is_speck(region, o.bead_width)) {
+        ClosedLine line = speck_loop(region);
+        tidy(line);
+        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+        report(out, o, notes);
+        return out;
+    }
     for (const Try t : {Try{1.0 / 128, true}, Try{1.0 / 1024, true}, Try{1.0 / 1024, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move);
         if (count_crossings(out.curves, o.bead_width) > 0) continue;
