@@ -20,6 +20,7 @@ constexpr double kPoor = 0.0095;  // if more is, the search is thorough,
 constexpr double kFair = 0.007;   // until no more than this is
 constexpr double kLowPrice = 0.1; // and laying twice is cheaper then
 constexpr double kEnough = 0.5;   // share of a void: a course that gains so much is taken
+constexpr double kWorth = 0.0;    // share of a void: a course that gains less only spoils the place for better ones
 constexpr std::size_t kLeastVoid = 8, kLeastThorough = 3, kMostVoid = 600; // pixels
 constexpr double kClear = 0.02;                                            // bead widths
 
@@ -141,6 +142,8 @@ class Absorber {
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const Course& a, const Course& b) { return a.score > b.score; });
+        const double least = search.thorough ? 0 : kWorth * static_cast<double>(v.pixels.size());
+        std::erase_if(found, [&](const Course& c) { return c.score < least; });
         if (found.size() > 8) found.resize(8);
         for (const Course& c : found) {
             if (!clear(chain_, near, c, kClear * width_)) continue;

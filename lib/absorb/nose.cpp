@@ -128,7 +128,7 @@ void noses(const Tile& tile, const Chain& chain, const Root& root, const Void& v
     Shoulders s;
     for (const Shape& shape : shapes(root, search.thorough)) {
         const Knot tip{snapped(geom::lerp(root.at, shape.far ? far : deep, shape.way)), shape.width * root.width};
-        if (tip.width < narrowest || !tile.inside(tile.at(tip.at))) continue;
+        if (tip.width < narrowest || !tile.well_inside(tip.at)) continue;
         if (shape.reach != reach) s = shoulders(chain, root, shape.reach * root.width, scores), reach = shape.reach;
         c.knots = s.left;
         c.knots.push_back(tip);
@@ -162,9 +162,11 @@ void blades(const Tile& tile, const Chain& chain, const Root& root, const Search
             const double x = a.way(w, n * w), y = end.way(w, n * w);
             if (x < step || y < step) continue;
             for (const auto& [s, t] : {std::pair{1.0, 1.0}, std::pair{1.0, 0.0}, std::pair{0.0, 1.0}}) {
+                const Vec2 u = snapped(p.at + x * a.outwards), v = snapped(q.at + y * out_b);
+                if ((s > 0 && !tile.well_inside(u)) || (t > 0 && !tile.well_inside(v))) continue;
                 c.knots = {p, {snapped(p.at + step * a.outwards), n * w}};
-                if (s > 0) c.knots.push_back({snapped(p.at + (s * x) * a.outwards), n * w});
-                if (t > 0) c.knots.push_back({snapped(q.at + (t * y) * out_b), n * w});
+                if (s > 0) c.knots.push_back({u, n * w});
+                if (t > 0) c.knots.push_back({v, n * w});
                 c.knots.push_back({snapped(q.at + step * out_b), n * w}), c.knots.push_back(q);
                 if (c.knots.size() >= c.nodes.size()) keep(scores, c, out);
                 if (search.done(out)) return;
@@ -182,7 +184,7 @@ void ears(const Tile& tile, const Chain& chain, const Root& root, const Search& 
     for (const double n : {0.15, 0.25, 0.35, 0.5})
         for (const double apart : {0.0, 0.1, 0.2, 0.3}) {
             const double x = corner.way(w, n * w);
-            if (x < 2 * step) continue;
+            if (x < 2 * step || !tile.well_inside(p.at + x * corner.outwards)) continue;
             const Vec2 l = p.at - (std::max(step, apart * w)) * corner.in,
                        r = p.at + (std::max(step, apart * w)) * corner.on;
             Course c{root.from, root.to, {*root.vertex}, {}, 0};

@@ -46,6 +46,13 @@ Pixel Tile::at(Vec2 p) const {
             std::clamp(down(((p.y - origin_.y) / pixel_)), 0, height_ - 1)};
 }
 
+bool Tile::well_inside(Vec2 p) const {
+    const Pixel c = at(p);
+    if (!holds(p) || c.x == 0 || c.y == 0 || c.x + 1 == width_ || c.y + 1 == height_) return false;
+    return inside(c) && inside({c.x + 1, c.y}) && inside({c.x - 1, c.y}) && inside({c.x, c.y + 1}) &&
+           inside({c.x, c.y - 1});
+}
+
 // Every edge flips the pixels to its right; what is flipped an odd number of times is inside.
 void Tile::mark_inside(std::span<const geom::Segment> edges) {
     for (const auto& edge : edges) {

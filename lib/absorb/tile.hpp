@@ -49,6 +49,7 @@ class Tile {
         return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(p.x);
     }
     [[nodiscard]] bool inside(Pixel p) const { return (value_[index(p)] & kInside) != 0; }
+    [[nodiscard]] bool well_inside(Vec2 p) const; // its pixel, and those beside, above and below
     [[nodiscard]] bool empty(Pixel p) const { return (value_[index(p)] & kSeenMask) == kInside; } // region, no bead
     [[nodiscard]] bool seen(Pixel p) const { return (value_[index(p)] & kSeen) != 0; }
     void see(Pixel p) { value_[index(p)] |= kSeen; }

@@ -42,7 +42,7 @@ ClosedLine speck_loop(const Loops& region) {
     const Rectangle r = smallest(region[0]);
     const double lane = std::max(r.breadth, kBreadth) / 2, length = std::max(r.length, kBreadth);
     const Vec2 x = (length / 2 - lane / 2) * r.along, y = (lane / 2) * geom::left_of(r.along);
-    const double width = 1.25 * lane; // the round ends of lanes leave the corners of a rectangle bare, rounding more
+    const double width = 1.35 * lane; // the round ends of lanes leave the corners of a rectangle bare, rounding more
     return {{r.centre - x - y, r.centre + x - y, r.centre + x + y, r.centre - x + y}, {width, width, width, width}};
 }
 
