@@ -147,7 +147,7 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     for (const Try t : {Try{1.0 / 128, true}, Try{1.0 / 1024, true}, Try{1.0 / 1024, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move);
         if (count_crossings(out.curves, o.bead_width) > 0) continue;
-        absorb_voids(region, o, out);
+        if (o.absorb) absorb_voids(region, o, out);
         break;
     }
     report(out, o, notes);

@@ -12,6 +12,7 @@ namespace filum::fill {
 struct SpiralOptions {
     double bead_width = 0.4; // mm
     double min_width = 0.1;  // mm: beads narrower than this are reported
+    bool absorb = true;      // whether voids beside corners and turns are reached into
     int lanes = 2;           // rings on each side of the medial axis that share a wall's odd thickness
 };
 
@@ -22,8 +23,9 @@ struct Spiral {
 
 // Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls
 // whose thickness is no multiple of it, thin walls followed by two lanes of half the wall each, all joined to one
-// curve. The result is checked: should it cross itself, it is made again with finer outlines, at last without moving
-// rings. Notes: beads below min_width (mm of length), rings that could not be joined (count).
+// curve; then voids absorbed (lib/absorb).  Specks get a loop in the rectangle about them.  The result is checked:
+// should it cross itself, it is made again with finer outlines, at last without moving rings. Notes: beads below
+// min_width (mm of length), rings that could not be joined (count).
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
 // Pairs of segments of closed curves that properly cross.
