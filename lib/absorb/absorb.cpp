@@ -2,6 +2,7 @@
 
 #include "absorb/cracks.hpp"
 #include "absorb/nose.hpp"
+#include "absorb/turn.hpp"
 #include "polygon/segments.hpp"
 
 #include <algorithm>
@@ -14,18 +15,29 @@ namespace {
 constexpr double kUsual = 1.25;                     // of the mean width: beads are hardly wider
 constexpr double kLarge = 300;                      // bead widths squared: regions that one void matters little to,
 constexpr double kSmall = 150;                      // and much
+constexpr double kTiny = 80;                        // and most
+constexpr double kDot = 3;                          // bead widths squared: of no weight in any box
+constexpr double kSharp = 1.2;                      // rad
 constexpr double kCoarse = 1.0 / 9;                 // bead widths: their pixels
 constexpr double kPixel = 1.0 / 16;                 // bead widths
 constexpr int kCore = 896, kMargin = 64, kRim = 10; // pixels: tiles lap over each other by what an edit can reach
 constexpr int kRounds = 3;
 constexpr double kGood = 0.0015;  // share of the area: if no more is uncovered, that is enough
 constexpr double kPoor = 0.0095;  // if more is, the search is thorough,
-constexpr double kFair = 0.007;   // until no more than this is
+constexpr double kFair = 0.005;   // until no more than this is
 constexpr double kLowPrice = 0.1; // and laying twice is cheaper then
 constexpr double kEnough = 0.5;   // share of a void: a course that gains so much is taken
 constexpr double kWorth = 0.0;    // share of a void: a course that gains less only spoils the place for better ones
 constexpr std::size_t kLeastVoid = 8, kLeastLarge = 3, kLeastThorough = 3, kMostVoid = 600; // pixels
 constexpr double kClear = 0.02;                                                             // bead widths
+
+bool has_corner(std::span<const Vec2> loop) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 u = loop[i] - loop[i == 0 ? loop.size() - 1 : i - 1], v = loop[(i + 1) % loop.size()] - loop[i];
+        if (std::atan2(geom::cross(u, v), geom::dot(u, v)) > kSharp) return true;
+    }
+    return false;
+}
 
 class Absorber {
   public:
@@ -34,7 +46,10 @@ class Absorber {
           box_(polygon::bounds(region)) {
         const Vec2 size = box_.hi - box_.lo;
         const double area = polygon::signed_area(region) / (width_ * width_);
-        large_ = area > kLarge, small_ = area < kSmall;
+        large_ = area > kLarge, small_ = area < kSmall,
+        dot_ = area * width_ * width_ < kDot * o.bead_width * o.bead_width;
+        tiny_ = area < kTiny && has_corner(region[0]);
+        for (std::uint32_t i = 0; i < chain_.size(); ++i) course_.add(chain_.point(i));
         pixel_ = std::min((large_ ? kCoarse : kPixel) * width_, std::max(size.x, size.y) / 48);
         pixel_ = std::max({pixel_, kPixel / 8 * o.bead_width, 1e-3});
     }
@@ -134,6 +149,18 @@ class Absorber {
         }
     }
 
+    // Whether a course leaves the box about the curves: programs are placed and compared by that box, and noses on one
+    // side would shift the part.  Only in small regions with corners, where these matter most, corners may.
+    [[nodiscard]] bool sticks_out(const Course& c) const {
+        if (dot_) return false;
+        const bool out = std::any_of(c.knots.begin(), c.knots.end(), [&](const Knot& k) {
+            return k.at.x < course_.lo.x || k.at.y < course_.lo.y || k.at.x > course_.hi.x || k.at.y > course_.hi.y;
+        });
+        if (!out || !tiny_) return out;
+        return std::none_of(c.nodes.begin(), c.nodes.end(),
+                            [&](std::uint32_t i) { return std::abs(turn(chain_, i)) > kSharp; });
+    }
+
     // Pixels gained.
     double reach(Tile& tile, Near& near, const Void& v, Search& search) {
         if (!tile.empty(v.deepest)) return 0; // covered meanwhile
@@ -149,7 +176,7 @@ class Absorber {
         std::stable_sort(found.begin(), found.end(),
                          [](const Course& a, const Course& b) { return a.score > b.score; });
         const double least = search.thorough ? 0 : kWorth * static_cast<double>(v.pixels.size());
-        std::erase_if(found, [&](const Course& c) { return c.score < least; });
+        std::erase_if(found, [&](const Course& c) { return c.score < least || sticks_out(c); });
         if (found.size() > 8) found.resize(8);
         for (const Course& c : found) {
             if (!clear(chain_, near, c, kClear * width_)) continue;
@@ -164,7 +191,8 @@ class Absorber {
     double width_;
     Box2 box_;
     double pixel_ = 0;
-    bool large_ = false, small_ = false;
+    Box2 course_; // about the nodes, before
+    bool large_ = false, small_ = false, tiny_ = false, dot_ = false;
     int columns_ = 1, rows_ = 1; // of tiles
     std::vector<std::vector<std::uint32_t>> of_tile_;
     std::vector<std::vector<geom::Segment>> of_row_;

@@ -38,7 +38,7 @@ std::vector<Shape> grid(std::span<const double> reaches, std::span<const double>
 }
 
 std::span<const Shape> shapes(const Root& root, const Search& search) {
-    static const std::vector<Shape> all = grid(std::array{0.25, 0.5, 0.8}, std::array{0.1, 0.2, 0.35, 0.5, 0.65, 0.8});
+    static const std::vector<Shape> all = grid(std::array{0.25, 0.5, 0.8}, std::array{0.1, 0.2, 0.35, 0.5});
     if (search.thorough && search.small) return all;
     return root.vertex ? std::span<const Shape>(kAtCorner) : std::span<const Shape>(kAtSide);
 }
