@@ -2,16 +2,13 @@
 #pragma once
 
 #include "fill/spacing.hpp"
+#include "fill/splices.hpp"
 
 #include <vector>
 
 namespace filum::fill {
 
-// One closed bead: its last point runs on to its first.
-struct ClosedLine {
-    std::vector<Vec2> points;
-    std::vector<double> width; // mm, per point
-};
+using ClosedLine = BeadLine; // its last point runs on to its first
 
 // Joins rings along a spanning tree.  Where two rings face each other, both give up a short window of about one bead
 // width and two links close the gap, so two closed curves become one (Lemma 1: exchange).  Windows never overlap and
@@ -22,6 +19,7 @@ struct ClosedLine {
 //
 // Returns one curve if all rings could be joined, else one per connected group, the longest first.
 // Ties: better facing first, then the lower ring, then the earlier place on it.
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {});
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {},
+                                   bool spirals = false);
 
 } // namespace filum::fill

@@ -45,6 +45,9 @@ class RingGraph {
     // Where the ray from p along d (unit) first meets `ring`, within `reach`.
     [[nodiscard]] std::optional<Place> hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const;
 
+    // The first place on any ring that the ray from p along d (unit) meets at least `from` and at most `reach` away.
+    [[nodiscard]] std::optional<Place> first_hit(Vec2 p, Vec2 d, double from, double reach) const;
+
     // True if the open segment p-q crosses any ring.
     [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const {
         return grid_.crosses(p, q, segments_, [](std::uint32_t) { return true; });

@@ -53,12 +53,13 @@ void tidy(ClosedLine& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move) {
+Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind) {
     const double w = o.bead_width;
     const FirstRings first = first_rings(region, w, tolerance);
     const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
     Spiral out{{}, first.unplaced};
-    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region)) {
+    for (ClosedLine& line :
+         join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
@@ -126,11 +127,12 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     struct Try {
         double tolerance; // bead widths
-        bool move;
+        bool move, wind;
     };
     Spiral out;
-    for (const Try t : {Try{1.0 / 128, true}, Try{1.0 / 1024, true}, Try{1.0 / 1024, false}}) {
-        out = attempt(region, o, t.tolerance * o.bead_width, t.move);
+    for (const Try t : {Try{1.0 / 128, true, true}, Try{1.0 / 128, true, false}, Try{1.0 / 1024, true, false},
+                        Try{1.0 / 1024, false, false}}) {
+        out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind);
         if (count_crossings(out.curves, o.bead_width) == 0) break;
     }
     report(out, o, notes);
