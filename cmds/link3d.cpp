@@ -13,7 +13,9 @@ using namespace filum;
 struct Options {
     double reach = link3d::Options{}.reach;
     std::int64_t look_ahead = link3d::Options{}.look_ahead;
-    std::string connect = "break", seam = "nearest";
+    std::string connect = "break", seam = "nearest", interlace = "none";
+    std::int64_t seed = 1;
+    bool alternate_direction = link3d::Options{}.alternate_direction;
 };
 
 cli::Spec spec(Options& o) {
@@ -43,24 +45,36 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the regions it looks ahead",
-        .options = {cli::Option{"reach", &o.reach, "WIDTHS",
-                                "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
-                                "only what touches"}
-                        .at_least(0)
-                        .at_most(10),
-                    cli::Option{"look-ahead", &o.look_ahead, "REGIONS",
-                                "how many regions are read before one is printed"}
-                        .at_least(1)
-                        .at_most(1000),
-                    cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
-                        {"break", "outside"}),
-                    cli::Option{"seam", &o.seam, "",
-                                "where a stroke begins: nearest to the one before, or inside the part"}
-                        .one_of({"nearest", "inside"})},
+        .options =
+            {cli::Option{"reach", &o.reach, "WIDTHS",
+                         "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
+                         "only what touches"}
+                 .at_least(0)
+                 .at_most(10),
+             cli::Option{"look-ahead", &o.look_ahead, "REGIONS", "how many regions are read before one is printed"}
+                 .at_least(1)
+                 .at_most(1000),
+             cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
+                 {"break", "outside"}),
+             cli::Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}
+                 .one_of({"nearest", "inside"}),
+             cli::Option{"interlace", &o.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
+                 {"none", "alternate", "golden", "random"}),
+             cli::Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
+             cli::Option{"alternate-direction", &o.alternate_direction, "",
+                         "every second layer runs the other way round (the default; =false for none)"}},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
                       "with connectors around the part instead of stops"}},
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
+}
+
+link3d::Interlace interlace(const std::string& name) {
+    using link3d::Interlace;
+    return name == "alternate" ? Interlace::alternate
+           : name == "golden"  ? Interlace::golden
+           : name == "random"  ? Interlace::random
+                               : Interlace::none;
 }
 
 void run(const Options& o, const cli::Io& io) {
@@ -69,6 +83,9 @@ void run(const Options& o, const cli::Io& io) {
     options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
     options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
     options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
+    options.interlace = interlace(o.interlace);
+    options.seed = static_cast<std::uint64_t>(o.seed);
+    options.alternate_direction = o.alternate_direction;
     link3d::Linker linker(options);
     const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
     cli::scan_stage(
