@@ -99,24 +99,30 @@ class Joiner {
     // Double spirals wherever three rings or more that are still apart run side by side.  From the outside in, so that
     // most begin at an outline and end at a centre.
     void wind() {
+        std::vector<char> wound(graph_.size(), 0);
         for (std::uint32_t r = 0; r < graph_.size() && forest_.groups() > 1; ++r) {
-            if (wound_.size() < graph_.size()) wound_.resize(graph_.size(), 0);
-            if (wound_[r]) continue;
-            if (const auto strip = best_strip(r)) {
-                splices_.add(double_spiral(graph_, *strip, width_));
-                for (const std::uint32_t k : strip->ring) forest_.unite(strip->ring[0], k), wound_[k] = 1;
-            }
+            if (wound[r]) continue;
+            const auto splice = best_spiral(r);
+            if (!splice) continue;
+            for (const Window& w : splice->windows) forest_.unite(r, w.ring), wound[w.ring] = 1;
+            for (const Link& l : splice->links) links_.push_back({rim(*splice, l.from), rim(*splice, l.to)});
+            splices_.add(*splice);
         }
     }
 
-    // The strip of most lanes across ring r among a few places.
-    [[nodiscard]] std::optional<Strip> best_strip(std::uint32_t r) {
+    [[nodiscard]] Vec2 rim(const Splice& splice, Rim r) const {
+        const Window& w = splice.windows[r.window];
+        return graph_.at(w.ring, r.end ? w.s1 : w.s0);
+    }
+
+    // The one of most lanes across ring r among a few places.
+    [[nodiscard]] std::optional<Splice> best_spiral(std::uint32_t r) {
         const double l = graph_.length(r);
-        const auto n = static_cast<int>(std::clamp(l / (4 * width_), 1.0, kPlaces));
+        const auto n = static_cast<int>(std::clamp(l / (2 * width_), 1.0, kPlaces));
         std::vector<Lanes> found;
         for (int k = 0; k < n; ++k) {
             std::vector<std::uint32_t> roots{forest_.root(r)};
-            found.push_back(lanes_across(graph_, r, l * (k + 0.5) / n, width_, [&](std::uint32_t other) {
+            found.push_back(lanes_across(graph_, r, l * (k + 0.5) / n, k % 2 == 0, width_, [&](std::uint32_t other) {
                 const std::uint32_t root = forest_.root(other);
                 if (std::find(roots.begin(), roots.end(), root) != roots.end()) return false;
                 roots.push_back(root);
@@ -124,16 +130,26 @@ class Joiner {
             }));
         }
         std::stable_sort(found.begin(), found.end(),
-                         [](const Lanes& a, const Lanes& b) { return a.place.size() > b.place.size(); });
-        std::optional<Strip> best;
-        const auto free = [&](const Window& w) { return splices_.free(w.ring, w.s0 - width_, w.s1 + width_); };
-        for (std::size_t k = 0; k < std::min(found.size(), kTries); ++k)
-            for (const double length : {8.0, 5.0}) {
-                if (found[k].place.size() < 3 || (best && best->ring.size() + 1 >= found[k].place.size())) break;
-                auto strip = strip_along(graph_, found[k], length * width_, width_, free);
-                if (strip && (!best || strip->ring.size() > best->ring.size())) best = std::move(strip);
-            }
+                         [](const Lanes& a, const Lanes& b) { return a.lane.size() > b.lane.size(); });
+        const Room room{[&](std::uint32_t ring, double s0, double s1) { return splices_.free(ring, s0, s1); },
+                        [&](Vec2 a, Vec2 b) {
+                            return clear({a, b});
+                        }};
+        std::optional<Splice> best;
+        for (std::size_t k = 0; k < std::min(found.size(), kTries); ++k) {
+            if (best && best->windows.size() >= found[k].lane.size()) break;
+            auto splice = double_spiral(graph_, found[k], width_, room);
+            if (splice && (!best || splice->windows.size() > best->windows.size())) best = std::move(splice);
+        }
         return best;
+    }
+
+    // Whether neither the outline nor a link is in the way of this one.
+    [[nodiscard]] bool clear(const geom::Segment& l) const {
+        if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
+        return std::all_of(links_.begin(), links_.end(), [&](const geom::Segment& m) {
+            return geom::segment_distance(l.a, l.b, m.a, m.b) >= 0.1 * width_;
+        });
     }
 
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
@@ -214,10 +230,7 @@ class Joiner {
             if (geom::distance(l.a, l.b) > kLongestLink * width_) return false;
             // not quite to the ends, which lie on rings
             if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
-            if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; }))
-                return false;
-            for (const auto& m : links_)
-                if (geom::segment_distance(l.a, l.b, m.a, m.b) < 0.1 * width_) return false;
+            if (!clear(l)) return false;
         }
         return true;
     }
@@ -235,7 +248,6 @@ class Joiner {
     bool stay_inside_ = true;
     Forest forest_;
     Splices splices_;
-    std::vector<char> wound_;
     std::vector<geom::Segment> links_;
 };
 

@@ -1,277 +1,253 @@
 #include "fill/double_spiral.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace filum::fill {
 
 namespace {
 
 // All in bead widths unless said otherwise.
-constexpr double kChord = 1.5;              // half the chord that tells a ring's direction
-constexpr double kFarLane = 1.6;            // neighbouring lanes are nearer
-constexpr double kNearLane = 0.4;           // and not nearer than this
-constexpr double kRungs = 0.75;             // between rungs
-constexpr double kStep = 0.4;               // between the points of a bend
-constexpr double kTip = 0.9;                // the two lanes squeezed out turn where they share this
-constexpr double kCloseUp = 1.0;            // way along which the others close up behind the turn
-constexpr int kSharing = 3;                 // lanes that close up
-constexpr double kLeast = 0.3, kMost = 2.5; // advance of a lane from rung to rung, of the lane's that was asked for
+constexpr double kBend = std::numbers::pi / 3;    // rad
+constexpr double kChord = 0.8;                    // half the chord that tells a ring's direction
+constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
+constexpr double kParallel = 0.85;                // cosine between neighbouring lanes, at least
+constexpr double kTurn = 0.5;                     // the two lanes that turn do so this far behind the line
+constexpr double kMargin = 0.5;                   // of ring between windows
+constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
+constexpr double kLean = 0.6;                     // the first of them by so much
+constexpr double kWidest = 1.4;                   // gap that a bend is widened for
+constexpr double kApart = 0.65;                   // links are at least
 
-// Unit, to the left of the ring at s; nothing where it bends too much to tell.
-std::optional<Vec2> across(const RingGraph& graph, std::uint32_t ring, double s, double width) {
+struct Direction {
+    Vec2 along, left; // unit
+};
+
+// Of the ring at s; nothing where it bends too much to tell.
+std::optional<Direction> direction(const RingGraph& graph, std::uint32_t ring, double s, double width) {
     const double half = std::min(kChord * width, graph.length(ring) / 8);
     const Vec2 chord = graph.at(ring, s + half) - graph.at(ring, s - half);
     const double l = geom::norm(chord);
-    if (l < 1.6 * half) return std::nullopt;
-    return (1 / l) * geom::left_of(chord);
+    if (l < 1.9 * half) return std::nullopt;
+    return Direction{(1 / l) * chord, (1 / l) * geom::left_of(chord)};
 }
 
-// From s to t on a ring of length l, the shorter way: positive if forwards.
-double advance(double s, double t, double l) {
-    double d = std::fmod(t - s, l);
-    if (d > l / 2) d -= l;
-    if (d < -l / 2) d += l;
-    return d;
+// The lane that the line from `from` meets next, inwards (side 1) or outwards (-1).
+std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& from, double side, double width) {
+    const double aslant = kBend / 2;
+    const Vec2 d = side * (std::cos(aslant) * from.inward + std::sin(aslant) * from.forward);
+    const double least = kNearLane * width / std::cos(aslant), most = kFarLane * width / std::cos(aslant);
+    const auto hit = graph.first_hit(from.at.point, d, least / 4, most);
+    if (!hit || hit->distance < least) return std::nullopt;
+    const auto there = direction(graph, hit->ring, hit->s, width);
+    if (!there) return std::nullopt;
+    const double cosine = dot(there->along, from.forward), sense = cosine > 0 ? 1 : -1;
+    if (std::abs(cosine) < kParallel) return std::nullopt;
+    const Vec2 inward = dot(there->left, from.inward) > 0 ? there->left : -1.0 * there->left;
+    return Lanes::Lane{*hit, inward, sense * there->along, sense};
 }
 
-double smooth(double x) { return x * x * (3 - 2 * x); }
-
-double inverse_smooth(double y) {
-    double lo = 0, hi = 1;
-    for (int k = 0; k < 40; ++k) (smooth((lo + hi) / 2) < y ? lo : hi) = (lo + hi) / 2;
-    return (lo + hi) / 2;
-}
-
-// Points on a strip by x, 0 at its first rung and 1 at its last, and lane u: a whole number on lane u, from 0; the
-// outer edge of the first bead is at -1/2, the inner edge of the last at n - 1/2.
-class Frame {
+// A double spiral in the making: lanes lo..hi - 1 of those given.
+class Making {
   public:
-    Frame(const RingGraph& graph, const Strip& strip) : strip_(&strip) {
-        const std::size_t n = strip.ring.size();
-        for (const auto& rung : strip.rung) {
-            const auto edge = [&](const Place& own, const Place& next) {
-                const double half = graph.width(own.ring, own.s) / 2;
-                return own.point + (half / geom::distance(own.point, next.point)) * (own.point - next.point);
-            };
-            outer_.push_back(edge(rung[0], rung[1]));
-            inner_.push_back(edge(rung[n - 1], rung[n - 2]));
+    Making(const RingGraph& graph, const Lanes& lanes, double width, const Room& room)
+        : graph_(&graph), lanes_(&lanes.lane), width_(width), room_(&room), hi_(lanes.lane.size()) {}
+
+    std::optional<Splice> run(std::size_t own) {
+        first_.resize(hi_), second_.resize(hi_);
+        for (std::size_t k = 0; k < hi_; ++k) first_[k] = (*lanes_)[k].at.s, second_[k] = beyond(k);
+        // lanes without room end the spiral; a turn without room moves to the next lane
+        for (std::size_t k = own + 1; k-- > lo_;)
+            if (!has_room(k)) lo_ = k + 1;
+        for (std::size_t k = own; k < hi_; ++k)
+            if (!has_room(k)) hi_ = k;
+        for (std::size_t k = std::max(lo_, own) + 2; k < hi_; ++k)
+            if (!bend_fits(k)) hi_ = k;
+        for (std::size_t k = own + 2; k-- > lo_ + 2;)
+            if (k < hi_ && !bend_fits(k)) lo_ = k - 1;
+        for (; hi_ >= lo_ + 3; own < lo_ + (hi_ - lo_) / 2 ? --hi_ : ++lo_)
+            if (auto splice = make()) return splice;
+        return std::nullopt;
+    }
+
+  private:
+    [[nodiscard]] const Lanes::Lane& lane(std::size_t k) const { return (*lanes_)[k]; }
+    [[nodiscard]] double gap(std::size_t k) const { // from lane k to the next, across
+        if (k + 1 >= lanes_->size()) return width_;
+        return std::cos(kBend / 2) * geom::distance(lane(k).at.point, lane(k + 1).at.point);
+    }
+    // Where lane k + 2, bent at the line, reaches lane k.
+    [[nodiscard]] double beyond(std::size_t k) const {
+        return first_[k] + lane(k).sense * (gap(k) + gap(k + 1)) / std::sin(kBend);
+    }
+    [[nodiscard]] Vec2 begin(std::size_t k) const { return lane(k).at.point; }
+    [[nodiscard]] Vec2 end(std::size_t k) const { return graph_->at(lane(k).at.ring, second_[k]); }
+
+    [[nodiscard]] bool has_room(std::size_t k) const {
+        const double margin = kMargin * width_;
+        return room_->free(lane(k).at.ring, std::min(first_[k], second_[k]) - margin,
+                           std::max(first_[k], second_[k]) + margin);
+    }
+    // Lane k as it bends over to lane k - 2.
+    [[nodiscard]] geom::Segment bend(std::size_t k) const { return {begin(k), end(k - 2)}; }
+    [[nodiscard]] bool bend_fits(std::size_t k) const {
+        const auto b = bend(k);
+        const double straight = 2 * width_ / std::sin(kBend), l = geom::distance(b.a, b.b);
+        if (l < 0.6 * straight || l > 1.5 * straight) return false;
+        return clear(b, [&](const Place& at) {
+            return at.ring == lane(k - 1).at.ring && within(at.s, k - 1, first_[k - 1], second_[k - 1]);
+        });
+    }
+    // Whether s lies between the places a and b of lane k.
+    [[nodiscard]] bool within(double s, std::size_t k, double a, double b) const {
+        const double l = graph_->length(lane(k).at.ring);
+        const double ahead = std::fmod(lane(k).sense * (s - a), l);
+        return (ahead < 0 ? ahead + l : ahead) < lane(k).sense * (b - a);
+    }
+    template <class Through>
+    [[nodiscard]] bool clear(const geom::Segment& link, Through&& through) const {
+        const Vec2 a = geom::lerp(link.a, link.b, 0.02), b = geom::lerp(link.a, link.b, 0.98); // its ends are on rings
+        bool ok = true;
+        graph_->each_crossing(a, b, [&](const Place& at) { ok = ok && through(at); });
+        return ok && room_->clear(link.a, link.b);
+    }
+
+    // The place on lane `k` straight across from the place s on lane `from`.
+    [[nodiscard]] std::optional<double> facing(std::size_t from, double s, std::size_t k) const {
+        const Vec2 p = graph_->at(lane(from).at.ring, s), d = (k > from ? 1.0 : -1.0) * lane(from).inward;
+        const auto hit = graph_->hit(p, d, lane(k).at.ring, kFarLane * width_);
+        if (!hit || hit->distance < kNearLane * width_) return std::nullopt;
+        return hit->s;
+    }
+
+    struct Turn {
+        double outer, inner; // places on the two lanes
+        geom::Segment link;
+    };
+    // The turn between lanes k and k + 1 at s on the one of them named `on`.
+    [[nodiscard]] std::optional<Turn> turn(std::size_t k, std::size_t on, double s) const {
+        const auto other = facing(on, s, on == k ? k + 1 : k);
+        if (!other) return std::nullopt;
+        const double a = on == k ? s : *other, b = on == k ? *other : s;
+        const Turn t{a, b, {graph_->at(lane(k).at.ring, a), graph_->at(lane(k + 1).at.ring, b)}};
+        if (!clear(t.link, [](const Place&) { return false; })) return std::nullopt;
+        return t;
+    }
+
+    // The first lanes bent lean back into the room behind the turn, each less than the one before.
+    void lean(std::vector<double>& first, std::vector<double>& second) const {
+        const std::size_t bends = hi_ - lo_ - 2, leaning = std::min(kLeaning, bends);
+        const double most = kLean * width_ * std::min(1.0, static_cast<double>(bends) / 4);
+        for (std::size_t i = 0; i < leaning; ++i) {
+            const double by = most * static_cast<double>(leaning - i) / static_cast<double>(leaning);
+            second[lo_ + i] -= lane(lo_ + i).sense * by;
+            first[hi_ - 1 - i] += lane(hi_ - 1 - i).sense * by;
         }
     }
-    [[nodiscard]] Vec2 at(double x, double u) const {
-        const double last = static_cast<double>(strip_->rung.size() - 1);
-        const double j = std::clamp(std::floor(x * last), 0.0, last - 1);
-        const auto k = static_cast<std::size_t>(j);
-        return geom::lerp(on(k, u), on(k + 1, u), x * last - j);
+
+    std::optional<Splice> make() const {
+        const std::size_t last = hi_ - 1;
+        const double past = kTurn * width_;
+        const auto out = turn(lo_, lo_, first_[lo_] + lane(lo_).sense * past);
+        const auto in = turn(last - 1, last, second_[last] - lane(last).sense * past);
+        if (!out || !in) return std::nullopt;
+        auto first = first_, second = second_;
+        lean(first, second);
+        first[lo_] = out->outer, first[lo_ + 1] = out->inner;
+        second[last - 1] = in->outer, second[last] = in->inner;
+        const auto lines = with_rims(first, second);
+        for (std::size_t k = 0; k + 1 < lines.size(); ++k)
+            if (geom::segment_distance(lines[k][1], lines[k][2], lines[k + 1][1], lines[k + 1][2]) < kApart * width_)
+                return std::nullopt;
+        auto made = splice(first, second);
+        for (std::size_t k = 1; made && k + 1 < lines.size(); ++k)
+            made->links[k].bead = bead(lines[k - 1], lines[k], lines[k + 1]);
+        return made;
     }
 
-  private:
-    [[nodiscard]] Vec2 on(std::size_t rung, double u) const {
-        const auto& r = strip_->rung[rung];
-        const double last = static_cast<double>(r.size() - 1);
-        if (u < 0) return geom::lerp(r[0].point, outer_[rung], -2 * u);
-        if (u > last) return geom::lerp(r.back().point, inner_[rung], 2 * (u - last));
-        const auto k = static_cast<std::size_t>(std::min(std::floor(u), last - 1));
-        return geom::lerp(r[k].point, r[k + 1].point, u - static_cast<double>(k));
+    using Line = std::array<Vec2, 4>;
+    // Every link with a bit of the lanes that it joins, from the outer turn to the inner one.
+    [[nodiscard]] std::vector<Line> with_rims(const std::vector<double>& first,
+                                              const std::vector<double>& second) const {
+        const auto at = [&](std::size_t k, const std::vector<double>& line, double on) {
+            return graph_->at(lane(k).at.ring, line[k] + lane(k).sense * on * width_);
+        };
+        std::vector<Line> out{{at(lo_, first, -1), at(lo_, first, 0), at(lo_ + 1, first, 0), at(lo_ + 1, first, -1)}};
+        for (std::size_t k = lo_ + 2; k < hi_; ++k)
+            out.push_back({at(k, first, -1), at(k, first, 0), at(k - 2, second, 0), at(k - 2, second, 1)});
+        out.push_back({at(hi_ - 2, second, 1), at(hi_ - 2, second, 0), at(hi_ - 1, second, 0), at(hi_ - 1, second, 1)});
+        return out;
     }
-    const Strip* strip_;
-    std::vector<Vec2> outer_, inner_; // per rung: the beads' edges
+    // A bend as wide as its neighbours leave it room.
+    [[nodiscard]] BeadLine bead(const Line& before, const Line& own, const Line& after) const {
+        const auto gap = [&](const Line& other, Vec2 p) {
+            double best = kWidest * width_;
+            for (std::size_t i = 0; i + 1 < other.size(); ++i)
+                best = std::min(best, geom::point_segment_distance(other[i], other[i + 1], p));
+            return best;
+        };
+        BeadLine out;
+        for (const double t : {0.15, 0.5, 0.85}) {
+            const Vec2 p = geom::lerp(own[1], own[2], t);
+            out.add(p, (gap(before, p) + gap(after, p)) / 2);
+        }
+        return out;
+    }
+
+    [[nodiscard]] std::optional<Splice> splice(const std::vector<double>& first,
+                                               const std::vector<double>& second) const {
+        Splice out;
+        for (std::size_t k = lo_; k < hi_; ++k) {
+            const std::uint32_t ring = lane(k).at.ring;
+            const double l = graph_->length(ring);
+            double gone = std::fmod(lane(k).sense * (second[k] - first[k]), l);
+            if (gone < 0) gone += l;
+            const double s0 = lane(k).sense > 0 ? first[k] : second[k];
+            if (gone < 0.2 * width_ || gone > 5 * width_) return std::nullopt;
+            if (!room_->free(ring, s0 - kMargin * width_, s0 + gone + kMargin * width_)) return std::nullopt;
+            out.windows.push_back({ring, s0, s0 + gone});
+        }
+        const auto rim = [&](std::size_t k, bool behind) {
+            return Rim{static_cast<std::uint32_t>(k - lo_), behind == (lane(k).sense > 0)};
+        };
+        out.links.push_back({rim(lo_, false), rim(lo_ + 1, false), {}});
+        for (std::size_t k = lo_ + 2; k < hi_; ++k) out.links.push_back({rim(k, false), rim(k - 2, true), {}});
+        out.links.push_back({rim(hi_ - 2, true), rim(hi_ - 1, true), {}});
+        return out;
+    }
+
+    const RingGraph* graph_;
+    const std::vector<Lanes::Lane>* lanes_;
+    double width_;
+    const Room* room_;
+    std::size_t lo_ = 0, hi_;
+    std::vector<double> first_, second_; // per lane: places on the two lines
 };
-
-// Where a bead lies among the lanes, and the space it fills there.
-struct Cell {
-    double u, half;
-};
-
-// How the lanes change over, told for the outer side: the inner side is the same, seen from the other end.
-class Change {
-  public:
-    Change(int lanes, double close_up) : lanes_(lanes), close_up_(close_up) {}
-    // Lane k at x, 0 <= k < lanes, as counted at the strip's begin.
-    [[nodiscard]] Cell lane(int k, double x) const {
-        if (k < 2) return squeezed(k, x);
-        Cell c{k - 2 * smooth(x), 0.5};
-        close_up(k - 2, x, 1, c);
-        close_up(lanes_ - 1 - k, 1 - x, -1, c);
-        return c;
-    }
-    // The two innermost lanes as counted at the strip's end: 0 is the innermost.
-    [[nodiscard]] Cell from_end(int k, double x) const {
-        const Cell c = squeezed(k, 1 - x);
-        return {lanes_ - 1 - c.u, c.half};
-    }
-    [[nodiscard]] double tip() const { return tip_; }
-
-  private:
-    // Lanes 0 and 1 share what lane 2 leaves of the strip's outer side.
-    [[nodiscard]] static Cell squeezed(int k, double x) {
-        const double room = 2 - 2 * smooth(x);
-        return {-0.5 + room * (2 * k + 1) / 4, room / 4};
-    }
-    // Behind the tip the first lanes share the room that is left.
-    void close_up(int k, double x, double sign, Cell& c) const {
-        const int sharing = std::min(kSharing, lanes_ - 2);
-        if (k >= sharing || x <= tip_) return;
-        const double room = 2 - 2 * smooth(x), more = room / sharing;
-        const double share = smooth(std::min(1.0, (x - tip_) / close_up_));
-        c.u += sign * share * ((k + 0.5) * more - room);
-        c.half += share * more / 2;
-    }
-    int lanes_;
-    double close_up_; // of the strip's length
-    double tip_ = inverse_smooth(1 - kTip / 2);
-};
-
-// A bead through the frame's lane cell(x) at each x.
-template <class CellAt>
-BeadLine bead(const Frame& frame, const std::vector<double>& xs, CellAt&& cell) {
-    BeadLine out;
-    for (const double x : xs) {
-        const Cell c = cell(x);
-        out.add(frame.at(x, c.u), geom::distance(frame.at(x, c.u - c.half), frame.at(x, c.u + c.half)));
-    }
-    for (std::size_t i = 0; i < xs.size(); ++i) { // a bead that runs aslant is narrower than its rung is long
-        const Cell c = cell(xs[i]);
-        const Vec2 rung = frame.at(xs[i], c.u + c.half) - frame.at(xs[i], c.u - c.half);
-        const Vec2 along = out.points[std::min(i + 1, xs.size() - 1)] - out.points[i == 0 ? 0 : i - 1];
-        const double l = geom::norm(rung) * geom::norm(along);
-        if (l > 0) out.width[i] *= std::abs(geom::cross(rung, along)) / l;
-    }
-    return out;
-}
-
-std::vector<double> between(double from, double to, double step) {
-    const int n = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
-    std::vector<double> out;
-    for (int k = 0; k <= n; ++k) out.push_back(from + (to - from) * k / n);
-    return out;
-}
-
-// Two lanes that turn back into each other.
-BeadLine turn(const BeadLine& out, BeadLine back) {
-    std::reverse(back.points.begin(), back.points.end()), std::reverse(back.width.begin(), back.width.end());
-    BeadLine all = out;
-    all.points.insert(all.points.end(), back.points.begin(), back.points.end());
-    all.width.insert(all.width.end(), back.width.begin(), back.width.end());
-    return all;
-}
 
 } // namespace
 
-Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, double width,
+Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, bool ahead, double width,
                    const std::function<bool(std::uint32_t)>& use) {
     Lanes out;
-    const auto normal = across(graph, ring, s, width);
-    if (!normal) return out;
-    const Place own{ring, s, graph.at(ring, s), 0};
-    out.place = {own};
+    const auto here = direction(graph, ring, s, width);
+    if (!here) return out;
+    const double sense = ahead ? 1 : -1;
+    out.lane = {{{ring, s, graph.at(ring, s), 0}, here->left, sense * here->along, sense}};
     for (const double side : {-1.0, 1.0}) {
-        if (side > 0) std::reverse(out.place.begin(), out.place.end()), out.own = out.place.size() - 1;
-        while (true) {
-            const auto hit =
-                graph.first_hit(out.place.back().point, side * *normal, kNearLane * width / 2, kFarLane * width);
-            if (!hit || hit->distance < kNearLane * width || !use(hit->ring)) break;
-            out.place.push_back(*hit);
+        if (side > 0) std::reverse(out.lane.begin(), out.lane.end()), out.own = out.lane.size() - 1;
+        while (const auto next = next_lane(graph, out.lane.back(), side, width)) {
+            if (!use(next->at.ring)) break;
+            out.lane.push_back(*next);
         }
     }
     return out;
 }
 
-std::optional<Strip> strip_along(const RingGraph& graph, const Lanes& lanes, double length, double width,
-                                 const std::function<bool(const Window&)>& free) {
-    const Place own = lanes.place[lanes.own];
-    std::size_t lo = 0, hi = lanes.place.size(); // lanes that are left
-    const int n = std::max(4, static_cast<int>(std::ceil(length / (kRungs * width))));
-    std::vector<std::vector<Place>> rung;
-    for (int j = 0; j <= n && hi - lo >= 3; ++j) {
-        const double s = own.s + (static_cast<double>(j) / n - 0.5) * length;
-        const auto normal = across(graph, own.ring, s, width);
-        if (!normal) return std::nullopt;
-        auto& r = rung.emplace_back(lanes.place.size());
-        r[lanes.own] = {own.ring, s, graph.at(own.ring, s), 0};
-        // whether lane k is where it should be, seen from the lane before
-        const auto follows = [&](std::size_t k, std::size_t before, double side) {
-            const auto hit = graph.first_hit(r[before].point, side * *normal, kNearLane * width / 2, kFarLane * width);
-            if (!hit || hit->ring != lanes.place[k].ring || hit->distance < kNearLane * width) return false;
-            r[k] = *hit;
-            if (j == 0) return true;
-            const double l = graph.length(hit->ring),
-                         a = advance(rung[static_cast<std::size_t>(j) - 1][k].s, hit->s, l);
-            const bool turned = j > 1 && a * advance(rung[0][k].s, rung[1][k].s, l) < 0;
-            return !turned && std::abs(a) > kLeast * length / n && std::abs(a) < kMost * length / n;
-        };
-        for (std::size_t k = lanes.own; k-- > lo;)
-            if (!follows(k, k + 1, -1)) lo = k + 1;
-        for (std::size_t k = lanes.own + 1; k < hi; ++k)
-            if (!follows(k, k - 1, 1)) hi = k;
-    }
-    const auto take = [&] {
-        Strip strip;
-        for (std::size_t k = lo; k < hi; ++k) strip.ring.push_back(lanes.place[k].ring);
-        for (const auto& r : rung)
-            strip.rung.emplace_back(r.begin() + static_cast<std::ptrdiff_t>(lo),
-                                    r.begin() + static_cast<std::ptrdiff_t>(hi));
-        return strip;
-    };
-    if (hi - lo < 3) return std::nullopt;
-    const auto windows = windows_of(graph, take());
-    const std::size_t first = lo;
-    for (std::size_t k = lanes.own + 1; k-- > lo;)
-        if (!free(windows[k - first])) lo = k + 1;
-    for (std::size_t k = lanes.own; k < hi; ++k)
-        if (!free(windows[k - first])) hi = k;
-    if (hi < lo + 3) return std::nullopt;
-    return take();
-}
-
-std::vector<Window> windows_of(const RingGraph& graph, const Strip& strip) {
-    std::vector<Window> out;
-    for (std::size_t k = 0; k < strip.ring.size(); ++k) {
-        double length = 0; // signed
-        for (std::size_t j = 0; j + 1 < strip.rung.size(); ++j)
-            length += advance(strip.rung[j][k].s, strip.rung[j + 1][k].s, graph.length(strip.ring[k]));
-        const double s = length > 0 ? strip.rung.front()[k].s : strip.rung.back()[k].s;
-        out.push_back({strip.ring[k], s, s + std::abs(length)});
-    }
-    return out;
-}
-
-Splice double_spiral(const RingGraph& graph, const Strip& strip, double width) {
-    const auto n = static_cast<std::uint32_t>(strip.ring.size());
-    const Frame frame(graph, strip);
-    double length = 0; // of the middle lane
-    for (std::size_t j = 0; j + 1 < strip.rung.size(); ++j)
-        length += geom::distance(strip.rung[j][n / 2].point, strip.rung[j + 1][n / 2].point);
-    const Change change(static_cast<int>(n), std::min(0.4, kCloseUp * width / length));
-    const double step = kStep * width / length, tip = change.tip();
-
-    Splice out{windows_of(graph, strip), {}};
-    // the rim of lane k at the strip's begin or end
-    const auto rim = [&](std::uint32_t k, bool end) {
-        const bool forwards = out.windows[k].s0 == strip.rung.front()[k].s;
-        return Rim{k, end == forwards};
-    };
-    const auto lane = [&](int k) { return [&change, k](double x) { return change.lane(k, x); }; };
-    const auto last = [&](int k) { return [&change, k](double x) { return change.from_end(k, x); }; };
-    const auto inner_part = [](BeadLine b, bool first, bool end) {
-        if (end) b.points.pop_back(), b.width.pop_back();
-        if (first) b.points.erase(b.points.begin()), b.width.erase(b.width.begin());
-        return b;
-    };
-    const auto squeezed = between(0, tip, step), growing = between(1 - tip, 1, step);
-    out.links.push_back({rim(0, false), rim(1, false),
-                         inner_part(turn(bead(frame, squeezed, lane(0)), bead(frame, squeezed, lane(1))), true, true)});
-    auto reversed = growing;
-    std::reverse(reversed.begin(), reversed.end());
-    out.links.push_back({rim(n - 1, true), rim(n - 2, true),
-                         inner_part(turn(bead(frame, reversed, last(0)), bead(frame, reversed, last(1))), true, true)});
-    std::vector<double> all = between(0, 1 - tip, step);
-    for (const auto& part : {between(1 - tip, tip, step), between(tip, 1, step)})
-        all.insert(all.end(), part.begin() + 1, part.end());
-    for (std::uint32_t k = 2; k < n; ++k)
-        out.links.push_back(
-            {rim(k, false), rim(k - 2, true), inner_part(bead(frame, all, lane(static_cast<int>(k))), true, true)});
-    return out;
+std::optional<Splice> double_spiral(const RingGraph& graph, const Lanes& lanes, double width, const Room& room) {
+    if (lanes.lane.size() < 3) return std::nullopt;
+    return Making(graph, lanes, width, room).run(lanes.own);
 }
 
 } // namespace filum::fill

@@ -1,4 +1,4 @@
-// Many parallel rings to one curve in one window: the Fermat double spiral (notes 3a, A5).  Private to lib/fill.
+// Many parallel rings to one curve at one place: the Fermat double spiral (notes 3a, A5).  Private to lib/fill.
 #pragma once
 
 #include "fill/splices.hpp"
@@ -9,34 +9,34 @@
 
 namespace filum::fill {
 
-// Lanes side by side: straight rungs meet ring[0], ring[1] ... one after the other.  rung[j][k] is on ring[k]; from
-// rung to rung all places advance, so lanes can change over to one another between the rungs without crossing.
-struct Strip {
-    std::vector<std::uint32_t> ring;
-    std::vector<std::vector<Place>> rung;
+// Where a line crosses rings that run side by side, one after the other.  It runs aslant: at each ring, half the angle
+// by which lanes bend away from the normal, forwards as it goes inwards.
+struct Lanes {
+    struct Lane {
+        Place at;
+        Vec2 inward, forward; // unit, along the normal and along the ring
+        double sense = 1;     // 1 if forwards is ahead on the ring, else -1
+    };
+    std::vector<Lane> lane; // from the right of the ring asked for to its left
+    std::size_t own = 0;    // which of them is the one asked for
 };
 
-// The rings that a straight line across `ring` at s meets one after the other on both sides, no farther apart than
-// neighbours are.  On either side it ends before a ring for which `use` does not hold, which must not hold for `ring`
-// nor for the same ring twice.
-struct Lanes {
-    std::vector<Place> place;
-    std::size_t own = 0; // which of them is the place asked for
-};
-Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, double width,
+// The lanes about `ring` at s.  On either side they end before a ring too far for a neighbour, one that runs in another
+// direction, and one for which `use` does not hold (it must not hold for `ring` nor for the same ring twice).  `ahead`:
+// forwards is ahead on `ring`.
+Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, bool ahead, double width,
                    const std::function<bool(std::uint32_t)>& use);
 
-// The strip that reaches `length` mm along the lane asked for, half on either side: as many of the `lanes` about that
-// one as run on side by side all the way and are `free` there (ring, s0, s1).  None if fewer than three do.
-std::optional<Strip> strip_along(const RingGraph& graph, const Lanes& lanes, double length, double width,
-                                 const std::function<bool(const Window&)>& free);
+// What may not be done.
+struct Room {
+    std::function<bool(std::uint32_t, double, double)> free; // ring, s0, s1: not cut out yet
+    std::function<bool(Vec2, Vec2)> clear;                   // no link or outline is in the way
+};
 
-// The windows of the strip's lanes.
-std::vector<Window> windows_of(const RingGraph& graph, const Strip& strip);
-
-// All lanes of the strip as one curve, with two turns and n - 2 bends: from the strip's begin to its end every lane
-// moves two lanes outwards.  The two outermost, which that squeezes out, turn back into each other; so do the two
-// innermost, coming from the other end.  Each bead is as wide as the space that its neighbours leave it.
-Splice double_spiral(const RingGraph& graph, const Strip& strip, double width);
+// As many of the lanes about the one asked for as have room, as one curve with two turns: before the line, and behind
+// a second one beside it, lanes stay what they were; from the one to the other each moves two lanes outwards, side by
+// side with the others, in two bends of 60 degrees.  The two outermost, which that leaves over, turn back into each
+// other before the first line; so do the two innermost behind the second.  None for fewer than three lanes.
+std::optional<Splice> double_spiral(const RingGraph& graph, const Lanes& lanes, double width, const Room& room);
 
 } // namespace filum::fill
