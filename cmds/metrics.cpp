@@ -49,6 +49,9 @@ cli::Spec spec(metrics::Options& o) {
              Option{"format", &o.format, "", "how to write the figures"}.one_of({"table", "tsv", "json"}),
              Option{"per-region", &o.per_region, "FILE", "also a line per region, as TSV"}.not_a_setting(),
              Option{"per-layer", &o.per_layer, "FILE", "also a line per layer, as TSV"}.not_a_setting(),
+             {"pores", &o.pores, "", "measure the pores of a scaffold, too; needs --regions"},
+             Option{"per-layer-pores", &o.per_layer_pores, "FILE", "and a line per layer on them, as TSV"}
+                 .not_a_setting(),
              Option{"pixel", &o.pixel, "MM", "spacing of the rows; 0: a sixteenth of the bead width"}.at_least(0),
              Option{"turn-samples", &o.turn_samples, "N", "places tested for sharp turns"}.at_least(1).at_most(1e8),
              Option{"machine", &o.machine, "NAME|FILE", "machine profile of the print time"}.not_a_setting(),
@@ -82,6 +85,9 @@ void run(const metrics::Options& given, const cli::Io& io) {
     metrics::Options options = given;
     const auto profile = machine::load_profile(options.machine, options.set);
     if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
+    options.pores = given.pores || !given.per_layer_pores.empty();
+    if (options.pores && options.regions.empty())
+        throw Error(Exit::usage, "cannot measure pores without outlines; name them by --regions");
     const auto regions = outlines(options.regions);
     metrics::Input input;
     metrics::Beads beads;
@@ -109,9 +115,12 @@ void run(const metrics::Options& given, const cli::Io& io) {
     }
     input.seconds = pace.seconds();
     const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
+    if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
     const auto figures = metrics::report(input, beads, regions, layers, options, io.threads);
     if (!options.per_region.empty()) write(options.per_region, metrics::region_table(layers));
     if (!options.per_layer.empty()) write(options.per_layer, metrics::layer_table(layers));
+    if (input.pores && !options.per_layer_pores.empty())
+        write(options.per_layer_pores, metrics::pore_table(*input.pores));
     write(io.output, metrics::text(figures, metrics::format_named(options.format)));
 }
 

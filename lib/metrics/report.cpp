@@ -209,6 +209,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     areas(layers, input.claimed_unplaced, out);
     crossing_figures(layers, out);
     region_figures(layers, out);
+    if (input.pores) pore_figures(*input.pores, out);
     shape(beads, regions, w, options, threads, out);
     if (input.whole_program) lengths(input.course, input.seconds, options, out);
     if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
