@@ -304,18 +304,21 @@ void pore_figures(const Pores& p, Figures& out) {
     range("lateral throat", lateral);
 }
 
-std::string pore_table(const Pores& p) {
-    std::string out =
-        "layer\tstrands\tdirection_deg\twidth_mm\tspacing_mm\tlateral_throat_mm\topenings\tpore_median_mm\t"
-        "pore_smallest_mm\tpore_largest_mm\n";
-    for (const auto& l : p.layers) {
-        const auto& c = l.circles;
-        out += std::to_string(l.layer) + "\t" + std::to_string(l.strands) + "\t" +
-               fixed_text(l.direction / kDegree, 2) + "\t" + fixed_text(l.width, 4) + "\t" + fixed_text(l.spacing, 4) +
-               "\t" + fixed_text(l.lateral, 4) + "\t" + std::to_string(c.size()) + "\t" + fixed_text(median(c), 4) +
-               "\t" + fixed_text(c.empty() ? 0 : c.front(), 4) + "\t" + fixed_text(c.empty() ? 0 : c.back(), 4) + "\n";
-    }
-    return out;
+std::string pore_columns() {
+    return "strands\tdirection_deg\twidth_mm\tspacing_mm\tlateral_throat_mm\topenings\tpore_median_mm\t"
+           "pore_smallest_mm\tpore_largest_mm";
+}
+
+std::string pore_cells(const Pores& p, std::uint32_t layer) {
+    LayerPores l;
+    const auto at = std::lower_bound(p.layers.begin(), p.layers.end(), layer,
+                                     [](const LayerPores& a, std::uint32_t number) { return a.layer < number; });
+    if (at != p.layers.end() && at->layer == layer) l = *at;
+    const auto& c = l.circles;
+    return std::to_string(l.strands) + "\t" + fixed_text(l.direction / kDegree, 2) + "\t" + fixed_text(l.width, 4) +
+           "\t" + fixed_text(l.spacing, 4) + "\t" + fixed_text(l.lateral, 4) + "\t" + std::to_string(c.size()) + "\t" +
+           fixed_text(median(c), 4) + "\t" + fixed_text(c.empty() ? 0 : c.front(), 4) + "\t" +
+           fixed_text(c.empty() ? 0 : c.back(), 4);
 }
 
 } // namespace filum::metrics

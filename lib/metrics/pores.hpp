@@ -56,8 +56,9 @@ Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regi
 
 void pore_figures(const Pores& pores, Figures& out);
 
-// TSV with a head line: layer, strands, spacing, throat, pores.
-std::string pore_table(const Pores& pores);
+// A layer's strands, spacing, throat and pores as cells of TSV, and the heads of these columns.
+std::string pore_columns();
+std::string pore_cells(const Pores& pores, std::uint32_t layer);
 
 // The strands of one layer: fills strands, direction, width, spacing.
 LayerPores find_strands(const LayerBeads& beads);

@@ -16,7 +16,6 @@ namespace filum::metrics {
 
 struct Options {
     std::string regions, per_region, per_layer; // files
-    std::string per_layer_pores;                // likewise
     bool pores = false;                         // measure pores
     std::string format = "table";               // table | tsv | json
     std::string machine = "marlin", set;        // profile of the print time, and changes to it
@@ -42,8 +41,8 @@ struct Input {
 Figures report(const Input& input, const Beads& beads, const std::vector<polygon::Region>& regions,
                const std::vector<LayerFigures>& layers, const Options& options, int threads);
 
-// TSV with a head line.
+// TSV with a head line; that of layers is wider if pores were measured.
 std::string region_table(const std::vector<LayerFigures>& layers);
-std::string layer_table(const std::vector<LayerFigures>& layers);
+std::string layer_table(const std::vector<LayerFigures>& layers, const std::optional<Pores>& pores);
 
 } // namespace filum::metrics
