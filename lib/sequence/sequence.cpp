@@ -4,8 +4,8 @@
 #include "sequence/bound.hpp"
 #include "sequence/climb.hpp"
 #include "sequence/collision.hpp"
+#include "sequence/relaxation.hpp"
 #include "sequence/search.hpp"
-#include "sequence/windows.hpp"
 
 #include <algorithm>
 
@@ -59,10 +59,12 @@ Best best_order(const Graph& g, const Columns& columns, const std::vector<Pair>&
     best.bound = path_cover(g);
     best.offer(g, layer_order(g));
     if (options.by_layers) return best;
-    if (!collisions.empty()) best.bound = std::max(best.bound, window_bound(g, columns, collisions));
+    Relaxation relaxation(g, columns, options.budget / kSlabShare);
+    if (!collisions.empty()) best.bound = std::max(best.bound, relaxation.tighten(kNone, options.budget / kSlabShare));
     for (const Choice c : {Choice::longest, Choice::lowest, Choice::nearest}) best.offer(g, climb(g, c));
     const auto weight = weights(g, columns, kBaseWeight);
     widen(best, g, columns, weight, options.budget);
+    if (!best.proven()) best.bound = std::max(best.bound, relaxation.tighten(best.cost.strokes, options.budget));
     if (!best.proven()) best.bound = std::max(best.bound, slab_bound(g, columns, weight, options.budget / kSlabShare));
     return best;
 }
