@@ -4,6 +4,7 @@
 // memory: the regions it looks ahead
 #include "cli/command.hpp"
 #include "link3d/linker.hpp"
+#include "link3d/sun2019.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -14,6 +15,8 @@ struct Options {
     double reach = link3d::Options{}.reach;
     std::int64_t look_ahead = link3d::Options{}.look_ahead;
     std::string connect = "break", seam = "nearest";
+    std::string method = "free";
+    double start_shift = 0;
 };
 
 cli::Spec spec(Options& o) {
@@ -39,31 +42,57 @@ cli::Spec spec(Options& o) {
             "A region in another place can be reached by a connector outside everything printed, to be trimmed later. "
             "It needs a straight way out of the one region and into the other; where there is none, there is a break. "
             "A "
-            "join that the input asks for and that becomes a break is reported.",
+            "join that the input asks for and that becomes a break is reported.\n\n"
+            "--method sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their "
+            "points, layers and parts are linked straight or around the part's box, and nothing is checked.",
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the regions it looks ahead",
-        .options = {cli::Option{"reach", &o.reach, "WIDTHS",
-                                "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
-                                "only what touches"}
-                        .at_least(0)
-                        .at_most(10),
-                    cli::Option{"look-ahead", &o.look_ahead, "REGIONS",
-                                "how many regions are read before one is printed"}
-                        .at_least(1)
-                        .at_most(1000),
-                    cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
-                        {"break", "outside"}),
-                    cli::Option{"seam", &o.seam, "",
-                                "where a stroke begins: nearest to the one before, or inside the part"}
-                        .one_of({"nearest", "inside"})},
+        .options =
+            {cli::Option{"reach", &o.reach, "WIDTHS",
+                         "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
+                         "only what touches"}
+                 .at_least(0)
+                 .at_most(10),
+             cli::Option{"look-ahead", &o.look_ahead, "REGIONS", "how many regions are read before one is printed"}
+                 .at_least(1)
+                 .at_most(1000),
+             cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
+                 {"break", "outside"}),
+             cli::Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}
+                 .one_of({"nearest", "inside"}),
+             cli::Option{"method", &o.method, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
+                 {"free", "sun2019"}),
+             cli::Option{"start-shift", &o.start_shift, "MM",
+                         "sun2019: how far the starts of closed curves move from layer to layer"}
+                 .at_least(0)
+                 .at_most(1e6)},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
                       "with connectors around the part instead of stops"}},
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
+void tell(const link3d::Counts& counts, const cli::Io& io, const std::function<void(stream::RawFrame)>& emit) {
+    for (auto& fact : link3d::facts(counts)) {
+        fact.stage = io.program;
+        emit({stream::Tag::fact, stream::serialise(fact)});
+    }
+}
+
+void run_sun2019(const Options& o, const cli::Io& io) {
+    link3d::Sun2019Linker linker({o.start_shift});
+    cli::scan_stage(
+        io, stream::Payload::paths, stream::Payload::toolpath,
+        [&](const stream::RawFrame& frame, const auto&, Notes&) { linker.add(wire::paths(frame)); },
+        [&](const auto& emit, Notes&) {
+            linker.finish([&](const toolpath::Span& span) { emit(wire::frame(span)); });
+            tell(linker.counts(), io, emit);
+        });
+}
+
 void run(const Options& o, const cli::Io& io) {
+    if (o.method == "sun2019") return run_sun2019(o, io);
     link3d::Options options;
     options.reach = o.reach;
     options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
@@ -78,10 +107,7 @@ void run(const Options& o, const cli::Io& io) {
         },
         [&](const auto& emit, Notes& notes) {
             linker.finish(to(emit), notes);
-            for (auto& fact : link3d::facts(linker.counts())) {
-                fact.stage = io.program;
-                emit({stream::Tag::fact, stream::serialise(fact)});
-            }
+            tell(linker.counts(), io, emit);
         });
 }
 

@@ -23,6 +23,7 @@ struct Options {
     std::int64_t rings = -1; // along the outline: of contour at most this many, of the hybrids and rectilinear exactly;
                              // -1: the pattern's own number (all, 2, 0)
     double threshold = 1.5;  // sun2019: bead widths within which contours are adjacent
+    double start_shift = 0;  // sun2019: mm that the start moves along the outer contour from layer to layer
 };
 
 // What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,
