@@ -14,9 +14,10 @@ using namespace filum;
 struct Options {
     double reach = link3d::Options{}.reach;
     std::int64_t look_ahead = link3d::Options{}.look_ahead;
-    std::string connect = "break", seam = "nearest";
-    std::string method = "free";
+    std::string connect = "break", seam = "nearest", interlace = "none", method = "free";
+    std::int64_t seed = 1;
     double start_shift = 0;
+    bool alternate_direction = link3d::Options{}.alternate_direction;
 };
 
 cli::Spec spec(Options& o) {
@@ -61,44 +62,23 @@ cli::Spec spec(Options& o) {
                  {"break", "outside"}),
              cli::Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}
                  .one_of({"nearest", "inside"}),
+             cli::Option{"interlace", &o.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
+                 {"none", "alternate", "golden", "random"}),
+             cli::Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
+             cli::Option{"alternate-direction", &o.alternate_direction, "",
+                         "every second layer runs the other way round (the default; =false for none)"},
              cli::Option{"method", &o.method, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
                  {"free", "sun2019"}),
-             cli::Option{"start-shift", &o.start_shift, "MM",
-                         "sun2019: how far the starts of closed curves move from layer to layer"}
-                 .at_least(0)
-                 .at_most(1e6)},
+             cli::Option{"start-shift", &o.start_shift, "MM", "sun2019: way of starts from layer to layer"}.at_least(
+                 0)},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
                       "with connectors around the part instead of stops"}},
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
-void tell(const link3d::Counts& counts, const cli::Io& io, const std::function<void(stream::RawFrame)>& emit) {
-    for (auto& fact : link3d::facts(counts)) {
-        fact.stage = io.program;
-        emit({stream::Tag::fact, stream::serialise(fact)});
-    }
-}
-
-void run_sun2019(const Options& o, const cli::Io& io) {
-    link3d::Sun2019Linker linker({o.start_shift});
-    cli::scan_stage(
-        io, stream::Payload::paths, stream::Payload::toolpath,
-        [&](const stream::RawFrame& frame, const auto&, Notes&) { linker.add(wire::paths(frame)); },
-        [&](const auto& emit, Notes&) {
-            linker.finish([&](const toolpath::Span& span) { emit(wire::frame(span)); });
-            tell(linker.counts(), io, emit);
-        });
-}
-
-void run(const Options& o, const cli::Io& io) {
-    if (o.method == "sun2019") return run_sun2019(o, io);
-    link3d::Options options;
-    options.reach = o.reach;
-    options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
-    options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
-    options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
-    link3d::Linker linker(options);
+template <class Linker>
+void link(Linker linker, const cli::Io& io) {
     const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
     cli::scan_stage(
         io, stream::Payload::paths, stream::Payload::toolpath,
@@ -107,8 +87,32 @@ void run(const Options& o, const cli::Io& io) {
         },
         [&](const auto& emit, Notes& notes) {
             linker.finish(to(emit), notes);
-            tell(linker.counts(), io, emit);
+            for (auto& fact : link3d::facts(linker.counts())) {
+                fact.stage = io.program;
+                emit({stream::Tag::fact, stream::serialise(fact)});
+            }
         });
+}
+
+link3d::Interlace interlace(const std::string& name) {
+    using link3d::Interlace;
+    return name == "alternate" ? Interlace::alternate
+           : name == "golden"  ? Interlace::golden
+           : name == "random"  ? Interlace::random
+                               : Interlace::none;
+}
+
+void run(const Options& o, const cli::Io& io) {
+    if (o.method == "sun2019") return link(link3d::Sun2019Linker({o.start_shift}), io);
+    link3d::Options options;
+    options.reach = o.reach;
+    options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
+    options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
+    options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
+    options.interlace = interlace(o.interlace);
+    options.seed = static_cast<std::uint64_t>(o.seed);
+    options.alternate_direction = o.alternate_direction;
+    link(link3d::Linker(options), io);
 }
 
 } // namespace

@@ -54,6 +54,19 @@ double length(std::span<const geom::Vec3> line) {
     return sum;
 }
 
+Vec2 along(const toolpath::Curve& curve, const Place& place, double l) {
+    const std::size_t n = curve.points.size();
+    Vec2 at = place.point;
+    for (std::size_t k = 1; k <= n; ++k) {
+        if (!curve.closed && place.segment + k >= n) break;
+        const Vec2 b = curve.points[(place.segment + k) % n];
+        const double d = geom::distance(at, b);
+        if (d > 0 && d >= l) return geom::lerp(at, b, l / d);
+        l -= d, at = b;
+    }
+    return at;
+}
+
 double cut_gap(const toolpath::Curve& curve) {
     const double around = length(curve.points) + geom::distance(curve.points.back(), curve.points.front());
     constexpr double kRounded = 0.2146018366025517; // 1 - pi / 4

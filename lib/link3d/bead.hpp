@@ -20,6 +20,9 @@ double mean_width(const toolpath::Curve& curve);
 double length(std::span<const Vec2> line); // mm
 double length(std::span<const geom::Vec3> line);
 
+// The point `l` mm behind `place` along the curve, not beyond the ends of an open one.
+Vec2 along(const toolpath::Curve& curve, const Place& place, double l);
+
 // The gap that a cut leaves between the end of a closed bead and its start: w (1 - pi / 4), so that the two rounded
 // bead ends fill it (notes F8, A9); at most a tenth of the curve.
 double cut_gap(const toolpath::Curve& curve);

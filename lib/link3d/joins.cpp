@@ -24,7 +24,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
     auto entry = nearest_entry(r, at_->xy(), climb_reach() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
-    *entry = drift(*entry);
+    if (options_.interlace == Interlace::none) *entry = drift(*entry); // else lanes lead wherever the column goes
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
     if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     ++counts_.lifts;

@@ -25,12 +25,15 @@ Facts facts(const Counts& c) {
     return {{"", "strokes", n(c.strokes), "strokes"},
             {"", "lifts", n(c.lifts), ""},
             {"", "lanes", n(c.lanes), ""},
+            {"", "shifts", n(c.shifts), ""},
+            {"", "kept-starts", n(c.kept), ""},
             {"", "jogs", n(c.jogs), ""},
             {"", "connectors", n(c.connectors), ""},
             {"", "breaks", n(c.breaks), ""},
             {"", "broken-joins", n(c.broken), ""},
             {"", "lift-length", c.lift_length, "mm"},
             {"", "lane-length", c.lane_length, "mm"},
+            {"", "shift-length", c.shift_length, "mm"},
             {"", "jog-length", c.jog_length, "mm"},
             {"", "connector-length", c.connector_length, "mm"},
             {"", "travel-length", c.travel_length, "mm"}};
@@ -62,6 +65,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
             : window_[1].paths.join == Join::beside && options_.connect == Connect::outside ? Next::outside
                                                                                             : Next::anywhere;
     const Entry first = enter(emit, notes);
+    start_ = first.place.point;
     std::vector<char> done(r.curves.size(), 0);
     Entry entry = first;
     const auto main = main_curve();
@@ -69,7 +73,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         if (main) done[*main] = left > 1 || *main == first.place.curve ? 1 : 0;
         if (left < r.curves.size()) entry = hop(done, emit);
         done[entry.place.curve] = 1;
-        print_curve(entry, left == 1, emit);
+        print_curve(entry, left == 1, emit, notes);
     }
     joins_.clear();
     pin_.reset();
@@ -109,6 +113,7 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     }
     const Entry entry = start_entry();
     stop_and_travel(entry.place.point, emit);
+    home_ = entry.place.point, offset_ = 0;
     return entry;
 }
 
@@ -135,7 +140,7 @@ bool Linker::crosses_no_join(Vec2 a, Vec2 b) const {
 }
 
 // Prints one curve of the front region; the last one is left where the next region can be reached, if it can.
-void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
+void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
     const std::uint32_t c = entry.place.curve;
     const Curve& curve = r.paths.curves[c];
@@ -144,24 +149,33 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
         if (pin_ && curve.closed) pin(b, *pin_, kOn);
         return b;
     };
-    const bool turn = r.paths.layer % 2 != 0; // beads run the other way on every second layer
+    const bool turn = options_.alternate_direction && r.paths.layer % 2 != 0;
     Bead out = bead(turn);
     std::optional<std::vector<Vec2>> way;
-    if (last && next_ != Next::anywhere && !ends_well(c, out)) {
+    const bool shifts = last && next_ == Next::above && curve.closed && options_.interlace != Interlace::none;
+    if (shifts && (way = shift(c, out))) {
+        ++counts_.shifts;
+        counts_.shift_length += length(*way);
+    } else if (last && next_ != Next::anywhere && !ends_well(c, out)) {
         Bead other = curve.closed ? bead(!turn) : out;
-        if (curve.closed && ends_well(c, other))
+        if (curve.closed && ends_well(c, other)) {
             out = std::move(other);
-        else if ((way = lane(c, out)))
-            thin_beside(out, *way, kThin * r.width, r.width, kThin);
+        } else if ((way = lane(c, out))) {
+            ++counts_.lanes;
+            counts_.lane_length += length(*way);
+        }
     }
+    if (shifts && !way) {
+        ++counts_.kept;
+        notes.push_back({"", "start of the next layer not moved", 0, "", 1, r.paths.layer, start_.x, start_.y});
+    }
+    if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin);
     if (last && options_.connect == Connect::outside)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
     print(out, emit);
     if (!way) return;
     std::vector<Vec3> points;
     for (const auto p : *way) points.push_back(at_height(p, r.paths.z));
-    ++counts_.lanes;
-    counts_.lane_length += length(*way);
     extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
 }
 

@@ -10,6 +10,7 @@
 #include "base/fact.hpp"
 #include "base/note.hpp"
 #include "link3d/bead.hpp"
+#include "link3d/interlace.hpp"
 #include "link3d/segment_index.hpp"
 #include "link3d/travel.hpp"
 #include "toolpath/path.hpp"
@@ -39,7 +40,10 @@ struct Options {
     std::uint32_t look_ahead = 16; // regions
     Connect connect = Connect::stop;
     Seam seam = Seam::nearest;
-    machine::Head head = {}; // for travels: what must pass over what is printed
+    Interlace interlace = Interlace::none;
+    std::uint64_t seed = 1;          // of random starts
+    bool alternate_direction = true; // each layer runs the other way round
+    machine::Head head = {};         // for travels: what must pass over what is printed
 };
 
 // Every join of two curves, by class; strokes = breaks + 1.
@@ -47,11 +51,14 @@ struct Counts {
     std::uint64_t strokes = 0;
     std::uint64_t lifts = 0;      // to a region above
     std::uint64_t lanes = 0;      // of those, with a lane through the region below
+    std::uint64_t shifts = 0;     // lanes to where the next layer is to begin
+    std::uint64_t kept = 0;       // starts that were to move and could not
     std::uint64_t jogs = 0;       // between curves of a region
     std::uint64_t connectors = 0; // outside the part
     std::uint64_t breaks = 0;
     std::uint64_t broken = 0; // of those, where the input asked for a join
-    double lift_length = 0, lane_length = 0, jog_length = 0, connector_length = 0, travel_length = 0; // mm
+    double lift_length = 0, lane_length = 0, shift_length = 0, jog_length = 0, connector_length = 0,
+           travel_length = 0; // mm
 };
 
 // The counts by name, for the stream.
@@ -62,7 +69,7 @@ Facts facts(const Counts& counts);
 class Linker {
   public:
     using Emit = std::function<void(const toolpath::Span&)>;
-    explicit Linker(const Options& options) : options_(options) {}
+    explicit Linker(const Options& options) : options_(options), random_(options.seed) {}
 
     void add(toolpath::RegionPaths region, const Emit& emit, Notes& notes);
     void finish(const Emit& emit, Notes& notes); // prints what is still waiting
@@ -99,7 +106,7 @@ class Linker {
     [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
     Entry hop(std::span<const char> done, const Emit& emit);
     [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
-    void print_curve(const Entry& entry, bool last, const Emit& emit);
+    void print_curve(const Entry& entry, bool last, const Emit& emit, Notes& notes);
 
     // joins.cpp
     // In mean widths of both regions. A longer jog could begin above a neighbour of the region above, and cross its
@@ -117,6 +124,10 @@ class Linker {
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Emit& emit);
 
+    // interlace.cpp
+    [[nodiscard]] static bool hidden(const Waiting& r, const Place& place);
+    std::optional<std::vector<Vec2>> shift(std::uint32_t c, const Bead& bead);
+
     // entry.cpp
     static std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done);
     [[nodiscard]] std::size_t climbing() const;
@@ -133,6 +144,9 @@ class Linker {
     std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
     std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
     Next next_ = Next::anywhere;
+    Vec2 home_, start_;       // where the column began; where the front region was entered
+    double offset_ = 0;       // bead widths, of the layer's start from home
+    std::uint64_t random_;    // state of the generator
     double width_before_ = 0; // mm, of the region before
     bool may_climb_ = false;  // something of the region before was printed
     std::uint32_t stroke_ = 0;

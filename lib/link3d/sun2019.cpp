@@ -42,7 +42,7 @@ Bead from_axis(const toolpath::Curve& curve, double shift) {
     return cut(curve, moved(curve, *start, shift), false, 0);
 }
 
-void Sun2019Linker::finish(const Linker::Emit& emit) {
+void Sun2019Linker::finish(const Linker::Emit& emit, Notes& /*none*/) {
     for (const auto& r : regions_)
         for (const auto& c : r.curves)
             for (const Vec2 p : c.points) box_.add(p);

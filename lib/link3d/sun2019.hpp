@@ -29,8 +29,10 @@ class Sun2019Linker {
   public:
     explicit Sun2019Linker(const Sun2019Options& options) : options_(options) {}
 
-    void add(toolpath::RegionPaths region) { regions_.push_back(std::move(region)); }
-    void finish(const Linker::Emit& emit);
+    void add(toolpath::RegionPaths region, const Linker::Emit& /*at the end*/, Notes& /*none*/) {
+        regions_.push_back(std::move(region));
+    }
+    void finish(const Linker::Emit& emit, Notes& notes);
     [[nodiscard]] const Counts& counts() const { return counts_; }
 
   private:

@@ -37,9 +37,11 @@ RegionPaths region(std::uint32_t id, std::uint32_t layer, Join join, std::vector
 
 std::vector<Span> link(const std::vector<RegionPaths>& regions, double shift, Counts* counts = nullptr) {
     std::vector<Span> out;
+    Notes notes;
     Sun2019Linker linker({shift});
-    for (const auto& r : regions) linker.add(r);
-    linker.finish([&](const Span& s) { out.push_back(s); });
+    const auto emit = [&](const Span& s) { out.push_back(s); };
+    for (const auto& r : regions) linker.add(r, emit, notes);
+    linker.finish(emit, notes);
     if (counts != nullptr) *counts = linker.counts();
     for (std::size_t i = 1; i < out.size(); ++i) EXPECT_EQ(out[i].points.front(), out[i - 1].points.back());
     return out;
