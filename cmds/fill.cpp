@@ -61,7 +61,11 @@ cli::Spec spec(fill::Options& o) {
                         .at_most(1e6),
                     Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
                         .at_least(1)
-                        .at_most(4)},
+                        .at_most(4),
+                    Option{"start-shift", &o.start_shift, "MM",
+                           "sun2019: how far the start moves along the outer contour from layer to layer"}
+                        .at_least(0)
+                        .at_most(1e6)},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
                       "rows, turned by 90 degrees from layer to layer"},

@@ -4,6 +4,7 @@
 // memory: the regions it looks ahead
 #include "cli/command.hpp"
 #include "link3d/linker.hpp"
+#include "link3d/sun2019.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -13,8 +14,9 @@ using namespace filum;
 struct Options {
     double reach = link3d::Options{}.reach;
     std::int64_t look_ahead = link3d::Options{}.look_ahead;
-    std::string connect = "break", seam = "nearest", interlace = "none";
+    std::string connect = "break", seam = "nearest", interlace = "none", method = "free";
     std::int64_t seed = 1;
+    double start_shift = 0;
     bool alternate_direction = link3d::Options{}.alternate_direction;
 };
 
@@ -46,7 +48,9 @@ cli::Spec spec(Options& o) {
             "A region in another place can be reached by a connector outside everything printed, to be trimmed later. "
             "It needs a straight way out of the one region and into the other; where there is none, there is a break. "
             "A "
-            "join that the input asks for and that becomes a break is reported.",
+            "join that the input asks for and that becomes a break is reported.\n\n"
+            "--method sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their "
+            "points, layers and parts are linked straight or around the part's box, and nothing is checked.",
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the regions it looks ahead",
@@ -67,31 +71,19 @@ cli::Spec spec(Options& o) {
                  {"none", "alternate", "golden", "random"}),
              cli::Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
              cli::Option{"alternate-direction", &o.alternate_direction, "",
-                         "every second layer runs the other way round (the default; =false for none)"}},
+                         "every second layer runs the other way round (the default; =false for none)"},
+             cli::Option{"method", &o.method, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
+                 {"free", "sun2019"}),
+             cli::Option{"start-shift", &o.start_shift, "MM", "sun2019: way of starts from layer to layer"}.at_least(
+                 0)},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
                       "with connectors around the part instead of stops"}},
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
-link3d::Interlace interlace(const std::string& name) {
-    using link3d::Interlace;
-    return name == "alternate" ? Interlace::alternate
-           : name == "golden"  ? Interlace::golden
-           : name == "random"  ? Interlace::random
-                               : Interlace::none;
-}
-
-void run(const Options& o, const cli::Io& io) {
-    link3d::Options options;
-    options.reach = o.reach;
-    options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
-    options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
-    options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
-    options.interlace = interlace(o.interlace);
-    options.seed = static_cast<std::uint64_t>(o.seed);
-    options.alternate_direction = o.alternate_direction;
-    link3d::Linker linker(options);
+template <class Linker>
+void link(Linker linker, const cli::Io& io) {
     const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
     cli::scan_stage(
         io, stream::Payload::paths, stream::Payload::toolpath,
@@ -105,6 +97,27 @@ void run(const Options& o, const cli::Io& io) {
                 emit({stream::Tag::fact, stream::serialise(fact)});
             }
         });
+}
+
+link3d::Interlace interlace(const std::string& name) {
+    using link3d::Interlace;
+    return name == "alternate" ? Interlace::alternate
+           : name == "golden"  ? Interlace::golden
+           : name == "random"  ? Interlace::random
+                               : Interlace::none;
+}
+
+void run(const Options& o, const cli::Io& io) {
+    if (o.method == "sun2019") return link(link3d::Sun2019Linker({o.start_shift}), io);
+    link3d::Options options;
+    options.reach = o.reach;
+    options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
+    options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
+    options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
+    options.interlace = interlace(o.interlace);
+    options.seed = static_cast<std::uint64_t>(o.seed);
+    options.alternate_direction = o.alternate_direction;
+    link(link3d::Linker(options), io);
 }
 
 } // namespace

@@ -43,8 +43,9 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
-        .options = {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
-                        {"columns", "layers"}),
+        .options = {cli::Option{"order", &o.order, "ORDER",
+                                "climb columns, go layer by layer, or do so as in the 2019 paper, nearest first"}
+                        .one_of({"columns", "layers", "sun2019"}),
                     cli::Option{"head", &o.head.name, "HEAD",
                                 "ordinary, none, or the head of a machine profile: its name or file"}
                         .not_a_setting(),
@@ -84,6 +85,7 @@ void run(const Options& o, const cli::Io& given) {
     options.head = sequence::head(o.head);
     for (const auto& [name, value] : sequence::settings(options.head)) io.settings.push_back({name, value});
     options.by_layers = o.order == "layers";
+    options.sun2019 = o.order == "sun2019";
     options.budget = static_cast<std::uint64_t>(o.budget) * 1'000'000;
     auto result = sequence::sequence(std::move(regions), options);
 

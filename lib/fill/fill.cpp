@@ -31,7 +31,7 @@ std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, 
         return std::move(s.curves);
     }
     if (o.pattern == "spiral" && o.method == "sun2019")
-        return sun2019(r.loops, {.offset = w, .threshold = o.threshold}, notes);
+        return sun2019(r.loops, {.offset = w, .threshold = o.threshold, .start_shift = o.start_shift * r.layer}, notes);
     if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)}, notes);
     if (o.pattern == "zigzag") return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o)}, notes);
     if (o.pattern == "rectilinear")

@@ -27,6 +27,7 @@ struct Options {
     double spacing = 0;             // scaffold: mm between strands; 0: two and a half bead widths
     double stagger = 0;             // scaffold: spacings by which every other round of angles is shifted
     double threshold = 1.5;         // sun2019: bead widths within which contours are adjacent
+    double start_shift = 0;         // sun2019: mm that the start moves along the outer contour from layer to layer
 };
 
 // What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,

@@ -1,6 +1,7 @@
 #include "metrics/report.hpp"
 
 #include "base/number.hpp"
+#include "metrics/directions.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -162,6 +163,10 @@ void shape(const Beads& beads, const std::vector<polygon::Region>& regions, cons
         out.push_back({q, "smallest distance in bead widths", s.min / w.median, 2});
         out.push_back({q, "nearer than three beads", count(s.near)});
     }
+    const Directions along = directions(beads);
+    for (std::size_t k = 0; k < Directions::kBins; ++k)
+        if (along.share[k] > 0)
+            out.push_back({"bead direction", "share at " + std::to_string(15 * k) + " degrees", along.share[k], 5});
     const std::string h = "bead width";
     out.push_back({h, "smallest", w.min, 3, "mm"});
     out.push_back({h, "median", w.median, 3, "mm"});

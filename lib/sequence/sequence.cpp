@@ -6,6 +6,7 @@
 #include "sequence/collision.hpp"
 #include "sequence/relaxation.hpp"
 #include "sequence/search.hpp"
+#include "sequence/sun2019_order.hpp"
 
 #include <algorithm>
 
@@ -76,9 +77,13 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
     if (g.size() == 0) return {};
     const Columns c = columns(regions);
     std::vector<Pair> hits;
-    if (!options.by_layers) hits = head_collisions(g, c, regions, options.head);
+    if (!options.by_layers && !options.sun2019) hits = head_collisions(g, c, regions, options.head);
     add_precedence(g, hits);
-    Best best = best_order(g, c, hits, options);
+    Best best;
+    if (options.sun2019)
+        best.bound = path_cover(g), best.offer(g, sun2019_order(regions));
+    else
+        best = best_order(g, c, hits, options);
     check(g, best.order);
     if (best.cost.strokes < best.bound)
         throw Error(Exit::failure, "internal error: fewer strokes than the lower bound");

@@ -9,6 +9,7 @@ namespace filum::sequence {
 
 struct Options {
     bool by_layers = false; // strictly layer by layer
+    bool sun2019 = false;   // as in the 2019 paper (sun2019_order.hpp)
     machine::Head head;
     double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
     std::uint64_t budget = 100'000'000; // precedences that the search may look at, and a tenth of it the bound
