@@ -14,7 +14,8 @@ using namespace filum;
 constexpr const char* kDescription =
     "Counts and measures what a toolpath is, from its moves alone: strokes, stops, breaks and joins, lengths, print "
     "time "
-    "and material, crossings, bead widths, sharp turns, how far apart neighbouring layers begin. With --regions also "
+    "and material, crossings, bead widths and directions, sharp turns, how far apart neighbouring layers begin. With "
+    "--regions also "
     "what "
     "it fills: coverage, what lies outside, what is laid where there is material already, the worst layer and region. "
     "No "
