@@ -39,7 +39,9 @@ void pin(Bead& bead, Vec2 p, double reach);
 
 // Takes `lane_width` * length of `lane` (mm2) from the beads on both sides of the lane, half from each, where one is
 // within `reach` mm; segments there are split to at most `reach` / 2.  No point's width falls below `least` times its
-// own; what that forbids moves on to the neighbouring points.  Returns the area taken, mm2.
-double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least);
+// own; what that forbids moves on to the neighbouring points.  The far edge of the bead stays where it was: points move
+// away from the lane by half of what their width loses, but for the ends.  Returns the area taken, mm2.
+double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
+                   const SegmentIndex& lines);
 
 } // namespace filum::link3d

@@ -11,9 +11,9 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kStep = 3.4;          // bead widths along the curve, more than kApart: curves bend
+constexpr double kStep = 3.6;          // bead widths along the curve, more than kApart: curves bend
 constexpr double kGolden = 0.38196601; // 1 - 1 / golden ratio
-constexpr double kSpread = 9;          // bead widths that golden starts spread over: kGolden times it is above kStep
+constexpr double kSpread = 9.6;        // bead widths that golden starts spread over: kGolden times it is above kStep
 constexpr double kRandom = 12;         // bead widths that random starts spread over
 constexpr double kAround = 3;          // bead widths: how far beside the straight way a lane may go
 constexpr double kBest = 64;           // rank of a lane that ends at its goal
@@ -90,8 +90,8 @@ std::optional<std::vector<Vec2>> Linker::shift(std::uint32_t c, const Bead& bead
         const auto lines = lines_in(curves, {box.lo - margin, box.hi + margin});
         for (const bool inside : {true, false}) {
             if (inside && options_.seam != Seam::inside) continue;
-            if (auto way = strip_route(lines, index, from, window_[0].width, std::array{Strips{}},
-                                       static_cast<int>(kBest), [&](Vec2 p, int) { return rank(p, inside); }))
+            if (auto way = strip_route(lines, index, from, window_[0].width, kStrips, static_cast<int>(kBest),
+                                       [&](Vec2 p, int) { return rank(p, inside); }))
                 return way;
         }
     }

@@ -13,8 +13,8 @@ enum class Interlace : std::uint8_t {
     random,
 };
 
-// Neighbouring layers begin at least so many bead widths apart.
-inline constexpr double kApart = 3;
+// Neighbouring layers begin at least so many bead widths apart: three, however the mean widths of layers differ.
+inline constexpr double kApart = 3.2;
 
 // Bead widths along the curve from the column's home to the start of a layer.  Consecutive layers differ by more than
 // kApart; all lie within 12 widths.  `before` is the offset of the layer below; alternate and golden look only at

@@ -13,7 +13,6 @@ using toolpath::Curve;
 using toolpath::Role;
 
 constexpr double kDrift = 0.5; // bead widths per layer that an entry can be counted on to move
-constexpr std::array kStrips{Strips{}, Strips{0.05, 0.8}}; // where a lane just fits: better a thick place than a stop
 
 } // namespace
 

@@ -169,7 +169,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
         ++counts_.kept;
         notes.push_back({"", "start of the next layer not moved", 0, "", 1, r.paths.layer, start_.x, start_.y});
     }
-    if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin);
+    if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
     if (last && options_.connect == Connect::outside)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
     print(out, emit);

@@ -7,6 +7,7 @@
 
 #include "link3d/segment_index.hpp"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -19,6 +20,9 @@ namespace filum::link3d {
 struct Strips {
     double narrow = 0.2, wide = 0.75;
 };
+
+// For lanes; the second is where a lane just fits: better a thick place than a stop.
+inline constexpr std::array kStrips{Strips{}, Strips{0.05, 0.8}};
 
 // The way along the first kind of `strips` that has one, from `from`, a point of `lines`, along the middle of the
 // strips between the lines of a region to the place of the highest rank above zero, and of those the nearest; the first

@@ -159,6 +159,8 @@ void shape(const Beads& beads, const std::vector<polygon::Region>& regions, cons
         out.push_back({q, "mean distance", s.mean, 3, "mm"});
         out.push_back({q, "median distance", s.median, 3, "mm"});
         out.push_back({q, "smallest distance", s.min, 3, "mm"});
+        out.push_back({q, "median distance in bead widths", s.median / w.median, 2});
+        out.push_back({q, "smallest distance in bead widths", s.min / w.median, 2});
         out.push_back({q, "nearer than three beads", count(s.near)});
     }
     const Directions along = directions(beads);

@@ -10,8 +10,6 @@ using namespace test;
 
 namespace {
 
-constexpr std::array kStrips{Strips{}};
-
 double area(const Bead& b) {
     double sum = 0;
     const auto w = [&](std::size_t i) { return b.width.size() == 1 ? b.width[0] : b.width[i]; };
@@ -112,13 +110,33 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
                 EXPECT_EQ(crossings(*way, bead.points), 0);
                 EXPECT_GT(clearance(*way, index), 0.19 * kWidth);
                 const double before = area(bead), lane = 0.5 * kWidth * length(*way);
-                const double taken = thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5);
+                const double taken = thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5, index);
                 EXPECT_NEAR(before - area(bead), taken, 1e-9);
+                EXPECT_EQ(crossings(bead.points, bead.points), 0);
+                EXPECT_EQ(crossings(*way, bead.points), 0);
                 EXPECT_NEAR(taken, lane, 0.02 * lane + 0.1 * kWidth * kWidth);
-                for (const double w : bead.width) EXPECT_GT(w, 0.5 * 0.9 * kWidth - 1e-9);
+                for (const double w : bead.width) EXPECT_GT(w, 0.4 * 0.9 * kWidth);
             }
         }
     }
+}
+
+// Two lanes one width apart and a lane between them: together they still fill the same two widths.
+TEST(Bead, KeepsItsFarEdgeBesideALane) {
+    Bead b{{{0, 0}, {10, 0}, {10, kWidth}, {0, kWidth}}, {kWidth}};
+    const std::vector<Vec2> lane{{3, kWidth / 2}, {7, kWidth / 2}};
+    const Curve line{false, b.points, {kWidth}};
+    thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1)));
+    int beside = 0;
+    for (std::size_t i = 0; i < b.points.size(); ++i) {
+        if (b.points[i].x < 3.4 || b.points[i].x > 6.6) continue;
+        ++beside;
+        const bool lower = b.points[i].y < kWidth / 2;
+        EXPECT_NEAR(b.width[i], 0.75 * kWidth, 0.01 * kWidth);
+        EXPECT_NEAR(b.points[i].y + (lower ? -1 : 1) * b.width[i] / 2, (lower ? -0.5 : 1.5) * kWidth, 1e-9);
+    }
+    EXPECT_GE(beside, 20);
+    EXPECT_EQ(b.points.front(), (Vec2{0, 0}));
 }
 
 TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
