@@ -13,28 +13,21 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Counts and measures what a toolpath is, from its moves alone: strokes, stops, breaks and joins, lengths, print "
-    "time "
-    "and material, crossings, bead widths and directions, sharp turns, how far apart neighbouring layers begin. With "
-    "--regions also "
-    "what "
-    "it fills: coverage, what lies outside, what is laid where there is material already, the worst layer and region. "
-    "No "
-    "stage's own claim is used, but what the stages before said they dropped or repaired is listed at the end. The "
-    "output "
-    "of fill can be measured, too: each curve counts as printed by itself.\n\n"
+    "time and material, crossings, bead widths and directions, sharp turns, how far apart neighbouring layers begin. "
+    "With --regions also what it fills: coverage, what lies outside, what is laid where there is material already, "
+    "the worst layer and region. No stage's own claim is used, but what the stages before said they dropped or "
+    "repaired is listed at the end. The output of fill can be measured, too: each curve counts as printed by "
+    "itself.\n\n"
     "A stop is a way of more than 0.05 mm in XY without extruding; a stroke ends at a stop, or where the nozzle rises "
-    "by "
-    "more than two layers without extruding. A bead is a straight stretch with round ends, as wide as its "
-    "cross-section "
-    "divided by the height of the layer that its z falls into. Shares are of the outlines' area: coverage is what lies "
-    "under beads, outside are beads over no outline (connectors, too), overfill is the sum of length times width less "
-    "the "
-    "area under beads. Crossings are pairs of moves of one layer that properly cross and do not follow each other.\n\n"
+    "by more than two layers without extruding. A bead is a straight stretch with round ends, as wide as its "
+    "cross-section divided by the height of the layer that its z falls into. Shares are of the outlines' area: "
+    "coverage is what lies under beads, outside are beads over no outline (connectors, too), overfill is the sum of "
+    "length times width less the area under beads. Crossings are pairs of moves of one layer that properly cross and "
+    "do not follow each other.\n\n"
     "Sharp turns follow the authors of the Connected Fermat Spirals: the path cuts a disc of one bead width's radius "
-    "in "
-    "two, and the turn is sharp where the smaller part is below 0.3 of the disc. Areas are swept by rows with exact "
-    "ends: "
-    "their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with look-ahead.";
+    "in two, and the turn is sharp where the smaller part is below 0.3 of the disc. Areas are swept by rows with "
+    "exact ends: their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with "
+    "look-ahead.";
 
 cli::Spec spec(metrics::Options& o) {
     using cli::Option;
