@@ -14,7 +14,7 @@ using namespace filum;
 struct Options {
     double reach = link3d::Options{}.reach;
     std::int64_t look_ahead = link3d::Options{}.look_ahead;
-    std::string connect = "break", seam = "nearest", interlace = "none", method = "free";
+    std::string connect = "break", seam = "nearest", interlace = "none", links = "free";
     std::int64_t seed = 1;
     double start_shift = 0;
     bool alternate_direction = link3d::Options{}.alternate_direction;
@@ -44,7 +44,7 @@ cli::Spec spec(Options& o) {
             "A region in another place can be reached by a connector outside everything printed, to be trimmed later. "
             "It needs a straight way out of the one region and into the other; where there is none, there is a break. "
             "A join that the input asks for and that becomes a break is reported.\n\n"
-            "--method sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their "
+            "--links sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their "
             "points, layers and parts are linked straight or around the part's box, and nothing is checked.",
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
@@ -67,7 +67,7 @@ cli::Spec spec(Options& o) {
              cli::Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
              cli::Option{"alternate-direction", &o.alternate_direction, "",
                          "every second layer runs the other way round (the default; =false for none)"},
-             cli::Option{"method", &o.method, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
+             cli::Option{"links", &o.links, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
                  {"free", "sun2019"}),
              cli::Option{"start-shift", &o.start_shift, "MM", "sun2019: way of starts from layer to layer"}.at_least(
                  0)},
@@ -103,7 +103,7 @@ link3d::Interlace interlace(const std::string& name) {
 }
 
 void run(const Options& o, const cli::Io& io) {
-    if (o.method == "sun2019") return link(link3d::Sun2019Linker({o.start_shift}), io);
+    if (o.links == "sun2019") return link(link3d::Sun2019Linker({o.start_shift}), io);
     link3d::Options options;
     options.reach = o.reach;
     options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);

@@ -50,7 +50,7 @@ chain() {
 # Property: voids and what is laid twice together stay below 0.045 of the triangle; the baseline's are 0.094.
 @test "F9: voids and overlaps at sharp corners" {
     wrong() { awk -v c="$(figure coverage)" -v o="$(figure overfill)" 'BEGIN { print 1 - c + o }'; }
-    chain wedge.stl "" "--method sun2019" "--method sun2019"
+    chain wedge.stl "" "--method sun2019" "--links sun2019"
     awk -v w="$(wrong)" 'BEGIN { exit !(w > 0.08) }'
     chain wedge.stl "" "" ""
     awk -v w="$(wrong)" 'BEGIN { exit !(w < 0.045) }'
@@ -59,7 +59,7 @@ chain() {
 # F11: a start at or near the axis puts the seams of all layers on one line.
 # Property: no layer of a bar begins within three bead widths of where the one below begins; ten layers, nine pairs.
 @test "F11: the main axis puts all starts on one line" {
-    chain bar.stl "" "--method sun2019" "--method sun2019"
+    chain bar.stl "" "--method sun2019" "--links sun2019"
     [ "$(figure pairs)" = 9 ]
     [ "$(figure 'nearer than three beads')" = 9 ]
     for scheme in alternate golden random; do
@@ -88,7 +88,7 @@ chain() {
 # F13: connectors outside the box of all, by no rule but that, pass through the part they leave.
 # Property: no two moves of a layer cross, connectors included, and how many connectors there are is told.
 @test "F13: connectors cut through the parts" {
-    chain towers.stl "--order sun2019" "" "--method sun2019"
+    chain towers.stl "--order sun2019" "" "--links sun2019"
     [ "$(figure 'joins by connector')" = 60 ]
     [ "$(figure crossings)" -ge 60 ]
     for connect in break outside; do
