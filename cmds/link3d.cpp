@@ -48,7 +48,7 @@ cli::Spec spec(Options& o) {
             "points, layers and parts are linked straight or around the part's box, and nothing is checked.",
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the regions it looks ahead",
+        .memory = "the regions it looks ahead; all of them for --links sun2019",
         .options =
             {cli::Option{"reach", &o.reach, "WIDTHS",
                          "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
