@@ -5,7 +5,8 @@
 #include "sequence/sequence.hpp"
 #include "base/number.hpp"
 #include "cli/command.hpp"
-#include "sequence/head.hpp"
+#include "cli/head_options.hpp"
+#include "machine/head.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -14,14 +15,10 @@ using namespace filum;
 
 struct Options {
     std::string order = "columns";
-    sequence::HeadChoice head;
+    machine::HeadChoice head;
     std::int64_t budget = 100;
     bool report = false;
 };
-
-cli::Option length(const char* name, std::vector<double>& to, const char* unit, const char* help) {
-    return cli::Option{name, &to, unit, help}.at_least(0).numbers(1).not_a_setting();
-}
 
 cli::Spec spec(Options& o) {
     return {
@@ -43,27 +40,15 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
-        .options = {cli::Option{"order", &o.order, "ORDER",
-                                "climb columns, go layer by layer, or do so as in the 2019 paper, nearest first"}
-                        .one_of({"columns", "layers", "sun2019"}),
-                    cli::Option{"head", &o.head.name, "HEAD",
-                                "ordinary, none, or the head of a machine profile: its name or file"}
-                        .not_a_setting(),
-                    length("flat-radius", o.head.flat_radius, "MM",
-                           "radius of the flat at the tip; the ordinary head's is 0.2"),
-                    length("cone-angle", o.head.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60")
-                        .at_most(175),
-                    length("cone-height", o.head.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),
-                    length("carriage", o.head.carriage, "MM,MM",
-                           "size of the carriage around the nozzle; ordinary 40,40")
-                        .numbers(2),
-                    length("gantry-height", o.head.gantry_height, "MM",
-                           "height of the gantry above the tip, 0 for out of reach; ordinary 0"),
-                    cli::Option{"budget", &o.budget, "MILLIONS",
-                                "steps that the search may take, about 5 ms per million"}
-                        .at_least(0)
-                        .at_most(1e6),
-                    cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
+        .options = cli::with(
+            cli::with({cli::Option{"order", &o.order, "ORDER",
+                                   "climb columns, go layer by layer, or do so as in the 2019 paper"}
+                           .one_of({"columns", "layers", "sun2019"})},
+                      cli::head_options(o.head)),
+            {cli::Option{"budget", &o.budget, "MILLIONS", "steps that the search may take, about 5 ms per million"}
+                 .at_least(0)
+                 .at_most(1e6),
+             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},
@@ -82,8 +67,9 @@ void run(const Options& o, const cli::Io& given) {
         frames.push_back(std::move(frame));
     });
     sequence::Options options;
-    options.head = sequence::head(o.head);
-    for (const auto& [name, value] : sequence::settings(options.head)) io.settings.push_back({name, value});
+    options.head = machine::head(o.head);
+    for (const auto& [name, value, changed] : machine::settings(options.head))
+        io.settings.push_back({name, value, changed});
     options.by_layers = o.order == "layers";
     options.sun2019 = o.order == "sun2019";
     options.budget = static_cast<std::uint64_t>(o.budget) * 1'000'000;

@@ -145,6 +145,13 @@ TEST(Linker, TravelsOverWhatIsPrinted) {
     EXPECT_NEAR(highest[0], 0.6, 1e-9) << "nothing is in the way";
     EXPECT_NEAR(highest[1], 6.0, 1e-9) << "from the top of the tall column";
     EXPECT_NEAR(highest[2], 6.0, 1e-9) << "over the tall column";
+    Options none;
+    none.head.none = true;
+    double top = 0;
+    for (const auto& s : link(regions, none).spans)
+        if (s.role == Role::travel && s.stroke == 2)
+            for (const auto& p : s.points) top = std::max(top, p.z);
+    EXPECT_NEAR(top, 0.8, 1e-9) << "nothing can be in the way of no head";
 }
 
 TEST(Linker, ConnectsOutsideThePart) {
