@@ -109,7 +109,8 @@ struct Slabs {
 
 } // namespace
 
-Index slab_bound(const Graph& g, const Columns& columns, std::span<const double> weight, std::uint64_t budget) {
+Index slab_bound(const Graph& g, const Columns& columns, std::span<const double> weight, std::uint64_t budget,
+                 std::uint64_t& steps) {
     if (g.size() == 0) return 0;
     Slabs s(g, columns, weight);
     const auto n = static_cast<Index>(s.layers());
@@ -132,6 +133,7 @@ Index slab_bound(const Graph& g, const Columns& columns, std::span<const double>
         if (most == kNone) most = least[b - 1] + (s.first[b + 1] - s.first[b]);
         least[b] = most;
     }
+    steps += s.work;
     return g.size() - least[n - 1];
 }
 

@@ -7,6 +7,10 @@
 
 namespace filum::sequence {
 
+namespace {
+constexpr std::uint64_t kPivot = 8; // steps of a pivot per row and column
+} // namespace
+
 Index proven_unused(std::size_t links, const std::vector<Cut>& cuts, std::span<const double> prices) {
     constexpr std::int64_t kOne = std::int64_t{1} << 24; // the unit of prices
     std::int64_t sum = 0;
@@ -70,7 +74,7 @@ bool Cover::solve(Index most) {
     const int before = glp_get_it_cnt(p_->lp);
     const int fault = glp_simplex(p_->lp, &how);
     const auto pivots = static_cast<std::uint64_t>(glp_get_it_cnt(p_->lp) - before);
-    p_->work += (pivots + 1) * (p_->cuts.size() + p_->unused.size());
+    p_->work += kPivot * (pivots + 1) * (p_->cuts.size() + p_->unused.size());
     for (std::size_t a = 0; a < p_->unused.size(); ++a)
         p_->unused[a] = glp_get_col_prim(p_->lp, static_cast<int>(a) + 1);
     return fault == 0 && glp_get_status(p_->lp) == GLP_OPT;

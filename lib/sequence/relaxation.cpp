@@ -3,6 +3,9 @@
 #include "sequence/cover.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
 
 namespace filum::sequence {
 
@@ -34,6 +37,7 @@ Index Relaxation::tighten(Index target, std::uint64_t budget) {
         const std::uint64_t pivots = (limit - s.work()) / (links + 1) + 1;
         const bool solved = s.cover.solve(static_cast<Index>(std::min<std::uint64_t>(pivots, 1U << 30)));
         s.bound = std::max(s.bound, s.g.size() - (links - s.cover.proven()));
+        if (getenv("DBG")) fprintf(stderr, "bound %u work %.1f cover %.1f cuts %.1f solved %d t %.2f\n", s.bound, s.work() / 1e6, s.cover.work() / 1e6, s.cuts.work() / 1e6, solved, clock() / 1e6);
         if (!solved) break;
         s.cover.forget_slack();
         auto more = s.cuts.violated(s.cover.unused());

@@ -82,7 +82,8 @@ TEST(Bounds, AreNoMoreThanEnumerationFinds) {
         const Index least = fewest_strokes(t.g);
         const auto w = weights(t.g, t.columns, 0.02);
         const Index relaxed = Relaxation(t.g, t.columns, kAmple).tighten(kNone, kAmple);
-        const Index slabs = slab_bound(t.g, t.columns, w, kAmple);
+        std::uint64_t steps = 0;
+        const Index slabs = slab_bound(t.g, t.columns, w, kAmple, steps);
         EXPECT_LE(path_cover(t.g), relaxed) << trial;
         EXPECT_LE(relaxed, least) << trial;
         EXPECT_LE(slabs, least) << trial;
