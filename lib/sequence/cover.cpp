@@ -39,6 +39,7 @@ struct Cover::Program {
             glp_set_obj_coef(lp, a, 1);
         }
     }
+    [[nodiscard]] std::vector<double> prices() const;
     ~Program() { glp_delete_prob(lp); }
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -80,11 +81,22 @@ bool Cover::solve(Index most) {
     return fault == 0 && glp_get_status(p_->lp) == GLP_OPT;
 }
 
-Index Cover::proven() const {
-    std::vector<double> prices;
-    for (std::size_t i = 0; i < p_->cuts.size(); ++i)
-        prices.push_back(glp_get_row_dual(p_->lp, static_cast<int>(i) + 1));
-    return proven_unused(p_->unused.size(), p_->cuts, prices);
+std::vector<double> Cover::Program::prices() const {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < cuts.size(); ++i) out.push_back(glp_get_row_dual(lp, static_cast<int>(i) + 1));
+    return out;
+}
+
+Index Cover::proven() const { return proven_unused(p_->unused.size(), p_->cuts, p_->prices()); }
+
+std::vector<double> Cover::density() const {
+    std::vector<double> out(p_->unused.size(), 0);
+    const auto prices = p_->prices();
+    for (std::size_t i = 0; i < p_->cuts.size(); ++i) {
+        const Cut& c = p_->cuts[i];
+        for (const Index a : c.link) out[a] += std::max(0.0, prices[i]) * c.least / static_cast<double>(c.link.size());
+    }
+    return out;
 }
 
 void Cover::forget_slack() {

@@ -27,6 +27,8 @@ class Cover {
     [[nodiscard]] const std::vector<double>& unused() const;
     // What the solution, whether complete or not, proves.
     [[nodiscard]] Index proven() const;
+    // Where the bound comes from: the price of each cut times its least, spread over its links.
+    [[nodiscard]] std::vector<double> density() const;
     // Forgets cuts that the solution keeps with something to spare.
     void forget_slack();
     [[nodiscard]] std::uint64_t work() const; // grows with pivots and the size of the program

@@ -8,10 +8,10 @@ namespace filum::sequence {
 struct Plan {
     Order order;
     Cost cost;
-    Index path_cover = 0, relaxation = 0, slabs = 0; // strokes that each proves, 0 where there was no need to ask
-    Index bound = 0;                                 // no order has fewer strokes
-    bool complete = false;                           // a search left nothing out
-    std::uint64_t steps = 0;                         // taken of the budget
+    Index path_cover = 0, relaxation = 0; // strokes that each proves, 0 where there was no need to ask
+    Index bound = 0;                      // no order has fewer strokes
+    bool complete = false;                // a search left nothing out
+    std::uint64_t steps = 0;              // taken of the budget
 };
 
 // Layer order, the greedy ones, then in turns searches and bounds until they meet or `budget` steps are taken.

@@ -30,7 +30,6 @@ Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collis
     add("layer-floor", r.graph.size() - r.graph.node.back().layer, "strokes");
     add("path-cover", p.path_cover, "strokes");
     if (p.relaxation > 0) add("relaxation-bound", p.relaxation, "strokes");
-    if (p.slabs > 0) add("slab-bound", p.slabs, "strokes");
     add("lower-bound", p.bound, "strokes");
     add("strokes", strokes, "strokes");
     add("gap", 100 * (strokes - p.bound) / strokes, "%");
@@ -44,8 +43,7 @@ Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collis
 
 std::string bound_by(const Plan& p) {
     if (p.bound == p.path_cover) return "path-cover";
-    if (p.bound == p.relaxation) return "relaxation-bound";
-    return p.bound == p.slabs ? "slab-bound" : "search";
+    return p.bound == p.relaxation ? "relaxation-bound" : "search";
 }
 
 } // namespace

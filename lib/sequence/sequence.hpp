@@ -22,7 +22,7 @@ struct Result {
     Graph graph;                       // that was ordered
     // regions, columns, collisions;
     // layer-floor (regions - layers + 1: layer by layer has no fewer strokes);
-    // path-cover, relaxation-bound, slab-bound, lower-bound: no order that the head allows has fewer strokes than any
+    // path-cover, relaxation-bound, lower-bound: no order that the head allows has fewer strokes than any
     // of these (path-cover: nor without a head); lower-bound is the best of them, or the strokes if the search proved
     // its order best;
     // strokes; gap (% of the strokes that lower-bound leaves open);
@@ -30,7 +30,7 @@ struct Result {
     // steps (millions) taken by search and bounds; search-complete (1 if the search left nothing out, so that nothing
     // has fewer strokes)
     Facts facts;
-    std::string bound_by; // what proved lower-bound: path-cover, relaxation-bound, slab-bound or search
+    std::string bound_by; // what proved lower-bound: path-cover, relaxation-bound or search
 };
 
 // Orders `regions`, which come layer by layer with ids from 0 without gaps; their outlines are given up.

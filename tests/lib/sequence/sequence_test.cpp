@@ -1,5 +1,4 @@
 #include "base/error.hpp"
-#include "sequence/bound.hpp"
 #include "sequence/climb.hpp"
 #include "sequence/matching.hpp"
 #include "sequence/relaxation.hpp"
@@ -149,8 +148,6 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
         EXPECT_EQ(cost(g, wide.order).strokes, least) << trial;
         EXPECT_LE(path_cover(g), least);
         EXPECT_LE(relaxed(g, c), least) << trial;
-        std::uint64_t steps = 0;
-        EXPECT_LE(slab_bound(g, c, w, kAmple, steps), least) << trial;
         above_cover += least > path_cover(g) ? 1 : 0;
         relaxed_best += relaxed(g, c) == least ? 1 : 0;
 
