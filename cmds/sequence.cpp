@@ -49,25 +49,25 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
-        .options = {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
-                        {"columns", "layers"}),
-                    cli::Option{"head", &o.head.name, "HEAD",
-                                "ordinary, none, or the head of a machine profile: its name or file"}
-                        .not_a_setting(),
-                    length("flat-radius", o.head.flat_radius, "MM",
-                           "radius of the flat at the tip; the ordinary head's is 0.2"),
-                    length("cone-angle", o.head.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60")
-                        .at_most(175),
-                    length("cone-height", o.head.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),
-                    length("carriage", o.head.carriage, "MM,MM",
-                           "size of the carriage around the nozzle; ordinary 40,40")
-                        .numbers(2),
-                    length("gantry-height", o.head.gantry_height, "MM",
-                           "height of the gantry above the tip, 0 for out of reach; ordinary 0"),
-                    cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
-                                "steps that may be taken, about 5 ms per million; 10s: as many as take about 10 s"},
-                    cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
-                    cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()},
+        .options =
+            {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
+                 {"columns", "layers"}),
+             cli::Option{"head", &o.head.name, "HEAD",
+                         "ordinary, none, or the head of a machine profile: its name or file"}
+                 .not_a_setting(),
+             length("flat-radius", o.head.flat_radius, "MM",
+                    "radius of the flat at the tip; the ordinary head's is 0.2"),
+             length("cone-angle", o.head.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60")
+                 .at_most(175),
+             length("cone-height", o.head.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),
+             length("carriage", o.head.carriage, "MM,MM", "size of the carriage around the nozzle; ordinary 40,40")
+                 .numbers(2),
+             length("gantry-height", o.head.gantry_height, "MM",
+                    "height of the gantry above the tip, 0 for out of reach; ordinary 0"),
+             cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
+                         "steps that may be taken, about 5 ms per million; 10s: as many as take about 10 s"},
+             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
+             cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()},
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},

@@ -66,16 +66,17 @@ void Cover::add(std::vector<Cut> cuts) {
     }
 }
 
-bool Cover::solve(Index most) {
+bool Cover::solve(std::uint64_t budget) {
+    const std::uint64_t pivot = kPivot * (p_->cuts.size() + p_->unused.size());
     glp_smcp how;
     glp_init_smcp(&how);
     how.msg_lev = GLP_MSG_OFF;
     how.meth = GLP_DUAL;
-    how.it_lim = static_cast<int>(std::min<Index>(most, 1U << 30));
+    how.it_lim = static_cast<int>(std::min<std::uint64_t>(budget / (pivot + 1) + 1, 1U << 30));
     const int before = glp_get_it_cnt(p_->lp);
     const int fault = glp_simplex(p_->lp, &how);
     const auto pivots = static_cast<std::uint64_t>(glp_get_it_cnt(p_->lp) - before);
-    p_->work += kPivot * (pivots + 1) * (p_->cuts.size() + p_->unused.size());
+    p_->work += (pivots + 1) * pivot;
     for (std::size_t a = 0; a < p_->unused.size(); ++a)
         p_->unused[a] = glp_get_col_prim(p_->lp, static_cast<int>(a) + 1);
     return fault == 0 && glp_get_status(p_->lp) == GLP_OPT;

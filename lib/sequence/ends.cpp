@@ -66,7 +66,8 @@ std::vector<End> ends(const Graph& g, std::span<const Index> order, const Arcs& 
     for (std::size_t i = 0; i < order.size(); ++i) s.place[order[i]] = static_cast<Index>(i);
     std::vector<End> out;
     for (std::size_t i = 0; i < order.size(); ++i)
-        if (i + 1 == order.size() || !continues(g, order[i], order[i + 1])) out.push_back(s.end(static_cast<Index>(out.size()), order[i]));
+        if (i + 1 == order.size() || !continues(g, order[i], order[i + 1]))
+            out.push_back(s.end(static_cast<Index>(out.size()), order[i]));
     return out;
 }
 
@@ -82,9 +83,9 @@ std::string table(const Graph& g, const std::vector<End>& ends) {
     for (const End& e : ends) {
         const Node& n = g.node[e.region];
         const bool head = e.cause >= Cause::tip && e.cause <= Cause::gantry;
-        out += std::to_string(e.stroke) + '\t' + region(e.region) + '\t' + std::to_string(n.layer) + '\t' + fixed_text(n.z, 4) +
-               '\t' + fixed_text(n.centre.x, 3) + '\t' + fixed_text(n.centre.y, 3) + '\t' + std::string(name(e.cause)) +
-               '\t' + region(e.ahead) + '\t' + region(e.awaited) + '\t' +
+        out += std::to_string(e.stroke) + '\t' + region(e.region) + '\t' + std::to_string(n.layer) + '\t' +
+               fixed_text(n.z, 4) + '\t' + fixed_text(n.centre.x, 3) + '\t' + fixed_text(n.centre.y, 3) + '\t' +
+               std::string(name(e.cause)) + '\t' + region(e.ahead) + '\t' + region(e.awaited) + '\t' +
                (head ? fixed_text(g.node[e.ahead].z - g.node[e.awaited].z, 4) : "-") + '\t' +
                (head ? fixed_text(e.distance, 4) : "-") + '\n';
     }

@@ -41,8 +41,7 @@ struct Relaxation::State {
     bool done = false;        // no cut is left
     std::uint64_t before = 0; // work of cuts of earlier columns
 
-    State(const Graph& graph, const Columns& c, std::uint64_t budget)
-        : g(graph), columns(c), cover(graph.up.size()) {
+    State(const Graph& graph, const Columns& c, std::uint64_t budget) : g(graph), columns(c), cover(graph.up.size()) {
         cuts.emplace(g, columns, budget);
         cover.add(cuts->degrees());
     }
@@ -83,8 +82,7 @@ Index Relaxation::tighten(Index target, std::uint64_t budget) {
     const auto links = static_cast<Index>(s.g.up.size());
     const std::uint64_t limit = s.work() + budget;
     while (!s.done && s.bound < target && s.work() < limit) {
-        const std::uint64_t pivots = (limit - s.work()) / (links + 1) + 1;
-        const bool solved = s.cover.solve(static_cast<Index>(std::min<std::uint64_t>(pivots, 1U << 30)));
+        const bool solved = s.cover.solve(limit - s.work());
         s.bound = std::max(s.bound, s.g.size() - (links - s.cover.proven()));
         if (!solved) break;
         s.cover.forget_slack();

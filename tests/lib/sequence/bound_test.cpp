@@ -41,7 +41,7 @@ TEST(Cuts, HoldForEveryOrder) {
         Cover cover(g.up.size());
         cover.add(all);
         for (int round = 0; round < 20; ++round) {
-            cover.solve(1000);
+            cover.solve(kAmple);
             auto unused = cover.unused();
             if (round % 3 == 2) // what nobody would propose
                 for (double& x : unused) x = std::max(0.0, uniform(random, -2, 1));
@@ -123,7 +123,7 @@ TEST(Cover, AnyPricesProveABound) {
         }
         Cover cover(links);
         cover.add(cuts);
-        EXPECT_TRUE(cover.solve(1000));
+        EXPECT_TRUE(cover.solve(kAmple));
         EXPECT_LE(cover.proven(), fewest);
         double sum = 0;
         for (const double x : cover.unused()) sum += x;
