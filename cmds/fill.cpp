@@ -19,6 +19,11 @@ constexpr const char* kDescription =
     "paper, unrepaired, to compare.\n\n"
     "zigzag and spiral+zigzag (rings outside, rows inside) also give one closed curve per region. contour and "
     "contour+zigzag leave the rings apart; rectilinear lays separate lines, like an ordinary slicer.\n\n"
+    "scaffold leaves pores: strands at --spacing, of each region one open curve that turns round half a bead inside "
+    "the "
+    "outline, and that begins where the layer below ended. Holes and notches that interrupt strands are passed along "
+    "the boundary; where that passes a turn again, both share one bead's width. With --rings, rings around them belong "
+    "to the same curve. Strands of a column stay in line from layer to layer, centred in its first region.\n\n"
     "Every bead carries its width, point by point: width times layer height times length is what the machine will "
     "extrude. Whatever no bead reaches (corners, tips) is summed in each region's frame as unplaced area; beads "
     "narrower than --min-width are laid all the same and reported.";
@@ -39,7 +44,16 @@ cli::Spec spec(fill::Options& o) {
                            "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
                         .at_least(0),
                     Option{"angles", &o.angles_deg, "DEG,...",
-                           "angles of straight rows from the x axis, layer after layer, over and over"},
+                           "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
+                           "0,90 of a scaffold"},
+                    Option{"spacing", &o.spacing, "MM",
+                           "scaffold: from strand to strand, centre to centre; 0: two and a half bead widths"}
+                        .at_least(0)
+                        .at_most(1e6),
+                    Option{"stagger", &o.stagger, "SPACINGS",
+                           "scaffold: how far the strands of every other round of angles are shifted"}
+                        .at_least(0)
+                        .at_most(1),
                     Option{
                         "rings", &o.rings, "N",
                         "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
@@ -54,11 +68,21 @@ cli::Spec spec(fill::Options& o) {
                         .at_most(1e6)},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
-                      "rows, turned by 90 degrees from layer to layer"}},
+                      "rows, turned by 90 degrees from layer to layer"},
+                     {"slice part.stl | regions | sequence | fill --pattern scaffold --spacing 1 > part.paths",
+                      "a porous scaffold: strands 1 mm apart, 0/90"}},
         .see_also = {"sequence", "link3d", "metrics"}};
 }
 
 void run(const fill::Options& options, const cli::Io& io) {
+    if (options.pattern == "scaffold") {
+        fill::strand_spacing(options);
+        fill::Before before;
+        const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
+            emit(wire::frame(fill::fill_scaffold(wire::region(frame), options, before, notes)));
+        };
+        return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
+    }
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
         return std::vector{wire::frame(fill::fill(wire::region(frame), options, notes))};
     });

@@ -1,9 +1,11 @@
 #include "fill/fill.hpp"
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "fill/contour.hpp"
 #include "fill/rectilinear.hpp"
 #include "fill/ringed_zigzag.hpp"
+#include "fill/scaffold.hpp"
 #include "fill/spiral.hpp"
 #include "fill/sun2019.hpp"
 #include "fill/zigzag.hpp"
@@ -42,18 +44,70 @@ std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, 
     throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "' and method '" + o.method + "'");
 }
 
-} // namespace
-
-toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
+toolpath::RegionPaths paths_of(const polygon::Region& r) {
     toolpath::RegionPaths out;
     out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
     out.stroke = r.stroke, out.join = r.join;
-    const std::size_t before = notes.size();
-    out.curves = curves(r, o, out.unplaced, notes);
-    for (std::size_t i = before; i < notes.size(); ++i) {
+    return out;
+}
+
+// Puts the notes from `first` on to their layer.
+void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::RegionPaths& out) {
+    for (std::size_t i = first; i < notes.size(); ++i) {
         notes[i].layer = r.layer;
         if (notes[i].what == "not reached by a bead") out.unplaced += notes[i].amount;
     }
+}
+
+// The column that r belongs to.
+std::size_t column(const polygon::Region& r, Before& before) {
+    if (r.join == Join::vertical && !before.columns.empty()) return before.column;
+    const auto box = polygon::bounds(r.loops[0]);
+    const auto middle = geom::lerp(box.lo, box.hi, 0.5);
+    for (std::size_t i = 0; i < before.columns.size(); ++i)
+        if (geom::distance(before.columns[i].box, {middle, middle}) == 0) return i;
+    before.columns.push_back({box, r.loops});
+    return before.columns.size() - 1;
+}
+
+} // namespace
+
+toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
+    if (o.pattern == "scaffold") {
+        Before before;
+        return fill_scaffold(r, o, before, notes);
+    }
+    toolpath::RegionPaths out = paths_of(r);
+    const std::size_t first = notes.size();
+    out.curves = curves(r, o, out.unplaced, notes);
+    place(r, notes, first, out);
+    return out;
+}
+
+double strand_spacing(const Options& o) {
+    const double spacing = o.spacing > 0 ? o.spacing : 2.5 * o.bead_width;
+    if (spacing < o.bead_width)
+        throw Error(Exit::usage, "cannot use '" + shortest_text(o.spacing) + "' for --spacing: strands " +
+                                     shortest_text(o.bead_width) +
+                                     " mm wide would overlap; make it larger than --bead-width");
+    return spacing;
+}
+
+toolpath::RegionPaths fill_scaffold(const polygon::Region& r, const Options& options, Before& before, Notes& notes) {
+    Options o = options;
+    if (o.angles_deg.empty()) o.angles_deg = {0, 90};
+    toolpath::RegionPaths out = paths_of(r);
+    const std::size_t first = notes.size();
+    before.column = column(r, before);
+    const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
+    ScaffoldOptions s;
+    s.bead_width = o.bead_width, s.spacing = strand_spacing(o), s.angle = angle(r, o);
+    s.shift = shifted ? o.stagger : 0, s.rings = rings(o, 0);
+    if (r.join == Join::vertical) s.from = before.exit;
+    out.curves = scaffold(r.loops, before.columns[before.column].region, s, notes);
+    place(r, notes, first, out);
+    before.exit.reset();
+    if (!out.curves.empty() && !out.curves.back().closed) before.exit = out.curves.back().points.back();
     return out;
 }
 

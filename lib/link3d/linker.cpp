@@ -111,10 +111,23 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
         ++counts_.broken;
         notes.push_back({"", "join broken, its ends are out of reach", 0, "", 1, r.paths.layer, at_->x, at_->y});
     }
-    const Entry entry = start_entry();
+    Entry entry = start_entry();
+    if (const auto other = other_end(entry)) entry = *other;
     stop_and_travel(entry.place.point, emit);
     home_ = entry.place.point, offset_ = 0;
     return entry;
+}
+
+// The other end of the region's only curve, an open one, if the next region can be reached only by beginning there.
+std::optional<Linker::Entry> Linker::other_end(const Entry& entry) const {
+    const auto& curves = window_.front().paths.curves;
+    const Curve& curve = curves[entry.place.curve];
+    if (curve.closed || curves.size() > 1 || next_ != Next::above) return std::nullopt;
+    if (ends_well(0, run(curve, entry.against)) || !ends_well(0, run(curve, !entry.against))) return std::nullopt;
+    Entry out{{}, !entry.against};
+    if (out.against) out.place.segment = static_cast<std::uint32_t>(curve.points.size()) - 2, out.place.t = 1;
+    out.place.point = out.against ? curve.points.back() : curve.points.front();
+    return out;
 }
 
 // The nozzle's way from one curve of the front region to the nearest one that is left.

@@ -78,6 +78,7 @@ class Linker {
 
     void print_front(const Emit& emit, Notes& notes);
     Entry enter(const Emit& emit, Notes& notes);
+    [[nodiscard]] std::optional<Entry> other_end(const Entry& entry) const;
     std::optional<Entry> climb(const Emit& emit);
     std::optional<Entry> go_around(const Emit& emit);
     [[nodiscard]] std::optional<std::uint32_t> main_curve() const;

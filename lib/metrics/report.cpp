@@ -216,6 +216,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     areas(layers, input.claimed_unplaced, out);
     crossing_figures(layers, out);
     region_figures(layers, out);
+    if (input.pores) pore_figures(*input.pores, out);
     shape(beads, regions, w, options, threads, out);
     if (input.whole_program) lengths(input.course, input.seconds, options, out);
     if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
@@ -239,14 +240,15 @@ std::string region_table(const std::vector<LayerFigures>& layers) {
     return out;
 }
 
-std::string layer_table(const std::vector<LayerFigures>& layers) {
-    std::string out = "layer\tz_mm\tarea_mm2\tcoverage\toutside\toverfill\tmaterial\tcrossings\tregions\n";
+std::string layer_table(const std::vector<LayerFigures>& layers, const std::optional<Pores>& pores) {
+    std::string out = "layer\tz_mm\tarea_mm2\tcoverage\toutside\toverfill\tmaterial\tcrossings\tregions" +
+                      (pores ? "\t" + pore_columns() : "") + "\n";
     for (const auto& l : layers) {
         const double a = l.cover.area;
         out += std::to_string(l.layer) + "\t" + fixed_text(l.z, 4) + "\t" + fixed_text(a, 4) + "\t" +
                fixed_text(coverage(l.cover), 5) + "\t" + share(l.cover.outside(), a) + "\t" +
                share(l.cover.overfill(), a) + "\t" + share(l.cover.deposited, a) + "\t" + std::to_string(l.crossings) +
-               "\t" + std::to_string(l.regions.size()) + "\n";
+               "\t" + std::to_string(l.regions.size()) + (pores ? "\t" + pore_cells(*pores, l.layer) : "") + "\n";
     }
     return out;
 }

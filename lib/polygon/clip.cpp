@@ -131,6 +131,20 @@ Loops offset(const Loops& a, double delta, double arc_tolerance) {
     }
 }
 
+Loops around(std::span<const Vec2> line, double radius, double arc_tolerance) {
+    try {
+        cl::ClipperOffset offsetter(2.0, arc_tolerance * kScale);
+        cl::Path path;
+        for (const Vec2 p : line) path.emplace_back(std::llround(p.x * kScale), std::llround(p.y * kScale));
+        offsetter.AddPath(path, cl::jtRound, cl::etOpenRound);
+        cl::Paths out;
+        offsetter.Execute(out, radius * kScale);
+        return from_clipper(out);
+    } catch (const cl::clipperException& e) {
+        throw Error(Exit::bad_input, std::string("cannot widen a line: ") + e.what());
+    }
+}
+
 Parts split(const Loops& a) {
     cl::PolyTree tree;
     try {
