@@ -57,13 +57,19 @@ chain() {
 }
 
 # F11: a start at or near the axis puts the seams of all layers on one line.
-# Property: no layer of a bar begins within three bead widths of where the one below begins; ten layers, nine pairs.
+# Moved on by 10 mm a layer, they are joined by links over the beads beside them, each of which crosses some.
+# Property: no layer of a bar begins within three bead widths of where the one below begins, and no bead is crossed; ten
+# layers, nine pairs.
 @test "F11: the main axis puts all starts on one line" {
     chain bar.stl "" "--method sun2019" "--links sun2019"
     [ "$(figure pairs)" = 9 ]
     [ "$(figure 'nearer than three beads')" = 9 ]
+    chain bar.stl "" "--method sun2019 --start-shift 10" "--links sun2019 --start-shift 10"
+    [ "$(figure 'nearer than three beads')" = 0 ]
+    [ "$(figure crossings)" -ge 9 ]
     for scheme in alternate golden random; do
         chain bar.stl "" "" "--interlace $scheme"
+        [ "$(figure crossings)" = 0 ]
         [ "$(figure pairs)" = 9 ]
         [ "$(figure 'nearer than three beads')" = 0 ]
         [ "$(figure strokes)" = 1 ]
