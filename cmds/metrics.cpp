@@ -13,10 +13,10 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Counts and measures what a toolpath is, from its moves alone: strokes, stops, breaks and joins, lengths, print "
-    "time and material, crossings, bead widths, sharp turns, how far apart neighbouring layers begin. With --regions "
-    "also what it fills: coverage, what lies outside, what is laid where there is material already, the worst layer "
-    "and region. No stage's own claim is used, but what the stages before said they dropped or repaired is listed at "
-    "the end. The output of fill can be measured, too: each curve counts as printed by itself.\n\n"
+    "time and material, crossings, bead widths and directions, sharp turns, how far apart neighbouring layers begin. "
+    "With --regions also what it fills: coverage, what lies outside, what is laid where there is material already, the "
+    "worst layer and region. No stage's own claim is used, but what the stages before said they dropped or repaired is "
+    "listed at the end. The output of fill can be measured, too: each curve counts as printed by itself.\n\n"
     "A stop is a way of more than 0.05 mm in XY without extruding; a stroke ends at a stop, or where the nozzle rises "
     "by more than two layers without extruding. A bead is a straight stretch with round ends, as wide as its "
     "cross-section divided by the height of the layer that its z falls into. Shares are of the outlines' area: "
@@ -24,9 +24,8 @@ constexpr const char* kDescription =
     "length times width less the area under beads. Crossings are pairs of moves of one layer that properly cross and "
     "do not follow each other.\n\n"
     "Sharp turns follow the authors of the Connected Fermat Spirals: the path cuts a disc of one bead width's radius "
-    "in two, and the turn is sharp where the smaller part is below 0.3 of the disc. Areas are swept by rows with "
-    "exact ends: their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with "
-    "look-ahead.\n\n"
+    "in two, and the turn is sharp where the smaller part is below 0.3 of the disc. Areas are swept by rows with exact "
+    "ends: their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with look-ahead.\n\n"
     "--pores is for scaffolds: porosity by extruded volume, by covered area, and 1 - width / spacing of an endless "
     "lattice; strands and their spacing; pore size, the largest circle in each window of a layer and the ones that "
     "cross it; and throats, the largest balls that fall straight through, or roll between two strands.";

@@ -14,12 +14,12 @@ using geom::Vec2;
 using polygon::Loops;
 
 struct ScaffoldOptions {
-    double bead_width = 0.4;  // mm
-    double spacing = 1;       // mm between the centre lines of strands, >= bead_width
-    double angle = 0;         // rad, of the strands from the x axis
-    double shift = 0;         // spacings by which the strands are moved across themselves
-    int rings = 0;            // closed rings along the outline and the holes, of the same stroke
-    std::optional<Vec2> from; // where the nozzle is
+    double bead_width = 0.4;       // mm
+    double spacing = 1;            // mm between the centre lines of strands, >= bead_width
+    double angle = 0;              // rad, of the strands from the x axis
+    double shift = 0;              // spacings by which the strands are moved across themselves
+    int rings = 0;                 // closed rings along the outline and the holes, of the same stroke
+    std::optional<Vec2> from = {}; // where the nozzle is
 };
 
 // Strands across one connected region, joined to one open curve: a meander whose turns run half a bead inside the

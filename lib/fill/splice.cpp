@@ -5,6 +5,7 @@
 #include "geom/segment_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -19,6 +20,7 @@ constexpr double kOverlap = 1.0 / 512; // as in `spiral`
 constexpr double kShortestRing = 1.3;  // bead widths; shorter rings have no room for a link
 constexpr double kStep = 1.0 / 4;      // bead widths between the places that are tried
 constexpr double kFarthest = 8;        // bead widths: the longest link
+constexpr double kNextTo = 1.5;        // bead widths: an end so near to a ring can lead on to it
 constexpr std::size_t kTries = 64;     // places, nearest first
 constexpr double kBent = 0.9;          // a window must be as straight: chord / length
 constexpr double kTouch = 1e-4;        // of a link's length, at either end, where it may touch
@@ -148,6 +150,26 @@ std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::ve
     return std::nullopt;
 }
 
+// The curve led on from its end to the ring and once around it, if the end is next to the ring.
+std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::vector<Segment>& all, double w) {
+    const auto sums = lengths(ring);
+    const geom::Vec2 end = curve.points.back();
+    const Place at = nearest_place(ring, sums, end);
+    if (geom::distance(at.point, end) > kNextTo * w) return std::nullopt;
+    if (!is_free(end, at.point, geom::SegmentGrid(all, w), all)) return std::nullopt;
+    Curve out{false, curve.points, {}};
+    for (std::size_t i = 0; i < curve.points.size(); ++i) out.width.push_back(curve.width_at(i));
+    push(out, at.point, width_at(ring, at));
+    const std::size_t n = ring.points.size();
+    for (std::size_t k = 1; k <= n; ++k) push(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n));
+    const double gap = sums.back() - w / 4; // two round ends fill it
+    const Place last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
+    while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4)
+        out.points.pop_back(), out.width.pop_back();
+    push(out, last.point, width_at(ring, last));
+    return out;
+}
+
 std::vector<Curve> ring_groups(const polygon::Loops& region, double w, int rings) {
     const double tolerance = w / 128;
     const Rings all = nested_rings(inset(region, w / 2), w * (1 - kOverlap), kShortestRing * w, tolerance);
@@ -172,6 +194,8 @@ void splice_rings(const polygon::Loops& region, double w, int rings, std::vector
         bool joined = false;
         for (std::size_t c = 0; c < open && !joined; ++c)
             if (auto longer = splice(curves[c], ring, all, w)) curves[c] = std::move(*longer), joined = true;
+        for (std::size_t c = 0; c < open && !joined; ++c)
+            if (auto longer = led_on(curves[c], ring, all, w)) curves[c] = std::move(*longer), joined = true;
         if (joined) continue;
         curves.push_back(ring);
         notes.push_back({"", "ring not joined", 1, "curves", 1, -1, ring.points[0].x, ring.points[0].y});

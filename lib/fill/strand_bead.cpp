@@ -19,6 +19,16 @@ struct Leg {
     bool strand = false, once = false;
 };
 
+// Points where the width of a pass may change, at the same places whichever way it runs: so passes never cross.
+void add_tapers(Leg& leg, double taper) {
+    for (int end = 0; end < 2; ++end) {
+        const Vec2 a = leg.line[0], b = leg.line[1];
+        if (const double l = geom::distance(a, b); l > 3 * taper)
+            leg.line.insert(leg.line.begin() + 1, geom::lerp(a, b, taper / l));
+        std::reverse(leg.line.begin(), leg.line.end());
+    }
+}
+
 Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width) {
     Leg out;
     out.strand = s.strand;
@@ -26,6 +36,7 @@ Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width)
     out.length = s.strand ? g.strand_length(s.id) : g.arcs[s.id].length;
     const std::uint32_t times = s.strand ? passes.strand[s.id] : passes.arc[s.id];
     out.width = width / times, out.once = times == 1;
+    if (!out.once) add_tapers(out, kTaper * width);
     if (s.against) std::reverse(out.line.begin(), out.line.end());
     return out;
 }
@@ -76,11 +87,11 @@ void append(const Leg& leg, double taper, toolpath::Curve& to) {
         const Vec2 last = to.points.back();
         const double l = geom::distance(last, p);
         if (l < kSame) continue;
-        if (!same) {
+        if (!same && leg.once) {
             to.points.push_back(geom::lerp(last, p, std::min(0.5, taper / l)));
             to.width.push_back(leg.width);
-            same = true;
         }
+        same = true;
         to.points.push_back(p);
         to.width.push_back(leg.width);
     }

@@ -24,7 +24,8 @@ class Walker {
         out_.trails.emplace_back();
         std::uint32_t at = from;
         for (std::size_t left = g_.strands; left > 0; --left) {
-            const std::uint32_t to = search(at, first);
+            std::uint32_t to = search(at, first);
+            if (to == kNone && first != kNone) to = search(at, kNone); // the boundary does not lead to `first`
             first = kNone;
             at = to != kNone ? go(at, to) : begin_anew();
             at = lay(at);

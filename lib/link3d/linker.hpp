@@ -10,7 +10,7 @@
 #include "base/fact.hpp"
 #include "base/note.hpp"
 #include "link3d/bead.hpp"
-#include "link3d/interlace.hpp"
+#include "link3d/options.hpp"
 #include "link3d/segment_index.hpp"
 #include "link3d/travel.hpp"
 #include "toolpath/path.hpp"
@@ -22,29 +22,6 @@
 #include <optional>
 
 namespace filum::link3d {
-
-// What becomes of a join to a region that does not lie above the one before it.
-enum class Connect : std::uint8_t {
-    stop,    // a break: the nozzle stops, travels and starts again
-    outside, // an extruded connector around the part, to be trimmed
-};
-
-// Where a stroke begins.
-enum class Seam : std::uint8_t {
-    nearest, // at the place nearest to where the stroke before ended
-    inside,  // near the middle of the column that it is going to climb
-};
-
-struct Options {
-    double reach = 1.5;            // bead widths: the longest jog
-    std::uint32_t look_ahead = 16; // regions
-    Connect connect = Connect::stop;
-    Seam seam = Seam::nearest;
-    Interlace interlace = Interlace::none;
-    std::uint64_t seed = 1;          // of random starts
-    bool alternate_direction = true; // each layer runs the other way round
-    machine::Head head = {};         // for travels: what must pass over what is printed
-};
 
 // Every join of two curves, by class; strokes = breaks + 1.
 struct Counts {

@@ -47,7 +47,7 @@ std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machi
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
     double z = level;
     for (const auto& b : printed.bodies) {
-        if (b.top <= level) continue;
+        if (head.none || b.top <= level) continue;
         if (passes(from.xy(), to.xy(), b.box, cone))
             z = std::max(z, b.top);
         else if (passes(from.xy(), to.xy(), b.box, carriage))

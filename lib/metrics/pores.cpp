@@ -19,7 +19,8 @@ constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
 constexpr double kStraight = 0.5 * kDegree; // between pieces of one straight stretch
 constexpr double kSame = kDegree;           // between strands of one direction
 constexpr double kLong = 3;                 // bead widths
-constexpr double kChink = 0.25;             // bead widths
+constexpr double kApart = 1.1;              // bead widths; nearer strands lie side by side
+constexpr double kChink = 0.125;            // bead widths
 constexpr double kExact = 0.002;            // mm
 
 double median(std::vector<double> v) {
@@ -223,7 +224,7 @@ LayerPores find_strands(const LayerBeads& beads) {
     }
     std::sort(lines.begin(), lines.end());
     for (std::size_t i = 1; i < lines.size(); ++i)
-        if (const double gap = lines[i] - lines[i - 1]; gap > w / 4) gaps.push_back(gap);
+        if (const double gap = lines[i] - lines[i - 1]; gap > kApart * w) gaps.push_back(gap);
     out.width = weighted_median(std::move(widths));
     out.spacing = median(std::move(gaps));
     return out;

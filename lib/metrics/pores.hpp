@@ -1,12 +1,14 @@
 // The pores of a scaffold, measured on what was laid.
 //
 //   strand     a straight stretch of beads at least three median bead widths long, within one degree of the layer's
-//              main direction (that of most bead length); one that a hole interrupts counts for each piece
-//   spacing    median distance between neighbouring strand lines of a layer; lines nearer than a quarter of a bead are
-//              one
+//              main direction (that of most bead length); one that a hole interrupts counts for each piece, and so do
+//              the sides of rings in that direction
+//   spacing    median distance between neighbouring strand lines of a layer, of those that lie more than 1.1 bead
+//   widths
+//              apart
 //   opening    a connected part of a plan view that lies in the outlines, free of beads (connectors are left out) and
-//              enclosed by beads all round, with its largest inscribed circle; those with a circle smaller than a
-//              quarter of a bead across are chinks and left out
+//              enclosed by beads all round, with its largest inscribed circle; those with a circle smaller than an
+//              eighth of a bead across are chinks and left out
 //   pore size  the diameter of that circle, of every opening in the plan view of a layer together with those above it
 //   up
 //              to the first of another direction (at the top: below it): of a 0/90 stack the window between two strands

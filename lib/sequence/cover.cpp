@@ -7,6 +7,10 @@
 
 namespace filum::sequence {
 
+namespace {
+constexpr std::uint64_t kPivot = 8; // steps of a pivot per row and column
+} // namespace
+
 Index proven_unused(std::size_t links, const std::vector<Cut>& cuts, std::span<const double> prices) {
     constexpr std::int64_t kOne = std::int64_t{1} << 24; // the unit of prices
     std::int64_t sum = 0;
@@ -35,6 +39,7 @@ struct Cover::Program {
             glp_set_obj_coef(lp, a, 1);
         }
     }
+    [[nodiscard]] std::vector<double> prices() const;
     ~Program() { glp_delete_prob(lp); }
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -61,26 +66,38 @@ void Cover::add(std::vector<Cut> cuts) {
     }
 }
 
-bool Cover::solve(Index most) {
+bool Cover::solve(std::uint64_t budget) {
+    const std::uint64_t pivot = kPivot * (p_->cuts.size() + p_->unused.size());
     glp_smcp how;
     glp_init_smcp(&how);
     how.msg_lev = GLP_MSG_OFF;
     how.meth = GLP_DUAL;
-    how.it_lim = static_cast<int>(std::min<Index>(most, 1U << 30));
+    how.it_lim = static_cast<int>(std::min<std::uint64_t>(budget / (pivot + 1) + 1, 1U << 30));
     const int before = glp_get_it_cnt(p_->lp);
     const int fault = glp_simplex(p_->lp, &how);
     const auto pivots = static_cast<std::uint64_t>(glp_get_it_cnt(p_->lp) - before);
-    p_->work += (pivots + 1) * (p_->cuts.size() + p_->unused.size());
+    p_->work += (pivots + 1) * pivot;
     for (std::size_t a = 0; a < p_->unused.size(); ++a)
         p_->unused[a] = glp_get_col_prim(p_->lp, static_cast<int>(a) + 1);
     return fault == 0 && glp_get_status(p_->lp) == GLP_OPT;
 }
 
-Index Cover::proven() const {
-    std::vector<double> prices;
-    for (std::size_t i = 0; i < p_->cuts.size(); ++i)
-        prices.push_back(glp_get_row_dual(p_->lp, static_cast<int>(i) + 1));
-    return proven_unused(p_->unused.size(), p_->cuts, prices);
+std::vector<double> Cover::Program::prices() const {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < cuts.size(); ++i) out.push_back(glp_get_row_dual(lp, static_cast<int>(i) + 1));
+    return out;
+}
+
+Index Cover::proven() const { return proven_unused(p_->unused.size(), p_->cuts, p_->prices()); }
+
+std::vector<double> Cover::density() const {
+    std::vector<double> out(p_->unused.size(), 0);
+    const auto prices = p_->prices();
+    for (std::size_t i = 0; i < p_->cuts.size(); ++i) {
+        const Cut& c = p_->cuts[i];
+        for (const Index a : c.link) out[a] += std::max(0.0, prices[i]) * c.least / static_cast<double>(c.link.size());
+    }
+    return out;
 }
 
 void Cover::forget_slack() {

@@ -22,14 +22,16 @@ class Cover {
     Cover& operator=(const Cover&) = delete;
 
     void add(std::vector<Cut> cuts);
-    // Solves anew, with at most `most` pivots.  False if they do not suffice.
-    bool solve(Index most);
+    // Solves anew.  False if `budget` steps do not suffice.
+    bool solve(std::uint64_t budget);
     [[nodiscard]] const std::vector<double>& unused() const;
     // What the solution, whether complete or not, proves.
     [[nodiscard]] Index proven() const;
+    // Where the bound comes from: the price of each cut times its least, spread over its links.
+    [[nodiscard]] std::vector<double> density() const;
     // Forgets cuts that the solution keeps with something to spare.
     void forget_slack();
-    [[nodiscard]] std::uint64_t work() const; // grows with pivots and the size of the program
+    [[nodiscard]] std::uint64_t work() const; // steps taken so far
 
   private:
     struct Program;

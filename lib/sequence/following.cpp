@@ -4,6 +4,10 @@
 
 namespace filum::sequence {
 
+namespace {
+constexpr std::size_t kAtOnce = 16; // places that are compared in the time of one step
+} // namespace
+
 Following::Following(const Graph& g, const Columns& columns, std::uint64_t most)
     : columns_(columns.member.size()), first_(g.size() * columns_, kNone), again_(g.size(), kNone) {
     std::vector<Index> place(g.size());
@@ -18,7 +22,7 @@ Following::Following(const Graph& g, const Columns& columns, std::uint64_t most)
             to[columns.of[w]] = std::min(to[columns.of[w]], place[w]);
             again_[v] = std::min(again_[v], columns.of[w] == own ? again_[w] : first(w, own));
         }
-        work_ += (g.after[v].size() + 1) * columns_;
+        work_ += (g.after[v].size() + 1) * columns_ / kAtOnce + 1;
         if (work_ > most) break;
     }
 }

@@ -18,6 +18,8 @@ class Relaxation {
 
     // Goes on until `target` strokes are proven, `budget` more is used or no cut is left; the best bound so far.
     Index tighten(Index target, std::uint64_t budget);
+    // How much of the bound is owed to the links of each region, half to either end.
+    [[nodiscard]] std::vector<double> density() const;
     [[nodiscard]] std::uint64_t work() const;
 
   private:

@@ -89,6 +89,20 @@ stops() {
     [ "$(stops)" -eq 1 ]
 }
 
+@test "travels clear the head that is given, as the history says" {
+    paths
+    link3d part.paths -o ordinary.toolpath
+    link3d --head ordinary part.paths -o same.toolpath
+    cmp ordinary.toolpath same.toolpath
+    link3d --head none part.paths -o none.toolpath
+    link3d --head bio-x part.paths -o bio.toolpath
+    peek --script none.toolpath | grep -q 'link3d .*--head=none\|link3d --head=none'
+    peek --script bio.toolpath | grep -q 'link3d .*--carriage=60,60'
+    if peek --script ordinary.toolpath | grep -q 'carriage'; then return 1; fi
+    run link3d --head nothing part.paths
+    [ "$status" -eq 2 ]
+}
+
 @test "a cut stream and a wrong one are refused" {
     paths
     head -c -20 part.paths > cut.paths

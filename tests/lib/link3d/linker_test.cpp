@@ -121,6 +121,38 @@ TEST(Linker, EntersOpenLinesAtTheirEnds) {
     EXPECT_NEAR(volume(r, true), 2 * 20 * 10 * kWidth * kHeight, 1e-6);
 }
 
+// Meanders begun where the one below ended: whichever end is nearer to the corner, the stroke begins at the one that
+// leads on.
+TEST(Linker, ClimbsOpenCurvesFromEndToEnd) {
+    const Curve up{false, {{0, 0}, {10, 0}, {10, 5}, {0, 5}, {0, 10}, {10, 10}}, {0.4}};
+    Curve down = up;
+    std::reverse(down.points.begin(), down.points.end());
+    for (const auto& layers : {std::vector<Curve>{up, down, up, down}, std::vector<Curve>{down, up, down, up}}) {
+        std::vector<std::vector<Curve>> curves;
+        for (const auto& c : layers) curves.push_back({c});
+        const auto regions = column(curves);
+        const Result r = link(regions);
+        check(regions, r);
+        EXPECT_EQ(r.counts.breaks, 0U);
+        EXPECT_EQ(r.counts.lifts, 3U);
+    }
+    // only one end leads on: above its far end stands a post
+    const Curve post{false, {{10, 10}, {10, 9}}, {0.4}};
+    for (const bool turned : {false, true}) {
+        const auto regions = column({{turned ? down : up}, {post}});
+        const Result r = link(regions);
+        check(regions, r);
+        EXPECT_EQ(r.counts.breaks, 0U) << turned;
+        EXPECT_EQ(r.spans.front().points.front().xy(), (Vec2{0, 0}));
+    }
+    const Curve near{false, {{0, 0}, {1, 0}}, {0.4}};
+    for (const bool turned : {false, true}) {
+        const Result r = link(column({{turned ? down : up}, {near}}));
+        EXPECT_EQ(r.counts.breaks, 0U) << turned;
+        EXPECT_EQ(r.spans.front().points.front().xy(), (Vec2{10, 10}));
+    }
+}
+
 TEST(Linker, TravelsOverWhatIsPrinted) {
     std::vector<RegionPaths> regions;
     const auto add = [&](double x, std::uint32_t layer, Join join) {
@@ -145,6 +177,13 @@ TEST(Linker, TravelsOverWhatIsPrinted) {
     EXPECT_NEAR(highest[0], 0.6, 1e-9) << "nothing is in the way";
     EXPECT_NEAR(highest[1], 6.0, 1e-9) << "from the top of the tall column";
     EXPECT_NEAR(highest[2], 6.0, 1e-9) << "over the tall column";
+    Options none;
+    none.head.none = true;
+    double top = 0;
+    for (const auto& s : link(regions, none).spans)
+        if (s.role == Role::travel && s.stroke == 2)
+            for (const auto& p : s.points) top = std::max(top, p.z);
+    EXPECT_NEAR(top, 0.8, 1e-9) << "nothing can be in the way of no head";
 }
 
 TEST(Linker, ConnectsOutsideThePart) {

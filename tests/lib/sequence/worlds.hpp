@@ -183,9 +183,9 @@ inline double plain_distance(const polygon::Loops& a, const polygon::Loops& b) {
 inline bool plainly_collides(const polygon::Region& v, const polygon::Region& u, const machine::Head& head) {
     const double dz = u.z - v.z;
     if (dz <= 0 || head.none) return false;
-    if (dz > head.gantry_height) return true;
+    if (dz > head.gantry_height + 1e-6) return true;
     if (plain_distance(v.loops, u.loops) < head.cone_radius(dz) - 1e-6) return true;
-    if (dz <= head.cone_height) return false;
+    if (dz <= head.cone_height + 1e-6) return false;
     polygon::Loops grown; // v swept by the carriage: the hulls of its edges' boxes, and itself
     const double x = head.carriage_x / 2 - 1e-3, y = head.carriage_y / 2 - 1e-3;
     for (const auto p : v.loops.points) grown.add(box(p.x - x, p.y - y, 2 * x, 2 * y)[0]);

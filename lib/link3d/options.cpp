@@ -1,0 +1,16 @@
+#include "link3d/options.hpp"
+
+namespace filum::link3d {
+
+Connect connect_named(std::string_view name) { return name == "outside" ? Connect::outside : Connect::stop; }
+
+Seam seam_named(std::string_view name) { return name == "inside" ? Seam::inside : Seam::nearest; }
+
+Interlace interlace_named(std::string_view name) {
+    return name == "alternate" ? Interlace::alternate
+           : name == "golden"  ? Interlace::golden
+           : name == "random"  ? Interlace::random
+                               : Interlace::none;
+}
+
+} // namespace filum::link3d

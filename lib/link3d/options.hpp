@@ -1,0 +1,40 @@
+// How regions are to be joined.
+#pragma once
+
+#include "link3d/interlace.hpp"
+#include "machine/head.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace filum::link3d {
+
+// What becomes of a join to a region that does not lie above the one before it.
+enum class Connect : std::uint8_t {
+    stop,    // a break: the nozzle stops, travels and starts again
+    outside, // an extruded connector around the part, to be trimmed
+};
+
+// Where a stroke begins.
+enum class Seam : std::uint8_t {
+    nearest, // at the place nearest to where the stroke before ended
+    inside,  // near the middle of the column that it is going to climb
+};
+
+struct Options {
+    double reach = 1.5;            // bead widths: the longest jog
+    std::uint32_t look_ahead = 16; // regions
+    Connect connect = Connect::stop;
+    Seam seam = Seam::nearest;
+    Interlace interlace = Interlace::none;
+    std::uint64_t seed = 1;          // of random starts
+    bool alternate_direction = true; // each layer runs the other way round
+    machine::Head head = {};         // what must pass over what is printed
+};
+
+// By the names that the command's options have; the default for any other.
+Connect connect_named(std::string_view name);
+Seam seam_named(std::string_view name);
+Interlace interlace_named(std::string_view name);
+
+} // namespace filum::link3d
