@@ -1,5 +1,6 @@
 #include "fill/cycle.hpp"
 
+#include "fill/links.hpp"
 #include "fill/ring_graph.hpp"
 #include "polygon/segments.hpp"
 
@@ -89,7 +90,7 @@ class Joiner {
   public:
     Joiner(const BeadRings& rings, double width, const Loops& outline)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), forest_(graph_.size()), windows_(graph_) {}
+          width_(width), forest_(graph_.size()), windows_(graph_), links_(1.5 * width) {}
 
     std::vector<ClosedLine> run() {
         // few samples first: most rings face their neighbours all the way round
@@ -188,8 +189,7 @@ class Joiner {
             if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
             if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; }))
                 return false;
-            for (const auto& m : links_)
-                if (geom::segment_distance(l.a, l.b, m.a, m.b) < 0.1 * width_) return false;
+            if (links_.any_nearer(l, 0.1 * width_)) return false;
         }
         return true;
     }
@@ -282,7 +282,7 @@ class Joiner {
     Forest forest_;
     Windows windows_;
     std::vector<Bridge> bridges_;
-    std::vector<geom::Segment> links_;
+    Links links_;
 };
 
 } // namespace
