@@ -1,6 +1,7 @@
 #include "fill/cycle.hpp"
 
 #include "fill/double_spiral.hpp"
+#include "fill/links.hpp"
 #include "fill/ring_graph.hpp"
 #include "polygon/segments.hpp"
 
@@ -77,7 +78,7 @@ class Joiner {
   public:
     Joiner(const BeadRings& rings, double width, const Loops& outline)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), forest_(graph_.size()), splices_(graph_) {}
+          width_(width), forest_(graph_.size()), splices_(graph_), links_(1.5 * width) {}
 
     std::vector<ClosedLine> run(bool spirals) {
         if (spirals) wind();
@@ -147,9 +148,7 @@ class Joiner {
     // Whether neither the outline nor a link is in the way of this one.
     [[nodiscard]] bool clear(const geom::Segment& l) const {
         if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
-        return std::all_of(links_.begin(), links_.end(), [&](const geom::Segment& m) {
-            return geom::segment_distance(l.a, l.b, m.a, m.b) >= 0.1 * width_;
-        });
+        return !links_.any_nearer(l, 0.1 * width_);
     }
 
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
@@ -248,7 +247,7 @@ class Joiner {
     bool stay_inside_ = true;
     Forest forest_;
     Splices splices_;
-    std::vector<geom::Segment> links_;
+    Links links_;
 };
 
 } // namespace
