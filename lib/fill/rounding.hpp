@@ -14,4 +14,8 @@ namespace filum::fill {
 // `reach`.
 BeadLine rounded(const BeadLine& line, double reach, const std::function<double(Vec2)>& room);
 
+// The closed line with its turns a little wider, so that they can be rounded: where it turns back within a bead width
+// or so, its two lanes are moved apart just there.
+BeadLine with_wide_turns(const BeadLine& line, double width, const std::function<double(Vec2)>& room);
+
 } // namespace filum::fill

@@ -72,7 +72,7 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     };
     for (ClosedLine& line :
          join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
-        if (wind) line = rounded(line, kRound * w, room);
+        if (wind) line = rounded(with_wide_turns(line, w, room), kRound * w, room);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
@@ -146,7 +146,11 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     for (const Try t : {Try{1.0 / 128, true, true}, Try{1.0 / 128, true, false}, Try{1.0 / 1024, true, false},
                         Try{1.0 / 1024, false, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind);
-        if (count_crossings(out.curves, o.bead_width) == 0) break;
+        if (count_crossings(out.curves, o.bead_width) == 0)
+            break;
+        else if (getenv("DBG"))
+            fprintf(stderr, "retry %d %d n=%zu c=%zu\n", t.move, t.wind, out.curves[0].points.size(),
+                    count_crossings(out.curves, o.bead_width));
     }
     report(out, o, notes);
     return out;
