@@ -1,8 +1,10 @@
 #include "fill/spiral.hpp"
 
 #include "fill/cycle.hpp"
+#include "fill/rounding.hpp"
 #include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
+#include "polygon/segments.hpp"
 
 namespace filum::fill {
 
@@ -13,6 +15,7 @@ using polygon::Loops;
 // Beads lie a little nearer than their width, so that rounding never opens a seam between them.
 constexpr double kOverlap = 1.0 / 512;
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
+constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
 constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
 
 // To the micrometre, which machines are told: what does not cross here does not cross there.
@@ -58,8 +61,18 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     const FirstRings first = first_rings(region, w, tolerance);
     const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
     Spiral out{{}, first.unplaced};
+    const auto edges = polygon::segments(region);
+    const geom::SegmentGrid grid(edges, 1.5 * w);
+    const auto room = [&](geom::Vec2 p) {
+        double best = w;
+        grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t i) {
+            best = std::min(best, geom::point_segment_distance(edges[i].a, edges[i].b, p));
+        });
+        return best;
+    };
     for (ClosedLine& line :
          join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
+        if (wind) line = rounded(with_wide_turns(line, w, room), kRound * w, room);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
@@ -133,7 +146,11 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     for (const Try t : {Try{1.0 / 128, true, true}, Try{1.0 / 128, true, false}, Try{1.0 / 1024, true, false},
                         Try{1.0 / 1024, false, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind);
-        if (count_crossings(out.curves, o.bead_width) == 0) break;
+        if (count_crossings(out.curves, o.bead_width) == 0)
+            break;
+        else if (getenv("DBG"))
+            fprintf(stderr, "retry %d %d n=%zu c=%zu\n", t.move, t.wind, out.curves[0].points.size(),
+                    count_crossings(out.curves, o.bead_width));
     }
     report(out, o, notes);
     return out;
