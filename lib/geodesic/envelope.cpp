@@ -10,10 +10,11 @@ constexpr double kNarrow = 1e-9;   // of the edge: windows not wider are dropped
 constexpr double kGrazing = 1e-12; // slope: lines that run flatter never cross
 constexpr std::uint32_t kNew = 0;
 
-// True if both continue each other: the same source, or the same line.
-bool same_source(const Window& a, const Window& b, double slack) {
-    return a.is_line() == b.is_line() && a.pending == b.pending && std::abs(a.sigma - b.sigma) <= slack &&
-           std::abs(a.sx - b.sx) <= slack && std::abs(a.sy - b.sy) <= slack;
+// True if both continue each other in [b0, b1]: the same source, or the same line, but for rounding.
+bool same_source(const Window& a, const Window& b, double b0, double b1, double slack) {
+    if (a.is_line() != b.is_line() || a.pending != b.pending) return false;
+    if (a.is_line()) return std::abs(a.at(b0) - b.at(b0)) <= slack && std::abs(a.at(b1) - b.at(b1)) <= slack;
+    return std::abs(a.sigma - b.sigma) <= slack && std::abs(a.sx - b.sx) <= slack && std::abs(a.sy - b.sy) <= slack;
 }
 
 } // namespace
@@ -32,10 +33,11 @@ std::uint32_t Propagation::fresh() {
 }
 
 void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double narrow) {
+    changed_ = changed_ || (owner == kNew && b1 - b0 > narrow);
     if (!pieces_.empty()) {
         Piece& last = pieces_.back();
         if (b0 - last.b1 <= narrow &&
-            (last.owner == owner || same_source(owners_[last.owner], owners_[owner], slack_))) {
+            (last.owner == owner || same_source(owners_[last.owner], owners_[owner], last.b0, b1, 10 * slack_))) {
             last.b1 = b1;
             return;
         }
@@ -46,9 +48,12 @@ void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double na
 // Where the new window and an old one overlap, each has what it is nearer to; the old one also what is equal.
 void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double narrow) {
     const Window &w = owners_[kNew], &o = owners_[old];
-    const bool better_lo = w.at(lo) < o.at(lo) - slack_, better_hi = w.at(hi) < o.at(hi) - slack_;
-    // With the same sigma they are equal in one place at most.
-    if (better_lo == better_hi && w.sigma == o.sigma && !w.is_line() && !o.is_line()) {
+    const double ahead_lo = o.at(lo) - w.at(lo), ahead_hi = o.at(hi) - w.at(hi);
+    const bool better_lo = ahead_lo > slack_, better_hi = ahead_hi > slack_;
+    // They can be equal in two places within, but not if they differ by more than their slopes allow, nor, with the
+    // same sigma, in more than one.
+    const bool far = std::abs(ahead_lo) + std::abs(ahead_hi) > 2 * (hi - lo);
+    if (better_lo == better_hi && (far || (w.sigma == o.sigma && !w.is_line() && !o.is_line()))) {
         add_piece(better_lo ? kNew : old, lo, hi, narrow);
         return;
     }
@@ -69,10 +74,15 @@ void Propagation::insert(Side& exit, const Window& w) {
     std::uint32_t before = exit.cursor;
     if (before != kNone && windows[before].b1 > w.b0) before = kNone;
     std::uint32_t first = before == kNone ? field_.first[exit.list] : windows[before].next;
-    while (first != kNone && windows[first].b1 <= w.b0) before = first, first = windows[first].next;
+    const auto continued = [&](const Window& o) { // by w
+        return o.b1 >= w.b0 - narrow && same_source(o, w, w.b0, w.b1, 10 * slack_);
+    };
+    while (first != kNone && windows[first].b1 <= w.b0 && !continued(windows[first]))
+        before = first, first = windows[first].next;
     exit.cursor = before;
     owners_.assign(1, w);
     pieces_.clear();
+    changed_ = false;
     double x = w.b0; // all before it is decided
     std::uint32_t o = first;
     for (; o != kNone && windows[o].b0 < w.b1; o = windows[o].next) {
@@ -80,7 +90,7 @@ void Propagation::insert(Side& exit, const Window& w) {
         owners_.push_back(windows[o]);
         const Window& was = windows[o];
         if (was.b0 < w.b0)
-            add_piece(old, was.b0, w.b0, narrow);
+            add_piece(old, was.b0, std::min(was.b1, w.b0), narrow);
         else if (was.b0 > x)
             add_piece(kNew, x, was.b0, narrow);
         const double lo = std::max(was.b0, w.b0), hi = std::min(was.b1, w.b1);
@@ -89,8 +99,7 @@ void Propagation::insert(Side& exit, const Window& w) {
         x = std::max(x, was.b1);
     }
     if (x < w.b1) add_piece(kNew, x, w.b1, narrow);
-    for (const Piece& p : pieces_)
-        if (p.owner == kNew) return rewrite(exit, before, first, o);
+    if (changed_) rewrite(exit, before, first, o);
 }
 
 // Puts the pieces in place of the windows from `first` to before `after`.

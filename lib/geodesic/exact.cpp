@@ -39,6 +39,12 @@ std::vector<Frame> frames(const Surface& s) {
     return out;
 }
 
+geom::Vec2 flatten(const Surface& s, const Frame& f, std::uint32_t h, const Vec3& p) {
+    const Vec3 &a = s.vertices[s.tail(h)], &b = s.vertices[s.head(h)], &c = s.vertices[s.tail(surface::prev(h))];
+    const Vec3 x = f.inverse_length * (b - a), up = (c - a) - f.cx * x;
+    return {dot(p - a, x), dot(p - a, up) / f.cy};
+}
+
 Propagation::Propagation(const Surface& s)
     : surface_(s), slack_(kSlack * surface::mean_edge(s)),
       queue_(s.twin.size() + s.vertices.size(), surface::mean_edge(s)) {
@@ -49,6 +55,7 @@ Propagation::Propagation(const Surface& s)
     for (auto& list : field_.across)
         if (list == kNone) list = lists++;
     field_.first.assign(lists, kNone);
+    field_.windows.reserve(8 * s.twin.size()); // what most surfaces come out with; untouched memory costs nothing
     spreads_ = saddles(s, field_.frame);
 }
 

@@ -16,6 +16,9 @@ struct Frame {
 };
 std::vector<Frame> frames(const Surface& surface);
 
+// Point `p` of the triangle of half-edge `h`, in the frame of `h`.
+geom::Vec2 flatten(const Surface& surface, const Frame& frame, std::uint32_t h, const Vec3& p);
+
 // Distances from all sources at once, and how they come about.
 struct ExactField {
     std::vector<double> distance; // per vertex, mm; infinite where no source is on the same component
@@ -26,6 +29,7 @@ struct ExactField {
     std::vector<std::uint32_t> across; // per half-edge: the one whose list holds what leaves the triangle there
     std::vector<Window> windows;
     std::vector<std::uint32_t> first; // per list: the window with the least b0, kNone if there is none
+    std::vector<Segment> segments;    // the sources that are no vertices, by triangle
     std::uint64_t propagated = 0;     // windows in all, those replaced by nearer ones included
 };
 

@@ -65,7 +65,6 @@ class Propagation {
     };
     [[nodiscard]] Side exit_across(std::uint32_t h, bool from_right) const;
 
-    [[nodiscard]] geom::Vec2 flat(std::uint32_t h, const Vec3& p) const;
     void add_vertex(std::uint32_t vertex);
     void add_point(std::uint32_t triangle, const Vec3& p);
     void add_on_side(std::uint32_t h, double x);
@@ -90,6 +89,7 @@ class Propagation {
     std::vector<std::uint32_t> free_;
     std::vector<Window> owners_; // of the pieces: first the new window, then the old ones
     std::vector<Piece> pieces_;
+    bool changed_ = false;      // some piece is of the new window
     std::vector<char> spreads_; // per vertex: paths may start or bend there
     double slack_;              // mm: smaller differences count as none
     BucketQueue queue_;         // half-edges, then vertices

@@ -1,7 +1,7 @@
 // Where distance is zero: places and lines on a surface.
 #pragma once
 
-#include "surface/surface.hpp"
+#include "surface/section.hpp"
 
 #include <vector>
 
@@ -10,11 +10,7 @@ namespace filum::geodesic {
 using geom::Vec3;
 using surface::Surface;
 
-// A straight line within one triangle, borders included; a point if both ends are the same.
-struct Segment {
-    std::uint32_t triangle = 0;
-    Vec3 a, b; // mm; in the triangle's plane
-};
+using surface::Segment;
 
 struct Sources {
     std::vector<std::uint32_t> vertices;

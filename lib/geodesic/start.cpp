@@ -15,16 +15,6 @@ void Propagation::add_vertex(std::uint32_t vertex) {
     reach(vertex, 0);
 }
 
-// The point of a triangle in the frame of its half-edge h.
-geom::Vec2 Propagation::flat(std::uint32_t h, const Vec3& p) const {
-    const Vec3 &a = surface_.vertices[surface_.tail(h)], &b = surface_.vertices[surface_.head(h)];
-    const Vec3& c = surface_.vertices[surface_.tail(surface::prev(h))];
-    const Frame& f = field_.frame[h];
-    const Vec3 x = f.inverse_length * (b - a);
-    const Vec3 up = (c - a) - f.cx * x;
-    return {dot(p - a, x), dot(p - a, up) / f.cy};
-}
-
 // The point at `x` on a side: windows along the side itself, for those who ask there, and through both triangles.
 void Propagation::add_on_side(std::uint32_t h, double x) {
     for (const std::uint32_t side : {h, surface_.twin[h]}) {
@@ -57,7 +47,7 @@ void Propagation::add_point(std::uint32_t triangle, const Vec3& p) {
         reach(v, d);
     }
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const geom::Vec2 q = flat(h, p);
+        const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
         if (q.y >= kOnSide * longest) continue;
         if (surface_.twin[h] != kNone) {
             const std::uint32_t far = surface_.tail(surface::prev(surface_.twin[h]));
@@ -68,7 +58,7 @@ void Propagation::add_point(std::uint32_t triangle, const Vec3& p) {
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         Side exit = exit_across(h, false);
         exit.third = kNone;
-        const geom::Vec2 q = flat(h, p);
+        const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
         offer(exit, 0, exit.length, exit.length - q.x, -q.y, 0, false);
     }
 }
@@ -79,7 +69,7 @@ void Propagation::add_line(const Segment& s) {
         Side exit = exit_across(h, false);
         exit.third = kNone;
         const auto beyond = [&](const Vec3& p) { // as seen from the other side
-            const geom::Vec2 q = flat(h, p);
+            const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
             return geom::Vec2{exit.length - q.x, std::min(0.0, -q.y)};
         };
         const geom::Vec2 a = beyond(s.a), b = beyond(s.b), along = b - a;
@@ -106,6 +96,9 @@ void Propagation::add(const Sources& sources) {
         add_point(s.triangle, s.b);
         add_line(s);
     }
+    field_.segments = sources.segments;
+    std::stable_sort(field_.segments.begin(), field_.segments.end(),
+                     [](const Segment& a, const Segment& b) { return a.triangle < b.triangle; });
 }
 
 } // namespace filum::geodesic
