@@ -4,6 +4,8 @@
 #include "mesh/holes.hpp"
 #include "surface/defects.hpp"
 
+#include <algorithm>
+
 namespace filum::surface {
 
 namespace {
@@ -68,22 +70,64 @@ void find_rims(Surface& s) {
         if (i < s.rims.size()) s.rims[i].outer = true;
 }
 
+void check(const Surface& s) {
+    const auto bad = [](const char* why) { throw Error(Exit::bad_input, why); };
+    if (s.triangles.empty()) bad("it has no triangle");
+    if (s.triangles.size() >= (std::size_t{1} << 30)) bad("it has too many triangles");
+    if (s.twin.size() != 3 * s.triangles.size()) bad("it has not three sides per triangle");
+    for (const auto& [a, b, c] : s.triangles) {
+        if (std::max({a, b, c}) >= s.vertices.size()) bad("a corner is no vertex");
+        if (a == b || b == c || c == a) bad("a triangle has two equal corners");
+    }
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const std::uint32_t t = s.twin[h];
+        if (t == kNone) continue;
+        if (t >= s.twin.size() || s.twin[t] != h || s.tail(t) != s.head(h) || s.head(t) != s.tail(h))
+            bad("sides are joined that are not the same edge");
+    }
+}
+
+// Every half-edge must be seen from its tail, each vertex having one fan.
+void check_fans(const Surface& s) {
+    std::size_t seen = 0;
+    for (std::uint32_t v = 0; v < s.vertices.size(); ++v) {
+        if (s.outgoing[v] == kNone) throw Error(Exit::bad_input, "a vertex has no triangle");
+        each_outgoing(s, v, [&](std::uint32_t) { ++seen; });
+    }
+    if (seen != s.twin.size()) throw Error(Exit::bad_input, "a vertex has more than one fan of triangles");
+}
+
 } // namespace
+
+Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, std::vector<std::uint32_t> twin) {
+    Surface s;
+    s.vertices = std::move(vertices);
+    s.triangles = std::move(triangles);
+    s.twin = std::move(twin);
+    check(s);
+    find_outgoing(s);
+    check_fans(s);
+    number_components(s);
+    find_rims(s);
+    return s;
+}
 
 Surface connect(mesh::Mesh mesh, Notes& notes) {
     remove_copies(mesh, notes);
     remove_flat(mesh, notes);
     if (mesh.triangles.empty()) throw Error(Exit::bad_input, "cannot use the surface: no triangle of it has an area");
     mesh::face_one_way(mesh, notes);
-    Surface s;
-    s.twin = join_sides(mesh, notes);
-    split_fans(mesh, s.twin, notes);
-    s.vertices = std::move(mesh.vertices);
-    s.triangles = std::move(mesh.triangles);
-    number_components(s);
-    find_outgoing(s);
-    find_rims(s);
-    return s;
+    std::vector<std::uint32_t> twin = join_sides(mesh, notes);
+    split_fans(mesh, twin, notes);
+    return assemble(std::move(mesh.vertices), std::move(mesh.triangles), std::move(twin));
+}
+
+Facts facts(const Surface& s) {
+    return {{"", "vertices", static_cast<double>(s.vertices.size()), ""},
+            {"", "triangles", static_cast<double>(s.triangles.size()), ""},
+            {"", "components", static_cast<double>(s.components), ""},
+            {"", "rims", static_cast<double>(s.rims.size()), ""},
+            {"", "area", area(s), "mm2"}};
 }
 
 double area(const Surface& s) {

@@ -1,6 +1,7 @@
 // A triangulated surface, open or closed: triangles and who meets whom along their edges, as flat arrays.
 #pragma once
 
+#include "base/fact.hpp"
 #include "base/note.hpp"
 #include "mesh/mesh.hpp"
 
@@ -60,6 +61,14 @@ void each_outgoing(const Surface& s, std::uint32_t vertex, const Visit& visit) {
 // with one side only is cut open.
 // Throws Error(bad_input) if no triangle remains.
 Surface connect(mesh::Mesh mesh, Notes& notes);
+
+// The surface of these parts: finds outgoing half-edges, components and rims.  Throws Error(bad_input) if the parts
+// break a promise of Surface (but for areas): "an index is out of range", "sides are joined that are not the same
+// edge".
+Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, std::vector<std::uint32_t> twin);
+
+// Its size as facts: "vertices", "triangles", "components", "rims", "area".
+Facts facts(const Surface& s);
 
 double area(const Surface& s);                         // mm2
 double rim_length(const Surface& s, const Rim& rim);   // mm
