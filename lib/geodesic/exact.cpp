@@ -60,9 +60,11 @@ Propagation::Propagation(const Surface& s)
 }
 
 void Propagation::reach(std::uint32_t vertex, double distance) {
-    if (distance >= field_.distance[vertex] - slack_) return;
+    const double before = field_.distance[vertex];
+    if (distance >= before) return;
     field_.distance[vertex] = distance;
-    if (spreads_[vertex] != 0) queue_.push(static_cast<std::uint32_t>(surface_.twin.size()) + vertex, distance);
+    if (distance < before - slack_ && spreads_[vertex] != 0)
+        queue_.push(static_cast<std::uint32_t>(surface_.twin.size()) + vertex, distance);
 }
 
 // The exit by side `h` of a triangle.  In the frame of what lies beyond, x runs the other way.
