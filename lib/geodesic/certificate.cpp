@@ -63,7 +63,7 @@ Facts certificate(const Surface& s, std::span<const double> distance) {
     const SlopeError e = slope_error(s, distance);
     Facts out{{"", "reached", reached, "vertices"},
               {"", "unreached", static_cast<double>(distance.size()) - reached, "vertices"},
-              {"", "farthest", farthest, "mm"},
+              {"", "farthest-vertex", farthest, "mm"},
               {"", "excess", excess(s, distance), "mm"},
               {"", "slope-error-mean", e.mean, ""},
               {"", "slope-error-p99", e.p99, ""}};

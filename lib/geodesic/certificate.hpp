@@ -22,7 +22,8 @@ SlopeError slope_error(const Surface& surface, std::span<const double> distance)
 // By how much any two neighbours differ by more than the edge between them is long, mm: 0 for exact values.
 double excess(const Surface& surface, std::span<const double> distance);
 
-// These as facts: "reached", "farthest", "slope-error-mean", "slope-error-p99", "slope-error-below-0.01" ...
+// These as facts: "reached", "unreached", "farthest-vertex", "excess", "slope-error-mean", "slope-error-p99",
+// "slope-error-below-0.01" ...
 Facts certificate(const Surface& surface, std::span<const double> distance);
 
 } // namespace filum::geodesic

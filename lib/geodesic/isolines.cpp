@@ -8,6 +8,8 @@ using surface::kNone;
 
 namespace {
 
+constexpr double kTolerance = 1e-3; // mm
+
 struct Crossing {
     std::uint32_t edge;                                            // the lesser half-edge
     double x;                                                      // mm from its tail
@@ -145,10 +147,13 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
 }
 
 std::vector<Isoline> isolines(const Surface& s, const ExactField& field, std::span<const double> levels) {
-    return isolines(
-        s, field.distance, levels,
-        [&](std::uint32_t h, double level, std::vector<double>& out) { level_crossings(s, field, h, level, out); },
-        [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p); });
+    const Inside at = [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p); };
+    const Crosser cross = [&](std::uint32_t h, double level, std::vector<double>& out) {
+        level_crossings(s, field, h, level, out);
+    };
+    auto out = isolines(s, field.distance, levels, cross, at);
+    for (Isoline& line : out) refine(s, line, at, kTolerance);
+    return out;
 }
 
 std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance, std::span<const double> levels) {

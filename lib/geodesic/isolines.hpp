@@ -23,8 +23,14 @@ using Inside = std::function<double(std::uint32_t triangle, const Vec3& p)>;
 std::vector<Isoline> isolines(const Surface& surface, std::span<const double> distance, std::span<const double> levels,
                               const Crosser& cross, const Inside& at);
 
-// Those of an exact field, crossings solved from its windows; and those of values that are linear in every triangle.
+// Puts points between those of `line` where the distance at the middle of a stretch is off its level by more than
+// `tolerance` mm, until it is not, at most 63 for each stretch.
+void refine(const Surface& surface, Isoline& line, const Inside& at, double tolerance);
+
+// Those of an exact field: crossings solved from its windows, lines refined to 0.001 mm.
 std::vector<Isoline> isolines(const Surface& surface, const ExactField& field, std::span<const double> levels);
+
+// Those of values that are linear in every triangle.
 std::vector<Isoline> isolines(const Surface& surface, std::span<const double> distance, std::span<const double> levels);
 
 } // namespace filum::geodesic

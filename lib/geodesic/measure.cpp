@@ -10,6 +10,17 @@ namespace {
 
 constexpr double kMaxLevels = 1e5;
 
+// What no place on an edge is farther than.
+double farthest_on_edges(const Surface& s, std::span<const double> distance) {
+    double out = 0;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const double sum = distance[s.tail(h)] + distance[s.head(h)];
+        if (std::isfinite(sum))
+            out = std::max(out, (sum + geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)])) / 2);
+    }
+    return out;
+}
+
 // All levels asked for, ascending, each once.
 std::vector<double> levels_up_to(double farthest, const Options& o) {
     std::vector<double> out = o.levels;
@@ -31,10 +42,7 @@ std::vector<double> levels_up_to(double farthest, const Options& o) {
 Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
     ExactField field = exact(sheet.surface, sources);
     Facts facts = certificate(sheet.surface, field.distance);
-    double farthest = 0;
-    for (const double d : field.distance)
-        if (std::isfinite(d)) farthest = std::max(farthest, d);
-    const auto levels = levels_up_to(farthest, o);
+    const auto levels = levels_up_to(farthest_on_edges(sheet.surface, field.distance), o);
     sheet.isolines = isolines(sheet.surface, field, levels);
     sheet.fields.push_back({"distance", std::move(field.distance)});
     facts.push_back({"", "isolines", static_cast<double>(sheet.isolines.size()), ""});

@@ -18,8 +18,8 @@ struct Field {
 struct Isoline {
     double level = 0; // mm
     bool closed = false;
-    std::vector<Vec3> points;             // mm; on edges of the surface; the first is not repeated at the end
-    std::vector<std::uint32_t> triangles; // that each stretch crosses: one fewer than points, or as many if closed
+    std::vector<Vec3> points;             // mm; wherever it crosses an edge, and between; the first is not repeated
+    std::vector<std::uint32_t> triangles; // that each stretch lies in: one fewer than points, or as many if closed
 };
 
 struct Sheet {
