@@ -1,0 +1,99 @@
+// geodesic - distances on a surface, and lines of equal distance
+// reads:  a mesh file: STL, OBJ, PLY, OFF or 3MF
+// writes: Surface
+// memory: the model, and some hundred bytes per edge for exact distances
+#include "cli/command.hpp"
+#include "geodesic/choose.hpp"
+#include "geodesic/measure.hpp"
+#include "mesh/place.hpp"
+#include "mesh/read.hpp"
+#include "stream/crc32c.hpp"
+#include "wire/surface.hpp"
+
+#include <cstdio>
+
+namespace {
+
+using namespace filum;
+using cli::Option;
+
+struct Options {
+    mesh::Placement place;
+    std::string source;
+    geodesic::Options measure;
+};
+
+constexpr const char* kDescription =
+    "Reads a triangle mesh, open or closed, from a file or standard input, and makes it a surface: every edge with one "
+    "or two triangles, every vertex with one fan of them, all facing one way. What had to be repaired for that is "
+    "noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than two "
+    "triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
+    "components stay as they are.\n\n"
+    "With --source it computes the distance of every vertex from the nearest source along the surface. Sources, "
+    "several "
+    "in quotes with blanks between: vertex:ID, numbered as in the file from 0; point:X,Y,Z, the nearest point of the "
+    "surface; boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one of "
+    "them; plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. Distances are infinite where no "
+    "source is on the same component.\n\n"
+    "Distances are exact: the length of the shortest path on the triangles to the nearest point of the sources, found "
+    "by propagating windows across them; lines are sources as such, not their vertices. Isolines cross edges where the "
+    "distance has their level, solved from the windows.\n\n"
+    "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
+    "taken as linear in every triangle, is from 1: it is on lines where fronts meet, near point sources, and where the "
+    "mesh is coarse. 'peek --text' prints distances and isolines.";
+
+cli::Spec spec(Options& o) {
+    return {
+        .name = "geodesic",
+        .synopsis = "measure distances on a surface",
+        .description = kDescription,
+        .in = cli::file("mesh file"),
+        .out = cli::writes(stream::Payload::surface),
+        .memory = "the model, and some hundred bytes per edge for exact distances",
+        .options =
+            {{"source", &o.source, "SOURCES", "where distance is 0; none: only make the surface"},
+             {"levels", &o.measure.levels, "MM,...", "isolines at these distances"},
+             Option{"spacing", &o.measure.spacing, "MM", "isolines at every multiple of this; 0: none"}.at_least(0),
+             Option{"first", &o.measure.first, "MM", "where the first of these is; 0: one spacing away"}.at_least(0),
+             Option{"unit", &o.place.unit, "", "unit of the file; auto guesses from the size, 3MF states its own"}
+                 .one_of({"mm", "cm", "m", "in", "um", "auto"}),
+             {"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}},
+        .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
+                     {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",
+                      "lines at 1, 2, 3 ... mm from where a plane cuts a part"},
+                     {"geodesic part.stl | peek", "what had to be repaired to make a surface of it"}},
+        .see_also = {"slice", "peek"}};
+}
+
+void run(const Options& o, const cli::Io& io) {
+    cli::Io self = io; // with what identifies the input, as its name may not
+    mesh::File file;
+    {
+        const mesh::Bytes bytes = mesh::load(io.input);
+        char crc[9];
+        std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
+        self.settings.push_back({"input_crc32c", crc});
+        file = mesh::read(bytes.view(), mesh::spoken_name(io.input));
+    }
+    Notes notes = std::move(file.notes);
+    mesh::Placement place = o.place;
+    place.on_bed = false;
+    mesh::place(file.mesh, place, file.kind == mesh::Kind::threemf, notes);
+    surface::Sheet sheet{surface::connect(std::move(file.mesh), notes), {}, {}};
+    const auto sources = geodesic::choose(sheet.surface, o.source, notes);
+    Facts facts = surface::facts(sheet.surface);
+    if (!sources.empty()) {
+        const Facts found = geodesic::measure(sheet, sources, o.measure);
+        facts.insert(facts.end(), found.begin(), found.end());
+    } else if (!o.measure.levels.empty() || o.measure.spacing > 0) {
+        throw Error(Exit::usage, "cannot draw isolines without a --source");
+    }
+    const stream::RawFrame frame = wire::frame(sheet);
+    auto header = cli::header(self, stream::Payload::surface);
+    header.expected = 1;
+    cli::write_one(io, header, std::move(notes), std::move(facts), frame);
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

@@ -1,0 +1,92 @@
+#!/usr/bin/env bats
+# Distances on surfaces, from the outside.
+# shellcheck disable=SC2154
+
+load common
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || exit 1
+    # two triangles that make a square of 10 mm, and a third one far away
+    cat > square.off << 'END'
+OFF
+7 3 0
+0 0 0  10 0 0  10 10 0  0 10 0  50 0 0  60 0 0  50 10 0
+3 0 1 2
+3 0 2 3
+3 4 5 6
+END
+}
+
+facts() { peek "$1" | sed -n 's/^fact *geodesic: //p'; }
+
+@test "distances of the corners of a square" {
+    geodesic square.off --source vertex:0 > s
+    [[ $(peek --text s | grep -A 7 '^surface' | tail -n 7 | cut -d ' ' -f 6 | tr '\n' ' ') == "0 10 14.142136 10 inf inf inf " ]]
+    facts s | grep -qx 'reached 4 vertices'
+    facts s | grep -qx 'unreached 3 vertices'
+    facts s | grep -qx 'components 2'
+    facts s | grep -qx 'rims 2'
+}
+
+@test "isolines of a rim are squares within it" {
+    geodesic square.off --source boundary:0 --spacing 2 > s
+    peek --json s | python3 -c '
+import json, sys
+s = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]
+levels = [l["level"] for l in s["isolines"]]
+assert levels == [2, 4], levels
+for l in s["isolines"]:
+    p = l["points"]
+    assert len(p["x"]) == 4 and l["closed"] == "yes", l
+    for x, y in zip(p["x"], p["y"]):
+        assert abs(min(x, 10 - x, y, 10 - y) - l["level"]) < 1e-3, (x, y)
+'
+}
+
+@test "without a source it only makes the surface" {
+    geodesic square.off > s
+    [[ $(peek --text s) != *isoline\ level* && $(peek --text s | grep '^surface') == *'points x,y,z 7'* ]]
+    expect 2 geodesic square.off --levels 3
+    complaint geodesic
+}
+
+@test "what was repaired is noted and said" {
+    sed -i '/^7 3 0/s/3/4/; $a 3 0 1 2' square.off
+    expect 0 geodesic square.off --output s
+    [[ $err == 'geodesic: triangle that stood twice left out: 1 case' ]]
+    peek s | grep -q '^note *geodesic: triangle that stood twice left out: 1 case'
+}
+
+@test "units and scale apply" {
+    geodesic square.off --unit cm --scale 2 --source 'plane:1,0,0,200' > s
+    facts s | grep -qx 'farthest-vertex 200 mm'
+}
+
+@test "sources that are none are usage errors" {
+    for source in vertex:7 vertex:-1 edge:3 boundary:2 plane:0,0,1,5 point:1,2 'plane:0,0,0,0' vertex:nan; do
+        expect 2 geodesic square.off --source "$source"
+        complaint geodesic
+        [[ $err == *"$source"* || $err == *number* ]] || { echo "$err"; false; }
+    done
+    box_stl > box.stl
+    expect 2 geodesic box.stl --source boundary
+    [[ $err == *closed* ]]
+    expect 2 geodesic square.off --source vertex:0 --spacing -1
+    expect 2 geodesic square.off --source vertex:0 --spacing 1e-9
+    expect 2 geodesic square.off --source vertex:0 --levels 0
+    expect 2 geodesic square.off --source vertex:0 --levels nan
+}
+
+@test "a surface without an area is refused" {
+    printf 'OFF\n3 1 0\n0 0 0 1 0 0 2 0 0\n3 0 1 2\n' > line.off
+    expect 3 geodesic line.off
+    complaint geodesic
+}
+
+@test "no picture yet" {
+    geodesic square.off > s
+    expect 3 render s
+    complaint render
+    expect 3 metrics s
+    complaint metrics
+}
