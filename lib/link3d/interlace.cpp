@@ -78,7 +78,7 @@ std::optional<std::vector<Vec2>> Linker::shift(std::uint32_t c, const Bead& bead
     const auto curves = as_printed(c, bead, {});
     const SegmentIndex index(curves);
     const auto rank = [&](Vec2 p, bool inside) {
-        const auto e = nearest_entry(above, p, climb_reach() * width, {});
+        const auto e = nearest_entry(above, p, climb_reaches().front() * width, {});
         if (!e || geom::distance(e->place.point, start_) < kApart * width) return 0;
         if (inside && !hidden(above, e->place)) return 0;
         return static_cast<int>(std::max(1.0, kBest - std::floor(geom::distance(e->place.point, goal) / width)));
@@ -90,7 +90,7 @@ std::optional<std::vector<Vec2>> Linker::shift(std::uint32_t c, const Bead& bead
         const auto lines = lines_in(curves, {box.lo - margin, box.hi + margin});
         for (const bool inside : {true, false}) {
             if (inside && options_.seam != Seam::inside) continue;
-            if (auto way = strip_route(lines, index, from, window_[0].width, kStrips, static_cast<int>(kBest),
+            if (auto way = strip_route(lines, curves, index, from, window_[0].width, kStrips, static_cast<int>(kBest),
                                        [&](Vec2 p, int) { return rank(p, inside); }))
                 return way;
         }

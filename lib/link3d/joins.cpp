@@ -21,7 +21,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
     const double rise = at_ ? r.paths.z - at_->z : 0;
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), climb_reach() * (r.width + width_before_) / 2, {});
+    auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     if (options_.interlace == Interlace::none) *entry = drift(*entry); // else lanes lead wherever the column goes
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
@@ -67,19 +67,19 @@ bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) con
 // The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.
 std::vector<Curve> Linker::as_printed(std::uint32_t c, const Bead& bead, const std::vector<Vec2>& lane) const {
     std::vector<Curve> curves = window_.front().paths.curves;
-    curves[c] = {false, bead.points, {window_.front().width}};
+    curves[c] = {false, bead.points, bead.width};
     curves.insert(curves.end(), joins_.begin(), joins_.end());
     if (lane.size() > 1) curves.push_back({false, lane, {window_.front().width}});
     return curves;
 }
 
 // How many of the next regions are in reach of p, with what entries drift until then; 0 if that is below `least`.
-int Linker::rank_above(Vec2 p, int least) const {
+int Linker::rank_above(Vec2 p, int least, double reach) const {
     const int all = static_cast<int>(climbing());
     int k = 0;
     for (; k < all; ++k) {
         const auto& next = window_[static_cast<std::size_t>(k) + 1];
-        if (!nearest_entry(next, p, (climb_reach() + kDrift * k) * (window_[0].width + next.width) / 2, {})) break;
+        if (!nearest_entry(next, p, (reach + kDrift * k) * (window_[0].width + next.width) / 2, {})) break;
     }
     return k < least ? 0 : k;
 }
@@ -97,17 +97,16 @@ bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
 }
 
 // Whether the next region can be reached from the end of the front region's last bead.
-bool Linker::ends_well(std::uint32_t c, const Bead& bead) const {
+bool Linker::ends_well(std::uint32_t c, const Bead& bead, double reach) const {
     const Vec2 end = bead.points.back();
     if (next_ == Next::above)
-        return nearest_entry(window_[1], end, climb_reach() * (window_[0].width + window_[1].width) / 2, {})
-            .has_value();
+        return nearest_entry(window_[1], end, reach * (window_[0].width + window_[1].width) / 2, {}).has_value();
     return sees_outside(end, SegmentIndex(as_printed(c, bead, {})));
 }
 
 // The way from the end of the region's last bead, between its beads, to where the next region is in reach, and of those
 // behind it as many as possible; or to where it leads out.
-std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead) const {
+std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead, double reach) const {
     const auto curves = as_printed(c, bead, {});
     std::vector<std::vector<Vec2>> lines;
     for (const auto& curve : curves) {
@@ -116,10 +115,27 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead)
     }
     const SegmentIndex index(curves);
     const bool above = next_ == Next::above;
-    return strip_route(lines, index, bead.points.back(), window_.front().width, kStrips,
+    return strip_route(lines, curves, index, bead.points.back(), window_.front().width, kStrips,
                        above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
-                           return above ? rank_above(p, least) : sees_outside(p, index) ? 1 : 0;
+                           return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
                        });
+}
+
+// Sees to it that the front region's last bead can be left, if there is a way: as it is, the other way round (`other`;
+// the same for an open curve), or by the lane that is returned.
+std::optional<std::vector<Vec2>> Linker::leave(std::uint32_t c, Bead& bead, const std::function<Bead()>& other) {
+    if (next_ == Next::anywhere) return std::nullopt;
+    for (const double reach : climb_reaches()) {
+        if (ends_well(c, bead, reach)) return std::nullopt;
+        if (Bead b = other(); ends_well(c, b, reach)) return bead = std::move(b), std::nullopt;
+        if (auto way = lane(c, bead, reach)) {
+            ++counts_.lanes;
+            counts_.lane_length += length(*way);
+            return way;
+        }
+        if (next_ == Next::outside) break;
+    }
+    return std::nullopt;
 }
 
 } // namespace filum::link3d

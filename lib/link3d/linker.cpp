@@ -169,19 +169,12 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     if (shifts && (way = shift(c, out))) {
         ++counts_.shifts;
         counts_.shift_length += length(*way);
-    } else if (last && next_ != Next::anywhere && !ends_well(c, out)) {
-        Bead other = curve.closed ? bead(!turn) : out;
-        if (curve.closed && ends_well(c, other)) {
-            out = std::move(other);
-        } else if ((way = lane(c, out))) {
-            ++counts_.lanes;
-            counts_.lane_length += length(*way);
-        }
     }
     if (shifts && !way) {
         ++counts_.kept;
         notes.push_back({"", "start of the next layer not moved", 0, "", 1, r.paths.layer, start_.x, start_.y});
     }
+    if (last && !way) way = leave(c, out, [&] { return curve.closed ? bead(!turn) : out; });
     if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
     if (last && options_.connect == Connect::outside)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));

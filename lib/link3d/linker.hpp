@@ -16,6 +16,7 @@
 #include "toolpath/path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -87,16 +88,19 @@ class Linker {
     void print_curve(const Entry& entry, bool last, const Emit& emit, Notes& notes);
 
     // joins.cpp
-    // In mean widths of both regions. A longer jog could begin above a neighbour of the region above, and cross its
-    // outer bead.
-    [[nodiscard]] double climb_reach() const { return std::min(options_.reach, 1.0); }
+    // The jogs of climbs, in mean widths of both regions.  Those that begin within the region above are sought first,
+    // longer ones could begin above a neighbour of that region, and cross its outer bead.
+    [[nodiscard]] std::array<double, 2> climb_reaches() const {
+        return {std::min(options_.reach, 0.6), std::min(options_.reach, 1.0)};
+    }
     [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
     [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
-    [[nodiscard]] int rank_above(Vec2 p, int least) const;
-    [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead) const;
+    [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
+    [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead, double reach) const;
     [[nodiscard]] std::vector<toolpath::Curve> as_printed(std::uint32_t c, const Bead& bead,
                                                           const std::vector<Vec2>& lane) const;
-    [[nodiscard]] std::optional<std::vector<Vec2>> lane(std::uint32_t c, const Bead& bead) const;
+    [[nodiscard]] std::optional<std::vector<Vec2>> lane(std::uint32_t c, const Bead& bead, double reach) const;
+    std::optional<std::vector<Vec2>> leave(std::uint32_t c, Bead& bead, const std::function<Bead()>& other);
 
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);

@@ -100,9 +100,9 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
                 const Curve line{false, bead.points, {kWidth}};
                 const SegmentIndex index(std::span(&line, 1));
                 const Vec2 goal{1 + 6 * random(), 1 + 4 * random()};
-                const auto way =
-                    strip_route(std::span(&bead.points, 1), index, bead.points.back(), kWidth, kStrips, 1,
-                                [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
+                const auto way = strip_route(
+                    std::span(&bead.points, 1), std::span(&line, 1), index, bead.points.back(), kWidth, kStrips, 1,
+                    [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
                 ASSERT_TRUE(way) << at.point.x << "," << at.point.y << " to " << goal.x << "," << goal.y << " case "
                                  << k << " n " << c.points.size();
                 EXPECT_EQ(way->front(), bead.points.back());
@@ -146,7 +146,7 @@ TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
     line.push_back(line.front());
     const Vec2 from = c.points[2];
     const auto to = [&](int best) {
-        return strip_route(std::span(&line, 1), index, from, kWidth, kStrips, best, [](Vec2 p, int) {
+        return strip_route(std::span(&line, 1), std::span(&c, 1), index, from, kWidth, kStrips, best, [](Vec2 p, int) {
             return p.y > 4 ? 2 : p.y > 1 ? 1 : 0;
         });
     };
@@ -161,7 +161,7 @@ TEST(StripRoute, KeepsOutOfHolesAndTheOutside) {
     const std::vector<std::vector<Vec2>> lines{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}},
                                                {{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}}};
     const std::vector<Curve> curves{{false, lines[0], {kWidth}}, {false, lines[1], {kWidth}}};
-    const auto way = strip_route(lines, SegmentIndex(curves), {0, 0}, kWidth, kStrips, 1,
+    const auto way = strip_route(lines, curves, SegmentIndex(curves), {0, 0}, kWidth, kStrips, 1,
                                  [](Vec2 p, int) { return p.x > 5 ? 1 : 0; });
     EXPECT_FALSE(way);
 }
