@@ -123,7 +123,8 @@ std::optional<Linker::Entry> Linker::other_end(const Entry& entry) const {
     const auto& curves = window_.front().paths.curves;
     const Curve& curve = curves[entry.place.curve];
     if (curve.closed || curves.size() > 1 || next_ != Next::above) return std::nullopt;
-    if (ends_well(0, run(curve, entry.against)) || !ends_well(0, run(curve, !entry.against))) return std::nullopt;
+    const auto leads_on = [&](bool against) { return ends_well(0, run(curve, against), climb_reaches().back()); };
+    if (leads_on(entry.against) || !leads_on(!entry.against)) return std::nullopt;
     Entry out{{}, !entry.against};
     if (out.against) out.place.segment = static_cast<std::uint32_t>(curve.points.size()) - 2, out.place.t = 1;
     out.place.point = out.against ? curve.points.back() : curve.points.front();
