@@ -47,13 +47,19 @@ chain() {
 }
 
 # F9: in a sharp corner each contour leaves a void beside the next one, and links turn round where they overlap both.
-# Property: voids and what is laid twice together stay below 0.045 of the triangle; the baseline's are 0.094.
-@test "F9: voids and overlaps at sharp corners" {
+# Properties: voids and what is laid twice together stay below 0.045 of the triangle; the baseline's are 0.094.  On a
+# bar the share of sharp turns is at most half the baseline's.
+@test "F9: voids, overlaps and sharp turns" {
     wrong() { awk -v c="$(figure coverage)" -v o="$(figure overfill)" 'BEGIN { print 1 - c + o }'; }
     chain wedge.stl "" "--method sun2019" "--links sun2019"
     awk -v w="$(wrong)" 'BEGIN { exit !(w > 0.08) }'
     chain wedge.stl "" "" ""
     awk -v w="$(wrong)" 'BEGIN { exit !(w < 0.045) }'
+    chain bar.stl "" "--method sun2019" "--links sun2019"
+    baseline=$(figure 'sharp-turn share')
+    chain bar.stl "" "" ""
+    echo "sharp turns: $baseline, by default $(figure 'sharp-turn share')"
+    awk -v b="$baseline" -v d="$(figure 'sharp-turn share')" 'BEGIN { exit !(b > 0.004 && 2 * d <= b) }'
 }
 
 # F11: a start at or near the axis puts the seams of all layers on one line.
