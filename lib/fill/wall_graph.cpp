@@ -15,6 +15,8 @@ namespace {
 constexpr double kMost = 0.75, kUsual = 0.625; // bead widths: half-thickness anywhere, and of most of the length
 constexpr double kUnusual = 0.2;               // share of the length that may be thicker than usual
 constexpr double kPrune = 1.25;                // thin_edges must take all of this as thin
+constexpr double kLeast = 0.03;                // bead widths: the least half-thickness of a wall
+constexpr double kTaper = 0.025;               // bead widths, of the half-thickness along one segment
 constexpr std::size_t kExact = 14;             // odd nodes that are matched exactly
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -44,6 +46,28 @@ void narrow_start(Wall& w) {
         for (std::size_t k = 0; k < i; ++k) w.radius[k] = std::min(w.radius[k], r);
         return;
     }
+}
+
+// A machine lays each segment in one width: none may taper by more than kTaper.
+void split_tapers(WallGraph& g, double width) {
+    for (Wall& w : g.walls) {
+        Wall out{w.a, w.b, {w.line[0]}, {w.radius[0]}, w.length};
+        for (std::size_t i = 1; i < w.line.size(); ++i) {
+            const double n = std::ceil(std::abs(w.radius[i] - w.radius[i - 1]) / (kTaper * width));
+            for (double k = 1; k < n; k += 1) {
+                out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], k / n));
+                out.radius.push_back(w.radius[i - 1] + k / n * (w.radius[i] - w.radius[i - 1]));
+            }
+            out.line.push_back(w.line[i]), out.radius.push_back(w.radius[i]);
+        }
+        w = std::move(out);
+    }
+}
+
+// Where tips taper to nothing a bead still has some width.
+void widen_tips(WallGraph& g, double width) {
+    for (Wall& w : g.walls)
+        for (double& r : w.radius) r = std::max(r, kLeast * width);
 }
 
 void narrow_at_nodes(WallGraph& g) {
@@ -232,7 +256,21 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width) {
     const auto edges = thin_edges(axis, kPrune * width);
     if (!all_thin(axis, edges, width)) return std::nullopt;
     WallGraph out = Tracer(axis, edges).run();
+    split_tapers(out, width);
     narrow_at_nodes(out);
+    widen_tips(out, width);
+    return out;
+}
+
+WallGraph thin_walls(const Loops& area, double width) {
+    const double least = width / 2 * (1 + 1e-9);
+    const MedialAxis axis = split_at(medial_axis(polygon::simplify(area, width / 64), width / 4), width / 2);
+    if (axis.point.empty()) return {};
+    auto edges = thin_edges(axis, width);
+    std::erase_if(edges, [&](auto k) { return std::max(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) > least; });
+    WallGraph out = Tracer(axis, edges).run();
+    split_tapers(out, width);
+    widen_tips(out, width);
     return out;
 }
 

@@ -30,6 +30,10 @@ struct WallGraph {
 // without any has one, at the axis' first vertex.  Connected if the area is.
 std::optional<WallGraph> wall_graph(const Loops& area, double width);
 
+// The same of the thin parts of any area: where it is thinner than `width`, without twigs to corners and tips that
+// reach less than 0.4 width.  A wall ends at a node where it gets thicker (radius width / 2), ends or meets others.
+WallGraph thin_walls(const Loops& area, double width);
+
 // How often each wall must be passed at least, once or twice, so that one trail passes all of them and nothing else: in
 // sum the shortest, in a tree and where up to 14 nodes have an odd number of walls; short where more have.  All walls
 // twice but the longest path, if the graph is a tree; all once, if it is a ring.  (notes 3a, A6: minimum T-join)

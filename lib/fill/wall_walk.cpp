@@ -1,6 +1,7 @@
 #include "fill/wall_walk.hpp"
 
 #include "fill/spiral.hpp"
+#include "geom/segment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +164,28 @@ void trim(Line& l, double by) {
         l.points[0] = geom::lerp(l.points[0], l.points[1], by / d), l.width[0] += by / d * (l.width[1] - l.width[0]);
 }
 
+// Drops points of a lane that lie too near to the middle line: inside its bends they would fold over.
+void unfold(const Wall& w, Line& lane) {
+    const std::size_t n = w.line.size();
+    Line out;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double least = 0.98 * w.radius[i] / 2;
+        const auto far = [&](std::size_t k) { // from segment k, or no longer in reach
+            return geom::point_segment_distance(w.line[k], w.line[k + 1], lane.points[i]) >= least;
+        };
+        bool free = true;
+        double along = 0;
+        for (std::size_t k = i; k + 1 < n && free && along < 4 * w.radius[i]; ++k)
+            free = far(k), along += geom::distance(w.line[k], w.line[k + 1]);
+        along = 0;
+        for (std::size_t k = i; k > 0 && free && along < 4 * w.radius[i]; --k)
+            free = far(k - 1), along += geom::distance(w.line[k - 1], w.line[k]);
+        if (!free && i > 0 && i + 1 < n) continue;
+        out.points.push_back(lane.points[i]), out.width.push_back(lane.width[i]);
+    }
+    lane = std::move(out);
+}
+
 // The pass as it lies, from the wall's node a to b.  `dead`: the node is the wall's dead end; lanes turn there.
 Line line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
     Line out{w.line, {}};
@@ -178,6 +201,7 @@ Line line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
         if (i == 0 && dead_a) out.points[i] = out.points[i] - w.radius[i] / 2 * along;
         if (i + 1 == n && dead_b) out.points[i] = out.points[i] + w.radius[i] / 2 * along;
     }
+    unfold(w, out);
     const auto reverse = [&] {
         std::reverse(out.points.begin(), out.points.end()), std::reverse(out.width.begin(), out.width.end());
     };
