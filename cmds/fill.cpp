@@ -43,6 +43,10 @@ cli::Spec spec(fill::Options& o) {
                     Option{"min-width", &o.min_width, "MM",
                            "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
                         .at_least(0),
+                    Option{"thin", &o.thin, "",
+                           "walls thinner than a bead, of a spiral: two lanes, there and back, or a single pass where "
+                           "the curve may have two ends for it"}
+                        .one_of({"lanes", "single"}),
                     Option{"angles", &o.angles_deg, "DEG,...",
                            "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
                            "0,90 of a scaffold"},

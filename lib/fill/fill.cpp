@@ -6,8 +6,10 @@
 #include "fill/rectilinear.hpp"
 #include "fill/ringed_zigzag.hpp"
 #include "fill/scaffold.hpp"
+#include "fill/single_lane.hpp"
 #include "fill/spiral.hpp"
 #include "fill/sun2019.hpp"
+#include "fill/wall_walk.hpp"
 #include "fill/zigzag.hpp"
 
 #include <numbers>
@@ -23,11 +25,38 @@ double angle(const polygon::Region& r, const Options& o) {
 
 int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cast<int>(o.rings); }
 
+// One pass along the walls of a region that is thin all over; nothing for others.
+std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width, Notes& notes) {
+    const auto graph = wall_graph(r.loops, width);
+    if (!graph) return {};
+    WallWalk walk = wall_walk(*graph);
+    if (walk.twice > 0) notes.push_back({"", "wall laid twice", walk.twice, "mm", 1, -1, walk.at.x, walk.at.y});
+    if (walk.curves.size() > 1)
+        notes.push_back({"", "wall not joined", static_cast<double>(walk.curves.size() - 1), "curves",
+                         walk.curves.size() - 1, -1, walk.at.x, walk.at.y});
+    return std::move(walk.curves);
+}
+
+// Opens the curve of a region that has thin walls, among others, along the longest of them.
+void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve& curve, Notes& notes) {
+    const WallGraph walls = thin_walls(r.loops, width);
+    std::size_t once = walls.walls.size();
+    pass_once(curve, walls, width, once);
+    double twice = 0;
+    geom::Vec2 at;
+    for (std::size_t k = 0; k < walls.walls.size(); ++k)
+        if (k != once) twice += walls.walls[k].length, at = walls.walls[k].line.front();
+    if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
+}
+
 std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, double& unplaced, Notes& notes) {
     const double w = o.bead_width;
     if (o.pattern == "spiral" && o.method == "cyc") {
+        if (o.thin == "single")
+            if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
         Spiral s = spiral(r.loops, {.bead_width = w, .min_width = o.min_width > 0 ? o.min_width : w / 4}, notes);
         unplaced = s.unplaced;
+        if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
         return std::move(s.curves);
     }
     if (o.pattern == "spiral" && o.method == "sun2019")

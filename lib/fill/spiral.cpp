@@ -118,7 +118,7 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
     std::vector<geom::Segment> all;
     for (const auto& c : curves)
-        for (std::size_t i = 0; i < c.points.size(); ++i)
+        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
             all.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
     const geom::SegmentGrid grid(all, cell);
     std::size_t crossings = 0;

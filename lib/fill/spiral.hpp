@@ -26,7 +26,7 @@ struct Spiral {
 // rings. Notes: beads below min_width (mm of length), rings that could not be joined (count).
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
-// Pairs of segments of closed curves that properly cross.
+// Pairs of segments of curves that properly cross.
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell);
 
 } // namespace filum::fill

@@ -118,17 +118,18 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     return entry;
 }
 
-// The other end of the region's only curve, an open one, if the next region can be reached only by beginning there.
+// The other end of the region's only curve, an open one, if beginning there it ends nearer to the next region.
 std::optional<Linker::Entry> Linker::other_end(const Entry& entry) const {
     const auto& curves = window_.front().paths.curves;
     const Curve& curve = curves[entry.place.curve];
     if (curve.closed || curves.size() > 1 || next_ != Next::above) return std::nullopt;
-    const auto leads_on = [&](bool against) { return ends_well(0, run(curve, against), climb_reaches().back()); };
-    if (leads_on(entry.against) || !leads_on(!entry.against)) return std::nullopt;
-    Entry out{{}, !entry.against};
-    if (out.against) out.place.segment = static_cast<std::uint32_t>(curve.points.size()) - 2, out.place.t = 1;
-    out.place.point = out.against ? curve.points.back() : curve.points.front();
-    return out;
+    const auto left = [&](Vec2 end) { // to go from there
+        return nearest_entry(window_[1], end, std::numeric_limits<double>::infinity(), {})->place.distance;
+    };
+    const Vec2 here = entry.place.point, there = entry.against ? curve.points.front() : curve.points.back();
+    if (left(there) <= left(here) + window_[0].width / 2) return std::nullopt;
+    const auto segment = entry.against ? 0 : static_cast<std::uint32_t>(curve.points.size()) - 2;
+    return Entry{{0, segment, entry.against ? 0.0 : 1.0, there, 0}, !entry.against};
 }
 
 // The nozzle's way from one curve of the front region to the nearest one that is left.

@@ -1,0 +1,19 @@
+// A closed curve opened along one thin wall, which it then passes once (notes 3a, A6).
+#pragma once
+
+#include "fill/wall_graph.hpp"
+#include "toolpath/path.hpp"
+
+namespace filum::fill {
+
+// `curve` goes round a region and runs along each of its thin `walls` there and back, in two lanes.  Takes one lane of
+// the longest wall out, moves the other one to its middle and makes it as wide as the wall: the curve is open then, its
+// ends lie where that lane was, at a tip one of them at its end.  A wall counts from where it is half a bead away from
+// thicker parts, and must be at least three beads long; its lanes must be found within a fifth of a bead of where they
+// should be.  Nothing can cross the new line, as it lies between the lanes.
+//
+// Returns false, and leaves the curve as it is, if there is no such wall.  `index` is set to the wall passed once.
+// Tie: the lower wall.
+bool pass_once(toolpath::Curve& curve, const WallGraph& walls, double width, std::size_t& index);
+
+} // namespace filum::fill
