@@ -136,19 +136,21 @@ void Propagation::cross(std::uint32_t h) {
     }
 }
 
-void Propagation::run() {
-    for (std::uint32_t id = queue_.pop(); id != kNone; id = queue_.pop()) {
+void Propagation::run(double farthest) {
+    for (std::uint32_t id = queue_.pop(farthest); id != kNone; id = queue_.pop(farthest)) {
         if (id < surface_.twin.size())
             cross(id);
         else
             leave_vertex(id - static_cast<std::uint32_t>(surface_.twin.size()));
     }
+    for (double& d : field_.distance)
+        if (d > farthest) d = std::numeric_limits<double>::infinity();
 }
 
-ExactField exact(const Surface& surface, const Sources& sources) {
+ExactField exact(const Surface& surface, const Sources& sources, double farthest) {
     Propagation p(surface);
     p.add(sources);
-    p.run();
+    p.run(farthest);
     return p.take();
 }
 

@@ -5,6 +5,7 @@
 #include "geodesic/sources.hpp"
 #include "geodesic/window.hpp"
 
+#include <limits>
 #include <span>
 
 namespace filum::geodesic {
@@ -39,6 +40,9 @@ struct ExactField {
 // dropped (Xin, Wang 2009).  Segments are sources in their own right (Bommes, Kobbelt 2007): their windows have linear
 // distances.  Exact up to rounding: 1e-9 of an edge per triangle crossed.
 // Ties: the window that came first.  Throws Error(failure) if more than 2^31 windows were needed.
-ExactField exact(const Surface& surface, const Sources& sources);
+// Stops when all is found that is nearer than `farthest` mm: other vertices are infinitely far then, and the windows
+// are good for nothing beyond.
+ExactField exact(const Surface& surface, const Sources& sources,
+                 double farthest = std::numeric_limits<double>::infinity());
 
 } // namespace filum::geodesic

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "geodesic/certificate.hpp"
+#include "geodesic/heat.hpp"
 #include "geodesic/isolines.hpp"
 
 namespace filum::geodesic {
@@ -9,6 +10,7 @@ namespace filum::geodesic {
 namespace {
 
 constexpr double kMaxLevels = 1e5;
+constexpr std::size_t kExactTriangles = 300'000;
 
 // What no place on an edge is farther than.
 double farthest_on_edges(const Surface& s, std::span<const double> distance) {
@@ -37,15 +39,34 @@ std::vector<double> levels_up_to(double farthest, const Options& o) {
     return out;
 }
 
+bool is_exact(const Surface& s, const Options& o) {
+    if (o.paper && o.method != "heat") throw Error(Exit::usage, "cannot use --paper without --method heat");
+    return o.method == "exact" || (o.method == "auto" && s.triangles.size() <= kExactTriangles);
+}
+
 } // namespace
 
 Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
-    ExactField field = exact(sheet.surface, sources);
-    Facts facts = certificate(sheet.surface, field.distance);
-    const auto levels = levels_up_to(farthest_on_edges(sheet.surface, field.distance), o);
-    sheet.isolines = isolines(sheet.surface, field, levels);
-    sheet.fields.push_back({"distance", std::move(field.distance)});
+    const Surface& s = sheet.surface;
+    const bool by_windows = is_exact(s, o);
+    Facts facts{{"", "exact", by_windows ? 1.0 : 0.0, ""}};
+    std::vector<double> distance;
+    const auto levels = [&] { return levels_up_to(farthest_on_edges(s, distance), o); };
+    if (by_windows) {
+        ExactField field = exact(s, sources);
+        distance = field.distance;
+        sheet.isolines = isolines(s, field, levels());
+        facts.push_back({"", "windows", static_cast<double>(field.propagated), ""});
+    } else {
+        Heat heat(s, sources, {.paper = o.paper});
+        distance = heat.distance();
+        sheet.isolines = isolines(s, distance, levels());
+        facts.push_back({"", "heat-time", heat.time(), "mm2"});
+    }
+    const Facts quality = certificate(s, distance);
+    facts.insert(facts.end(), quality.begin(), quality.end());
     facts.push_back({"", "isolines", static_cast<double>(sheet.isolines.size()), ""});
+    sheet.fields.push_back({"distance", std::move(distance)});
     return facts;
 }
 

@@ -21,9 +21,9 @@ class BucketQueue {
         if (rows_.size() <= row) rows_.resize(row + 1);
         rows_[row].push_back(id);
     }
-    // The next id, or kNone.
-    std::uint32_t pop() {
-        for (; row_ < rows_.size(); ++row_, at_ = 0) {
+    // The next id, or kNone if no other has a key below `end`, but for the width of a row.
+    std::uint32_t pop(double end) {
+        for (; row_ < rows_.size() && row_ * step_ < end; ++row_, at_ = 0) {
             while (at_ < rows_[row_].size()) {
                 const std::uint32_t id = rows_[row_][at_++];
                 if (row_of_[id] != row_) continue; // it moved forward
@@ -49,7 +49,7 @@ class Propagation {
     explicit Propagation(const Surface& surface);
 
     void add(const Sources& sources);
-    void run();
+    void run(double farthest);
     ExactField take() { return std::move(field_); }
 
   private:

@@ -77,6 +77,33 @@ for l in s["isolines"]:
     expect 2 geodesic square.off --source vertex:0 --levels nan
 }
 
+@test "heat comes near the exact distance, and is the paper's if asked" {
+    python3 - > grid.off << 'END'
+n = 40
+print("OFF"), print((n + 1) ** 2, 2 * n * n, 0)
+for j in range(n + 1):
+    for i in range(n + 1):
+        print(i, j, 0)
+for j in range(n):
+    for i in range(n):
+        a = j * (n + 1) + i
+        print(3, a, a + 1, a + n + 2), print(3, a, a + n + 2, a + n + 1)
+END
+    for how in "--method exact" "--method heat" "--method heat --paper"; do
+        # shellcheck disable=SC2086
+        geodesic grid.off --source plane:1,0,0,3.4 $how > s
+        [[ $(facts s | grep '^exact') == "exact $([[ $how == *exact ]] && echo 1 || echo 0)" ]]
+        peek --json s | python3 -c '
+import json, sys
+p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
+print(max(abs(d - abs(x - 3.4)) for x, d in zip(p["x"], p["distance"])))
+' >> worst
+    done
+    paste -s -d ' ' worst | awk '{ print; exit !($1 < 1e-9 && $2 > 1e-9 && $2 < 0.5 && $3 > $2 && $3 < 2) }'
+    expect 2 geodesic grid.off --source vertex:0 --paper
+    expect 2 geodesic grid.off --source vertex:0 --method guess
+}
+
 @test "a surface without an area is refused" {
     printf 'OFF\n3 1 0\n0 0 0 1 0 0 2 0 0\n3 0 1 2\n' > line.off
     expect 3 geodesic line.off
