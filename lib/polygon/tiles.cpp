@@ -8,7 +8,7 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr std::size_t kTile = 3000;       // points
+constexpr std::size_t kTile = 2000;       // points
 constexpr double kGrid = 1e-4;            // mm: where results lie; cuts run half way between
 constexpr double kClear = 0.01;           // mm: of the margin, besides the reach
 constexpr double kSame = 2e-3;            // mm: crossings of a cut from both sides, at most so far apart, are the same

@@ -46,7 +46,7 @@ TEST(Tiled, CopyIsTheSameArea) {
         int tiles = 0;
         const Loops b = tiled({&a, 1}, 0, [&](std::span<const Loops> in) {
             ++tiles;
-            EXPECT_LE(in[0].points.size(), 3000U);
+            EXPECT_LE(in[0].points.size(), 2000U);
             return unite(in[0]); // the pieces of a cut loop hang together
         });
         EXPECT_GT(tiles, 4);
@@ -94,7 +94,7 @@ TEST(Tiled, SidesThatDisagreeAreDoneInOnePiece) {
     // an operation against the rule: it depends on the size of what it is given
     const Loops b = tiled({&a, 1}, 0, [&](std::span<const Loops> in) {
         ++calls;
-        return in[0].points.size() > 3000 ? in[0] : (calls % 2 == 0 ? Loops{} : unite(in[0]));
+        return in[0].points.size() > 2000 ? in[0] : (calls % 2 == 0 ? Loops{} : unite(in[0]));
     });
     EXPECT_NEAR(signed_area(b), signed_area(a), 0.01);
 }
