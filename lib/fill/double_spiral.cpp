@@ -14,7 +14,7 @@ constexpr double kBend = std::numbers::pi / 3;    // rad
 constexpr double kChord = 0.8;                    // half the chord that tells a ring's direction
 constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
 constexpr double kParallel = 0.85;                // cosine between neighbouring lanes, at least
-constexpr double kTurn = 0.65;                     // the two lanes that turn do so this far behind the line
+constexpr double kTurn = 0.65;                    // the two lanes that turn do so this far behind the line
 constexpr double kMargin = 0.5;                   // of ring between windows
 constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
 constexpr double kLean = 0.6;                     // the first of them by so much

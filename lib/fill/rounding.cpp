@@ -234,7 +234,7 @@ class Widening {
 } // namespace
 
 BeadLine with_wide_turns(const BeadLine& line, double width, const std::function<double(Vec2)>& room) {
-    return line.points.size() < 8 ? line : Widening(line, width, room).run();
+    return line.points.size() < 4 ? line : Widening(line, width, room).run();
 }
 
 BeadLine rounded(const BeadLine& line, double reach, const std::function<double(Vec2)>& room) {
