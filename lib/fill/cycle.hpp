@@ -1,4 +1,4 @@
-// Rings to one closed curve: the exchange construction (notes 3a, A3-A4).
+// Rings to one closed curve: the exchange construction and double spirals (notes 3a, A3-A5).
 #pragma once
 
 #include "fill/spacing.hpp"
@@ -14,6 +14,9 @@ using ClosedLine = BeadLine; // its last point runs on to its first
 // width and two links close the gap, so two closed curves become one (Lemma 1: exchange).  Windows never overlap and
 // links never cross anything, so the result does not cross itself.  Neighbours are found by true segment distance up to
 // 2.2 `width`: rings spaced `width` inside a connected erosion then always form one connected graph (Lemma 2).
+//
+// With `spirals`, stacks of three rings or more become double spirals first: two turns for all of them instead of two
+// for each pair (A5), in the order of the rings, each where the most rings lie side by side.
 //
 // No link crosses `outline` either: rings on both sides of a narrow slot are near, but not neighbours.
 //

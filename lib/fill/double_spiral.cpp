@@ -14,7 +14,7 @@ constexpr double kBend = std::numbers::pi / 3;    // rad
 constexpr double kChord = 0.8;                    // half the chord that tells a ring's direction
 constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
 constexpr double kParallel = 0.85;                // cosine between neighbouring lanes, at least
-constexpr double kTurn = 0.5;                     // the two lanes that turn do so this far behind the line
+constexpr double kTurn = 0.65;                    // the two lanes that turn do so this far behind the line
 constexpr double kMargin = 0.5;                   // of ring between windows
 constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
 constexpr double kLean = 0.6;                     // the first of them by so much
@@ -139,7 +139,7 @@ class Making {
     // The first lanes bent lean back into the room behind the turn, each less than the one before.
     void lean(std::vector<double>& first, std::vector<double>& second) const {
         const std::size_t bends = hi_ - lo_ - 2, leaning = std::min(kLeaning, bends);
-        const double most = kLean * width_ * std::min(1.0, static_cast<double>(bends) / 4);
+        const double most = kLean * width_ * std::min(1.0, static_cast<double>(bends) / 2);
         for (std::size_t i = 0; i < leaning; ++i) {
             const double by = most * static_cast<double>(leaning - i) / static_cast<double>(leaning);
             second[lo_ + i] -= lane(lo_ + i).sense * by;

@@ -7,19 +7,20 @@ namespace filum::fill {
 
 namespace {
 
+// Of rounded corners; in reaches unless said otherwise.
 constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
-constexpr double kAcute = 0.6;      // and a smaller one than this is an acute corner
-constexpr double kAcuteReach = 2.0; // of the reach
-constexpr double kOuter = 0.75;     // bead widths: nearer to the outline, every bit of a corner counts
-constexpr double kOuterReach = 1.0;
-constexpr double kWideTurn = 1.25;               // bead widths across: a rounded turn is not sharp any more
-constexpr double kNarrowTurn = 0.8;              // turns from this on are widened
-constexpr double kFullWidth = 0.6, kTaper = 2.0; // behind the turn
-constexpr double kCorner = 0.8;                  // rad, each of the two corners of a turn
-constexpr double kShortest = 60;                 // reaches: a shorter line stays as it is
-constexpr double kWiden = 1.7;                   // at most
-constexpr double kSpill = 0.05;                  // widths that a bead may reach over the outline
-constexpr int kPoints = 6;                       // per corner
+constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
+constexpr double kAcuteReach = 2.6; // about those
+constexpr double kOuter = 0.75;  // bead widths from the outline: nearer, acute corners are worth more than their room
+constexpr double kShortest = 60; // a shorter line stays as it is
+constexpr double kWiden = 1.7;   // times the width, at most
+constexpr double kSpill = 0.03;  // bead widths that a widened bead may reach over the outline
+constexpr int kPoints = 6;       // per corner
+
+// Of widened turns, in bead widths.
+constexpr double kNarrowTurn = 0.8, kWideTurn = 1.2; // across, before and after: then it is not sharp when rounded
+constexpr double kFullWidth = 0.45, kTaper = 1.5;    // so far behind the turn it is as wide, and as it was
+constexpr double kCorner = 0.8;                      // rad, each of the two corners of a turn
 
 // A closed line by arc length, to be asked for ascending places.
 class Course {
@@ -103,9 +104,8 @@ class Rounding {
         const double s = course_.s(vertex);
         const double ratio = chord(s, reach_) / (2 * reach_);
         if (ratio >= kTurned) return 0;
-        const double room = (*room_)(line_->points[vertex]);
-        if (room < kOuter * line_->width[vertex]) return kOuterReach * reach_;
-        return ratio < kAcute ? kAcuteReach * reach_ : reach_;
+        const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
+        return ratio < kAcute && !outer ? kAcuteReach * reach_ : reach_;
     }
     [[nodiscard]] double chord(double s, double reach) const {
         return geom::distance(course_.at(s - reach).point, course_.at(s + reach).point);
@@ -234,7 +234,7 @@ class Widening {
 } // namespace
 
 BeadLine with_wide_turns(const BeadLine& line, double width, const std::function<double(Vec2)>& room) {
-    return line.points.size() < 8 ? line : Widening(line, width, room).run();
+    return line.points.size() < 4 ? line : Widening(line, width, room).run();
 }
 
 BeadLine rounded(const BeadLine& line, double reach, const std::function<double(Vec2)>& room) {

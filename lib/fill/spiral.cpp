@@ -56,7 +56,8 @@ void tidy(ClosedLine& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind) {
+Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
+               bool round) {
     const double w = o.bead_width;
     const FirstRings first = first_rings(region, w, tolerance);
     const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
@@ -72,7 +73,7 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     };
     for (ClosedLine& line :
          join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
-        if (wind) line = rounded(with_wide_turns(line, w, room), kRound * w, room);
+        if (round) line = rounded(with_wide_turns(line, w, room), kRound * w, room);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
@@ -140,17 +141,14 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     struct Try {
         double tolerance; // bead widths
-        bool move, wind;
+        bool move, wind, round;
     };
+    constexpr double kUsual = 1.0 / 128, kFine = 1.0 / 1024;
     Spiral out;
-    for (const Try t : {Try{1.0 / 128, true, true}, Try{1.0 / 128, true, false}, Try{1.0 / 1024, true, false},
-                        Try{1.0 / 1024, false, false}}) {
-        out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind);
-        if (count_crossings(out.curves, o.bead_width) == 0)
-            break;
-        else if (getenv("DBG"))
-            fprintf(stderr, "retry %d %d n=%zu c=%zu\n", t.move, t.wind, out.curves[0].points.size(),
-                    count_crossings(out.curves, o.bead_width));
+    for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
+                        Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
+        out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
+        if (count_crossings(out.curves, o.bead_width) == 0) break;
     }
     report(out, o, notes);
     return out;

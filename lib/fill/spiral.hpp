@@ -22,8 +22,10 @@ struct Spiral {
 
 // Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls
 // whose thickness is no multiple of it, thin walls followed by two lanes of half the wall each, all joined to one
-// curve. The result is checked: should it cross itself, it is made again with finer outlines, at last without moving
-// rings. Notes: beads below min_width (mm of length), rings that could not be joined (count).
+// curve: stacks of rings as double spirals, the rest by pairs of links.  Corners and turns are rounded, so that sharp
+// turns are left at the ends of walls, at centres and where rings branch.  The result is checked: should it cross
+// itself, it is made again with finer outlines, then without rounding, spirals, and moving rings. Notes: beads below
+// min_width (mm of length), rings that could not be joined (count).
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
 // Pairs of segments of curves that properly cross.
