@@ -1,7 +1,9 @@
 #include "fill/spiral.hpp"
 
+#include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
 #include "fill/rounding.hpp"
+#include "fill/speck.hpp"
 #include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
@@ -114,6 +116,12 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
+// With noses into what the beads leave open; should the result cross itself, without.
+void absorb_voids(const Loops& region, const SpiralOptions& o, Spiral& spiral) {
+    auto curves = absorb::absorb(region, spiral.curves, {.bead_width = o.bead_width});
+    if (count_crossings(curves, o.bead_width) == 0) spiral.curves = std::move(curves);
+}
+
 } // namespace
 
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
@@ -145,10 +153,19 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     };
     constexpr double kUsual = 1.0 / 128, kFine = 1.0 / 1024;
     Spiral out;
+    if (is_speck(region, o.bead_width)) {
+        ClosedLine line = speck_loop(region);
+        tidy(line);
+        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+        report(out, o, notes);
+        return out;
+    }
     for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
                         Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
-        if (count_crossings(out.curves, o.bead_width) == 0) break;
+        if (count_crossings(out.curves, o.bead_width) > 0) continue;
+        absorb_voids(region, o, out);
+        break;
     }
     report(out, o, notes);
     return out;

@@ -1,0 +1,174 @@
+#include "absorb/absorb.hpp"
+
+#include "absorb/cracks.hpp"
+#include "absorb/nose.hpp"
+#include "polygon/segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::absorb {
+
+namespace {
+
+constexpr double kUsual = 1.25;                     // of the mean width: beads are hardly wider
+constexpr double kPixel = 1.0 / 16;                 // bead widths
+constexpr int kCore = 896, kMargin = 64, kRim = 10; // pixels: tiles lap over each other by what an edit can reach
+constexpr int kRounds = 3;
+constexpr double kGood = 0.0012;  // share of the area: if no more is uncovered, that is enough
+constexpr double kPoor = 0.0095;  // if more is, the search is thorough,
+constexpr double kFair = 0.007;   // until no more than this is
+constexpr double kLowPrice = 0.1; // and laying twice is cheaper then
+constexpr double kEnough = 0.5;   // share of a void: a course that gains so much is taken
+constexpr double kWorth = 0.0;    // share of a void: a course that gains less only spoils the place for better ones
+constexpr std::size_t kLeastVoid = 8, kLeastThorough = 3, kMostVoid = 600; // pixels
+constexpr double kClear = 0.02;                                            // bead widths
+
+class Absorber {
+  public:
+    Absorber(const polygon::Loops& region, const std::vector<toolpath::Curve>& curves, const Options& o)
+        : region_(region), chain_(curves), width_(std::min(o.bead_width, kUsual * mean_width())),
+          box_(polygon::bounds(region)) {
+        const Vec2 size = box_.hi - box_.lo;
+        pixel_ = std::min(kPixel * width_, std::max(size.x, size.y) / 48);
+        pixel_ = std::max({pixel_, kPixel / 8 * o.bead_width, 1e-3});
+    }
+
+    std::vector<toolpath::Curve> run() {
+        const double core = kCore * pixel_;
+        columns_ = std::max(1, static_cast<int>(std::ceil((box_.hi.x - box_.lo.x) / core)));
+        rows_ = std::max(1, static_cast<int>(std::ceil((box_.hi.y - box_.lo.y) / core)));
+        spread();
+        for (int y = 0; y < rows_; ++y)
+            for (int x = 0; x < columns_; ++x) tile(x, y);
+        return chain_.curves();
+    }
+
+  private:
+    // Of the beads, by length: much less than the usual width where all walls are thin.
+    [[nodiscard]] double mean_width() const {
+        double length = 0, laid = 0;
+        for (std::uint32_t i = 0; i < chain_.size(); ++i) {
+            const Bead b = chain_.bead(i);
+            const double l = geom::distance(b.a, b.b);
+            length += l, laid += l * b.width;
+        }
+        return length > 0 ? laid / length : 1;
+    }
+
+    // A tile's own part, and as much around it as an edit can reach, or as beads can stick out of the region.
+    struct Place {
+        Box2 own, all;
+    };
+    [[nodiscard]] Place place(int x, int y) const {
+        const double core = kCore * pixel_, margin = kMargin * pixel_, rim = kRim * pixel_;
+        Place p;
+        p.own.lo = box_.lo + Vec2{x * core, y * core};
+        p.own.hi = {std::min(p.own.lo.x + core, box_.hi.x), std::min(p.own.lo.y + core, box_.hi.y)};
+        p.all.lo = {std::max(p.own.lo.x - margin, box_.lo.x - rim), std::max(p.own.lo.y - margin, box_.lo.y - rim)};
+        p.all.hi = {std::min(p.own.hi.x + margin, box_.hi.x + rim), std::min(p.own.hi.y + margin, box_.hi.y + rim)};
+        return p;
+    }
+
+    [[nodiscard]] int cell(double v, int n) const {
+        return static_cast<int>(std::clamp(std::floor(v / (kCore * pixel_)), 0.0, n - 1.0));
+    }
+
+    // The segments of the curves near every tile, and the edges of the region on the level of every row of tiles.
+    void spread() {
+        const auto nx = static_cast<std::size_t>(columns_);
+        of_tile_.resize(nx * static_cast<std::size_t>(rows_)), of_row_.resize(static_cast<std::size_t>(rows_));
+        const double margin = (kMargin + 32) * pixel_;
+        for (std::uint32_t i = 0; i < chain_.size(); ++i) {
+            const Bead b = chain_.bead(i);
+            const Vec2 lo = Vec2{std::min(b.a.x, b.b.x) - margin, std::min(b.a.y, b.b.y) - margin} - box_.lo;
+            const Vec2 hi = Vec2{std::max(b.a.x, b.b.x) + margin, std::max(b.a.y, b.b.y) + margin} - box_.lo;
+            for (int y = cell(lo.y, rows_); y <= cell(hi.y, rows_); ++y)
+                for (int x = cell(lo.x, columns_); x <= cell(hi.x, columns_); ++x)
+                    of_tile_[static_cast<std::size_t>(y) * nx + static_cast<std::size_t>(x)].push_back(i);
+        }
+        for (const geom::Segment& e : polygon::segments(region_)) {
+            const int y0 = cell(std::min(e.a.y, e.b.y) - margin - box_.lo.y, rows_);
+            const int y1 = cell(std::max(e.a.y, e.b.y) + margin - box_.lo.y, rows_);
+            for (int y = y0; y <= y1; ++y) of_row_[static_cast<std::size_t>(y)].push_back(e);
+        }
+    }
+
+    void tile(int x, int y) {
+        const auto& segments =
+            of_tile_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+        if (segments.empty()) return;
+        const Place p = place(x, y);
+        Tile tile(of_row_[static_cast<std::size_t>(y)], p.all, pixel_);
+        Near near(chain_, p.all, std::max(width_, 16 * pixel_));
+        for (const std::uint32_t original : segments)
+            chain_.pieces(original, [&](std::uint32_t i) { tile.add(chain_.bead(i), 1), near.add(i); });
+        const Pixel lo = tile.at(p.own.lo), hi = tile.at(p.own.hi);
+        const auto inside = static_cast<double>(tile.count(lo, hi).inside);
+        Search search;
+        search.width = width_;
+        rounds(tile, near, lo, hi, kGood * inside, search);
+        if (static_cast<double>(tile.count(lo, hi).empty) < kPoor * inside) return;
+        close_cracks(tile, chain_, near, segments, width_);
+        search.thorough = true, search.prices.twice = kLowPrice;
+        rounds(tile, near, lo, hi, kFair * inside, search);
+    }
+
+    // Reaches into voids until no more than `goal` pixels are left.
+    void rounds(Tile& tile, Near& near, Pixel lo, Pixel hi, double goal, Search& search) {
+        auto left = static_cast<double>(tile.count(lo, hi).empty);
+        for (int round = 0; round < kRounds; ++round) {
+            double gained = 0;
+            for (const Void& v : voids(tile, lo, hi, search.thorough ? kLeastThorough : kLeastVoid, kMostVoid)) {
+                if (left - gained <= goal) return;
+                gained += reach(tile, near, v, search);
+            }
+            left -= gained;
+            if (gained == 0) return;
+        }
+    }
+
+    // Pixels gained.
+    double reach(Tile& tile, Near& near, const Void& v, Search& search) {
+        if (!tile.empty(v.deepest)) return 0; // covered meanwhile
+        std::vector<Course> found;
+        search.enough = search.thorough ? 1e9 : kEnough * static_cast<double>(v.pixels.size());
+        for (const Root& r : roots(tile, chain_, near, v, search)) {
+            blades(tile, chain_, r, search, found);
+            if (search.done(found)) break;
+            noses(tile, chain_, r, v, search, found);
+            if (search.done(found)) break;
+            if (search.thorough) ears(tile, chain_, r, search, found);
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Course& a, const Course& b) { return a.score > b.score; });
+        const double least = search.thorough ? 0 : kWorth * static_cast<double>(v.pixels.size());
+        std::erase_if(found, [&](const Course& c) { return c.score < least; });
+        if (found.size() > 8) found.resize(8);
+        for (const Course& c : found) {
+            if (!clear(chain_, near, c, kClear * width_)) continue;
+            make(tile, chain_, near, c);
+            return c.score;
+        }
+        return 0;
+    }
+
+    const polygon::Loops& region_;
+    Chain chain_;
+    double width_;
+    Box2 box_;
+    double pixel_ = 0;
+    int columns_ = 1, rows_ = 1; // of tiles
+    std::vector<std::vector<std::uint32_t>> of_tile_;
+    std::vector<std::vector<geom::Segment>> of_row_;
+};
+
+} // namespace
+
+std::vector<toolpath::Curve> absorb(const polygon::Loops& region, const std::vector<toolpath::Curve>& curves,
+                                    const Options& options) {
+    if (region.empty() || curves.empty()) return curves;
+    return Absorber(region, curves, options).run();
+}
+
+} // namespace filum::absorb
