@@ -2,6 +2,7 @@
 
 #include "sequence/climb.hpp"
 #include "sequence/matching.hpp"
+#include "sequence/mend.hpp"
 #include "sequence/relaxation.hpp"
 #include "sequence/search.hpp"
 
@@ -49,6 +50,13 @@ struct Planner {
         }
     }
 
+    void mend(std::uint64_t budget) {
+        Order order = best.order;
+        sequence::mend(g, order, best.bound, budget, best.steps);
+        if (getenv("DBG")) fprintf(stderr, "mend %u -> %u\n", best.cost.strokes, cost(g, order).strokes);
+        offer(std::move(order));
+    }
+
     void tighten(Relaxation& r, std::uint64_t budget) {
         if (proven()) return;
         const std::uint64_t before = r.work();
@@ -78,8 +86,9 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     const auto near = weights(g, columns, kBaseWeight);
     auto priced = r.density();
     for (Index v = 0; v < g.size(); ++v) priced[v] += kNearShare * near[v];
-    p.widen({near, priced}, budget / 10 * 4);
-    p.tighten(r, budget / 10 * 5);
+    p.widen({near, priced}, budget / 10 * 3);
+    p.mend(budget / 10 * 2);
+    p.tighten(r, budget / 10 * 4);
     return std::move(p.best);
 }
 
