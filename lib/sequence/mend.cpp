@@ -23,7 +23,9 @@ struct Mender {
         for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
     }
 
-    [[nodiscard]] bool linked(Index i) const { return i > 0 && i < order.size() && continues(g, order[i - 1], order[i]); }
+    [[nodiscard]] bool linked(Index i) const {
+        return i > 0 && i < order.size() && continues(g, order[i - 1], order[i]);
+    }
 
     // The most of the first stroke, lo .. at, that a region between the strokes or `v` waits for, directly or not.
     [[nodiscard]] Index holds(Index v, Index lo, Index at, bool direct) {
@@ -53,9 +55,8 @@ struct Mender {
         for (Index i = at + 1; i < to; ++i) (held[order[i]] > cut ? behind : before).push_back(order[i]);
         Index end = to + 1; // of what comes along of the second stroke
         const auto waits = [&](Index w) {
-            return std::any_of(g.before[w].begin(), g.before[w].end(), [&](Index p) {
-                return place[p] > at && place[p] < to && held[p] > cut;
-            });
+            return std::any_of(g.before[w].begin(), g.before[w].end(),
+                               [&](Index p) { return place[p] > at && place[p] < to && held[p] > cut; });
         };
         while (linked(end) && end - to < kMostMoved && !waits(order[end])) ++end;
         return change(lo + cut, at, to, end);

@@ -37,10 +37,12 @@ struct Planner {
                 Found f = search(g, columns, weight, width, left);
                 best.steps += f.work;
                 if (f.order.empty()) return;
+                offer(f.order);
+                if (f.optimal) best.complete = true, prove(best.cost.strokes);
+                if (proven()) return;
+                f.work += mend(std::move(f.order), f.work);
                 left -= std::min(left, f.work);
                 most = std::max(most, f.work);
-                offer(std::move(f.order));
-                if (f.optimal) best.complete = true, prove(best.cost.strokes);
                 if (proven()) return;
             }
             std::size_t factor = 8; // work grows with the width
@@ -50,11 +52,13 @@ struct Planner {
         }
     }
 
-    void mend(std::uint64_t budget) {
-        Order order = best.order;
-        sequence::mend(g, order, best.bound, budget, best.steps);
-        if (getenv("DBG")) fprintf(stderr, "mend %u -> %u\n", best.cost.strokes, cost(g, order).strokes);
+    // Offers a mended order; the steps taken.
+    std::uint64_t mend(Order order, std::uint64_t budget) {
+        std::uint64_t steps = 0;
+        sequence::mend(g, order, best.bound, budget, steps);
         offer(std::move(order));
+        best.steps += steps;
+        return steps;
     }
 
     void tighten(Relaxation& r, std::uint64_t budget) {
@@ -86,8 +90,8 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     const auto near = weights(g, columns, kBaseWeight);
     auto priced = r.density();
     for (Index v = 0; v < g.size(); ++v) priced[v] += kNearShare * near[v];
-    p.widen({near, priced}, budget / 10 * 3);
-    p.mend(budget / 10 * 2);
+    p.widen({near, priced}, budget / 10 * 4);
+    if (!p.proven()) p.mend(p.best.order, budget / 10);
     p.tighten(r, budget / 10 * 4);
     return std::move(p.best);
 }
