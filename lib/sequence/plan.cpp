@@ -84,8 +84,7 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     Planner p{g, columns, layer_plan(g)};
     for (const Choice c : {Choice::longest, Choice::lowest, Choice::nearest}) p.offer(climb(g, c));
     if (p.proven()) return std::move(p.best);
-    Relaxation r(g, columns, budget / 10);
-    p.best.steps += r.work();
+    Relaxation r(g, columns);
     p.tighten(r, budget / 10);
     const auto near = weights(g, columns, kBaseWeight);
     auto priced = r.density();

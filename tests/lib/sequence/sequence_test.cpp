@@ -20,7 +20,7 @@ double fact(const Result& r, const std::string& name) {
     return -1;
 }
 
-Index relaxed(const Graph& g, const Columns& c) { return Relaxation(g, c, kAmple).tighten(kNone, kAmple); }
+Index relaxed(const Graph& g, const Columns& c) { return Relaxation(g, c).tighten(kNone, kAmple); }
 
 TEST(Matching, IsMaximumOnSmallGraphs) {
     Random random(1);
