@@ -41,6 +41,19 @@ std::vector<Cut> Cuts::degrees() const {
     return out;
 }
 
+std::vector<Cut> Cuts::apart() const {
+    std::vector<Cut> out;
+    for (Index c = 0; c < columns_.member.size(); ++c)
+        for (Index p = 0; p < columns_.member[c].size();) {
+            const Index head = following_.again(columns_.member[c][p]);
+            if (head == kNone) break; // nor of any higher region
+            Cut next = cut({{c, p, head}}, 1);
+            if (next.least > 0) out.push_back(std::move(next));
+            p = head;
+        }
+    return out;
+}
+
 void Cuts::sum_up(std::span<const double> unused) {
     for (const auto& member : columns_.member) {
         so_far_[member[0]] = 0;

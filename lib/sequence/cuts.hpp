@@ -28,6 +28,8 @@ class Cuts {
     Cuts(const Graph& g, const Columns& columns, std::uint64_t most_work);
 
     [[nodiscard]] std::vector<Cut> degrees() const;
+    // As many cuts of the kind `again` as there are without a link in common: from below, the lowest head first.
+    [[nodiscard]] std::vector<Cut> apart() const;
 
     // Cuts that `unused`, 0 .. 1 for each link, violates, the most violated first and each link in a few; rivals only
     // where there is no other, and circles last.

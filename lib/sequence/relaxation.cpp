@@ -44,7 +44,10 @@ struct Relaxation::Program {
 
     Program(const Slab& s, std::uint64_t budget) : g(s.g), columns(s.columns), cover(s.g.up.size()) {
         cuts.emplace(g, columns, budget);
-        cover.add(cuts->degrees());
+        auto first = cuts->degrees(), more = cuts->apart();
+        first.insert(first.end(), more.begin(), more.end());
+        unused = proven_unused(g.up.size(), first, std::vector<double>(first.size(), 1));
+        cover.add(std::move(first));
     }
     [[nodiscard]] std::uint64_t work() const { return before + cuts->work() + cover.work(); }
 
