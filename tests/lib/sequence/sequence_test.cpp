@@ -301,6 +301,20 @@ TEST(Sequence, FarApartTowersAreClimbedWholeAndNearOnesInTurns) {
     EXPECT_EQ(fact(pair(1), "lower-bound"), 16);
 }
 
+TEST(Sequence, MeetsItsBoundWithoutAHead) {
+    Random random(12);
+    int above_cover = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const auto regions = random_world(random, 30, 6, uniform(random, 2, 20));
+        Options o;
+        o.head.none = true;
+        const Result r = sequence(regions, o);
+        EXPECT_EQ(fact(r, "strokes"), fact(r, "lower-bound")) << trial;
+        above_cover += fact(r, "strokes") > fact(r, "path-cover") ? 1 : 0;
+    }
+    RecordProperty("above_cover", above_cover);
+}
+
 TEST(Sequence, RefusesWhatRegionsWouldNotWrite) {
     auto regions = world({{0, box(0, 0, 1, 1)}, {1, box(0, 0, 1, 1)}});
     const auto rejects = [](std::vector<polygon::Region> r) {
