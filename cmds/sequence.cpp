@@ -16,7 +16,7 @@ using namespace filum;
 struct Options {
     std::string order = "columns";
     sequence::HeadChoice head;
-    std::string budget = "400", ends;
+    std::string budget = "600", ends;
     bool report = false;
 };
 
@@ -64,7 +64,7 @@ cli::Spec spec(Options& o) {
              length("gantry-height", o.head.gantry_height, "MM",
                     "height of the gantry above the tip, 0 for out of reach; ordinary 0"),
              cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
-                         "steps that may be taken, about 5 ms per million; 10s: as many as take about 10 s"},
+                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"},
              cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()},
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},

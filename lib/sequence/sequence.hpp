@@ -11,7 +11,7 @@ struct Options {
     bool by_layers = false; // strictly layer by layer
     machine::Head head;
     double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
-    std::uint64_t budget = 400'000'000; // steps that searches and bounds may take
+    std::uint64_t budget = 600'000'000; // steps that searches and bounds may take
 };
 
 struct Result {
