@@ -40,7 +40,7 @@ struct Planner {
                 offer(f.order);
                 if (f.optimal) best.complete = true, prove(best.cost.strokes);
                 if (proven()) return;
-                f.work += mend(std::move(f.order), f.work);
+                f.work += mend(std::move(f.order), f.work / 4);
                 left -= std::min(left, f.work);
                 most = std::max(most, f.work);
                 if (proven()) return;
@@ -89,9 +89,9 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     const auto near = weights(g, columns, kBaseWeight);
     auto priced = r.density();
     for (Index v = 0; v < g.size(); ++v) priced[v] += kNearShare * near[v];
-    p.widen({near, priced}, budget / 10 * 4);
+    if (!p.proven()) p.widen({near, priced}, budget / 10 * 4);
     if (!p.proven()) p.mend(p.best.order, budget / 10);
-    p.tighten(r, budget / 10 * 4);
+    p.tighten(r, budget - std::min(budget, p.best.steps));
     return std::move(p.best);
 }
 
