@@ -17,7 +17,7 @@ using namespace filum;
 struct Options {
     std::string order = "columns";
     machine::HeadChoice head;
-    std::string budget = "400", ends;
+    std::string budget = "600", ends;
     bool report = false;
 };
 
@@ -33,16 +33,15 @@ cli::Spec spec(Options& o) {
             "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
             "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"
             "Strokes are the climbs without a stop. How few are possible is hard to know in general: orders are "
-            "searched and lower bounds proven in turns until they meet or --budget is used up, most of it for the "
-            "bound. The order, the strokes and the joins are written into the regions. What is known of them travels "
-            "with the stream and is printed with --report: the strokes; the best lower bound, which no order can beat "
-            "under the same head (lower-bound), and what proved it; the gap between the two in percent of the strokes; "
-            "the least by the links alone (path-cover); what going layer by layer needs at least (layer-floor); and "
-            "how many strokes end for which cause.\n\n"
+            "searched and lower bounds proven in turns until they meet or --budget is used up. The order, the strokes "
+            "and the joins are written into the regions. What is known of them travels with the stream and is printed "
+            "with --report: the strokes; the best lower bound, which no order can beat under the same head "
+            "(lower-bound), and what proved it; the gap between the two in percent of the strokes; the least by the "
+            "links alone (path-cover) and layer by layer (layer-floor); how many strokes end for which cause.\n\n"
             "The causes are: top, no link leads on; taken, the region ahead continues another stroke; support, it also "
             "rests on a region that is printed later; tip, cone, carriage, gantry, this part of the head would touch a "
-            "region that is printed later; open, nothing, the order goes on elsewhere. --ends lists every end with its "
-            "place, the region ahead, the one it waits for, how far that is below and how far aside.",
+            "region that is printed later; open, the order goes on elsewhere. --ends lists every end with its place, "
+            "the region ahead, the one it waits for, how far that is below and how far aside.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
@@ -52,7 +51,7 @@ cli::Spec spec(Options& o) {
                            .one_of({"columns", "layers", "sun2019"})},
                       cli::head_options(o.head)),
             {cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
-                         "steps that may be taken, about 5 ms per million; 10s: as many as take about 10 s"},
+                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"},
              cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
@@ -64,20 +63,8 @@ cli::Spec spec(Options& o) {
         .see_also = {"regions", "fill", "link3d"}};
 }
 
-void write(const std::string& file, const std::string& text) {
-    stream::Sink out(file, stream::Sink::Content::text);
-    out.write(text);
-    out.commit();
-}
-
 void run(const Options& o, const cli::Io& given) {
     cli::Io io = given;
-    std::vector<stream::RawFrame> frames;
-    std::vector<polygon::Region> regions;
-    auto whole = cli::read_all(io.input, stream::Payload::regions, [&](stream::RawFrame frame) {
-        regions.push_back(wire::region(frame));
-        frames.push_back(std::move(frame));
-    });
     sequence::Options options;
     options.head = machine::head(o.head);
     for (const auto& [name, value, changed] : machine::settings(options.head))
@@ -85,19 +72,28 @@ void run(const Options& o, const cli::Io& given) {
     options.by_layers = o.order != "columns";
     options.sun2019 = o.order == "sun2019";
     options.budget = sequence::budget(o.budget);
+    std::vector<stream::RawFrame> frames;
+    std::vector<polygon::Region> regions;
+    auto whole = cli::read_all(io.input, stream::Payload::regions, [&](stream::RawFrame frame) {
+        regions.push_back(wire::region(frame));
+        frames.push_back(std::move(frame));
+    });
     auto result = sequence::sequence(std::move(regions), options);
 
     whole.header.expected = frames.size();
     stream::Writer writer(io.output, cli::header(io, stream::Payload::regions, {&whole.header}));
     for (const auto& note : whole.notes) writer.write(note);
     for (const auto& fact : whole.facts) writer.write(fact);
-    for (auto& fact : result.facts) {
-        fact.stage = io.program;
-        writer.write(fact);
+    for (const auto& fact : result.facts) {
+        writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
         if (o.report) io.say(fact.name + " " + fixed_text(fact.value, 4));
     }
     if (o.report) io.say("bound-by " + result.bound_by);
-    if (!o.ends.empty()) write(o.ends, sequence::table(result.graph, result.ends));
+    if (!o.ends.empty()) {
+        stream::Sink table(o.ends, stream::Sink::Content::text);
+        table.write(sequence::table(result.graph, result.ends));
+        table.commit();
+    }
     for (std::size_t i = 0; i < result.order.size(); ++i) {
         const auto frame = std::move(frames[result.order[i]]);
         auto region = wire::region(frame);

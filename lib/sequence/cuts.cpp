@@ -41,6 +41,19 @@ std::vector<Cut> Cuts::degrees() const {
     return out;
 }
 
+std::vector<Cut> Cuts::apart() const {
+    std::vector<Cut> out;
+    for (Index c = 0; c < columns_.member.size(); ++c)
+        for (Index p = 0; p < columns_.member[c].size();) {
+            const Index head = following_.again(columns_.member[c][p]);
+            if (head == kNone) break; // nor of any higher region
+            Cut next = cut({{c, p, head}}, 1);
+            if (next.least > 0) out.push_back(std::move(next));
+            p = head;
+        }
+    return out;
+}
+
 void Cuts::sum_up(std::span<const double> unused) {
     for (const auto& member : columns_.member) {
         so_far_[member[0]] = 0;
@@ -61,7 +74,7 @@ std::vector<Cuts::Found> Cuts::again() const {
             const Index head = following_.again(columns_.member[c][p]);
             if (head == kNone) continue;
             if (p + 1 < columns_.member[c].size() && following_.again(columns_.member[c][p + 1]) == head) continue;
-            if (const double by = 1 - broken(c, p, head); by > kClear) out.push_back({by, {{c, p, head}}});
+            if (const double by = 1 - broken(c, p, head); by > kClear) out.push_back({by, {{c, p, head}}, 1});
         }
     return out;
 }
@@ -128,11 +141,11 @@ std::vector<Cuts::Found> Cuts::rivals() {
         for (Index p = 0; p < columns_.member[c].size(); ++p) {
             if (level_[columns_.member[c][p]] != p) continue;
             Stretches s{{c, p, p}};
-            Found best{kClear, {}};
+            Found best{kClear, {}, 0};
             double sum = 0;
             while (add_rival(s, sum)) {
                 const double by = static_cast<double>(s.size() - 1) - sum;
-                if (by > best.by) best = {by, s};
+                if (by > best.by) best = {by, s, static_cast<Index>(s.size() - 1)};
                 if (by < -kHope) break;
             }
             if (best.stretches.empty()) continue;
@@ -153,6 +166,7 @@ Cut Cuts::cut(const Stretches& s, Index least) const {
                 --out.least; // a step that is no link is a break in any case
         }
     std::sort(out.link.begin(), out.link.end());
+    out.link.erase(std::unique(out.link.begin(), out.link.end()), out.link.end()); // a circle may come by twice
     return out;
 }
 
@@ -161,6 +175,7 @@ std::vector<Cut> Cuts::violated(std::span<const double> unused) {
     work_ += g_.size();
     auto found = again();
     if (found.empty()) found = rivals();
+    if (found.empty()) found = circles();
     std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
         return a.by > b.by || (a.by == b.by && a.stretches < b.stretches);
     });
@@ -169,7 +184,7 @@ std::vector<Cut> Cuts::violated(std::span<const double> unused) {
     std::vector<Index> shared(g_.up.size(), 0);
     std::vector<Cut> out;
     for (const Found& f : found) {
-        Cut c = cut(f.stretches, static_cast<Index>(std::max<std::size_t>(2, f.stretches.size()) - 1));
+        Cut c = cut(f.stretches, f.least);
         const auto often = std::count_if(c.link.begin(), c.link.end(), [&](Index a) { return shared[a] >= kShared; });
         if (2 * static_cast<std::size_t>(often) > c.link.size()) continue;
         for (const Index a : c.link) ++shared[a];

@@ -2,6 +2,7 @@
 
 #include "sequence/climb.hpp"
 #include "sequence/matching.hpp"
+#include "sequence/mend.hpp"
 #include "sequence/relaxation.hpp"
 #include "sequence/search.hpp"
 
@@ -36,10 +37,12 @@ struct Planner {
                 Found f = search(g, columns, weight, width, left);
                 best.steps += f.work;
                 if (f.order.empty()) return;
+                offer(f.order);
+                if (f.optimal) best.complete = true, prove(best.cost.strokes);
+                if (proven()) return;
+                f.work += mend(std::move(f.order), f.work / 4);
                 left -= std::min(left, f.work);
                 most = std::max(most, f.work);
-                offer(std::move(f.order));
-                if (f.optimal) best.complete = true, prove(best.cost.strokes);
                 if (proven()) return;
             }
             std::size_t factor = 8; // work grows with the width
@@ -47,6 +50,15 @@ struct Planner {
             if (factor == 1) return;
             width *= factor;
         }
+    }
+
+    // Offers a mended order; the steps taken.
+    std::uint64_t mend(Order order, std::uint64_t budget) {
+        std::uint64_t steps = 0;
+        sequence::mend(g, order, best.bound, budget, steps);
+        offer(std::move(order));
+        best.steps += steps;
+        return steps;
     }
 
     void tighten(Relaxation& r, std::uint64_t budget) {
@@ -72,14 +84,14 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     Planner p{g, columns, layer_plan(g)};
     for (const Choice c : {Choice::longest, Choice::lowest, Choice::nearest}) p.offer(climb(g, c));
     if (p.proven()) return std::move(p.best);
-    Relaxation r(g, columns, budget / 10);
-    p.best.steps += r.work();
+    Relaxation r(g, columns);
     p.tighten(r, budget / 10);
     const auto near = weights(g, columns, kBaseWeight);
     auto priced = r.density();
     for (Index v = 0; v < g.size(); ++v) priced[v] += kNearShare * near[v];
-    p.widen({near, priced}, budget / 10 * 4);
-    p.tighten(r, budget / 10 * 5);
+    if (!p.proven()) p.widen({near, priced}, budget / 10 * 4);
+    if (!p.proven()) p.mend(p.best.order, budget / 10);
+    p.tighten(r, budget - std::min(budget, p.best.steps));
     return std::move(p.best);
 }
 

@@ -32,18 +32,22 @@ Columns along_links(const Graph& g, std::span<const double> unused) {
 
 } // namespace
 
-struct Relaxation::State {
+// The program of one slab.
+struct Relaxation::Program {
     const Graph& g;
     Columns columns;
     std::optional<Cuts> cuts; // of `columns`
     Cover cover;
-    Index bound = 0;
+    Index unused = 0;         // links, proven
     bool done = false;        // no cut is left
     std::uint64_t before = 0; // work of cuts of earlier columns
 
-    State(const Graph& graph, const Columns& c, std::uint64_t budget) : g(graph), columns(c), cover(graph.up.size()) {
+    Program(const Slab& s, std::uint64_t budget) : g(s.g), columns(s.columns), cover(s.g.up.size()) {
         cuts.emplace(g, columns, budget);
-        cover.add(cuts->degrees());
+        auto first = cuts->degrees(), more = cuts->apart();
+        first.insert(first.end(), more.begin(), more.end());
+        unused = proven_unused(g.up.size(), first, std::vector<double>(first.size(), 1));
+        cover.add(std::move(first));
     }
     [[nodiscard]] std::uint64_t work() const { return before + cuts->work() + cover.work(); }
 
@@ -59,36 +63,64 @@ struct Relaxation::State {
         done = more.empty();
         cover.add(std::move(more));
     }
+
+    void tighten(Index target, std::uint64_t limit) {
+        while (!done && unused < target && work() < limit) {
+            const bool solved = cover.solve(limit - work());
+            unused = std::max(unused, cover.proven());
+            if (!solved) break;
+            cover.forget_slack();
+            cut(limit > work() ? limit - work() : 0);
+        }
+    }
 };
 
-Relaxation::Relaxation(const Graph& g, const Columns& columns, std::uint64_t budget)
-    : state_(std::make_unique<State>(g, columns, budget)) {}
+Relaxation::Relaxation(const Graph& g, const Columns& columns, std::size_t most_in_table)
+    : regions_(g.size()), links_(static_cast<Index>(g.up.size())), slabs_(slabs(g, columns, most_in_table)),
+      unused_(slabs_.size(), 0), density_(g.size(), 0) {}
 Relaxation::~Relaxation() = default;
 
-std::uint64_t Relaxation::work() const { return state_->work(); }
+void Relaxation::enter(std::size_t slab, std::uint64_t budget) {
+    if (program_ && entered_ == slab) return;
+    program_ = std::make_unique<Program>(slabs_[slab], budget);
+    entered_ = slab;
+    work_ += program_->work();
+}
 
-std::vector<double> Relaxation::density() const {
-    const Graph& g = state_->g;
-    const auto of_link = state_->cover.density();
-    std::vector<double> out(g.size(), 0);
+// Half of what a link is priced to either end, in place of what earlier prices said.
+void Relaxation::price(std::size_t slab) {
+    const Graph& g = slabs_[slab].g;
+    const auto of_link = program_->cover.density();
+    double* const out = density_.data() + slabs_[slab].first;
+    std::fill(out, out + g.size(), 0.0);
     for (Index u = 0; u < g.size(); ++u)
         for (Index a = g.up.start[u]; a < g.up.start[u + 1]; ++a)
             out[u] += of_link[a] / 2, out[g.up.to[a]] += of_link[a] / 2;
-    return out;
+}
+
+Index Relaxation::bound() const {
+    const Index least = regions_ + std::accumulate(unused_.begin(), unused_.end(), 0U);
+    return least > links_ ? least - links_ : 0;
+}
+
+// How many links slab i has to leave unused for `target` strokes.
+Index Relaxation::wanted(Index target, std::size_t i) const {
+    const std::int64_t others =
+        std::int64_t{regions_} - links_ + std::accumulate(unused_.begin(), unused_.end(), std::int64_t{0}) - unused_[i];
+    return static_cast<Index>(std::clamp<std::int64_t>(target - others, 0, kNone));
 }
 
 Index Relaxation::tighten(Index target, std::uint64_t budget) {
-    State& s = *state_;
-    const auto links = static_cast<Index>(s.g.up.size());
-    const std::uint64_t limit = s.work() + budget;
-    while (!s.done && s.bound < target && s.work() < limit) {
-        const bool solved = s.cover.solve(limit - s.work());
-        s.bound = std::max(s.bound, s.g.size() - (links - s.cover.proven()));
-        if (!solved) break;
-        s.cover.forget_slack();
-        s.cut(limit > s.work() ? limit - s.work() : 0);
+    for (std::size_t i = 0; i < slabs_.size() && bound() < target; ++i) {
+        const std::uint64_t share = budget / std::max<Index>(1, links_) * slabs_[i].g.up.size();
+        enter(i, share);
+        const std::uint64_t before = program_->work();
+        program_->tighten(wanted(target, i), before + share);
+        work_ += program_->work() - before;
+        unused_[i] = std::max(unused_[i], program_->unused);
+        price(i);
     }
-    return s.bound;
+    return bound();
 }
 
 } // namespace filum::sequence

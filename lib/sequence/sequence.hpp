@@ -12,7 +12,7 @@ struct Options {
     bool sun2019 = false;   // if so, as in the 2019 paper (sun2019_order.hpp)
     machine::Head head;
     double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
-    std::uint64_t budget = 400'000'000; // steps that searches and bounds may take
+    std::uint64_t budget = 600'000'000; // steps that searches and bounds may take
 };
 
 struct Result {

@@ -79,7 +79,7 @@ strokes() { # options of sequence
     slice towers.stl | regions > r
     sequence r --budget 0 -o none
     peek --check none
-    sequence r --budget 400 | peek --text --decimals 3 | grep '^region' > steps
+    sequence r --budget 600 | peek --text --decimals 3 | grep '^region' > steps
     sequence r --budget 2s | peek --text --decimals 3 | grep '^region' > seconds
     cmp steps seconds
     for wrong in -1 ten 5m 1e9 9999s; do

@@ -74,16 +74,19 @@ TEST(Cuts, HoldForEveryOrder) {
 
 TEST(Bounds, AreNoMoreThanEnumerationFinds) {
     Random random(9);
-    int worlds = 0, above_cover = 0, relaxed_best = 0;
+    int worlds = 0, above_cover = 0, relaxed_best = 0, slabs_above_cover = 0;
     for (int trial = 0; trial < 600; ++trial) {
         const Towers t = random_towers(random, 2 + random() % 4, 3 + random() % 5, 1 + random() % 4);
         if (t.g.size() > 13) continue;
         ++worlds;
         const Index least = fewest_strokes(t.g);
         const auto w = weights(t.g, t.columns, 0.02);
-        const Index relaxed = Relaxation(t.g, t.columns, kAmple).tighten(kNone, kAmple);
+        const Index relaxed = Relaxation(t.g, t.columns).tighten(kNone, kAmple);
         EXPECT_LE(path_cover(t.g), relaxed) << trial;
         EXPECT_LE(relaxed, least) << trial;
+        const Index in_slabs = Relaxation(t.g, t.columns, 12).tighten(kNone, kAmple);
+        EXPECT_LE(in_slabs, least) << trial;
+        slabs_above_cover += in_slabs > path_cover(t.g) ? 1 : 0;
         const Found f = search(t.g, t.columns, w, 5000, kAmple);
         EXPECT_TRUE(f.optimal);
         check(t.g, f.order);
@@ -96,7 +99,32 @@ TEST(Bounds, AreNoMoreThanEnumerationFinds) {
     RecordProperty("relaxation_optimal", relaxed_best);
     EXPECT_GT(worlds, 250);
     EXPECT_GT(above_cover * 3, worlds);
-    EXPECT_GT(relaxed_best * 10, worlds * 8);
+    EXPECT_GT(relaxed_best * 10, worlds * 9);
+    EXPECT_GT(slabs_above_cover, 100);
+}
+
+TEST(Slabs, HoldEveryLinkOnce) {
+    Random random(11);
+    std::size_t many = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const Towers t = random_towers(random, 1 + random() % 8, 1 + random() % 30, 4);
+        const auto parts = slabs(t.g, t.columns, 1 + random() % 300);
+        std::vector<Pair> links;
+        for (const Slab& s : parts) {
+            for (Index u = 0; u < s.g.size(); ++u) {
+                for (const Index v : s.g.up[u]) links.emplace_back(s.first + u, s.first + v);
+                EXPECT_EQ(s.g.node[u].z, t.g.node[s.first + u].z);
+                const auto& column = s.columns.member[s.columns.of[u]];
+                EXPECT_EQ(std::count(column.begin(), column.end(), u), 1);
+            }
+        }
+        std::sort(links.begin(), links.end());
+        const Arcs again = arcs(t.g.size(), links);
+        EXPECT_EQ(again.to, t.g.up.to);
+        EXPECT_EQ(links.size(), t.g.up.size());
+        many += parts.size() > 2 ? 1 : 0;
+    }
+    EXPECT_GT(many, 20);
 }
 
 TEST(Cover, AnyPricesProveABound) {
