@@ -28,27 +28,6 @@ Vec2 crossing(const Cut& cut, Vec2 a, Vec2 b) {
     return cut.point(std::lerp(cut.along(a), cut.along(b), fa / (fa - fb)));
 }
 
-// The part of the area on one side of the cut (Sutherland and Hodgman 1974): pieces of a loop hang together by edges to
-// and fro along the cut.
-Loops one_side(const Loops& a, const Cut& cut, bool upper) {
-    const auto kept = [&](Vec2 p) { return (cut.above(p) > 0) == upper; };
-    Loops out;
-    for (std::size_t l = 0; l < a.size(); ++l) {
-        const auto loop = a[l];
-        const std::size_t before = out.points.size();
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Vec2 p = loop[i], q = loop[i + 1 == loop.size() ? 0 : i + 1];
-            if (kept(p)) out.points.push_back(p);
-            if (kept(p) != kept(q)) out.points.push_back(crossing(cut, p, q));
-        }
-        if (out.points.size() - before >= 3)
-            out.close();
-        else
-            out.points.resize(before);
-    }
-    return out;
-}
-
 // Where an outline crosses a cut.
 struct End {
     double along = 0;
@@ -90,6 +69,68 @@ Side side(const Loops& result, const Cut& cut, bool upper) {
     for (auto* ends : {&s.in, &s.out})
         std::stable_sort(ends->begin(), ends->end(), [](const End& a, const End& b) { return a.along < b.along; });
     return s;
+}
+
+// The same of a simple area, as a simple area: along the cut, solid lies between each other pair of crossings.  Nothing
+// if these say that the area is not simple.
+std::optional<Loops> clipped_simple(const Side& s, const Cut& cut) {
+    struct Crossing {
+        double along;
+        bool out;
+        std::size_t chain;
+    };
+    std::vector<Crossing> all;
+    for (const End& e : s.in) all.push_back({e.along, false, e.chain});
+    for (const End& e : s.out) all.push_back({e.along, true, e.chain});
+    std::stable_sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) { return a.along < b.along; });
+    std::vector<std::size_t> next(s.chains.size());
+    std::vector<double> begin(s.chains.size()), end(s.chains.size());
+    for (std::size_t k = 0; k + 1 < all.size(); k += 2) {
+        const Crossing &a = all[k], &b = all[k + 1];
+        if (a.out == b.out || a.along == b.along) return std::nullopt;
+        const Crossing &leaves = a.out ? a : b, &comes = a.out ? b : a;
+        next[leaves.chain] = comes.chain;
+        end[leaves.chain] = leaves.along, begin[comes.chain] = comes.along;
+    }
+    Loops out = s.whole;
+    std::vector<char> seen(s.chains.size(), 0);
+    for (std::size_t start = 0; start < s.chains.size(); ++start) {
+        if (seen[start]) continue;
+        for (std::size_t c = start; !seen[c]; c = next[c]) {
+            seen[c] = 1;
+            out.points.push_back(cut.point(begin[c]));
+            out.points.insert(out.points.end(), s.chains[c].begin(), s.chains[c].end());
+            out.points.push_back(cut.point(end[c]));
+        }
+        out.close();
+    }
+    return out;
+}
+
+// The part of any area on one side of the cut (Sutherland and Hodgman 1974): pieces of a loop hang together by edges to
+// and fro along the cut.
+Loops clipped(const Loops& a, const Cut& cut, bool upper) {
+    const auto kept = [&](Vec2 p) { return (cut.above(p) > 0) == upper; };
+    Loops out;
+    for (std::size_t l = 0; l < a.size(); ++l) {
+        const auto loop = a[l];
+        const std::size_t before = out.points.size();
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec2 p = loop[i], q = loop[i + 1 == loop.size() ? 0 : i + 1];
+            if (kept(p)) out.points.push_back(p);
+            if (kept(p) != kept(q)) out.points.push_back(crossing(cut, p, q));
+        }
+        if (out.points.size() - before >= 3)
+            out.close();
+        else
+            out.points.resize(before);
+    }
+    return out;
+}
+
+Loops one_side(const Loops& a, const Cut& cut, bool upper) {
+    auto simple = clipped_simple(side(a, cut, upper), cut);
+    return simple ? std::move(*simple) : clipped(a, cut, upper);
 }
 
 // How the chains of one side go on at the other.

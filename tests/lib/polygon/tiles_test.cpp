@@ -57,7 +57,7 @@ TEST(Tiled, CopyIsTheSameArea) {
 }
 
 TEST(Tiled, InsetsAndOutsetsMeetTheStripThatTheyLeave) {
-    const Loops a = plate(9000, 60, 4); // far above a tile
+    const Loops a = plate(6000, 40, 4); // far above a tile
     for (const double by : {-0.2, -0.9, 0.3}) {
         const Loops moved = offset(a, by);
         EXPECT_TRUE(is_simple(moved));
@@ -112,4 +112,32 @@ TEST(Simplify, CombOfManyTeethTakesLittleTime) {
     const Loops out = simplify(comb, 0.01);
     EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC / 2); // tooth by tooth: many seconds
     EXPECT_EQ(out.points.size(), comb.points.size());
+}
+
+TEST(Tiled, UnionOfManyOverlappingDiscs) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> at(0, 40), size(1, 3);
+    struct Disc {
+        double x, y, r;
+    };
+    std::vector<Disc> discs;
+    Loops all;
+    for (int k = 0; k < 150; ++k) {
+        const Disc d{at(random), at(random), size(random)};
+        discs.push_back(d);
+        for (int i = 0; i < 60; ++i) {
+            const double a = 2 * std::numbers::pi * i / 60;
+            all.points.push_back({d.x + d.r * std::cos(a), d.y + d.r * std::sin(a)});
+        }
+        all.close();
+    }
+    const Loops one = unite(all);
+    EXPECT_TRUE(is_simple(one));
+    for (int k = 0; k < 2000; ++k) {
+        const filum::geom::Vec2 p{at(random), at(random)};
+        double deepest = -1; // of the discs' radius
+        for (const Disc& d : discs) deepest = std::max(deepest, 1 - std::hypot(p.x - d.x, p.y - d.y) / d.r);
+        if (deepest > -0.01 && deepest < 0.01) continue; // a polygon is no disc
+        EXPECT_EQ(contains(one, p), deepest > 0) << p.x << ' ' << p.y;
+    }
 }
