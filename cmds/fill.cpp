@@ -39,6 +39,10 @@ cli::Spec spec(fill::Options& o) {
                     Option{"min-width", &o.min_width, "MM",
                            "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
                         .at_least(0),
+                    Option{"min-radius", &o.min_radius, "MM",
+                           "the spiral turns no tighter where it has room; what that leaves open is reported"}
+                        .at_least(0)
+                        .at_most(1000),
                     Option{"angles", &o.angles_deg, "DEG,...",
                            "angles of straight rows from the x axis, layer after layer, over and over"},
                     Option{

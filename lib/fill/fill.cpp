@@ -24,7 +24,8 @@ int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cas
 std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, double& unplaced, Notes& notes) {
     const double w = o.bead_width;
     if (o.pattern == "spiral" && o.method == "cyc") {
-        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = o.min_width > 0 ? o.min_width : w / 4}, notes);
+        const double least = o.min_width > 0 ? o.min_width : w / 4;
+        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least, .min_radius = o.min_radius}, notes);
         unplaced = s.unplaced;
         return std::move(s.curves);
     }
