@@ -48,6 +48,10 @@ cli::Spec spec(fill::Options& o) {
                            "walls thinner than a bead, of a spiral: two lanes, there and back, or a single pass where "
                            "the curve may have two ends for it"}
                         .one_of({"lanes", "single"}),
+                    Option{"min-radius", &o.min_radius, "MM",
+                           "the spiral turns no tighter where it has room; what that leaves open is reported"}
+                        .at_least(0)
+                        .at_most(1000),
                     Option{"angles", &o.angles_deg, "DEG,...",
                            "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
                            "0,90 of a scaffold"},

@@ -54,7 +54,8 @@ std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, 
     if (o.pattern == "spiral" && o.method == "cyc") {
         if (o.thin == "single")
             if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
-        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = o.min_width > 0 ? o.min_width : w / 4}, notes);
+        const double least = o.min_width > 0 ? o.min_width : w / 4;
+        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least, .min_radius = o.min_radius}, notes);
         unplaced = s.unplaced;
         if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
         return std::move(s.curves);

@@ -20,6 +20,7 @@ struct Options {
     std::string method = "cyc";     // of the spiral: cyc, or sun2019 for the paper's own construction
     double bead_width = 0.4;        // mm
     double min_width = 0.1;         // mm: narrower beads of the spiral are reported
+    double min_radius = 0;          // mm: the spiral turns no tighter where it has room
     std::vector<double> angles_deg; // of straight lines from the x axis: layer after layer, over and over;
                                     // none: the pattern's own (0; scaffold 0, 90)
     std::int64_t rings = -1;        // along the outline: of contour at most this many, of the others exactly;

@@ -9,6 +9,7 @@ namespace {
 
 // Of rounded corners; in reaches unless said otherwise.
 constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
+constexpr double kBent = 0.3;       // rad: where a line turns less within the reach, its chord is longer than that
 constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
 constexpr double kAcuteReach = 2.6; // about those
 constexpr double kOuter = 0.75;  // bead widths from the outline: nearer, acute corners are worth more than their room
@@ -107,14 +108,30 @@ class Rounding {
         const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
         return ratio < kAcute && !outer ? kAcuteReach * reach_ : reach_;
     }
+    [[nodiscard]] double turn(std::size_t i) const {
+        const std::size_t n = line_->points.size();
+        const Vec2 p = line_->points[i], u = p - line_->points[i == 0 ? n - 1 : i - 1];
+        const Vec2 v = line_->points[i + 1 == n ? 0 : i + 1] - p;
+        const double l = geom::norm2(u) * geom::norm2(v);
+        return l > 0 ? std::sqrt(std::max(0.0, 2 - 2 * dot(u, v) / std::sqrt(l))) : 0;
+    }
     [[nodiscard]] double chord(double s, double reach) const {
         return geom::distance(course_.at(s - reach).point, course_.at(s + reach).point);
     }
 
     // Ascending and apart, all within a turn from the first one's begin.
     void find_corners() {
-        for (std::size_t i = 0; i < line_->points.size(); ++i) {
-            const double s = course_.s(i), reach = reach_at(i);
+        const std::size_t n = line_->points.size();
+        std::vector<double> turned{0}; // up to vertex i, of the unit vectors along the segments: less than the angle
+        for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
+        std::size_t first = 0, last = 0; // vertices within the reach
+        for (std::size_t i = 0; i < n; ++i) {
+            const double s = course_.s(i);
+            while (course_.s(first) < s - reach_) ++first;
+            while (last < n && course_.s(last) <= s + reach_) ++last;
+            const bool whole = s > reach_ && s < course_.length() - reach_;
+            if (whole && turned[last] - turned[first] < kBent) continue;
+            const double reach = reach_at(i);
             if (reach == 0) continue;
             if (parts_.empty() || s - reach > parts_.back().end) parts_.push_back({s - reach, s + reach, {}});
             parts_.back().end = std::max(parts_.back().end, s + reach);
@@ -188,6 +205,8 @@ class Widening {
         const double most = kWideTurn * width_, margin = most / 2 + kTaper * width_;
         double taken = 0;
         for (std::size_t i = 1; i + 1 < n; ++i) {
+            const Vec2 u = line_->points[i] - line_->points[i - 1], v = line_->points[i + 1] - line_->points[i];
+            if (dot(u, v) > 0 && std::abs(geom::cross(u, v)) < 0.5 * dot(u, v)) continue; // surely no corner
             const double first = turning(i);
             if (std::abs(first) < kCorner) continue;
             std::size_t j = i + 1;

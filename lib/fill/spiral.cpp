@@ -2,6 +2,7 @@
 
 #include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
+#include "fill/least_radius.hpp"
 #include "fill/rounding.hpp"
 #include "fill/speck.hpp"
 #include "fill/thin.hpp"
@@ -18,7 +19,10 @@ using polygon::Loops;
 constexpr double kOverlap = 1.0 / 512;
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
 constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
+constexpr double kRoundMost = 0.7;     // the same where a least radius asks for more
 constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
+
+constexpr double kGrid = 1e-3; // mm
 
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
@@ -61,9 +65,15 @@ void tidy(ClosedLine& line) {
 Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
                bool round) {
     const double w = o.bead_width;
+    if (o.min_radius > 0) tolerance = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
     const FirstRings first = first_rings(region, w, tolerance);
-    const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
-    Spiral out{{}, first.unplaced};
+    const double spacing = w * (1 - kOverlap), shortest = kShortestRing * w;
+    Spiral out{{}, first.unplaced, {"", "left open for the least radius", 0, "mm2", 0}};
+    const Rings rings = o.min_radius > 0
+                            ? nested_round_rings(first.rings, spacing, shortest, tolerance,
+                                                 drawn_radius(o.min_radius, w / 2, kGrid + tolerance), out.open)
+                            : nested_rings(first.rings, spacing, shortest, tolerance);
+    const double reach = std::clamp(0.75 * o.min_radius, kRound * w, kRoundMost * w);
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
     const auto room = [&](geom::Vec2 p) {
@@ -75,7 +85,7 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     };
     for (ClosedLine& line :
          join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
-        if (round) line = rounded(with_wide_turns(line, w, room), kRound * w, room);
+        if (round) line = rounded(with_wide_turns(line, w, room), reach, room);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
@@ -113,6 +123,9 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
             length += geom::distance(c.points[i], c.points[j]);
             where = c.points[i];
         }
+    if (spiral.open.count > 0) notes.push_back(spiral.open);
+    const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
+    if (tight.count > 0) notes.push_back(tight);
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
@@ -145,8 +158,10 @@ std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double c
     return crossings;
 }
 
-Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
-    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+namespace {
+
+// The first of several ways to fill the region, from the best to the safest, whose curves do not cross themselves.
+Spiral certified(const Loops& region, const SpiralOptions& o) {
     struct Try {
         double tolerance; // bead widths
         bool move, wind, round;
@@ -167,6 +182,20 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
         absorb_voids(region, o, out);
         break;
     }
+    return out;
+}
+
+} // namespace
+
+Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
+    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+    Spiral out = certified(region, o);
+    if (out.curves.size() > 1 && o.min_radius > 0) { // one curve matters more
+        SpiralOptions any = o;
+        any.min_radius = 0;
+        out = certified(region, any);
+    }
+    out.unplaced += out.open.amount;
     report(out, o, notes);
     return out;
 }

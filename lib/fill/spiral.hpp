@@ -12,12 +12,14 @@ namespace filum::fill {
 struct SpiralOptions {
     double bead_width = 0.4; // mm
     double min_width = 0.1;  // mm: beads narrower than this are reported
+    double min_radius = 0;   // mm: the path turns no tighter where there is room for that
     int lanes = 2;           // rings on each side of the medial axis that share a wall's odd thickness
 };
 
 struct Spiral {
     std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
     double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
+    Note open;                           // of it, what a least radius leaves open
 };
 
 // Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls

@@ -71,6 +71,10 @@ stops() {
 }
 
 @test "without reach only what touches is joined" {
+    # pillars of one small ring each, which lies between two lines of the plate
+    box plate 0 0 0 12 12 0.6 > part.stl
+    box near 3.21 5.6 0.6 3.99 6.4 3 >> part.stl
+    box far 8.01 5.6 0.6 8.79 6.4 3 >> part.stl
     paths
     run --separate-stderr link3d --reach 0 part.paths -o part.toolpath
     [ "$status" -eq 0 ]
