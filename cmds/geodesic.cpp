@@ -8,6 +8,7 @@
 #include "mesh/place.hpp"
 #include "mesh/read.hpp"
 #include "stream/crc32c.hpp"
+#include "surface/remesh.hpp"
 #include "wire/surface.hpp"
 
 #include <cstdio>
@@ -20,6 +21,8 @@ using cli::Option;
 struct Options {
     mesh::Placement place;
     std::string source;
+    std::vector<double> cut;
+    double remesh = 0;
     geodesic::Options measure;
 };
 
@@ -28,10 +31,11 @@ constexpr const char* kDescription =
     "or two triangles, every vertex with one fan of them, all facing one way. What had to be repaired for that is "
     "noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than two "
     "triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
-    "components stay as they are.\n\n"
+    "components stay as they are. Then it is cut with --cut and remeshed with --remesh, if asked.\n\n"
     "With --source it computes the distance of every vertex from the nearest source along the surface. Sources, "
     "several "
-    "in quotes with blanks between: vertex:ID, numbered as in the file from 0; point:X,Y,Z, the nearest point of the "
+    "in quotes with blanks between: vertex:ID, numbered as in the file from 0, or as 'peek --text' shows them after a "
+    "cut; point:X,Y,Z, the nearest point of the "
     "surface; boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one of "
     "them; plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. Distances are infinite where no "
     "source is on the same component.\n\n"
@@ -55,6 +59,9 @@ cli::Spec spec(Options& o) {
         .memory = "the model, and some hundred bytes per edge for exact distances",
         .options =
             {{"source", &o.source, "SOURCES", "where distance is 0; none: only make the surface"},
+             Option{"cut", &o.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4),
+             Option{"remesh", &o.remesh, "MM", "make all sides about this long, rims and sharp edges kept; 0: do not"}
+                 .at_least(0),
              Option{"method", &o.measure.method, "", "how distances are found"}.one_of({"auto", "exact", "heat"}),
              {"paper", &o.measure.paper, "", "heat as in Kipping et al. 2022: snapped sources, no corrections"},
              {"levels", &o.measure.levels, "MM,...", "isolines at these distances"},
@@ -85,6 +92,9 @@ void run(const Options& o, const cli::Io& io) {
     place.on_bed = false;
     mesh::place(file.mesh, place, file.kind == mesh::Kind::threemf, notes);
     surface::Sheet sheet{surface::connect(std::move(file.mesh), notes), {}, {}};
+    const auto& c = o.cut;
+    if (!c.empty()) sheet.surface = surface::cut(sheet.surface, {{c[0], c[1], c[2]}, c[3]}, notes);
+    if (o.remesh > 0) sheet.surface = surface::remesh(sheet.surface, o.remesh, notes);
     const auto sources = geodesic::choose(sheet.surface, o.source, notes);
     Facts facts = surface::facts(sheet.surface);
     if (!sources.empty()) {

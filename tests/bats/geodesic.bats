@@ -104,6 +104,19 @@ print(max(abs(d - abs(x - 3.4)) for x, d in zip(p["x"], p["distance"])))
     expect 2 geodesic grid.off --source vertex:0 --method guess
 }
 
+@test "cut, then remeshed, then measured" {
+    geodesic square.off --cut 1,0,0,8 --remesh 0.5 --source boundary > s
+    facts s | grep -qx 'area 80 mm2'
+    facts s | grep -qx 'components 1'
+    [[ $(facts s | sed -n 's/^triangles //p') -gt 500 ]]
+    facts s | sed -n 's/^farthest-vertex \(.*\) mm/\1/p' | awk '{ exit !($1 > 3.6 && $1 < 4.0001) }'
+    for bad in '--cut 0,0,0,1' '--cut 1,0,0,-1' '--cut 1,2' '--remesh -1' '--remesh 1e-6' '--remesh nan' '--cut 1,0,nan,0'; do
+        # shellcheck disable=SC2086
+        expect 2 geodesic square.off $bad
+        complaint geodesic
+    done
+}
+
 @test "a surface without an area is refused" {
     printf 'OFF\n3 1 0\n0 0 0 1 0 0 2 0 0\n3 0 1 2\n' > line.off
     expect 3 geodesic line.off
