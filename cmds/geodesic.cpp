@@ -4,10 +4,12 @@
 // memory: the model, and some hundred bytes per edge for exact distances
 #include "cli/command.hpp"
 #include "geodesic/choose.hpp"
+#include "geodesic/lines.hpp"
 #include "geodesic/measure.hpp"
 #include "mesh/place.hpp"
 #include "mesh/read.hpp"
 #include "stream/crc32c.hpp"
+#include "surface/remesh.hpp"
 #include "wire/surface.hpp"
 
 #include <cstdio>
@@ -19,31 +21,32 @@ using cli::Option;
 
 struct Options {
     mesh::Placement place;
-    std::string source;
+    std::string source, lines;
+    std::vector<double> cut;
+    double remesh = 0;
     geodesic::Options measure;
 };
 
 constexpr const char* kDescription =
-    "Reads a triangle mesh, open or closed, from a file or standard input, and makes it a surface: every edge with one "
-    "or two triangles, every vertex with one fan of them, all facing one way. What had to be repaired for that is "
-    "noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than two "
-    "triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
-    "components stay as they are.\n\n"
-    "With --source it computes the distance of every vertex from the nearest source along the surface. Sources, "
-    "several "
-    "in quotes with blanks between: vertex:ID, numbered as in the file from 0; point:X,Y,Z, the nearest point of the "
-    "surface; boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one of "
-    "them; plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. Distances are infinite where no "
-    "source is on the same component.\n\n"
+    "Reads a triangle mesh, open or closed, from a file or standard input, and makes it a surface: every edge with "
+    "one or two triangles, every vertex with one fan of them, all facing one way. What had to be repaired for that "
+    "is noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than "
+    "two triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
+    "components stay as they are. Then it is cut with --cut and remeshed with --remesh, if asked.\n\n"
+    "With --source it computes the distance of every vertex from the nearest source along the surface, infinite "
+    "where no source is on the same component. Sources, several in quotes with blanks between: vertex:ID, numbered "
+    "as in the file from 0, after a cut as in 'peek --text'; point:X,Y,Z, the nearest point of the surface; "
+    "boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one; "
+    "plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. --source-lines names a text of "
+    "points, three numbers a line, lines of points apart by an empty line, drawn onto the surface.\n\n"
     "By default distances are exact: the length of the shortest path on the triangles to the nearest point of the "
-    "sources, found by propagating windows across them; lines are sources as such, not their vertices. Isolines cross "
-    "edges where the distance has their level, solved from the windows, and bend between them to 0.001 mm. --method "
-    "heat lets heat flow instead (auto: on more than 300,000 triangles): quicker there, but off by some percent beyond "
-    "16 mean edges from the sources, with isolines that are straight in every triangle. --paper does it as Kipping et "
-    "al. 2022, with the vertices nearest to lines as sources, for comparison only.\n\n"
+    "sources, found by propagating windows; lines are sources as such, not their vertices. Isolines cross edges "
+    "where the distance has their level, solved from the windows, and bend between them to 0.001 mm. --method heat "
+    "lets heat flow instead (auto: on more than 300,000 triangles): off by some percent beyond 16 mean edges from "
+    "the sources, with isolines that are straight in every triangle. --paper does it as Kipping et al. 2022, with "
+    "the vertices nearest to lines as sources, for comparison only.\n\n"
     "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
-    "taken as linear in every triangle, is from 1: it is on lines where fronts meet, near point sources, and where the "
-    "mesh is coarse. 'peek --text' prints distances and isolines.";
+    "taken as linear in every triangle, is from 1: it is where fronts meet, near points and on coarse meshes.";
 
 cli::Spec spec(Options& o) {
     return {
@@ -55,6 +58,11 @@ cli::Spec spec(Options& o) {
         .memory = "the model, and some hundred bytes per edge for exact distances",
         .options =
             {{"source", &o.source, "SOURCES", "where distance is 0; none: only make the surface"},
+             Option{"source-lines", &o.lines, "FILE", "lines of points where distance is 0 as well; see above"}
+                 .not_a_setting(),
+             Option{"cut", &o.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4),
+             Option{"remesh", &o.remesh, "MM", "make all sides about this long, rims and sharp edges kept; 0: do not"}
+                 .at_least(0),
              Option{"method", &o.measure.method, "", "how distances are found"}.one_of({"auto", "exact", "heat"}),
              {"paper", &o.measure.paper, "", "heat as in Kipping et al. 2022: snapped sources, no corrections"},
              {"levels", &o.measure.levels, "MM,...", "isolines at these distances"},
@@ -70,22 +78,31 @@ cli::Spec spec(Options& o) {
         .see_also = {"slice", "peek"}};
 }
 
+// The file's content; what it is enters the history, its name does not.
+mesh::Bytes load(const std::string& path, const char* setting, cli::Io& self) {
+    mesh::Bytes bytes = mesh::load(path);
+    char crc[9];
+    std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
+    self.settings.push_back({setting, crc});
+    return bytes;
+}
+
 void run(const Options& o, const cli::Io& io) {
-    cli::Io self = io; // with what identifies the input, as its name may not
-    mesh::File file;
-    {
-        const mesh::Bytes bytes = mesh::load(io.input);
-        char crc[9];
-        std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-        self.settings.push_back({"input_crc32c", crc});
-        file = mesh::read(bytes.view(), mesh::spoken_name(io.input));
-    }
+    cli::Io self = io; // with what identifies the input
+    mesh::File file = mesh::read(load(io.input, "input_crc32c", self).view(), mesh::spoken_name(io.input));
     Notes notes = std::move(file.notes);
     mesh::Placement place = o.place;
     place.on_bed = false;
     mesh::place(file.mesh, place, file.kind == mesh::Kind::threemf, notes);
     surface::Sheet sheet{surface::connect(std::move(file.mesh), notes), {}, {}};
-    const auto sources = geodesic::choose(sheet.surface, o.source, notes);
+    if (const auto& c = o.cut; !c.empty())
+        sheet.surface = surface::cut(sheet.surface, {{c[0], c[1], c[2]}, c[3]}, notes);
+    if (o.remesh > 0) sheet.surface = surface::remesh(sheet.surface, o.remesh, notes);
+    auto sources = geodesic::choose(sheet.surface, o.source, notes);
+    if (!o.lines.empty()) {
+        const mesh::Bytes text = load(o.lines, "source_lines_crc32c", self);
+        geodesic::add_lines(sources, sheet.surface, geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
+    }
     Facts facts = surface::facts(sheet.surface);
     if (!sources.empty()) {
         const Facts found = geodesic::measure(sheet, sources, o.measure);
@@ -93,10 +110,9 @@ void run(const Options& o, const cli::Io& io) {
     } else if (!o.measure.levels.empty() || o.measure.spacing > 0) {
         throw Error(Exit::usage, "cannot draw isolines without a --source");
     }
-    const stream::RawFrame frame = wire::frame(sheet);
     auto header = cli::header(self, stream::Payload::surface);
     header.expected = 1;
-    cli::write_one(io, header, std::move(notes), std::move(facts), frame);
+    cli::write_one(io, header, std::move(notes), std::move(facts), wire::frame(sheet));
 }
 
 } // namespace

@@ -27,18 +27,23 @@ Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
 
 } // namespace
 
-std::vector<Segment> section(const Surface& s, const Plane& plane) {
+std::vector<double> sides(const Surface& s, const Plane& plane) {
     Vec3 lo = s.vertices.front(), hi = lo;
     for (const Vec3& v : s.vertices) {
         lo = {std::min(lo.x, v.x), std::min(lo.y, v.y), std::min(lo.z, v.z)};
         hi = {std::max(hi.x, v.x), std::max(hi.y, v.y), std::max(hi.z, v.z)};
     }
     const double size = norm(plane.normal), near = kInPlane * distance(lo, hi);
-    std::vector<double> side(s.vertices.size());
-    for (std::size_t v = 0; v < side.size(); ++v) {
-        side[v] = (dot(plane.normal, s.vertices[v]) - plane.offset) / size;
-        if (std::abs(side[v]) <= near) side[v] = 0;
+    std::vector<double> out(s.vertices.size());
+    for (std::size_t v = 0; v < out.size(); ++v) {
+        out[v] = (dot(plane.normal, s.vertices[v]) - plane.offset) / size;
+        if (std::abs(out[v]) <= near) out[v] = 0;
     }
+    return out;
+}
+
+std::vector<Segment> section(const Surface& s, const Plane& plane) {
+    const auto side = sides(s, plane);
     std::vector<Segment> out;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         Vec3 ends[2];

@@ -16,8 +16,11 @@ struct Plane {
     double offset = 0; // of the points p of the plane: dot(normal, p) = offset
 };
 
-// The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.  Vertices
-// nearer to the plane than 1e-9 of the surface's box lie in it.
+// Per vertex its distance from the plane, mm, positive where the normal points; 0 if it is nearer than 1e-9 of the
+// surface's box.
+std::vector<double> sides(const Surface& s, const Plane& plane);
+
+// The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.
 std::vector<Segment> section(const Surface& s, const Plane& plane);
 
 // The point of the surface nearest to `p`, as a segment without length; the first triangle of equals.

@@ -104,6 +104,46 @@ print(max(abs(d - abs(x - 3.4)) for x, d in zip(p["x"], p["distance"])))
     expect 2 geodesic grid.off --source vertex:0 --method guess
 }
 
+@test "cut, then remeshed, then measured" {
+    geodesic square.off --cut 1,0,0,8 --remesh 0.5 --source boundary > s
+    facts s | grep -qx 'area 80 mm2'
+    facts s | grep -qx 'components 1'
+    [[ $(facts s | sed -n 's/^triangles //p') -gt 500 ]]
+    facts s | sed -n 's/^farthest-vertex \(.*\) mm/\1/p' | awk '{ exit !($1 > 3.6 && $1 < 4.0001) }'
+    for bad in '--cut 0,0,0,1' '--cut 1,0,0,-1' '--cut 1,2' '--remesh -1' '--remesh 1e-6' '--remesh nan' '--cut 1,0,nan,0'; do
+        # shellcheck disable=SC2086
+        expect 2 geodesic square.off $bad
+        complaint geodesic
+    done
+}
+
+@test "lines of points are sources" {
+    printf '# a bent line\n1 5 0\n5 5 0\n5, 9, 0\n\n55 5 3\n' > lines.txt
+    expect 0 geodesic square.off --remesh 1 --source-lines lines.txt --output s
+    [[ $err == 'geodesic: source line moved to the surface: 1 case, 3 mm' ]]
+    facts s | grep -qx 'unreached 0 vertices'
+    peek --json s | python3 -c '
+import json, math, sys
+p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
+def far(x, y, a, b, c, d):
+    t = max(0, min(1, ((x - a) * (c - a) + (y - b) * (d - b)) / ((c - a) ** 2 + (d - b) ** 2)))
+    return math.hypot(x - a - t * (c - a), y - b - t * (d - b))
+for x, y, d in zip(p["x"], p["y"], p["distance"]):
+    truth = min(far(x, y, 1, 5, 5, 5), far(x, y, 5, 5, 5, 9)) if x < 20 else math.hypot(x - 55, y - 5)
+    assert abs(d - truth) < 1e-6, (x, y, d, truth)
+'
+    printf '1 2\n' > lines.txt
+    expect 3 geodesic square.off --source-lines lines.txt
+    complaint geodesic
+    [[ $err == *"line 1"* ]]
+    printf '1 1 0\n55 1 0\n' > lines.txt
+    expect 3 geodesic square.off --source-lines lines.txt
+    complaint geodesic
+    expect 5 geodesic square.off --source-lines no-such-file
+    : > empty.txt
+    expect 3 geodesic square.off --source-lines empty.txt
+}
+
 @test "a surface without an area is refused" {
     printf 'OFF\n3 1 0\n0 0 0 1 0 0 2 0 0\n3 0 1 2\n' > line.off
     expect 3 geodesic line.off
