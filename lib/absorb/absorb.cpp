@@ -12,17 +12,20 @@ namespace filum::absorb {
 namespace {
 
 constexpr double kUsual = 1.25;                     // of the mean width: beads are hardly wider
+constexpr double kLarge = 300;                      // bead widths squared: regions that one void matters little to,
+constexpr double kSmall = 150;                      // and much
+constexpr double kCoarse = 1.0 / 9;                 // bead widths: their pixels
 constexpr double kPixel = 1.0 / 16;                 // bead widths
 constexpr int kCore = 896, kMargin = 64, kRim = 10; // pixels: tiles lap over each other by what an edit can reach
 constexpr int kRounds = 3;
-constexpr double kGood = 0.0012;  // share of the area: if no more is uncovered, that is enough
+constexpr double kGood = 0.0015;  // share of the area: if no more is uncovered, that is enough
 constexpr double kPoor = 0.0095;  // if more is, the search is thorough,
 constexpr double kFair = 0.007;   // until no more than this is
 constexpr double kLowPrice = 0.1; // and laying twice is cheaper then
 constexpr double kEnough = 0.5;   // share of a void: a course that gains so much is taken
 constexpr double kWorth = 0.0;    // share of a void: a course that gains less only spoils the place for better ones
-constexpr std::size_t kLeastVoid = 8, kLeastThorough = 3, kMostVoid = 600; // pixels
-constexpr double kClear = 0.02;                                            // bead widths
+constexpr std::size_t kLeastVoid = 8, kLeastLarge = 3, kLeastThorough = 3, kMostVoid = 600; // pixels
+constexpr double kClear = 0.02;                                                             // bead widths
 
 class Absorber {
   public:
@@ -30,7 +33,9 @@ class Absorber {
         : region_(region), chain_(curves), width_(std::min(o.bead_width, kUsual * mean_width())),
           box_(polygon::bounds(region)) {
         const Vec2 size = box_.hi - box_.lo;
-        pixel_ = std::min(kPixel * width_, std::max(size.x, size.y) / 48);
+        const double area = polygon::signed_area(region) / (width_ * width_);
+        large_ = area > kLarge, small_ = area < kSmall;
+        pixel_ = std::min((large_ ? kCoarse : kPixel) * width_, std::max(size.x, size.y) / 48);
         pixel_ = std::max({pixel_, kPixel / 8 * o.bead_width, 1e-3});
     }
 
@@ -106,7 +111,7 @@ class Absorber {
         const Pixel lo = tile.at(p.own.lo), hi = tile.at(p.own.hi);
         const auto inside = static_cast<double>(tile.count(lo, hi).inside);
         Search search;
-        search.width = width_;
+        search.width = width_, search.small = small_;
         rounds(tile, near, lo, hi, kGood * inside, search);
         if (static_cast<double>(tile.count(lo, hi).empty) < kPoor * inside) return;
         close_cracks(tile, chain_, near, segments, width_);
@@ -117,9 +122,10 @@ class Absorber {
     // Reaches into voids until no more than `goal` pixels are left.
     void rounds(Tile& tile, Near& near, Pixel lo, Pixel hi, double goal, Search& search) {
         auto left = static_cast<double>(tile.count(lo, hi).empty);
+        const std::size_t least = search.thorough ? kLeastThorough : large_ ? kLeastLarge : kLeastVoid;
         for (int round = 0; round < kRounds; ++round) {
             double gained = 0;
-            for (const Void& v : voids(tile, lo, hi, search.thorough ? kLeastThorough : kLeastVoid, kMostVoid)) {
+            for (const Void& v : voids(tile, lo, hi, least, kMostVoid)) {
                 if (left - gained <= goal) return;
                 gained += reach(tile, near, v, search);
             }
@@ -158,6 +164,7 @@ class Absorber {
     double width_;
     Box2 box_;
     double pixel_ = 0;
+    bool large_ = false, small_ = false;
     int columns_ = 1, rows_ = 1; // of tiles
     std::vector<std::vector<std::uint32_t>> of_tile_;
     std::vector<std::vector<geom::Segment>> of_row_;

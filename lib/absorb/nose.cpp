@@ -8,10 +8,10 @@ namespace filum::absorb {
 
 namespace {
 
-constexpr double kLeastScore = 2;  // pixels
-constexpr double kReach = 1.6;     // bead widths from a root to what its nose may cover
-constexpr double kNarrowest = 0.2; // bead widths: a tip, where the bead was not narrower before
-constexpr double kStep = 0.03;     // bead widths: between two points where the width jumps
+constexpr double kLeastScore = 1.0; // pixels
+constexpr double kReach = 1.6;      // bead widths from a root to what its nose may cover
+constexpr double kNarrowest = 0.2;  // bead widths: a tip, where the bead was not narrower before
+constexpr double kStep = 0.03;      // bead widths: between two points where the width jumps
 
 // The tip of a nose: how far along the curve it begins on both sides, in widths of the bead; the way from the root to
 // the target, as a share; the width there, as a share of the bead's; and whether the target is the farthest pixel of
@@ -26,20 +26,20 @@ constexpr Shape kAtCorner[] = {{0.5, 0.8, 0.2, false}, {0.5, 0.35, 0.6, true},  
                                {0.5, 0.1, 1.4, false}, {0.5, 0.35, 0.6, false}, {0.25, 0.5, 0.2, true},
                                {0.5, 0.2, 1.0, true},  {0.8, 0.35, 0.6, true},  {0.8, 0.65, 0.2, true}};
 constexpr Shape kAtSide[] = {{0.25, 0.1, 1.4, false}, {0.25, 0.65, 0.2, false}, {0.25, 0.2, 1.4, false},
-                             {0.25, 0.5, 0.2, true},  {0.25, 0.35, 0.6, true},  {0.8, 0.35, 1.0, true}};
+                             {0.25, 0.5, 0.2, true},  {0.25, 0.35, 0.6, true},  {0.8, 0.5, 1.0, true}};
 
-std::vector<Shape> every_shape() {
+std::vector<Shape> grid(std::span<const double> reaches, std::span<const double> ways) {
     std::vector<Shape> out;
-    for (const double reach : {0.25, 0.5, 0.8})
+    for (const double reach : reaches)
         for (const bool far : {true, false})
-            for (const double way : {0.1, 0.2, 0.35, 0.5, 0.65, 0.8})
+            for (const double way : ways)
                 for (const double width : {0.2, 0.6, 1.0, 1.4}) out.push_back({reach, way, width, far});
     return out;
 }
 
-std::span<const Shape> shapes(const Root& root, bool thorough) {
-    static const std::vector<Shape> all = every_shape();
-    if (thorough) return all;
+std::span<const Shape> shapes(const Root& root, const Search& search) {
+    static const std::vector<Shape> all = grid(std::array{0.25, 0.5, 0.8}, std::array{0.1, 0.2, 0.35, 0.5, 0.65, 0.8});
+    if (search.thorough && search.small) return all;
     return root.vertex ? std::span<const Shape>(kAtCorner) : std::span<const Shape>(kAtSide);
 }
 
@@ -126,7 +126,7 @@ void noses(const Tile& tile, const Chain& chain, const Root& root, const Void& v
     if (root.vertex) c.nodes.push_back(*root.vertex);
     double reach = -1;
     Shoulders s;
-    for (const Shape& shape : shapes(root, search.thorough)) {
+    for (const Shape& shape : shapes(root, search)) {
         const Knot tip{snapped(geom::lerp(root.at, shape.far ? far : deep, shape.way)), shape.width * root.width};
         if (tip.width < narrowest || !tile.well_inside(tip.at)) continue;
         if (shape.reach != reach) s = shoulders(chain, root, shape.reach * root.width, scores), reach = shape.reach;

@@ -20,7 +20,8 @@ struct Root {
 struct Search {
     double width = 0.4;    // mm: the bead width
     Prices prices;         //
-    bool thorough = false; // every shape there is, not only those that are best most often
+    bool small = false;    // a region where single voids matter much: every root and shape
+    bool thorough = false; // ears, too, and on small regions every nose, not only those that are best most often
     double enough = 1e9;   // pixels: a course with this score ends the search
     [[nodiscard]] bool done(const std::vector<Course>& found) const {
         return !found.empty() && found.back().score >= enough;

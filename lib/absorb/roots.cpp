@@ -9,10 +9,10 @@ namespace filum::absorb {
 
 namespace {
 
-constexpr double kReach = 1.2;     // bead widths from the void
-constexpr std::size_t kMost = 5;   // roots
-constexpr int kNearest = 3;        // segments without a corner that are tried
-constexpr double kAtVertex = 0.15; // bead widths: points nearer to a node are that node
+constexpr double kReach = 1.2;             // bead widths from the void
+constexpr std::size_t kMost = 5, kFew = 3; // roots
+constexpr int kNearest = 3;                // segments without a corner that are tried
+constexpr double kAtVertex = 0.15;         // bead widths: points nearer to a node are that node
 
 struct Found {
     double distance;
@@ -63,11 +63,12 @@ Root at_segment(const Chain& chain, const Found& f, double width) {
 std::vector<Root> roots(const Tile& tile, const Chain& chain, const Near& near, const Void& v, const Search& search) {
     const Vec2 c = tile.centre(v.deepest);
     const double reach = kReach * search.width;
+    const std::size_t most = search.small || search.thorough ? kMost : kFew;
     std::vector<Root> out;
     const auto add = [&](const Root& r) {
         for (const Root& o : out)
             if (o.vertex == r.vertex && o.from == r.from) return;
-        if (out.size() < kMost) out.push_back(r);
+        if (out.size() < most) out.push_back(r);
     };
     const auto found = segments_near(chain, near, c, reach);
     for (const Found& f : found)

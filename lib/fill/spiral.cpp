@@ -172,14 +172,14 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
         ClosedLine line = speck_loop(region);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
-        report(out, o, notes);
         return out;
     }
     for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
                         Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
         out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
         if (count_crossings(out.curves, o.bead_width) > 0) continue;
-        absorb_voids(region, o, out);
+        // noses are sharp: not where a least radius is asked for
+        if (o.absorb && o.min_radius <= 0) absorb_voids(region, o, out);
         break;
     }
     return out;

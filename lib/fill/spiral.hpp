@@ -13,6 +13,7 @@ struct SpiralOptions {
     double bead_width = 0.4; // mm
     double min_width = 0.1;  // mm: beads narrower than this are reported
     double min_radius = 0;   // mm: the path turns no tighter where there is room for that
+    bool absorb = true;      // whether voids beside corners and turns are reached into
     int lanes = 2;           // rings on each side of the medial axis that share a wall's odd thickness
 };
 
@@ -25,8 +26,9 @@ struct Spiral {
 // Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls
 // whose thickness is no multiple of it, thin walls followed by two lanes of half the wall each, all joined to one
 // curve: stacks of rings as double spirals, the rest by pairs of links.  Corners and turns are rounded, so that sharp
-// turns are left at the ends of walls, at centres and where rings branch.  The result is checked: should it cross
-// itself, it is made again with finer outlines, then without rounding, spirals, and moving rings. Notes: beads below
+// turns are left at the ends of walls, at centres and where rings branch; then voids beside them are absorbed
+// (lib/absorb).  Specks get a loop in the rectangle about them.  The result is checked: should it cross itself, it is
+// made again with finer outlines, then without rounding, spirals, and moving rings. Notes: beads below
 // min_width (mm of length), rings that could not be joined (count).
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
