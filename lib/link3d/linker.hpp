@@ -11,6 +11,7 @@
 #include "base/note.hpp"
 #include "link3d/bead.hpp"
 #include "link3d/segment_index.hpp"
+#include "link3d/stacked.hpp"
 #include "link3d/travel.hpp"
 #include "toolpath/path.hpp"
 
@@ -137,6 +138,8 @@ class Linker {
     double width_before_ = 0; // mm, of the region before
     bool may_climb_ = false;  // something of the region before was printed
     std::uint32_t stroke_ = 0;
+    std::optional<Stacked> stacked_; // walls of the region `stacked_in_`
+    std::uint32_t stacked_in_ = 0;
     std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
     Printed printed_;
 };

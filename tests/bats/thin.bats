@@ -29,5 +29,5 @@ setup() {
 @test "--thin takes what it knows" {
     run --separate-stderr fill --thin double /dev/null
     [ "$status" -eq 2 ]
-    [[ "$stderr" == *"one of lanes, single"* ]]
+    [[ "$stderr" == *"one of lanes, half-height, single"* ]]
 }
