@@ -204,15 +204,7 @@ void Linker::extrude(Role role, std::vector<Vec3> points, std::vector<double> wi
 }
 
 void Linker::print(const Bead& bead, const Emit& emit) {
-    const auto& r = window_.front().paths;
-    if (!r.stacked.empty()) {
-        if (!stacked_ || stacked_in_ != r.region) stacked_.emplace(r.stacked), stacked_in_ = r.region;
-        auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
-        if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_;
-        at_ = laid.points.back();
-        emit(Span{Role::bead, stroke_, r.layer, r.region, laid.points, laid.width, laid.height});
-        return;
-    }
+    if (print_stacked(bead, emit)) return;
     std::vector<Vec3> points;
     points.reserve(bead.points.size());
     for (const auto p : bead.points) points.push_back(at_height(p, window_.front().paths.z));

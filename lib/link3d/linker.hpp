@@ -118,6 +118,7 @@ class Linker {
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Emit& emit);
+    bool print_stacked(const Bead& bead, const Emit& emit); // stacked.cpp
 
     // entry.cpp
     static std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done);

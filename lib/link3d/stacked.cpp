@@ -1,5 +1,7 @@
 #include "link3d/stacked.hpp"
 
+#include "link3d/linker.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,6 +67,19 @@ Stacked::Laid Stacked::lay(const Bead& bead, double z, double height, double ram
         push(b, width(i + 1), now);
     }
     return out;
+}
+
+// Prints a bead of a region that has stacked walls; false if it has none.
+bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
+    const auto& r = window_.front().paths;
+    if (r.stacked.empty()) return false;
+    if (!stacked_ || stacked_in_ != r.region) stacked_.emplace(r.stacked), stacked_in_ = r.region;
+    auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
+    if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_; // spans chain exactly
+    at_ = laid.points.back();
+    emit({toolpath::Role::bead, stroke_, r.layer, r.region, std::move(laid.points), std::move(laid.width),
+          std::move(laid.height)});
+    return true;
 }
 
 } // namespace filum::link3d
