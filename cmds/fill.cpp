@@ -29,6 +29,11 @@ constexpr const char* kDescription =
     "extrude. Whatever no bead reaches (corners, tips) is summed in each region's frame as unplaced area; beads "
     "narrower than --min-width are laid all the same and reported.";
 
+constexpr const char* kThin =
+    "walls of a spiral thinner than a bead: two lanes, there and back; there at half the layer's height and back on "
+    "top, "
+    "where lanes would be below --min-width; or a single pass, where the curve may have two ends for it";
+
 cli::Spec spec(fill::Options& o) {
     using cli::Option;
     return {
@@ -44,10 +49,7 @@ cli::Spec spec(fill::Options& o) {
                     Option{"min-width", &o.min_width, "MM",
                            "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
                         .at_least(0),
-                    Option{"thin", &o.thin, "",
-                           "walls thinner than a bead, of a spiral: two lanes, there and back, or a single pass where "
-                           "the curve may have two ends for it"}
-                        .one_of({"lanes", "single"}),
+                    Option{"thin", &o.thin, "", kThin}.one_of({"lanes", "half-height", "single"}),
                     Option{"min-radius", &o.min_radius, "MM",
                            "the spiral turns no tighter where it has room; what that leaves open is reported"}
                         .at_least(0)

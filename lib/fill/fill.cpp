@@ -12,6 +12,7 @@
 #include "fill/wall_walk.hpp"
 #include "fill/zigzag.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace filum::fill {
@@ -81,6 +82,23 @@ toolpath::RegionPaths paths_of(const polygon::Region& r) {
     return out;
 }
 
+// Lays walls whose lanes would be narrower than the least width in two passes, one on the other.
+void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, std::size_t first,
+                      toolpath::RegionPaths& out) {
+    if (out.curves.size() != 1) return;
+    const double w = o.bead_width, least = o.min_width > 0 ? o.min_width : w / 4;
+    out.stacked = stack_lanes(out.curves[0], thin_walls(r.loops, w), w, least);
+    double length = 0;
+    for (const auto& line : out.stacked)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) length += geom::distance(line[i], line[i + 1]);
+    for (std::size_t i = first; i < notes.size(); ++i) // those are not narrow any more
+        if (notes[i].what == "bead below the least width") notes[i].amount -= std::min(notes[i].amount, 2 * length);
+    const auto from = notes.begin() + static_cast<std::ptrdiff_t>(first);
+    notes.erase(std::remove_if(from, notes.end(),
+                               [&](const Note& n) { return n.what == "bead below the least width" && n.amount < w; }),
+                notes.end());
+}
+
 // Puts the notes from `first` on to their layer.
 void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::RegionPaths& out) {
     for (std::size_t i = first; i < notes.size(); ++i) {
@@ -110,6 +128,8 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     toolpath::RegionPaths out = paths_of(r);
     const std::size_t first = notes.size();
     out.curves = curves(r, o, out.unplaced, notes);
+    if (o.thin == "half-height" && o.pattern == "spiral" && o.method == "cyc")
+        stack_thin_walls(r, o, notes, first, out);
     place(r, notes, first, out);
     return out;
 }

@@ -25,7 +25,7 @@ struct Options {
                                     // none: the pattern's own (0; scaffold 0, 90)
     std::int64_t rings = -1;        // along the outline: of contour at most this many, of the others exactly;
                                     // -1: the pattern's own number (all, 2 of the hybrids, 0)
-    std::string thin = "lanes";     // walls of the spiral thinner than a bead: lanes there and back, or single
+    std::string thin = "lanes";     // walls of the spiral thinner than a bead: lanes, half-height or single
     double spacing = 0;             // scaffold: mm between strands; 0: two and a half bead widths
     double stagger = 0;             // scaffold: spacings by which every other round of angles is shifted
     double threshold = 1.5;         // sun2019: bead widths within which contours are adjacent

@@ -108,8 +108,8 @@ Vec2 beside(const Wall& w, std::size_t i, int side) {
     return w.line[i] + side * w.radius[i] / 2 / geom::norm(d) * geom::left_of(d);
 }
 
-// The curve that keeps the lane on `side` of the wall, if its lanes are there.
-std::optional<Curve> keep(const Measured& m, const Wall& w, bool tip, double width, int side) {
+// The curve that keeps only the lane on `side` of the wall, or both, in its middle; if its lanes are there.
+std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, double width, int side, bool both) {
     const double back = tip ? std::min(w.length / 4, w.radius.back()) : 0; // lanes turn round before the tip
     const Wall lanes = part(w, 0, back);
     if (lanes.line.size() < 2) return std::nullopt;
@@ -123,37 +123,79 @@ std::optional<Curve> keep(const Measured& m, const Wall& w, bool tip, double wid
         return std::nullopt;
     if (tip && m.ahead(a1, b1) > 4 * (back + width)) return std::nullopt;
     Curve out;
+    out.closed = both;
     follow(m, b0, a0, out);
-    for (std::size_t i = 0; i < w.line.size(); ++i) push(out, w.line[i], 2 * w.radius[i]);
+    for (std::size_t i = 0; i < w.line.size(); ++i) push(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
     if (!tip) follow(m, a1, b1, out);
+    for (std::size_t i = w.line.size(); both && i-- > 0;) push(out, w.line[i], w.radius[i]);
     return out;
+}
+
+// The longest stretch that is thinner than 2 * `least`: from where to where, mm.
+std::pair<double, double> thin_stretch(const Wall& w, double least) {
+    std::pair<double, double> best{0, 0};
+    double along = 0, first = 0;
+    for (std::size_t i = 0; i + 1 < w.line.size(); ++i) {
+        along += geom::distance(w.line[i], w.line[i + 1]);
+        if (std::max(w.radius[i], w.radius[i + 1]) >= least) first = along;
+        if (along - first > best.second - best.first) best = {first, along};
+    }
+    return best;
+}
+
+// A wall that ends at a tip, if it has one, and whether it has.
+std::pair<Wall, bool> towards_tip(const WallGraph& walls, std::size_t k, double width) {
+    const auto is_tip = [&](std::uint32_t v, double radius) {
+        const auto at =
+            std::count_if(walls.walls.begin(), walls.walls.end(), [&](const Wall& w) { return w.a == v || w.b == v; });
+        return at == 1 && radius < 0.495 * width;
+    };
+    const Wall& w = walls.walls[k];
+    if (is_tip(w.b, w.radius.back())) return {w, true};
+    if (is_tip(w.a, w.radius.front())) return {reversed(w), true};
+    return {w, false};
 }
 
 } // namespace
 
 bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& index) {
-    std::vector<int> degree(walls.node.size(), 0);
-    for (const Wall& w : walls.walls) ++degree[w.a], ++degree[w.b];
-    const auto is_tip = [&](std::uint32_t v, double radius) { return degree[v] == 1 && radius < 0.495 * width; };
     std::vector<std::size_t> order(walls.walls.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
                      [&](auto i, auto k) { return walls.walls[i].length > walls.walls[k].length; });
     const Measured m(curve);
     for (const auto k : order) {
-        Wall w = walls.walls[k];
-        bool tip = is_tip(w.b, w.radius.back());
-        if (!tip && is_tip(w.a, w.radius.front())) w = reversed(std::move(w)), tip = true;
+        auto [w, tip] = towards_tip(walls, k, width);
         w = part(w, kMargin * width, tip ? 0 : kMargin * width);
         if (w.length < kShort * width || w.line.size() < 2) continue;
         for (const int side : {1, -1})
-            if (auto open = keep(m, w, tip, width, side)) {
+            if (auto open = to_middle(m, w, tip, width, side, false)) {
                 curve = std::move(*open);
                 index = k;
                 return true;
             }
     }
     return false;
+}
+
+std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls, double width, double least) {
+    std::vector<std::vector<Vec2>> out;
+    for (std::size_t k = 0; k < walls.walls.size(); ++k) {
+        const auto [whole, ends_at_tip] = towards_tip(walls, k, width);
+        auto [first, last] = thin_stretch(whole, least);
+        const bool tip = ends_at_tip && last > whole.length - 1e-9;
+        if (!tip) last = std::min(last, whole.length - kMargin * width);
+        const Wall w = part(whole, std::max(first, kMargin * width), whole.length - last);
+        if (w.length < kShort / 2 * width || w.line.size() < 2) continue;
+        const Measured m(curve);
+        for (const int side : {1, -1})
+            if (auto stacked = to_middle(m, w, tip, width, side, true)) {
+                curve = std::move(*stacked);
+                out.push_back(w.line);
+                break;
+            }
+    }
+    return out;
 }
 
 } // namespace filum::fill

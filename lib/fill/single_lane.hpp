@@ -1,4 +1,4 @@
-// A closed curve opened along one thin wall, which it then passes once (notes 3a, A6).
+// Lanes of thin walls moved to their middle: one of them, which opens the curve, or both (notes 3a, A6).
 #pragma once
 
 #include "fill/wall_graph.hpp"
@@ -15,5 +15,11 @@ namespace filum::fill {
 // Returns false, and leaves the curve as it is, if there is no such wall.  `index` is set to the wall passed once.
 // Tie: the lower wall.
 bool pass_once(toolpath::Curve& curve, const WallGraph& walls, double width, std::size_t& index);
+
+// Moves both lanes of every wall, where its half-thickness is below `least`, to its middle: the curve stays closed and
+// passes these lines there and back, with beads of half the wall's width.  Of each wall the longest such stretch
+// counts, if it is at least a bead and a half long and its lanes are found.  Returns those lines
+// (RegionPaths::stacked).
+std::vector<std::vector<Vec2>> stack_lanes(toolpath::Curve& curve, const WallGraph& walls, double width, double least);
 
 } // namespace filum::fill

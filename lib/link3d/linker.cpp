@@ -211,6 +211,7 @@ void Linker::extrude(Role role, std::vector<Vec3> points, std::vector<double> wi
 }
 
 void Linker::print(const Bead& bead, const Emit& emit) {
+    if (print_stacked(bead, emit)) return;
     std::vector<Vec3> points;
     points.reserve(bead.points.size());
     for (const auto p : bead.points) points.push_back(at_height(p, window_.front().paths.z));

@@ -12,6 +12,7 @@
 #include "link3d/bead.hpp"
 #include "link3d/options.hpp"
 #include "link3d/segment_index.hpp"
+#include "link3d/stacked.hpp"
 #include "link3d/travel.hpp"
 #include "toolpath/path.hpp"
 
@@ -105,6 +106,7 @@ class Linker {
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Emit& emit);
+    bool print_stacked(const Bead& bead, const Emit& emit); // stacked.cpp
 
     // interlace.cpp
     [[nodiscard]] static bool hidden(const Waiting& r, const Place& place);
@@ -132,6 +134,8 @@ class Linker {
     double width_before_ = 0; // mm, of the region before
     bool may_climb_ = false;  // something of the region before was printed
     std::uint32_t stroke_ = 0;
+    std::optional<Stacked> stacked_; // walls of the region `stacked_in_`
+    std::uint32_t stacked_in_ = 0;
     std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
     Printed printed_;
 };

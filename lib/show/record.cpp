@@ -73,16 +73,20 @@ Record record(const toolpath::Curve& c) {
 Record record(const toolpath::RegionPaths& p) {
     std::vector<Record> curves;
     for (const auto& c : p.curves) curves.push_back(record(c));
-    return {"paths",
-            {{"region", whole(p.region)},
-             {"layer", whole(p.layer)},
-             {"z", p.z},
-             {"height", p.height},
-             {"area", p.area},
-             {"unplaced", p.unplaced},
-             {"stroke", whole(p.stroke)},
-             {"join", kJoins[static_cast<std::size_t>(p.join)]},
-             {"curves", std::move(curves)}}};
+    Record out{"paths",
+               {{"region", whole(p.region)},
+                {"layer", whole(p.layer)},
+                {"z", p.z},
+                {"height", p.height},
+                {"area", p.area},
+                {"unplaced", p.unplaced},
+                {"stroke", whole(p.stroke)},
+                {"join", kJoins[static_cast<std::size_t>(p.join)]},
+                {"curves", std::move(curves)}}};
+    std::vector<Record> stacked;
+    for (const auto& line : p.stacked) stacked.push_back({"line", {{"points", columns(line)}}});
+    if (!stacked.empty()) out.fields.emplace_back("stacked", std::move(stacked));
+    return out;
 }
 
 Record record(const toolpath::Span& s) {

@@ -142,3 +142,16 @@ END
     run "$top/examples/sun2019/sample" 3 other "$top/examples/bar/bar.stl" 3
     [ "$status" -eq 2 ]
 }
+
+@test "make-part: closed blanks, the same bytes again; wrong arguments" {
+    for arguments in "block 3 4 5" "disc 6 2" "ring 8 4 2" "ell 9 7 2 3"; do
+        $top/examples/scaffold/make-part $arguments a.stl
+        closed_manifold a.stl
+        $top/examples/scaffold/make-part $arguments b.stl
+        cmp a.stl b.stl
+    done
+    for wrong in "" "ball 3 a.stl" "block 1 2 a.stl" "disc 0 2 a.stl" "disc nan 2 a.stl"; do
+        run $top/examples/scaffold/make-part $wrong
+        [ "$status" -ne 0 ]
+    done
+}

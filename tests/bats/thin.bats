@@ -29,5 +29,18 @@ setup() {
 @test "--thin takes what it knows" {
     run --separate-stderr fill --thin double /dev/null
     [ "$status" -eq 2 ]
-    [[ "$stderr" == *"one of lanes, single"* ]]
+    [[ "$stderr" == *"one of lanes, half-height, single"* ]]
+}
+
+@test "a hair wall is laid at half height and back on top, in one stroke and the right amount" {
+    $make_part block 12 0.15 2 hair.stl
+    filum print hair.stl --thin half-height -q --machine marlin -o hair.gcode
+    [ "$("$FILUM_SOURCE/scripts/gcode-strokes" hair.gcode | awk -F'\t' 'NR == 2 { print $2, $3 }')" = "1 0" ]
+    for z in 0.1 0.2 1.9 2; do grep -qE "^G1 .*Z$z( |\$)" hair.gcode; done
+    slice hair.stl | regions > hair.regions
+    sequence hair.regions | fill -q --thin half-height > hair.paths
+    peek --check hair.paths
+    peek --json hair.paths | grep -q '"stacked"'
+    link3d hair.paths | metrics --regions hair.regions --format tsv > m.tsv
+    awk -F'\t' '$2 == "material" { exit !($3 > 0.95 && $3 < 1.02) }' m.tsv
 }

@@ -81,6 +81,54 @@ TEST(SingleLane, ShortAndThickWallsStayAsTheyAre) {
     }
 }
 
+// Walls whose lanes would be below the least width (0.1): there and back on one line, half as wide as they are.
+TEST(StackLanes, HairWallsArePassedTwiceOnTheirMiddle) {
+    for (const double thickness : {0.08, 0.15, 0.19}) {
+        const Loops areas[] = {fin(14, 2 + thickness), with(with(rectangle(0, 0, 5, 5), rectangle(11, 0, 16, 5)),
+                                                            rectangle(5, 2, 11, 2 + thickness))};
+        for (const Loops& area : areas) {
+            polygon::Region r;
+            r.loops = area, r.area = polygon::signed_area(area);
+            Options o;
+            Notes notes, plain;
+            const double lanes = laid(fill(r, o, plain).curves);
+            EXPECT_EQ(plain.size(), 1U);
+            o.thin = "half-height";
+            const auto paths = fill(r, o, notes);
+            EXPECT_TRUE(notes.empty()) << thickness;
+            ASSERT_EQ(paths.curves.size(), 1U);
+            EXPECT_TRUE(paths.curves[0].closed);
+            EXPECT_EQ(crossings(paths.curves), 0U);
+            EXPECT_NEAR(laid(paths.curves), lanes, 0.02 * lanes);
+            ASSERT_EQ(paths.stacked.size(), 1U);
+            for (const Vec2 p : paths.stacked[0]) EXPECT_NEAR(p.y, 2 + thickness / 2, 0.003);
+            const Curve& c = paths.curves[0];
+            std::size_t passes = 0;
+            for (std::size_t i = 0; i < c.points.size(); ++i) {
+                const Vec2 a = c.points[i], b = c.points[(i + 1) % c.points.size()];
+                passes += (a.x < 8) != (b.x < 8) ? 1 : 0;
+                if (a.x < 6 || a.x > 10) continue;
+                EXPECT_NEAR(a.y, 2 + thickness / 2, 0.003);
+                EXPECT_NEAR(c.width_at(i), thickness / 2, 0.003);
+            }
+            EXPECT_EQ(passes, 2U);
+        }
+    }
+}
+
+TEST(StackLanes, ThickerWallsKeepTheirLanes) {
+    for (const auto& area : {rectangle(0, 0, 5, 5), fin(14, 2.3)}) {
+        polygon::Region r;
+        r.loops = area, r.area = polygon::signed_area(area);
+        Options o;
+        o.thin = "half-height";
+        Notes notes;
+        const auto paths = fill(r, o, notes);
+        EXPECT_TRUE(paths.stacked.empty());
+        EXPECT_TRUE(same(paths.curves, filled(area, "lanes").curves));
+    }
+}
+
 TEST(SingleLane, RandomRegionsKeepOneSoundCurve) {
     std::size_t opened = 0;
     for (unsigned seed = 0; seed < 40; ++seed)
