@@ -173,7 +173,8 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
 Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
     const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
-    if (out.curves.size() > 1 && o.min_radius > 0) { // one curve matters more
+    const bool sound = out.curves.size() == 1 && count_crossings(out.curves, o.bead_width) == 0;
+    if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more
         SpiralOptions any = o;
         any.min_radius = 0;
         out = certified(region, any);
