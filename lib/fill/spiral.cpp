@@ -122,8 +122,10 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
             where = c.points[i];
         }
     if (spiral.open.count > 0) notes.push_back(spiral.open);
-    const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
-    if (tight.count > 0) notes.push_back(tight);
+    if (o.min_radius > 0) {
+        const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
+        if (tight.count > 0) notes.push_back(tight);
+    }
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
