@@ -43,40 +43,40 @@ cli::Spec spec(fill::Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::paths),
         .memory = "one region per thread",
-        .options = {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
-                    Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
-                    Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
-                    Option{"min-width", &o.min_width, "MM",
-                           "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
-                        .at_least(0),
-                    Option{"thin", &o.thin, "", kThin}.one_of({"lanes", "half-height", "single"}),
-                    Option{"min-radius", &o.min_radius, "MM",
-                           "the spiral turns no tighter where it has room; what that leaves open is reported"}
-                        .at_least(0)
-                        .at_most(1000),
-                    Option{"angles", &o.angles_deg, "DEG,...",
-                           "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
-                           "0,90 of a scaffold"},
-                    Option{"spacing", &o.spacing, "MM",
-                           "scaffold: from strand to strand, centre to centre; 0: two and a half bead widths"}
-                        .at_least(0)
-                        .at_most(1e6),
-                    Option{"stagger", &o.stagger, "SPACINGS",
-                           "scaffold: how far the strands of every other round of angles are shifted"}
-                        .at_least(0)
-                        .at_most(1),
-                    Option{
-                        "rings", &o.rings, "N",
-                        "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
-                        .at_least(-1)
-                        .at_most(1e6),
-                    Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
-                        .at_least(1)
-                        .at_most(4),
-                    Option{"start-shift", &o.start_shift, "MM",
-                           "sun2019: how far the start moves along the outer contour from layer to layer"}
-                        .at_least(0)
-                        .at_most(1e6)},
+        .options =
+            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
+             Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
+             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
+             Option{"min-width", &o.min_width, "MM",
+                    "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
+                 .at_least(0),
+             Option{"thin", &o.thin, "", kThin}.one_of({"lanes", "half-height", "single"}),
+             Option{"min-radius", &o.min_radius, "MM",
+                    "rings of the spiral turn no tighter; what that leaves open and where it turns tighter is reported"}
+                 .at_least(0)
+                 .at_most(1000),
+             Option{"angles", &o.angles_deg, "DEG,...",
+                    "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
+                    "0,90 of a scaffold"},
+             Option{"spacing", &o.spacing, "MM",
+                    "scaffold: from strand to strand, centre to centre; 0: two and a half bead widths"}
+                 .at_least(0)
+                 .at_most(1e6),
+             Option{"stagger", &o.stagger, "SPACINGS",
+                    "scaffold: how far the strands of every other round of angles are shifted"}
+                 .at_least(0)
+                 .at_most(1),
+             Option{"rings", &o.rings, "N",
+                    "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
+                 .at_least(-1)
+                 .at_most(1e6),
+             Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
+                 .at_least(1)
+                 .at_most(4),
+             Option{"start-shift", &o.start_shift, "MM",
+                    "sun2019: how far the start moves along the outer contour from layer to layer"}
+                 .at_least(0)
+                 .at_most(1e6)},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
                       "rows, turned by 90 degrees from layer to layer"},

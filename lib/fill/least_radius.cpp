@@ -11,7 +11,7 @@ namespace filum::fill {
 namespace {
 
 constexpr double kMargin = 1.05; // for what rounding takes off an arc
-constexpr double kLoose = 12;    // radii: a ring too narrow for a disc is left out if it is shorter
+constexpr double kArm = 1;       // radii squared: what is larger is more than a corner
 
 // The point `s` along the curve from vertex i, forwards (step 1) or backwards.
 Vec2 along(const std::vector<Vec2>& points, std::size_t i, bool forwards, double s) {
@@ -25,8 +25,27 @@ Vec2 along(const std::vector<Vec2>& points, std::size_t i, bool forwards, double
     return points[i];
 }
 
-Loops opened(const Loops& part, double radius, double tolerance) {
-    return polygon::offset(polygon::offset(part, -radius, tolerance), radius, tolerance);
+bool sliver(const Loops& piece, double tolerance) {
+    return polygon::signed_area(piece) < 1.5 * tolerance * polygon::perimeter(piece[0]);
+}
+
+// The part without the corners, tips and specks that no disc of `radius` reaches; arms larger than those stay, and so
+// do slivers.
+Loops rounded_off(const Loops& part, double radius, double tolerance) {
+    const Loops open = polygon::offset(polygon::offset(part, -radius, tolerance), radius, tolerance);
+    Loops corners;
+    bool arms = false;
+    for (const Loops& piece : polygon::split(polygon::subtract(part, open)).part) {
+        const bool arm = polygon::signed_area(piece) > kArm * radius * radius;
+        arms = arms || arm;
+        if (arm || sliver(piece, tolerance)) continue;
+        for (std::size_t i = 0; i < piece.size(); ++i) corners.add(piece[i]);
+    }
+    if (!arms) return open;
+    Loops out;
+    for (const Loops& piece : polygon::split(polygon::simplify(polygon::subtract(part, corners), tolerance)).part)
+        for (std::size_t i = 0; i < piece.size() && !sliver(piece, tolerance); ++i) out.add(piece[i]);
+    return out;
 }
 
 // mm2 inside and under beads along the outline.
@@ -45,11 +64,10 @@ Rings nested_round_rings(const Loops& first, double spacing, double min_length, 
         Loops kept;
         const auto parts = polygon::split(now).part;
         for (const Loops& part : parts) {
-            const Loops round = opened(part, kMargin * radius, tolerance);
+            const Loops round = rounded_off(part, kMargin * radius, tolerance);
             const std::size_t pieces = polygon::split(round).part.size();
             const bool touching = level == 0 && parts.size() > 1; // those must go on touching
-            const bool needed = level == 0 || polygon::perimeter(part[0]) > kLoose * radius;
-            const bool stays = touching || pieces > 1 || (pieces == 0 && needed);
+            const bool stays = touching || pieces > 1 || (pieces == 0 && level == 0);
             const Loops& used = stays ? part : round;
             for (std::size_t i = 0; i < used.size(); ++i) kept.add(used[i]);
             if (stays) continue;

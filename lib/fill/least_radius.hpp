@@ -9,10 +9,10 @@
 
 namespace filum::fill {
 
-// As `nested_rings`, but every level is first rid of all that a disc of `radius` does not reach (its opening), so that
-// corners become arcs of that radius, and small rings stay out.  Parts stay as they are that would fall apart, that are
-// longer than about two turns of that radius but too narrow for it, and those of level 0 that only touch.  `open`: the
-// area given up, mm2, and where most of it is.
+// As `nested_rings`, but every level is first rid of the corners and specks that a disc of `radius` does not reach, so
+// that corners become arcs of that radius and small rings stay out.  Arms too narrow for the disc stay, and so do parts
+// that would fall apart, and those of level 0 that vanish or only touch.  `open`: the area given up, mm2, and where
+// most of it is.
 Rings nested_round_rings(const Loops& first, double spacing, double min_length, double tolerance, double radius,
                          Note& open);
 

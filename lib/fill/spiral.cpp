@@ -124,8 +124,10 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
             where = c.points[i];
         }
     if (spiral.open.count > 0) notes.push_back(spiral.open);
-    const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
-    if (tight.count > 0) notes.push_back(tight);
+    if (o.min_radius > 0) {
+        const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
+        if (tight.count > 0) notes.push_back(tight);
+    }
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
@@ -190,7 +192,8 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
 Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
     const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
-    if (out.curves.size() > 1 && o.min_radius > 0) { // one curve matters more
+    const bool sound = out.curves.size() == 1 && count_crossings(out.curves, o.bead_width) == 0;
+    if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more
         SpiralOptions any = o;
         any.min_radius = 0;
         out = certified(region, any);

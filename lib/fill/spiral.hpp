@@ -30,6 +30,10 @@ struct Spiral {
 // (lib/absorb).  Specks get a loop in the rectangle about them.  The result is checked: should it cross itself, it is
 // made again with finer outlines, then without rounding, spirals, and moving rings. Notes: beads below
 // min_width (mm of length), rings that could not be joined (count).
+//
+// With a min_radius, corners of rings become arcs of that radius, and rings too small for it are left out; a note says
+// what area that leaves open, another how many turns are tighter all the same: of links, at the ends of walls, round
+// corners of the outline that point inwards.
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
 // Pairs of segments of curves that properly cross.
