@@ -29,6 +29,10 @@ constexpr const char* kDescription =
     "section, or at random; with --seam inside only to where beads on both sides hide them. A start that cannot move "
     "is "
     "reported. Open curves begin at their two ends in turn by themselves.\n\n"
+    "With --lift ramp, a layer begins by rising along its curve, at most 1 in 20 and over five beads or more, as thick "
+    "as "
+    "the gap below, and its end lies over that ramp with what is missing there: no blob, and the next layer begins "
+    "further on by itself. Curves shorter than three ramps are climbed plainly.\n\n"
     "A region in another place can be reached by a connector outside everything printed, to be trimmed later. It needs "
     "a straight way out of the one region and into the other; where there is none, there is a break. A join that the "
     "input asks for and that becomes a break is reported.";
@@ -36,7 +40,7 @@ constexpr const char* kDescription =
 struct Options {
     link3d::Options link; // what needs no name
     std::int64_t look_ahead = link.look_ahead, seed = 1;
-    std::string connect = "break", seam = "nearest", interlace = "none";
+    std::string connect = "break", seam = "nearest", interlace = "none", lift = "plain";
     machine::HeadChoice head;
 };
 
@@ -54,6 +58,8 @@ std::vector<cli::Option> options(Options& o) {
                 {"break", "outside"}),
             Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}.one_of(
                 {"nearest", "inside"}),
+            Option{"lift", &o.lift, "", "how the nozzle gets to the next layer: straight up, or along a ramp"}.one_of(
+                {"plain", "ramp"}),
             Option{"interlace", &o.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
                 {"none", "alternate", "golden", "random"}),
             Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
@@ -83,6 +89,7 @@ void run(const Options& o, const cli::Io& given) {
     how.seed = static_cast<std::uint64_t>(o.seed);
     how.connect = link3d::connect_named(o.connect);
     how.seam = link3d::seam_named(o.seam);
+    how.lift = link3d::lift_named(o.lift);
     how.interlace = link3d::interlace_named(o.interlace);
     how.head = machine::head(o.head);
     for (const auto& [name, value, changed] : machine::settings(how.head))

@@ -24,11 +24,15 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     if (options_.interlace == Interlace::none) *entry = drift(*entry); // else lanes lead wherever the column goes
-    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
-    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
+    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     ++counts_.lifts;
     counts_.lift_length += entry->place.distance;
-    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
+    if (ramps(*entry)) {
+        begin_ramp(*entry, emit);
+        return entry;
+    }
+    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
+    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
 }

@@ -3,6 +3,7 @@
 #include "geom/segment.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace filum::link3d {
 
@@ -24,6 +25,7 @@ Facts facts(const Counts& c) {
     const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
     return {{"", "strokes", n(c.strokes), "strokes"},
             {"", "lifts", n(c.lifts), ""},
+            {"", "ramps", n(c.ramps), ""},
             {"", "lanes", n(c.lanes), ""},
             {"", "shifts", n(c.shifts), ""},
             {"", "kept-starts", n(c.kept), ""},
@@ -144,15 +146,19 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     const auto& r = window_.front();
     const std::uint32_t c = entry.place.curve;
     const Curve& curve = r.paths.curves[c];
+    const Ramp ramp = std::exchange(ramp_, {});
     const auto bead = [&](bool against) {
-        Bead b = curve.closed ? cut(curve, entry.place, against, cut_gap(curve)) : run(curve, entry.against);
+        Bead b = !curve.closed     ? run(curve, entry.against)
+                 : ramp.length > 0 ? cut_over(curve, entry.place, against, ramp.length - ramp.lead)
+                                   : cut(curve, entry.place, against, cut_gap(curve));
         if (pin_ && curve.closed) pin(b, *pin_, kOn);
         return b;
     };
     const bool turn = options_.alternate_direction && r.paths.layer % 2 != 0;
     Bead out = bead(turn);
     std::optional<std::vector<Vec2>> way;
-    const bool shifts = last && next_ == Next::above && curve.closed && options_.interlace != Interlace::none;
+    const bool shifts =
+        last && next_ == Next::above && curve.closed && options_.interlace != Interlace::none && !apart(out);
     if (shifts && (way = shift(c, out))) {
         ++counts_.shifts;
         counts_.shift_length += length(*way);
@@ -165,7 +171,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
     if (last && options_.connect == Connect::outside)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
-    print(out, emit);
+    print(out, ramp, emit);
     if (!way) return;
     std::vector<Vec3> points;
     for (const auto p : *way) points.push_back(at_height(p, r.paths.z));
@@ -195,12 +201,13 @@ void Linker::extrude(Role role, std::vector<Vec3> points, std::vector<double> wi
     emit(Span{role, stroke_, r.layer, r.region, std::move(points), std::move(width), {r.height}});
 }
 
-void Linker::print(const Bead& bead, const Emit& emit) {
-    std::vector<Vec3> points;
-    points.reserve(bead.points.size());
-    for (const auto p : bead.points) points.push_back(at_height(p, window_.front().paths.z));
-    if (geom::distance(points.front(), *at_) < kSame) points.front() = *at_; // spans chain exactly
-    extrude(Role::bead, std::move(points), bead.width, emit);
+void Linker::print(const Bead& bead, const Ramp& ramp, const Emit& emit) {
+    const auto& r = window_.front();
+    Laid laid = lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
+    if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_; // spans chain exactly
+    at_ = laid.points.back();
+    emit(Span{Role::bead, stroke_, r.paths.layer, r.paths.region, std::move(laid.points), std::move(laid.width),
+              std::move(laid.height)});
 }
 
 } // namespace filum::link3d

@@ -28,6 +28,7 @@ namespace filum::link3d {
 struct Counts {
     std::uint64_t strokes = 0;
     std::uint64_t lifts = 0;      // to a region above
+    std::uint64_t ramps = 0;      // of those, by a ramp
     std::uint64_t lanes = 0;      // of those, with a lane through the region below
     std::uint64_t shifts = 0;     // lanes to where the next layer is to begin
     std::uint64_t kept = 0;       // starts that were to move and could not
@@ -103,10 +104,16 @@ class Linker {
 
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
-    void print(const Bead& bead, const Emit& emit);
+    void print(const Bead& bead, const Ramp& ramp, const Emit& emit);
+
+    // lift.cpp
+    [[nodiscard]] double ramp_length() const;
+    [[nodiscard]] bool ramps(const Entry& entry) const;
+    void begin_ramp(const Entry& entry, const Emit& emit);
 
     // interlace.cpp
     [[nodiscard]] static bool hidden(const Waiting& r, const Place& place);
+    [[nodiscard]] bool apart(const Bead& bead) const;
     std::optional<std::vector<Vec2>> shift(std::uint32_t c, const Bead& bead);
 
     // entry.cpp
@@ -124,6 +131,7 @@ class Linker {
     std::optional<Vec3> at_;             // where the nozzle is
     std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
     std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
+    Ramp ramp_;               // by which the front region is entered, until its first curve is printed
     Next next_ = Next::anywhere;
     Vec2 home_, start_;       // where the column began; where the front region was entered
     double offset_ = 0;       // bead widths, of the layer's start from home

@@ -6,6 +6,8 @@ Connect connect_named(std::string_view name) { return name == "outside" ? Connec
 
 Seam seam_named(std::string_view name) { return name == "inside" ? Seam::inside : Seam::nearest; }
 
+Lift lift_named(std::string_view name) { return name == "ramp" ? Lift::ramp : Lift::plain; }
+
 Interlace interlace_named(std::string_view name) {
     return name == "alternate" ? Interlace::alternate
            : name == "golden"  ? Interlace::golden

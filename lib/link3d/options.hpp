@@ -21,6 +21,12 @@ enum class Seam : std::uint8_t {
     inside,  // near the middle of the column that it is going to climb
 };
 
+// How the nozzle gets to the next layer.
+enum class Lift : std::uint8_t {
+    plain, // straight up, then on
+    ramp,  // rising along the beginning of the next curve, whose end overlaps it with what is missing there
+};
+
 struct Options {
     double reach = 1.5;            // bead widths: the longest jog
     std::uint32_t look_ahead = 16; // regions
@@ -29,12 +35,14 @@ struct Options {
     Interlace interlace = Interlace::none;
     std::uint64_t seed = 1;          // of random starts
     bool alternate_direction = true; // each layer runs the other way round
-    machine::Head head = {};         // what must pass over what is printed
+    Lift lift = Lift::plain;
+    machine::Head head = {}; // what must pass over what is printed
 };
 
 // By the names that the command's options have; the default for any other.
 Connect connect_named(std::string_view name);
 Seam seam_named(std::string_view name);
+Lift lift_named(std::string_view name);
 Interlace interlace_named(std::string_view name);
 
 } // namespace filum::link3d
