@@ -33,14 +33,15 @@ constexpr const char* kDescription =
     "as "
     "the gap below, and its end lies over that ramp with what is missing there: no blob, and the next layer begins "
     "further on by itself. Curves shorter than three ramps are climbed plainly.\n\n"
-    "A region in another place can be reached by a connector outside everything printed, to be trimmed later. It needs "
-    "a straight way out of the one region and into the other; where there is none, there is a break. A join that the "
-    "input asks for and that becomes a break is reported.";
+    "A region in another place is reached by a break, or, with --connect outside, by a connector around everything "
+    "printed, to be trimmed later: thin at both ends, where it is to break off, and on the same way in all layers, so "
+    "that they stack to a fin. With --connect inside, a region of the same layer is reached by a thin strand straight "
+    "over. Either must cross nothing, and the head must meet nothing; else there is a break, which is reported.";
 
 struct Options {
     link3d::Options link; // what needs no name
     std::int64_t look_ahead = link.look_ahead, seed = 1;
-    std::string connect = "break", seam = "nearest", interlace = "none", lift = "plain";
+    std::string connect = "break", strand = "free", seam = "nearest", interlace = "none", lift = "plain";
     machine::HeadChoice head;
 };
 
@@ -55,7 +56,9 @@ std::vector<cli::Option> options(Options& o) {
                 .at_least(1)
                 .at_most(1000),
             Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
-                {"break", "outside"}),
+                {"break", "inside", "outside"}),
+            Option{"strand", &o.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
+                .one_of({"free", "carried"}),
             Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}.one_of(
                 {"nearest", "inside"}),
             Option{"lift", &o.lift, "", "how the nozzle gets to the next layer: straight up, or along a ramp"}.one_of(
@@ -88,6 +91,7 @@ void run(const Options& o, const cli::Io& given) {
     how.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
     how.seed = static_cast<std::uint64_t>(o.seed);
     how.connect = link3d::connect_named(o.connect);
+    how.strand = link3d::strand_named(o.strand);
     how.seam = link3d::seam_named(o.seam);
     how.lift = link3d::lift_named(o.lift);
     how.interlace = link3d::interlace_named(o.interlace);

@@ -58,10 +58,10 @@ std::optional<Linker::Entry> Linker::nearest_entry(const Waiting& r, Vec2 p, dou
     return best;
 }
 
-// How many regions behind the front one climb from it without a break, of those that are known.
+// How many regions behind the front one climb from it without a break, of those that it looks ahead.
 std::size_t Linker::climbing() const {
     std::size_t n = 0;
-    while (n + 1 < window_.size() && window_[n + 1].paths.join == Join::vertical &&
+    while (n < options_.look_ahead && n + 1 < window_.size() && window_[n + 1].paths.join == Join::vertical &&
            !window_[n + 1].paths.curves.empty())
         ++n;
     return n;

@@ -37,37 +37,6 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     return entry;
 }
 
-// A connector outside everything printed to whichever of the front region's four extreme places makes it the shortest.
-std::optional<Linker::Entry> Linker::go_around(const Emit& emit) {
-    const auto& r = window_.front();
-    if (!may_climb_ || !last_) return std::nullopt;
-    Box2 box = printed_.bounds();
-    box.add(r.index.bounds().lo), box.add(r.index.bounds().hi);
-    const auto free = [&](Vec3 a, Vec3 b) {
-        return a == *at_ ? leads_out(a, b, *last_, true) : leads_out(a, b, r.index, false);
-    };
-    std::optional<std::vector<Vec3>> best;
-    std::optional<Entry> entry;
-    for (const Place& p : r.index.extremes()) {
-        if (!r.paths.curves[p.curve].closed) continue;
-        auto way = around(box, 2 * r.width, *at_, at_height(p.point, r.paths.z), free);
-        if (way && (!best || length(*way) < length(*best))) best = std::move(way), entry = Entry{p};
-    }
-    if (!best) return std::nullopt;
-    ++counts_.connectors;
-    counts_.connector_length += length(*best);
-    printed_.begin(); // the two ends of a connector are two bodies
-    extrude(Role::connector, std::move(*best), {r.width}, emit);
-    return entry;
-}
-
-// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
-bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const {
-    const auto& r = window_.front();
-    return is_free(own, a.xy(), b.xy(), kMargin, kEnds, 0) &&
-           !printed_.blocks(a, b, a.z - r.paths.height / 2, 2 * r.width, leaves);
-}
-
 // The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.
 std::vector<Curve> Linker::as_printed(std::uint32_t c, const Bead& bead, const std::vector<Vec2>& lane) const {
     std::vector<Curve> curves = window_.front().paths.curves;
@@ -88,11 +57,14 @@ int Linker::rank_above(Vec2 p, int least, double reach) const {
     return k < least ? 0 : k;
 }
 
-// Whether p, on the layer of the front region, has a straight way out of the part.
+// Whether p, on the layer of the front region, has a straight way out of the part, or over to the next region.
 bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
     const auto& r = window_.front();
-    Box2 box = printed_.bounds();
-    box.add(own.bounds().lo), box.add(own.bounds().hi);
+    if (options_.connect == Connect::inside) {
+        const auto next = nearest_entry(window_[1], p, std::numeric_limits<double>::infinity(), {});
+        return next && is_free(own, p, next->place.point, kMargin, kEnds, 0);
+    }
+    const Box2 box = all_bounds();
     const double m = 2 * r.width;
     const Vec3 a = at_height(p, r.paths.z);
     const std::array<Vec2, 4> ends{

@@ -30,6 +30,7 @@ Facts facts(const Counts& c) {
             {"", "shifts", n(c.shifts), ""},
             {"", "kept-starts", n(c.kept), ""},
             {"", "jogs", n(c.jogs), ""},
+            {"", "strands", n(c.strands), ""},
             {"", "connectors", n(c.connectors), ""},
             {"", "breaks", n(c.breaks), ""},
             {"", "broken-joins", n(c.broken), ""},
@@ -37,7 +38,10 @@ Facts facts(const Counts& c) {
             {"", "lane-length", c.lane_length, "mm"},
             {"", "shift-length", c.shift_length, "mm"},
             {"", "jog-length", c.jog_length, "mm"},
+            {"", "strand-length", c.strand_length, "mm"},
             {"", "connector-length", c.connector_length, "mm"},
+            {"", "connector-free", c.connector_free, "mm"},
+            {"", "connector-volume", c.connector_volume, "mm3"},
             {"", "travel-length", c.travel_length, "mm"}};
 }
 
@@ -47,7 +51,8 @@ void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     bool closed = false, open = false;
     for (const auto& c : region.curves) (c.closed ? closed : open) = true;
     window_.push_back({std::move(region), std::move(index), width, closed, open});
-    if (window_.size() > options_.look_ahead) print_front(emit, notes);
+    // Connectors go around everything, so everything must be known.
+    if (options_.connect != Connect::outside && window_.size() > options_.look_ahead) print_front(emit, notes);
 }
 
 void Linker::finish(const Emit& emit, Notes& notes) {
@@ -62,10 +67,11 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         window_.pop_front();
         return;
     }
-    next_ = window_.size() < 2 || window_[1].paths.curves.empty()                           ? Next::anywhere
-            : window_[1].paths.join == Join::vertical                                       ? Next::above
-            : window_[1].paths.join == Join::beside && options_.connect == Connect::outside ? Next::outside
-                                                                                            : Next::anywhere;
+    next_ = window_.size() < 2 || window_[1].paths.curves.empty()                      ? Next::anywhere
+            : window_[1].paths.join == Join::vertical                                  ? Next::above
+            : options_.connect == Connect::outside                                     ? Next::outside
+            : options_.connect == Connect::inside && window_[1].paths.layer == r.layer ? Next::outside
+                                                                                       : Next::anywhere;
     const Entry first = enter(emit, notes);
     start_ = first.place.point;
     std::vector<char> done(r.curves.size(), 0);
@@ -103,15 +109,20 @@ std::optional<std::uint32_t> Linker::main_curve() const {
 // Gets the nozzle to the front region's first curve.
 Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
-    if (r.paths.join == Join::vertical) {
-        if (const auto entry = climb(emit)) return *entry;
-    } else if (r.paths.join == Join::beside && options_.connect == Connect::outside) {
-        if (const auto entry = go_around(emit)) return *entry;
-    }
-    if (r.paths.join != Join::start && at_ &&
-        (r.paths.join == Join::vertical || options_.connect == Connect::outside)) {
+    const bool above = r.paths.join == Join::vertical;
+    std::optional<Entry> joined;
+    if (above)
+        joined = climb(emit);
+    else if (at_ && options_.connect == Connect::outside)
+        joined = go_around(emit, notes);
+    else if (at_ && options_.connect == Connect::inside)
+        joined = go_inside(emit);
+    if (joined && !above) home_ = joined->place.point, offset_ = 0;
+    if (joined) return *joined;
+    if (at_ && (above || options_.connect != Connect::stop)) {
         ++counts_.broken;
-        notes.push_back({"", "join broken, its ends are out of reach", 0, "", 1, r.paths.layer, at_->x, at_->y});
+        notes.push_back({"", above ? "join broken, its ends are out of reach" : "connector impossible, broken", 0, "",
+                         1, r.paths.layer, at_->x, at_->y});
     }
     const Entry entry = start_entry();
     stop_and_travel(entry.place.point, emit);
@@ -169,7 +180,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     }
     if (last && !way) way = leave(c, out, [&] { return curve.closed ? bead(!turn) : out; });
     if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
-    if (last && options_.connect == Connect::outside)
+    if (last && options_.connect != Connect::stop)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
     print(out, ramp, emit);
     if (!way) return;

@@ -33,11 +33,14 @@ struct Counts {
     std::uint64_t shifts = 0;     // lanes to where the next layer is to begin
     std::uint64_t kept = 0;       // starts that were to move and could not
     std::uint64_t jogs = 0;       // between curves of a region
+    std::uint64_t strands = 0;    // to another region of the layer, straight
     std::uint64_t connectors = 0; // outside the part
     std::uint64_t breaks = 0;
     std::uint64_t broken = 0; // of those, where the input asked for a join
-    double lift_length = 0, lane_length = 0, shift_length = 0, jog_length = 0, connector_length = 0,
-           travel_length = 0; // mm
+    double lift_length = 0, lane_length = 0, shift_length = 0, jog_length = 0, strand_length = 0, connector_length = 0,
+           travel_length = 0;    // mm
+    double connector_free = 0;   // mm of connectors that nothing carries
+    double connector_volume = 0; // mm3
 };
 
 // The counts by name, for the stream.
@@ -69,7 +72,7 @@ class Linker {
     };
 
     // Where the nozzle must get to from the front region.
-    enum class Next : std::uint8_t { anywhere, above, outside };
+    enum class Next : std::uint8_t { anywhere, above, outside }; // outside: of this region
 
     static constexpr double kThin = 0.5;     // of the bead width: a bead laid where material is, or between two beads
     static constexpr double kSame = 1e-6;    // mm; places nearer than this are one
@@ -81,7 +84,6 @@ class Linker {
     void print_front(const Emit& emit, Notes& notes);
     Entry enter(const Emit& emit, Notes& notes);
     std::optional<Entry> climb(const Emit& emit);
-    std::optional<Entry> go_around(const Emit& emit);
     [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
     Entry hop(std::span<const char> done, const Emit& emit);
     [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
@@ -93,7 +95,6 @@ class Linker {
     [[nodiscard]] std::array<double, 2> climb_reaches() const {
         return {std::min(options_.reach, 0.6), std::min(options_.reach, 1.0)};
     }
-    [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
     [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
     [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
     [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead, double reach) const;
@@ -105,6 +106,16 @@ class Linker {
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Ramp& ramp, const Emit& emit);
+
+    // connector.cpp
+    [[nodiscard]] Box2 all_bounds() const;
+    [[nodiscard]] bool misses_others(Vec3 a, Vec3 b, bool front) const;
+    [[nodiscard]] bool misses_strands(Vec3 a, Vec3 b) const;
+    [[nodiscard]] double uncarried(std::span<const Vec3> way) const;
+    [[nodiscard]] std::optional<std::pair<std::vector<Vec3>, Entry>> way_around(double margin) const;
+    std::optional<Entry> go_around(const Emit& emit, Notes& notes);
+    std::optional<Entry> go_inside(const Emit& emit);
+    [[nodiscard]] bool leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const;
 
     // lift.cpp
     [[nodiscard]] double ramp_length() const;
@@ -141,6 +152,8 @@ class Linker {
     std::uint32_t stroke_ = 0;
     std::optional<SegmentIndex> last_; // the region before as printed, if a connector may leave it
     Printed printed_;
+    Box2 around_;                                // what connectors go around
+    std::vector<std::pair<Vec3, Vec3>> strands_; // legs of connectors
 };
 
 } // namespace filum::link3d

@@ -2,7 +2,11 @@
 
 namespace filum::link3d {
 
-Connect connect_named(std::string_view name) { return name == "outside" ? Connect::outside : Connect::stop; }
+Connect connect_named(std::string_view name) {
+    return name == "outside" ? Connect::outside : name == "inside" ? Connect::inside : Connect::stop;
+}
+
+Strand strand_named(std::string_view name) { return name == "carried" ? Strand::carried : Strand::free; }
 
 Seam seam_named(std::string_view name) { return name == "inside" ? Seam::inside : Seam::nearest; }
 

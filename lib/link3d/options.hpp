@@ -9,10 +9,17 @@
 
 namespace filum::link3d {
 
-// What becomes of a join to a region that does not lie above the one before it.
+// What becomes of a join to a region that does not lie above the one before it.  What cannot be joined is a break.
 enum class Connect : std::uint8_t {
     stop,    // a break: the nozzle stops, travels and starts again
+    inside,  // a strand straight over to a region of the same layer
     outside, // an extruded connector around the part, to be trimmed
+};
+
+// What a connector outside lies on.
+enum class Strand : std::uint8_t {
+    free,    // whatever is below, or nothing
+    carried, // the bed, or the connector one layer below: they grow to a fin
 };
 
 // Where a stroke begins.
@@ -31,6 +38,7 @@ struct Options {
     double reach = 1.5;            // bead widths: the longest jog
     std::uint32_t look_ahead = 16; // regions
     Connect connect = Connect::stop;
+    Strand strand = Strand::free;
     Seam seam = Seam::nearest;
     Interlace interlace = Interlace::none;
     std::uint64_t seed = 1;          // of random starts
@@ -41,6 +49,7 @@ struct Options {
 
 // By the names that the command's options have; the default for any other.
 Connect connect_named(std::string_view name);
+Strand strand_named(std::string_view name);
 Seam seam_named(std::string_view name);
 Lift lift_named(std::string_view name);
 Interlace interlace_named(std::string_view name);

@@ -112,7 +112,9 @@ inline void check(const std::vector<RegionPaths>& regions, const Result& r) {
     if (curves > 0) {
         EXPECT_EQ(r.counts.strokes, r.counts.breaks + 1);
     }
-    EXPECT_EQ(r.counts.lifts + r.counts.jogs + r.counts.connectors + r.counts.breaks + (curves > 0 ? 1 : 0), curves);
+    EXPECT_EQ(r.counts.lifts + r.counts.jogs + r.counts.strands + r.counts.connectors + r.counts.breaks +
+                  (curves > 0 ? 1 : 0),
+              curves);
     EXPECT_EQ(crossings(r.spans), 0);
 }
 
