@@ -76,6 +76,11 @@ Linker::Entry Linker::start_entry() const {
         const Box2 box = window_[n].index.bounds();
         p = geom::lerp(box.lo, box.hi, 0.5);
     }
+    // The stroke is to leave the last region of the column on the side of the next one.
+    if (options_.connect == Connect::inside && n + 1 < window_.size() && !window_[n + 1].index.empty()) {
+        const Box2 here = window_[n].index.bounds();
+        p = window_[n].index.nearest(window_[n + 1].index.nearest(geom::lerp(here.lo, here.hi, 0.5))->point)->point;
+    }
     // Back from the last region that is known: so the column can be climbed from there.
     for (std::size_t k = n; k > 0; --k) {
         const auto& above = window_[k];

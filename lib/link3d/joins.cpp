@@ -69,7 +69,9 @@ bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
     const Vec3 a = at_height(p, r.paths.z);
     const std::array<Vec2, 4> ends{
         {{box.lo.x - m, p.y}, {box.hi.x + m, p.y}, {p.x, box.lo.y - m}, {p.x, box.hi.y + m}}};
-    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) { return leads_out(a, at_height(b, a.z), own, true); });
+    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) {
+        return leads_out(a, at_height(b, a.z), own, true) && misses_others(a, at_height(b, a.z), false);
+    });
 }
 
 // Whether the next region can be reached from the end of the front region's last bead.
