@@ -122,6 +122,7 @@ std::optional<Linker::Entry> Linker::go_around(const Emit& emit, Notes& notes) {
     counts_.connector_length += length_xy(way);
     counts_.connector_free += free;
     const Vec3 middle = way[way.size() / 2];
+    joins_.push_back({false, {way[way.size() - 2].xy(), way.back().xy()}, {r.width}});
     printed_.connector(way);
     for (std::size_t i = 0; i + 1 < way.size(); ++i) strands_.emplace_back(way[i], way[i + 1]);
     printed_.begin(); // the two ends of a connector are two bodies
@@ -148,6 +149,7 @@ std::optional<Linker::Entry> Linker::go_inside(const Emit& emit) {
         printed_.hits(a, b, options_.head))
         return std::nullopt;
     if (!misses_others(a, b, false)) return std::nullopt;
+    joins_.push_back({false, {a.xy(), b.xy()}, {kThin * r.width}});
     ++counts_.strands;
     counts_.strand_length += entry->place.distance;
     printed_.begin();
