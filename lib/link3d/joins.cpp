@@ -93,7 +93,8 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead,
     }
     const SegmentIndex index(curves);
     const bool above = next_ == Next::above;
-    return strip_route(lines, curves, index, bead.points.back(), window_.front().width, kStrips,
+    const auto strips = std::span(kStrips).first(above ? kStrips.size() : 1); // whoever leaves the region needs room
+    return strip_route(lines, curves, index, bead.points.back(), window_.front().width, strips,
                        above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
                            return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
                        });
