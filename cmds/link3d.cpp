@@ -1,7 +1,7 @@
 // link3d - curves to one toolpath
 // reads:  Paths
 // writes: Toolpath
-// memory: the regions it looks ahead
+// memory: the regions it looks ahead; with --connect outside all
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
 #include "link3d/linker.hpp"
@@ -77,7 +77,7 @@ cli::Spec spec(Options& o) {
         .description = kDescription,
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the regions it looks ahead",
+        .memory = "the regions it looks ahead; with --connect outside all",
         .options = cli::with(options(o), cli::head_options(o.head)),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
