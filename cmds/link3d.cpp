@@ -22,8 +22,7 @@ constexpr const char* kDescription =
     "beside it are thinned so that the amount of material stays the same. Entries drift towards where the part goes, "
     "within reach, as far as the regions are known, so that lanes stay rare.\n\n"
     "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and crosses no "
-    "bead. Whatever cannot be joined is a break: the nozzle travels, level, or over what the head would meet on the "
-    "way. Retraction and lift are added by `postproc`.\n\n"
+    "bead. What cannot be joined is a break: the nozzle travels, level, or over what the head would meet.\n\n"
     "With --interlace, the starts of neighbouring layers are at least three bead widths apart: a lane of a few widths "
     "leads from the end of each layer to beneath the start of the next, at two places in turn, spread by the golden "
     "section, or at random; with --seam inside only to where beads on both sides hide them. A start that cannot move "
@@ -32,7 +31,9 @@ constexpr const char* kDescription =
     "With --lift ramp, a layer begins by rising along its curve, at most 1 in 20 and over five beads or more, as thick "
     "as "
     "the gap below, and its end lies over that ramp with what is missing there: no blob, and the next layer begins "
-    "further on by itself. Curves shorter than three ramps are climbed plainly.\n\n"
+    "further on by itself. With --lift helical, z rises "
+    "all along each layer of a column whose one curve lies on the one below, and the last turn is flat; others get "
+    "ramps.\n\n"
     "A region in another place is reached by a break, or, with --connect outside, by a connector around everything "
     "printed, to be trimmed later: thin at both ends, where it is to break off, and on the same way in all layers, so "
     "that they stack to a fin. With --connect inside, a region of the same layer is reached by a thin strand straight "
@@ -61,8 +62,8 @@ std::vector<cli::Option> options(Options& o) {
                 .one_of({"free", "carried"}),
             Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}.one_of(
                 {"nearest", "inside"}),
-            Option{"lift", &o.lift, "", "how the nozzle gets to the next layer: straight up, or along a ramp"}.one_of(
-                {"plain", "ramp"}),
+            Option{"lift", &o.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
+                .one_of({"plain", "ramp", "helical"}),
             Option{"interlace", &o.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
                 {"none", "alternate", "golden", "random"}),
             Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),

@@ -23,10 +23,17 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
     auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
-    if (options_.interlace == Interlace::none) *entry = drift(*entry); // else lanes lead wherever the column goes
+    if (options_.interlace == Interlace::none && !turn_)
+        *entry = drift(*entry); // else lanes lead wherever the column goes
     joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     ++counts_.lifts;
     counts_.lift_length += entry->place.distance;
+    if (turn_ || winds_on(*entry)) {
+        winds_ = true;
+        if (entry->place.distance > kSame)
+            extrude(Role::lift, {*at_, at_height(entry->place.point, at_->z)}, {kThin * r.width}, emit);
+        return entry;
+    }
     if (ramps(*entry)) {
         begin_ramp(*entry, emit);
         return entry;

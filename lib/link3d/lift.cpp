@@ -78,7 +78,7 @@ double Linker::ramp_length() const {
 // Whether the front region's curve is long enough to be entered by a ramp.
 bool Linker::ramps(const Entry& entry) const {
     const auto& curve = window_.front().paths.curves[entry.place.curve];
-    return options_.lift == Lift::ramp && curve.closed && length(curve.points) > 3 * ramp_length();
+    return options_.lift != Lift::plain && curve.closed && length(curve.points) > 3 * ramp_length();
 }
 
 // The jog to the front region's curve is the beginning of the ramp.

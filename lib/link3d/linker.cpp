@@ -26,6 +26,7 @@ Facts facts(const Counts& c) {
     return {{"", "strokes", n(c.strokes), "strokes"},
             {"", "lifts", n(c.lifts), ""},
             {"", "ramps", n(c.ramps), ""},
+            {"", "turns", n(c.turns), ""},
             {"", "lanes", n(c.lanes), ""},
             {"", "shifts", n(c.shifts), ""},
             {"", "kept-starts", n(c.kept), ""},
@@ -165,6 +166,13 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
         if (pin_ && curve.closed) pin(b, *pin_, kOn);
         return b;
     };
+    if (std::exchange(winds_, false)) {
+        const bool goes_on = winds_on(entry);
+        Bead end = wind(entry, goes_on, emit);
+        if (goes_on) return;
+        if (const auto lane = leave(c, end, [&] { return end; })) lay_lane(*lane, emit);
+        return;
+    }
     const bool turn = options_.alternate_direction && r.paths.layer % 2 != 0;
     Bead out = bead(turn);
     std::optional<std::vector<Vec2>> way;
@@ -183,9 +191,13 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     if (last && options_.connect != Connect::stop)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
     print(out, ramp, emit);
-    if (!way) return;
+    if (way) lay_lane(*way, emit);
+}
+
+void Linker::lay_lane(const std::vector<Vec2>& way, const Emit& emit) {
+    const auto& r = window_.front();
     std::vector<Vec3> points;
-    for (const auto p : *way) points.push_back(at_height(p, r.paths.z));
+    for (const auto p : way) points.push_back(at_height(p, r.paths.z));
     extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
 }
 

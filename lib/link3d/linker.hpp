@@ -29,6 +29,7 @@ struct Counts {
     std::uint64_t strokes = 0;
     std::uint64_t lifts = 0;      // to a region above
     std::uint64_t ramps = 0;      // of those, by a ramp
+    std::uint64_t turns = 0;      // regions that are a turn of a helix
     std::uint64_t lanes = 0;      // of those, with a lane through the region below
     std::uint64_t shifts = 0;     // lanes to where the next layer is to begin
     std::uint64_t kept = 0;       // starts that were to move and could not
@@ -81,6 +82,14 @@ class Linker {
     static constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it
     static Vec3 at_height(Vec2 p, double z) { return {p.x, p.y, z}; }
 
+    // One turn of a helix.
+    struct Turn {
+        toolpath::Curve line;      // open
+        std::vector<double> along; // 0 to 1 for each of its points
+
+        [[nodiscard]] std::optional<double> at(const SegmentIndex& index, Vec2 p, double t, double reach) const;
+    };
+
     void print_front(const Emit& emit, Notes& notes);
     Entry enter(const Emit& emit, Notes& notes);
     std::optional<Entry> climb(const Emit& emit);
@@ -103,6 +112,7 @@ class Linker {
     [[nodiscard]] std::optional<std::vector<Vec2>> lane(std::uint32_t c, const Bead& bead, double reach) const;
     std::optional<std::vector<Vec2>> leave(std::uint32_t c, Bead& bead, const std::function<Bead()>& other);
 
+    void lay_lane(const std::vector<Vec2>& way, const Emit& emit);
     void stop_and_travel(Vec2 to, const Emit& emit);
     void extrude(toolpath::Role role, std::vector<Vec3> points, std::vector<double> width, const Emit& emit);
     void print(const Bead& bead, const Ramp& ramp, const Emit& emit);
@@ -121,6 +131,11 @@ class Linker {
     [[nodiscard]] double ramp_length() const;
     [[nodiscard]] bool ramps(const Entry& entry) const;
     void begin_ramp(const Entry& entry, const Emit& emit);
+
+    // helix.cpp
+    static Turn turn(const Waiting& r, const Entry& entry);
+    [[nodiscard]] bool winds_on(const Entry& entry) const;
+    Bead wind(const Entry& entry, bool goes_on, const Emit& emit);
 
     // interlace.cpp
     [[nodiscard]] static bool hidden(const Waiting& r, const Place& place);
@@ -141,8 +156,10 @@ class Linker {
     std::deque<Waiting> window_;
     std::optional<Vec3> at_;             // where the nozzle is
     std::vector<toolpath::Curve> joins_; // what lifts and jogs lay on the layer of the front region
-    std::optional<Vec2> pin_; // a place of the front region's curve where a jog leaves it: must be a point of it
-    Ramp ramp_;               // by which the front region is entered, until its first curve is printed
+    std::optional<Vec2> pin_;  // a place of the front region's curve where a jog leaves it: must be a point of it
+    std::optional<Turn> turn_; // of the helix below the front region
+    bool winds_ = false;       // the front region is a turn of a helix
+    Ramp ramp_;                // by which the front region is entered, until its first curve is printed
     Next next_ = Next::anywhere;
     Vec2 home_, start_;       // where the column began; where the front region was entered
     double offset_ = 0;       // bead widths, of the layer's start from home

@@ -10,7 +10,9 @@ Strand strand_named(std::string_view name) { return name == "carried" ? Strand::
 
 Seam seam_named(std::string_view name) { return name == "inside" ? Seam::inside : Seam::nearest; }
 
-Lift lift_named(std::string_view name) { return name == "ramp" ? Lift::ramp : Lift::plain; }
+Lift lift_named(std::string_view name) {
+    return name == "ramp" ? Lift::ramp : name == "helical" ? Lift::helical : Lift::plain;
+}
 
 Interlace interlace_named(std::string_view name) {
     return name == "alternate" ? Interlace::alternate

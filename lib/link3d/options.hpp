@@ -30,8 +30,9 @@ enum class Seam : std::uint8_t {
 
 // How the nozzle gets to the next layer.
 enum class Lift : std::uint8_t {
-    plain, // straight up, then on
-    ramp,  // rising along the beginning of the next curve, whose end overlaps it with what is missing there
+    plain,   // straight up, then on
+    helical, // rising all the way, where a column has one curve per layer that lies on the one below; else ramps
+    ramp,    // rising along the beginning of the next curve, whose end overlaps it with what is missing there
 };
 
 struct Options {

@@ -75,4 +75,49 @@ TEST(Ramp, ShortCurvesAreClimbedPlainly) {
     EXPECT_EQ(r.counts.lifts, 3U);
 }
 
+// A prism winds up in one even slope between a flat first layer and a flat last turn.
+TEST(Helix, WindsEvenlyWhereLayersAreAlike) {
+    for (const Curve& c : {comb({0, 0}, 9, 16), rings({4, 4}, 4, 9), circle({0, 0}, 5, 90)}) {
+        const auto regions = column(std::vector<std::vector<Curve>>(12, {c}));
+        Options o;
+        o.lift = Lift::helical;
+        const auto r = link(regions, o);
+        EXPECT_EQ(r.counts.strokes, 1U);
+        EXPECT_EQ(r.counts.turns, 11U);
+        EXPECT_EQ(r.counts.breaks + r.counts.ramps, 0U);
+        const double around = length(c.points) + geom::distance(c.points.back(), c.points.front());
+        for (std::size_t k = 0; k < r.spans.size(); ++k) {
+            const Span& s = r.spans[k];
+            if (k > 0) {
+                EXPECT_EQ(s.points.front(), r.spans[k - 1].points.back());
+            }
+            for (std::size_t i = 0; i + 1 < s.points.size(); ++i) {
+                const double up = s.points[i + 1].z - s.points[i].z;
+                const double along = geom::distance(s.points[i].xy(), s.points[i + 1].xy());
+                EXPECT_GE(up, 0);
+                EXPECT_LE(up, kHeight / around * along + 1e-9);
+                if (s.layer > 1 && s.layer < 11) {
+                    EXPECT_NEAR(s.height_at(i), kHeight, 0.01 * kHeight);
+                }
+            }
+        }
+        const double none = volume(link(regions), false);
+        EXPECT_NEAR(volume(r, false), none, 0.01 * none);
+    }
+}
+
+// Layers of other shapes cannot wind: they are climbed by ramps.
+TEST(Helix, FallsBackToRamps) {
+    std::vector<std::vector<Curve>> layers;
+    for (int i = 0; i < 8; ++i) layers.push_back({i % 2 == 0 ? comb({0, 0}, 9, 16) : rings({4, 3}, 3.2, 8)});
+    const auto regions = column(layers);
+    Options o;
+    o.lift = Lift::helical;
+    const auto r = link(regions, o);
+    check(regions, r);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_EQ(r.counts.turns, 0U);
+    EXPECT_EQ(r.counts.ramps, 7U);
+}
+
 } // namespace filum::link3d
