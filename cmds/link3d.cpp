@@ -1,7 +1,7 @@
 // link3d - curves to one toolpath
 // reads:  Paths
 // writes: Toolpath
-// memory: the regions it looks ahead
+// memory: the regions it looks ahead; all of them with --connect outside or --links sun2019
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
 #include "link3d/linker.hpp"
@@ -13,31 +13,35 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Cuts every closed curve open where it is entered, and joins curves, regions and layers to strokes: stretches "
-    "that a machine prints without stopping.\n\n"
+    "Cuts every closed curve open where it is entered, and joins curves, regions and layers to strokes: stretches that"
+    " a machine prints without stopping.\n\n"
     "Regions are printed in the order in which they arrive. Where `sequence` says that a region continues the one "
-    "below it, the nozzle rises on the spot and reaches the nearest place of the next curve by a short jog, at half "
-    "a bead's width, which crosses no bead. If the next curve is out of reach, a lane is laid before, from the end "
-    "of the curve along the middle of the strip between two of its beads, to where the next region is in reach; both "
+    "below it, the nozzle rises on the spot and reaches the nearest place of the next curve by a short jog, at half a "
+    "bead's width, which crosses no bead. If the next curve is out of reach, a lane is laid before, from the end of "
+    "the curve along the middle of the strip between two of its beads, to where the next region is in reach; both "
     "beads beside it are thinned so that the amount of material stays the same. Entries drift towards where the part "
     "goes, within reach, as far as the regions are known, so that lanes stay rare.\n\n"
-    "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and crosses "
-    "no bead. Whatever cannot be joined is a break: the nozzle travels, level, or over what the head would meet on "
-    "the way. Retraction and lift are added by `postproc`.\n\n"
-    "With --interlace, the starts of neighbouring layers are at least three bead widths apart: a lane of a few "
-    "widths leads from the end of each layer to beneath the start of the next, at two places in turn, spread by the "
-    "golden section, or at random; with --seam inside only to where beads on both sides hide them. A start that "
-    "cannot move is reported. Open curves begin at their two ends in turn by themselves.\n\n"
-    "A region in another place can be reached by a connector outside everything printed, to be trimmed later. It "
-    "needs a straight way out of the one region and into the other; where there is none, there is a break. A join "
-    "that the input asks for and that becomes a break is reported.\n\n"
+    "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and crosses no "
+    "bead. What cannot be joined is a break: the nozzle travels, level, or over what the head would meet.\n\n"
+    "With --interlace, the starts of neighbouring layers are at least three bead widths apart: a lane of a few widths "
+    "leads from the end of each layer to beneath the start of the next, at two places in turn, spread by the golden "
+    "section, or at random; with --seam inside only to where beads on both sides hide them. A start that cannot move "
+    "is reported. Open curves begin at their two ends in turn by themselves.\n\n"
+    "With --lift ramp, a layer begins by rising along its curve, at most 1 in 20 and over five beads or more, as thick"
+    " as the gap below, and its end lies over that ramp with what is missing there: no blob, and the next layer begins"
+    " further on by itself. With --lift helical, z rises all along each layer of a column whose one curve lies on the "
+    "one below, and the last turn is flat; others get ramps.\n\n"
+    "A region in another place is reached by a break, or, with --connect outside, by a connector around everything "
+    "printed, to be trimmed later: thin at both ends, where it is to break off, and on the same way in all layers, so "
+    "that they stack to a fin. With --connect inside, a region of the same layer is reached by a thin strand straight "
+    "over. Either must cross nothing, and the head must meet nothing; else there is a break, which is reported.\n\n"
     "--links sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their points, "
     "layers and parts are linked straight or around the box of all, unchecked.";
 
 struct Options {
     link3d::Options link; // what needs no name
-    std::int64_t look_ahead = link.look_ahead, seed = 1;
-    std::string connect = "break", seam = "nearest", interlace = "none", links = "free";
+    link3d::Names names;
+    std::string links = "free";
     link3d::Sun2019Options sun2019;
     machine::HeadChoice head;
 };
@@ -46,22 +50,25 @@ std::vector<cli::Option> options(Options& o) {
     using cli::Option;
     return {
         Option{"reach", &o.link.reach, "WIDTHS",
-               "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins only what "
-               "touches"}
+               "the longest jog, in bead widths; a climb takes at most one; 0 joins only what touches"}
             .at_least(0)
             .at_most(10),
-        Option{"look-ahead", &o.look_ahead, "REGIONS", "how many regions are read before one is printed"}
+        Option{"look-ahead", &o.link.look_ahead, "REGIONS", "how many regions are read before one is printed"}
             .at_least(1)
             .at_most(1000),
-        Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
-            {"break", "outside"}),
-        Option{"seam", &o.seam, "", "where a stroke begins: nearest to the one before, or inside the part"}.one_of(
+        Option{"connect", &o.names.connect, "", "what joins a region to one that is not below it"}.one_of(
+            {"break", "inside", "outside"}),
+        Option{"strand", &o.names.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
+            .one_of({"free", "carried"}),
+        Option{"seam", &o.names.seam, "", "where a stroke begins: nearest to the last, or inside"}.one_of(
             {"nearest", "inside"}),
-        Option{"interlace", &o.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
+        Option{"lift", &o.names.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
+            .one_of({"plain", "ramp", "helical"}),
+        Option{"interlace", &o.names.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
             {"none", "alternate", "golden", "random"}),
-        Option{"seed", &o.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
+        Option{"seed", &o.link.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
         Option{"alternate-direction", &o.link.alternate_direction, "",
-               "every second layer runs the other way round (the default; =false for none)"},
+               "every second layer runs the other way (the default; =false for none)"},
         Option{"links", &o.links, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
             {"free", "sun2019"}),
         Option{"start-shift", &o.sun2019.start_shift, "MM", "sun2019: way of starts from layer to layer"}.at_least(0)};
@@ -74,11 +81,11 @@ cli::Spec spec(Options& o) {
         .description = kDescription,
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the regions it looks ahead; all of them for --links sun2019",
+        .memory = "the regions it looks ahead; all of them with --connect outside or --links sun2019",
         .options = cli::with(options(o), cli::head_options(o.head)),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
-                      "with connectors around the part instead of stops"}},
+                      "around the part instead of stops"}},
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
@@ -102,12 +109,7 @@ void link(Linker linker, const cli::Io& io) {
 void run(const Options& o, const cli::Io& given) {
     if (o.links == "sun2019") return link(link3d::Sun2019Linker(o.sun2019), given);
     cli::Io io = given;
-    link3d::Options how = o.link;
-    how.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
-    how.seed = static_cast<std::uint64_t>(o.seed);
-    how.connect = link3d::connect_named(o.connect);
-    how.seam = link3d::seam_named(o.seam);
-    how.interlace = link3d::interlace_named(o.interlace);
+    link3d::Options how = link3d::named(o.link, o.names);
     how.head = machine::head(o.head);
     for (const auto& [name, value, changed] : machine::settings(how.head))
         io.settings.push_back({name, value, changed});

@@ -31,6 +31,9 @@ double cut_gap(const toolpath::Curve& curve);
 // short of the start.
 Bead cut(const toolpath::Curve& curve, const Place& at, bool against, double gap);
 
+// The same, but on over its own beginning by `over` mm.
+Bead cut_over(const toolpath::Curve& curve, const Place& at, bool against, double over);
+
 // The open curve, or its reverse.
 Bead run(const toolpath::Curve& curve, bool against);
 
@@ -43,5 +46,19 @@ void pin(Bead& bead, Vec2 p, double reach);
 // away from the lane by half of what their width loses, but for the ends.  Returns the area taken, mm2.
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
                    const SegmentIndex& lines);
+
+// A scarf: the first `length` mm of a way rise to the layer's height, `lead` mm of them before the bead begins; the
+// bead's last length - lead mm lie over its first ones and lay what is missing there.
+struct Ramp {
+    double length = 0, lead = 0; // mm; no ramp if the length is 0
+    double from = 0;             // mm, z where it begins
+};
+
+// The bead at z, as thick as `height` but on a ramp.  Where it is on one, points are at most `step` mm apart.
+struct Laid {
+    std::vector<geom::Vec3> points;
+    std::vector<double> width, height; // mm, per point, or one for all
+};
+Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double step);
 
 } // namespace filum::link3d

@@ -65,6 +65,11 @@ bool Linker::hidden(const Waiting& r, const Place& place) {
     return r.index.nearest(place.point + side, 0.6 * r.width) && r.index.nearest(place.point - side, 0.6 * r.width);
 }
 
+// Whether the front region's last bead, as a ramp makes it, ends far enough from where the layer began.
+bool Linker::apart(const Bead& bead) const {
+    return geom::distance(bead.points.back(), start_) >= kApart * window_.front().width;
+}
+
 // A lane from the end of the front region's last bead to where the scheme wants the next layer to begin, or as near to
 // it as there is a way; at any rate kApart from where this layer began.
 std::optional<std::vector<Vec2>> Linker::shift(std::uint32_t c, const Bead& bead) {

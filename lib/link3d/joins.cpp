@@ -23,45 +23,25 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
     auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
-    if (options_.interlace == Interlace::none) *entry = drift(*entry); // else lanes lead wherever the column goes
-    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
-    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
+    if (options_.interlace == Interlace::none && !turn_)
+        *entry = drift(*entry); // else lanes lead wherever the column goes
+    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     ++counts_.lifts;
     counts_.lift_length += entry->place.distance;
-    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
+    if (turn_ || winds_on(*entry)) {
+        winds_ = true;
+        if (entry->place.distance > kSame)
+            extrude(Role::lift, {*at_, at_height(entry->place.point, at_->z)}, {kThin * r.width}, emit);
+        return entry;
+    }
+    if (ramps(*entry)) {
+        begin_ramp(*entry, emit);
+        return entry;
+    }
+    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
+    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
-}
-
-// A connector outside everything printed to whichever of the front region's four extreme places makes it the shortest.
-std::optional<Linker::Entry> Linker::go_around(const Emit& emit) {
-    const auto& r = window_.front();
-    if (!may_climb_ || !last_) return std::nullopt;
-    Box2 box = printed_.bounds();
-    box.add(r.index.bounds().lo), box.add(r.index.bounds().hi);
-    const auto free = [&](Vec3 a, Vec3 b) {
-        return a == *at_ ? leads_out(a, b, *last_, true) : leads_out(a, b, r.index, false);
-    };
-    std::optional<std::vector<Vec3>> best;
-    std::optional<Entry> entry;
-    for (const Place& p : r.index.extremes()) {
-        if (!r.paths.curves[p.curve].closed) continue;
-        auto way = around(box, 2 * r.width, *at_, at_height(p.point, r.paths.z), free);
-        if (way && (!best || length(*way) < length(*best))) best = std::move(way), entry = Entry{p};
-    }
-    if (!best) return std::nullopt;
-    ++counts_.connectors;
-    counts_.connector_length += length(*best);
-    printed_.begin(); // the two ends of a connector are two bodies
-    extrude(Role::connector, std::move(*best), {r.width}, emit);
-    return entry;
-}
-
-// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
-bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const {
-    const auto& r = window_.front();
-    return is_free(own, a.xy(), b.xy(), kMargin, kEnds, 0) &&
-           !printed_.blocks(a, b, a.z - r.paths.height / 2, 2 * r.width, leaves);
 }
 
 // The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.
@@ -84,16 +64,21 @@ int Linker::rank_above(Vec2 p, int least, double reach) const {
     return k < least ? 0 : k;
 }
 
-// Whether p, on the layer of the front region, has a straight way out of the part.
+// Whether p, on the layer of the front region, has a straight way out of the part, or over to the next region.
 bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
     const auto& r = window_.front();
-    Box2 box = printed_.bounds();
-    box.add(own.bounds().lo), box.add(own.bounds().hi);
+    if (options_.connect == Connect::inside) {
+        const auto next = nearest_entry(window_[1], p, std::numeric_limits<double>::infinity(), {});
+        return next && is_free(own, p, next->place.point, kMargin, kEnds, 0);
+    }
+    const Box2 box = all_bounds();
     const double m = 2 * r.width;
     const Vec3 a = at_height(p, r.paths.z);
     const std::array<Vec2, 4> ends{
         {{box.lo.x - m, p.y}, {box.hi.x + m, p.y}, {p.x, box.lo.y - m}, {p.x, box.hi.y + m}}};
-    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) { return leads_out(a, at_height(b, a.z), own, true); });
+    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) {
+        return leads_out(a, at_height(b, a.z), own, true) && misses_others(a, at_height(b, a.z), false);
+    });
 }
 
 // Whether the next region can be reached from the end of the front region's last bead.
@@ -115,7 +100,8 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead,
     }
     const SegmentIndex index(curves);
     const bool above = next_ == Next::above;
-    return strip_route(lines, curves, index, bead.points.back(), window_.front().width, kStrips,
+    const auto strips = std::span(kStrips).first(above ? kStrips.size() : 1); // whoever leaves the region needs room
+    return strip_route(lines, curves, index, bead.points.back(), window_.front().width, strips,
                        above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
                            return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
                        });

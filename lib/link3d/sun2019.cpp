@@ -78,7 +78,8 @@ void Sun2019Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start
         if (way.back() != to) way.push_back(to);
         go(r, Role::lift, std::move(way), {width}, emit);
     } else {
-        auto way = around(box_, kMargin * width, *at_, to, [](Vec3, Vec3) { return true; });
+        const auto unchecked = [](Vec3, Vec3) { return true; };
+        auto way = around(box_, kMargin * width, *at_, to, unchecked, unchecked);
         ++counts_.connectors;
         counts_.connector_length += length(*way);
         go(r, Role::connector, std::move(*way), {width}, emit);

@@ -144,3 +144,33 @@ figure() { metrics "$1" | sed -n "s/^  $2  *\([0-9.]*\).*/\1/p" | head -1; }
     run link3d --interlace often part.paths -o part.toolpath
     [ "$status" -eq 2 ]
 }
+
+@test "connectors join two towers in one stroke, and say what is to be trimmed" {
+    box one 0 0 0 4 4 1 > part.stl
+    box two 12 0 0 16 4 1 >> part.stl
+    paths --order layers
+    run --separate-stderr link3d --connect outside part.paths -o outside.toolpath
+    [ "$status" -eq 0 ]
+    [[ "$stderr" == *"connector to be trimmed: 5 cases"* ]]
+    program outside.toolpath
+    [ "$(stops)" -eq 0 ]
+    [ "$(figure outside.toolpath 'joins by connector')" -eq 5 ]
+    link3d --connect inside part.paths -o inside.toolpath
+    program inside.toolpath
+    [ "$(stops)" -eq 0 ]
+    [ "$(figure inside.toolpath 'joins by connector')" -eq 0 ]
+    run link3d --connect around part.paths
+    [ "$status" -eq 2 ]
+}
+
+@test "ramps lose no stroke and no material" {
+    box plate 0 0 0 12 12 3 > part.stl
+    paths
+    link3d part.paths -o plain.toolpath
+    link3d --lift ramp part.paths -o ramp.toolpath
+    program ramp.toolpath
+    [ "$(stops)" -eq 0 ]
+    [ "$(figure ramp.toolpath crossings)" -eq 0 ]
+    plain=$(figure plain.toolpath volume) ramp=$(figure ramp.toolpath volume)
+    [ "$(echo "$ramp > 0.995 * $plain && $ramp < 1.005 * $plain" | bc)" -eq 1 ]
+}

@@ -186,26 +186,6 @@ TEST(Linker, TravelsOverWhatIsPrinted) {
     EXPECT_NEAR(top, 0.8, 1e-9) << "nothing can be in the way of no head";
 }
 
-TEST(Linker, ConnectsOutsideThePart) {
-    std::vector<RegionPaths> regions;
-    for (std::uint32_t layer = 0; layer < 6; ++layer)
-        for (std::uint32_t k = 0; k < 2; ++k) {
-            const bool second = (layer + k) % 2 == 1;
-            const Join join = layer + k == 0 ? Join::start : k == 0 ? Join::vertical : Join::beside;
-            regions.push_back(region(2 * layer + k, layer, join, {rings({second ? 12.0 : 0.0, 0}, 2, 4)}));
-        }
-    auto r = link(regions);
-    check(regions, r);
-    EXPECT_EQ(r.counts.breaks, 6U);
-    EXPECT_TRUE(r.notes.empty()) << "a break is what was asked for";
-    Options outside;
-    outside.connect = Connect::outside;
-    r = link(regions, outside);
-    check(regions, r);
-    EXPECT_EQ(r.counts.connectors, 6U);
-    EXPECT_EQ(r.counts.strokes, 1U);
-}
-
 // A region that breaks into pieces leaves bodies without an extent: they are nowhere.
 TEST(Printed, IgnoresBodiesWithNothingInThem) {
     Printed printed;
