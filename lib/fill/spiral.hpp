@@ -20,7 +20,7 @@ struct SpiralOptions {
 struct Spiral {
     std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
     double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
-    Note open;                           // of it, what a least radius leaves open
+    Note open{"", "left open for the least radius", 0, "mm2", 0}; // of it
 };
 
 // Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls

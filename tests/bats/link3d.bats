@@ -71,11 +71,11 @@ stops() {
 }
 
 @test "without reach only what touches is joined" {
-    # pillars of one small ring each, which lies between two lines of the plate
+    # pillars of one small ring each, which lies between two rings of the plate: at 3 and 3.4 mm from its side
     box plate 0 0 0 12 12 0.6 > part.stl
-    box near 3.21 5.6 0.6 3.99 6.4 3 >> part.stl
-    box far 8.01 5.6 0.6 8.79 6.4 3 >> part.stl
-    paths
+    box near 2.95 5.5 0.6 3.45 6.0 3 >> part.stl
+    box far 8.55 5.5 0.6 9.05 6.0 3 >> part.stl
+    slice part.stl | regions | sequence | fill --pattern contour > part.paths
     run --separate-stderr link3d --reach 0 part.paths -o part.toolpath
     [ "$status" -eq 0 ]
     [[ "$stderr" == *"join broken"* ]]

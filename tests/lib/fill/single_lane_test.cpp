@@ -142,7 +142,7 @@ TEST(SingleLane, RandomRegionsKeepOneSoundCurve) {
             EXPECT_NEAR(laid(single.curves) / laid(lanes.curves), 1, 0.03) << seed;
             opened += single.curves[0].closed ? 0 : 1;
         }
-    EXPECT_GT(opened, 5U);
+    EXPECT_GT(opened, 2U);
 }
 
 } // namespace
