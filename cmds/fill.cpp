@@ -14,14 +14,25 @@ constexpr const char* kDescription =
     "Lays bead lines into each connected region and hands it on, in the order it came. The default pattern is a "
     "spiral: one closed curve per region that never crosses itself. Nested rings follow the outline at one bead width; "
     "where a wall is no multiple of it, the rings next to its middle share the difference; where a wall is thinner "
-    "than a bead, two narrower lanes run along it, there and back. Neighbouring rings are then joined along a spanning "
-    "tree, each pair by two short links across facing gaps. With --method sun2019 the spiral is built as in the 2019 "
+    "than a bead, two narrower lanes run along it, there and back. Stacks of rings are then joined as double spirals, "
+    "whatever is left by pairs of short links, and corners and turns are rounded, so that sharp turns are left only at "
+    "the ends of walls, at centres and where rings branch. With --method sun2019 the spiral is built as in the 2019 "
     "paper, unrepaired, to compare.\n\n"
     "zigzag and spiral+zigzag (rings outside, rows inside) also give one closed curve per region. contour and "
     "contour+zigzag leave the rings apart; rectilinear lays separate lines, like an ordinary slicer.\n\n"
+    "scaffold leaves pores: strands at --spacing, of each region one open curve that turns round half a bead inside "
+    "the "
+    "outline, and that begins where the layer below ended. Holes and notches that interrupt strands are passed along "
+    "the boundary; where that passes a turn again, both share one bead's width. With --rings, rings around them belong "
+    "to the same curve. Strands of a column stay in line from layer to layer, centred in its first region.\n\n"
     "Every bead carries its width, point by point: width times layer height times length is what the machine will "
     "extrude. Whatever no bead reaches (corners, tips) is summed in each region's frame as unplaced area; beads "
     "narrower than --min-width are laid all the same and reported.";
+
+constexpr const char* kThin =
+    "walls of a spiral thinner than a bead: two lanes, there and back; there at half the layer's height and back on "
+    "top, "
+    "where lanes would be below --min-width; or a single pass, where the curve may have two ends for it";
 
 cli::Spec spec(fill::Options& o) {
     using cli::Option;
@@ -32,29 +43,57 @@ cli::Spec spec(fill::Options& o) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::paths),
         .memory = "one region per thread",
-        .options = {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
-                    Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
-                    Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
-                    Option{"min-width", &o.min_width, "MM",
-                           "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
-                        .at_least(0),
-                    Option{"angles", &o.angles_deg, "DEG,...",
-                           "angles of straight rows from the x axis, layer after layer, over and over"},
-                    Option{
-                        "rings", &o.rings, "N",
-                        "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
-                        .at_least(-1)
-                        .at_most(1e6),
-                    Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
-                        .at_least(1)
-                        .at_most(4)},
+        .options =
+            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
+             Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
+             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
+             Option{"min-width", &o.min_width, "MM",
+                    "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
+                 .at_least(0),
+             Option{"thin", &o.thin, "", kThin}.one_of({"lanes", "half-height", "single"}),
+             Option{"min-radius", &o.min_radius, "MM",
+                    "rings of the spiral turn no tighter; what that leaves open and where it turns tighter is reported"}
+                 .at_least(0)
+                 .at_most(1000),
+             Option{"angles", &o.angles_deg, "DEG,...",
+                    "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
+                    "0,90 of a scaffold"},
+             Option{"spacing", &o.spacing, "MM",
+                    "scaffold: from strand to strand, centre to centre; 0: two and a half bead widths"}
+                 .at_least(0)
+                 .at_most(1e6),
+             Option{"stagger", &o.stagger, "SPACINGS",
+                    "scaffold: how far the strands of every other round of angles are shifted"}
+                 .at_least(0)
+                 .at_most(1),
+             Option{"rings", &o.rings, "N",
+                    "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
+                 .at_least(-1)
+                 .at_most(1e6),
+             Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
+                 .at_least(1)
+                 .at_most(4),
+             Option{"start-shift", &o.start_shift, "MM",
+                    "sun2019: how far the start moves along the outer contour from layer to layer"}
+                 .at_least(0)
+                 .at_most(1e6)},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
-                      "rows, turned by 90 degrees from layer to layer"}},
+                      "rows, turned by 90 degrees from layer to layer"},
+                     {"slice part.stl | regions | sequence | fill --pattern scaffold --spacing 1 > part.paths",
+                      "a porous scaffold: strands 1 mm apart, 0/90"}},
         .see_also = {"sequence", "link3d", "metrics"}};
 }
 
 void run(const fill::Options& options, const cli::Io& io) {
+    if (options.pattern == "scaffold") {
+        fill::strand_spacing(options);
+        fill::Before before;
+        const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
+            emit(wire::frame(fill::fill_scaffold(wire::region(frame), options, before, notes)));
+        };
+        return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
+    }
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
         return std::vector{wire::frame(fill::fill(wire::region(frame), options, notes))};
     });

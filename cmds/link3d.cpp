@@ -1,75 +1,96 @@
 // link3d - curves to one toolpath
 // reads:  Paths
 // writes: Toolpath
-// memory: the regions it looks ahead
+// memory: the regions it looks ahead; all of them with --connect outside or --links sun2019
 #include "cli/command.hpp"
+#include "cli/head_options.hpp"
 #include "link3d/linker.hpp"
+#include "link3d/sun2019.hpp"
 #include "wire/planar.hpp"
 
 namespace {
 
 using namespace filum;
 
+constexpr const char* kDescription =
+    "Cuts every closed curve open where it is entered, and joins curves, regions and layers to strokes: stretches that"
+    " a machine prints without stopping.\n\n"
+    "Regions are printed in the order in which they arrive. Where `sequence` says that a region continues the one "
+    "below it, the nozzle rises on the spot and reaches the nearest place of the next curve by a short jog, at half a "
+    "bead's width, which crosses no bead. If the next curve is out of reach, a lane is laid before, from the end of "
+    "the curve along the middle of the strip between two of its beads, to where the next region is in reach; both "
+    "beads beside it are thinned so that the amount of material stays the same. Entries drift towards where the part "
+    "goes, within reach, as far as the regions are known, so that lanes stay rare.\n\n"
+    "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and crosses no "
+    "bead. What cannot be joined is a break: the nozzle travels, level, or over what the head would meet.\n\n"
+    "With --interlace, the starts of neighbouring layers are at least three bead widths apart: a lane of a few widths "
+    "leads from the end of each layer to beneath the start of the next, at two places in turn, spread by the golden "
+    "section, or at random; with --seam inside only to where beads on both sides hide them. A start that cannot move "
+    "is reported. Open curves begin at their two ends in turn by themselves.\n\n"
+    "With --lift ramp, a layer begins by rising along its curve, at most 1 in 20 and over five beads or more, as thick"
+    " as the gap below, and its end lies over that ramp with what is missing there: no blob, and the next layer begins"
+    " further on by itself. With --lift helical, z rises all along each layer of a column whose one curve lies on the "
+    "one below, and the last turn is flat; others get ramps.\n\n"
+    "A region in another place is reached by a break, or, with --connect outside, by a connector around everything "
+    "printed, to be trimmed later: thin at both ends, where it is to break off, and on the same way in all layers, so "
+    "that they stack to a fin. With --connect inside, a region of the same layer is reached by a thin strand straight "
+    "over. Either must cross nothing, and the head must meet nothing; else there is a break, which is reported.\n\n"
+    "--links sun2019 links as in the 2019 paper, to compare: closed curves begin on the main axis of their points, "
+    "layers and parts are linked straight or around the box of all, unchecked.";
+
 struct Options {
-    double reach = link3d::Options{}.reach;
-    std::int64_t look_ahead = link3d::Options{}.look_ahead;
-    std::string connect = "break", seam = "nearest";
+    link3d::Options link; // what needs no name
+    link3d::Names names;
+    std::string links = "free";
+    link3d::Sun2019Options sun2019;
+    machine::HeadChoice head;
 };
+
+std::vector<cli::Option> options(Options& o) {
+    using cli::Option;
+    return {
+        Option{"reach", &o.link.reach, "WIDTHS",
+               "the longest jog, in bead widths; a climb takes at most one; 0 joins only what touches"}
+            .at_least(0)
+            .at_most(10),
+        Option{"look-ahead", &o.link.look_ahead, "REGIONS", "how many regions are read before one is printed"}
+            .at_least(1)
+            .at_most(1000),
+        Option{"connect", &o.names.connect, "", "what joins a region to one that is not below it"}.one_of(
+            {"break", "inside", "outside"}),
+        Option{"strand", &o.names.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
+            .one_of({"free", "carried"}),
+        Option{"seam", &o.names.seam, "", "where a stroke begins: nearest to the last, or inside"}.one_of(
+            {"nearest", "inside"}),
+        Option{"lift", &o.names.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
+            .one_of({"plain", "ramp", "helical"}),
+        Option{"interlace", &o.names.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
+            {"none", "alternate", "golden", "random"}),
+        Option{"seed", &o.link.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
+        Option{"alternate-direction", &o.link.alternate_direction, "",
+               "every second layer runs the other way (the default; =false for none)"},
+        Option{"links", &o.links, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
+            {"free", "sun2019"}),
+        Option{"start-shift", &o.sun2019.start_shift, "MM", "sun2019: way of starts from layer to layer"}.at_least(0)};
+}
 
 cli::Spec spec(Options& o) {
     return {
         .name = "link3d",
         .synopsis = "curves to one toolpath",
-        .description =
-            "Cuts every closed curve open where it is entered, and joins curves, regions and layers to strokes: "
-            "stretches "
-            "that a machine prints without stopping.\n\n"
-            "Regions are printed in the order in which they arrive. Where `sequence` says that a region continues the "
-            "one "
-            "below it, the nozzle rises on the spot and reaches the nearest place of the next curve by a short jog, at "
-            "half a bead's width, which crosses no bead. If the next curve is out of reach, a lane is laid before, "
-            "from "
-            "the end of the curve along the middle of the strip between two of its beads, to where the next region is "
-            "in "
-            "reach; both beads beside it are thinned so that the amount of material stays the same. Entries drift "
-            "towards where the part goes, within reach, as far as the regions are known, so that lanes stay rare.\n\n"
-            "Several curves of a region are printed nearest first, and joined by a jog if that is within reach and "
-            "crosses no bead. Whatever cannot be joined is a break: the nozzle travels, level, or over what the head "
-            "would meet on the way. Retraction and lift are added by `postproc`.\n\n"
-            "A region in another place can be reached by a connector outside everything printed, to be trimmed later. "
-            "It needs a straight way out of the one region and into the other; where there is none, there is a break. "
-            "A "
-            "join that the input asks for and that becomes a break is reported.",
+        .description = kDescription,
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the regions it looks ahead",
-        .options = {cli::Option{"reach", &o.reach, "WIDTHS",
-                                "the longest jog, in bead widths; a climb to the next layer takes at most one; 0 joins "
-                                "only what touches"}
-                        .at_least(0)
-                        .at_most(10),
-                    cli::Option{"look-ahead", &o.look_ahead, "REGIONS",
-                                "how many regions are read before one is printed"}
-                        .at_least(1)
-                        .at_most(1000),
-                    cli::Option{"connect", &o.connect, "", "what joins a region to one that is not below it"}.one_of(
-                        {"break", "outside"}),
-                    cli::Option{"seam", &o.seam, "",
-                                "where a stroke begins: nearest to the one before, or inside the part"}
-                        .one_of({"nearest", "inside"})},
+        .memory = "the regions it looks ahead; all of them with --connect outside or --links sun2019",
+        .options = cli::with(options(o), cli::head_options(o.head)),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
-                      "with connectors around the part instead of stops"}},
+                      "around the part instead of stops"}},
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
-void run(const Options& o, const cli::Io& io) {
-    link3d::Options options;
-    options.reach = o.reach;
-    options.look_ahead = static_cast<std::uint32_t>(o.look_ahead);
-    options.connect = o.connect == "outside" ? link3d::Connect::outside : link3d::Connect::stop;
-    options.seam = o.seam == "inside" ? link3d::Seam::inside : link3d::Seam::nearest;
-    link3d::Linker linker(options);
+template <class Linker>
+void link(Linker linker, const cli::Io& io) {
     const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
     cli::scan_stage(
         io, stream::Payload::paths, stream::Payload::toolpath,
@@ -83,6 +104,16 @@ void run(const Options& o, const cli::Io& io) {
                 emit({stream::Tag::fact, stream::serialise(fact)});
             }
         });
+}
+
+void run(const Options& o, const cli::Io& given) {
+    if (o.links == "sun2019") return link(link3d::Sun2019Linker(o.sun2019), given);
+    cli::Io io = given;
+    link3d::Options how = link3d::named(o.link, o.names);
+    how.head = machine::head(o.head);
+    for (const auto& [name, value, changed] : machine::settings(how.head))
+        io.settings.push_back({name, value, changed});
+    link(link3d::Linker(how), io);
 }
 
 } // namespace

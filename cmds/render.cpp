@@ -63,6 +63,8 @@ cli::Spec spec(render::Options& o) {
 stream::Payload load(const std::string& file, stream::Payload expected, render::Range range, render::Scene& scene,
                      std::size_t& seen) {
     stream::Reader reader(file, expected);
+    if (reader.header().payload == stream::Payload::surface)
+        throw Error(Exit::bad_input, "cannot draw " + reader.name() + ": it carries a Surface; see 'peek'");
     while (auto f = reader.next()) {
         seen += f->tag == stream::tag_of(reader.header().payload) ? 1 : 0;
         if (f->tag == stream::Tag::span)

@@ -5,7 +5,9 @@
 #include "sequence/sequence.hpp"
 #include "base/number.hpp"
 #include "cli/command.hpp"
-#include "sequence/head.hpp"
+#include "cli/head_options.hpp"
+#include "machine/head.hpp"
+#include "sequence/budget.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -14,14 +16,10 @@ using namespace filum;
 
 struct Options {
     std::string order = "columns";
-    sequence::HeadChoice head;
-    std::int64_t budget = 100;
+    machine::HeadChoice head;
+    std::string budget = "600", ends;
     bool report = false;
 };
-
-cli::Option length(const char* name, std::vector<double>& to, const char* unit, const char* help) {
-    return cli::Option{name, &to, unit, help}.at_least(0).numbers(1).not_a_setting();
-}
 
 cli::Spec spec(Options& o) {
     return {
@@ -34,35 +32,28 @@ cli::Spec spec(Options& o) {
             "another one catches up. To go layer by layer is always possible; the result is never worse than that.\n\n"
             "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
             "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"
-            "Strokes are the climbs without a stop. How few are possible is hard to know in general: searches of "
-            "growing "
-            "width are made until one is proven best or --budget is used up. The order, the strokes and the joins are "
-            "written into the regions. The number of strokes, a lower bound that no order can beat under the same head "
-            "(lower-bound), the least by the links alone (path-cover), and what going layer by layer needs at least "
-            "(layer-floor) travel with the stream and are printed with --report.",
+            "Strokes are the climbs without a stop. How few are possible is hard to know in general: orders are "
+            "searched and lower bounds proven in turns until they meet or --budget is used up. The order, the strokes "
+            "and the joins are written into the regions. What is known of them travels with the stream and is printed "
+            "with --report: the strokes; the best lower bound, which no order can beat under the same head "
+            "(lower-bound), and what proved it; the gap between the two in percent of the strokes; the least by the "
+            "links alone (path-cover) and layer by layer (layer-floor); how many strokes end for which cause.\n\n"
+            "The causes are: top, no link leads on; taken, the region ahead continues another stroke; support, it also "
+            "rests on a region that is printed later; tip, cone, carriage, gantry, this part of the head would touch a "
+            "region that is printed later; open, the order goes on elsewhere. --ends lists every end with its place, "
+            "the region ahead, the one it waits for, how far that is below and how far aside.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole graph",
-        .options = {cli::Option{"order", &o.order, "ORDER", "climb columns, or go layer by layer"}.one_of(
-                        {"columns", "layers"}),
-                    cli::Option{"head", &o.head.name, "HEAD",
-                                "ordinary, none, or the head of a machine profile: its name or file"}
-                        .not_a_setting(),
-                    length("flat-radius", o.head.flat_radius, "MM",
-                           "radius of the flat at the tip; the ordinary head's is 0.2"),
-                    length("cone-angle", o.head.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60")
-                        .at_most(175),
-                    length("cone-height", o.head.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),
-                    length("carriage", o.head.carriage, "MM,MM",
-                           "size of the carriage around the nozzle; ordinary 40,40")
-                        .numbers(2),
-                    length("gantry-height", o.head.gantry_height, "MM",
-                           "height of the gantry above the tip, 0 for out of reach; ordinary 0"),
-                    cli::Option{"budget", &o.budget, "MILLIONS",
-                                "steps that the search may take, about 5 ms per million"}
-                        .at_least(0)
-                        .at_most(1e6),
-                    cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting()},
+        .options = cli::with(
+            cli::with({cli::Option{"order", &o.order, "ORDER",
+                                   "climb columns, go layer by layer, or do so as in the 2019 paper"}
+                           .one_of({"columns", "layers", "sun2019"})},
+                      cli::head_options(o.head)),
+            {cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
+                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"},
+             cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
+             cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},
@@ -74,27 +65,34 @@ cli::Spec spec(Options& o) {
 
 void run(const Options& o, const cli::Io& given) {
     cli::Io io = given;
+    sequence::Options options;
+    options.head = machine::head(o.head);
+    for (const auto& [name, value, changed] : machine::settings(options.head))
+        io.settings.push_back({name, value, changed});
+    options.by_layers = o.order != "columns";
+    options.sun2019 = o.order == "sun2019";
+    options.budget = sequence::budget(o.budget);
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions, [&](stream::RawFrame frame) {
         regions.push_back(wire::region(frame));
         frames.push_back(std::move(frame));
     });
-    sequence::Options options;
-    options.head = sequence::head(o.head);
-    for (const auto& [name, value] : sequence::settings(options.head)) io.settings.push_back({name, value});
-    options.by_layers = o.order == "layers";
-    options.budget = static_cast<std::uint64_t>(o.budget) * 1'000'000;
     auto result = sequence::sequence(std::move(regions), options);
 
     whole.header.expected = frames.size();
     stream::Writer writer(io.output, cli::header(io, stream::Payload::regions, {&whole.header}));
     for (const auto& note : whole.notes) writer.write(note);
     for (const auto& fact : whole.facts) writer.write(fact);
-    for (auto& fact : result.facts) {
-        fact.stage = io.program;
-        writer.write(fact);
+    for (const auto& fact : result.facts) {
+        writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
         if (o.report) io.say(fact.name + " " + fixed_text(fact.value, 4));
+    }
+    if (o.report) io.say("bound-by " + result.bound_by);
+    if (!o.ends.empty()) {
+        stream::Sink table(o.ends, stream::Sink::Content::text);
+        table.write(sequence::table(result.graph, result.ends));
+        table.commit();
     }
     for (std::size_t i = 0; i < result.order.size(); ++i) {
         const auto frame = std::move(frames[result.order[i]]);

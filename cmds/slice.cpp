@@ -22,12 +22,12 @@ struct Options {
 };
 
 constexpr const char* kDescription =
-    "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer. The kind of file is "
-    "recognised by its content: STL (binary or ASCII), OBJ, PLY (ASCII or binary), OFF, 3MF with its unit, components "
+    "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer; a face level "
+    "with that counts as below it. The kind of file is recognised by its content: STL (binary or ASCII), OBJ, PLY "
+    "(ASCII or binary), OFF, 3MF with its unit, components "
     "and build items.\n\n"
     "The part is scaled, turned, moved, centred and set on the bed, in this order. It gets round(height / layer "
-    "height) "
-    "layers, at least one; a part lower than half a layer is an error.\n\n"
+    "height) layers, at least one, half a layer rounded down; a part lower than half a layer is an error.\n\n"
     "Bodies that overlap, touch or are a hairline apart become one solid; a shell that faces inwards within another "
     "stays a cavity. Flipped triangles are turned round, gaps in contours closed, contours led straight across holes "
     "in "

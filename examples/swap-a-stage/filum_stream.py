@@ -1,7 +1,7 @@
 """Filum streams in Python: what docs/stream.md says, and no more.
 
 Needs Debian's python3-protobuf, and the messages as Python:
-    protoc --python_out=DIR -I proto filum/stream.proto filum/planar.proto
+    protoc --python_out=DIR -I proto filum/stream.proto filum/planar.proto filum/surface.proto
 """
 import os
 import struct

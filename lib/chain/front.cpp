@@ -57,6 +57,7 @@ std::string print_help(const std::vector<Stage>& stages) {
                       "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
     for (const auto& s : stages) out += (&s == stages.data() ? " " : " | ") + s.name;
     out += "\n\nAn option goes to every stage that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
+           "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
            "If a stage fails, the exit code is its own, and a file named by --output does not appear.\n\n"
            "  -o, --output FILE   where to write\n  -q, --quiet         no warnings\n"
            "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";

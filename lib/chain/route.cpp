@@ -62,6 +62,30 @@ bool give(const Word& word, const std::vector<Stage>& stages, std::vector<Given>
 
 } // namespace
 
+namespace {
+
+const std::string* last(const Given& given, const std::string& start) {
+    for (const auto* list : {&given.own, &given.all})
+        for (auto word = list->rbegin(); word != list->rend(); ++word)
+            if (word->starts_with(start)) return &*word;
+    return nullptr;
+}
+
+// Stages that keep clear of a head take that of the machine, unless they are told another.
+void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
+    const std::string machine = "--machine=";
+    const std::string* word = nullptr;
+    for (const Given& g : to)
+        if (const auto* found = last(g, machine)) word = found;
+    if (word == nullptr) return;
+    const std::string name = word->substr(machine.size());
+    for (std::size_t s = 0; s < stages.size(); ++s)
+        if (find(stages[s], "head") != nullptr && last(to[s], "--head=") == nullptr)
+            to[s].all.push_back("--head=" + name);
+}
+
+} // namespace
+
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Request out;
     std::vector<Given> given(stages.size());
@@ -93,6 +117,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
             has_input = true;
         }
     }
+    hand_on_machine(stages, given);
     for (Given& g : given) {
         g.all.insert(g.all.end(), g.own.begin(), g.own.end());
         out.arguments.push_back(std::move(g.all));

@@ -1,5 +1,7 @@
 #include "fill/cycle.hpp"
 
+#include "fill/double_spiral.hpp"
+#include "fill/links.hpp"
 #include "fill/ring_graph.hpp"
 #include "polygon/segments.hpp"
 
@@ -12,6 +14,8 @@ namespace {
 
 constexpr double kReach = 2.2;       // bead widths: neighbours are nearer (Lemma 2: at most 2)
 constexpr double kLongestLink = 2.4; // bead widths
+constexpr double kPlaces = 8;        // along a ring, where strips are looked for
+constexpr std::size_t kTries = 4;    // of them, the best, are tried
 constexpr double kSpeck = 0.0125;    // bead widths: shorter segments could cross their neighbours once rounded
 
 // Two rings facing each other at one place.
@@ -33,6 +37,10 @@ struct Bridge {
         if (parallel) return k == 0 ? geom::Segment{begin[0], begin[1]} : geom::Segment{end[0], end[1]};
         return k == 0 ? geom::Segment{begin[0], end[1]} : geom::Segment{end[0], begin[1]};
     }
+    [[nodiscard]] Splice splice() const {
+        return {{{ring[0], s0[0], s1[0]}, {ring[1], s0[1], s1[1]}},
+                {{{0, false}, {1, !parallel}, {}}, {{0, true}, {1, parallel}, {}}}};
+    }
 };
 
 class Forest { // disjoint sets of rings
@@ -53,25 +61,6 @@ class Forest { // disjoint sets of rings
     std::size_t groups_;
 };
 
-// The windows in use on each ring.
-class Windows {
-  public:
-    explicit Windows(const RingGraph& graph) : graph_(&graph), used_(graph.size()) {}
-    [[nodiscard]] bool free(std::uint32_t ring, double s0, double s1) const {
-        const double l = graph_->length(ring);
-        if (s1 - s0 > 0.6 * l) return false;
-        for (const auto& [a, b] : used_[ring])
-            for (const double shift : {-l, 0.0, l})
-                if (s0 + shift < b && a < s1 + shift) return false;
-        return true;
-    }
-    void take(std::uint32_t ring, double s0, double s1) { used_[ring].emplace_back(s0, s1); }
-
-  private:
-    const RingGraph* graph_;
-    std::vector<std::vector<std::pair<double, double>>> used_;
-};
-
 // The line without segments shorter than `least`, but never with fewer than three points.
 ClosedLine without_specks(const ClosedLine& line, double least) {
     ClosedLine out;
@@ -89,9 +78,10 @@ class Joiner {
   public:
     Joiner(const BeadRings& rings, double width, const Loops& outline)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), forest_(graph_.size()), windows_(graph_) {}
+          width_(width), forest_(graph_.size()), splices_(graph_), links_(1.5 * width) {}
 
-    std::vector<ClosedLine> run() {
+    std::vector<ClosedLine> run(bool spirals) {
+        if (spirals) wind();
         // few samples first: most rings face their neighbours all the way round
         for (const double samples : {8.0, 64.0, 1024.0}) {
             if (forest_.groups() <= 1) break;
@@ -107,6 +97,60 @@ class Joiner {
     }
 
   private:
+    // Double spirals wherever three rings or more that are still apart run side by side.  From the outside in, so that
+    // most begin at an outline and end at a centre.
+    void wind() {
+        std::vector<char> wound(graph_.size(), 0);
+        for (std::uint32_t r = 0; r < graph_.size() && forest_.groups() > 1; ++r) {
+            if (wound[r]) continue;
+            const auto splice = best_spiral(r);
+            if (!splice) continue;
+            for (const Window& w : splice->windows) forest_.unite(r, w.ring), wound[w.ring] = 1;
+            for (const Link& l : splice->links) links_.push_back({rim(*splice, l.from), rim(*splice, l.to)});
+            splices_.add(*splice);
+        }
+    }
+
+    [[nodiscard]] Vec2 rim(const Splice& splice, Rim r) const {
+        const Window& w = splice.windows[r.window];
+        return graph_.at(w.ring, r.end ? w.s1 : w.s0);
+    }
+
+    // The one of most lanes across ring r among a few places.
+    [[nodiscard]] std::optional<Splice> best_spiral(std::uint32_t r) {
+        const double l = graph_.length(r);
+        const auto n = static_cast<int>(std::clamp(l / (2 * width_), 1.0, kPlaces));
+        std::vector<Lanes> found;
+        for (int k = 0; k < n; ++k) {
+            std::vector<std::uint32_t> roots{forest_.root(r)};
+            found.push_back(lanes_across(graph_, r, l * (k + 0.5) / n, k % 2 == 0, width_, [&](std::uint32_t other) {
+                const std::uint32_t root = forest_.root(other);
+                if (std::find(roots.begin(), roots.end(), root) != roots.end()) return false;
+                roots.push_back(root);
+                return true;
+            }));
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Lanes& a, const Lanes& b) { return a.lane.size() > b.lane.size(); });
+        const Room room{[&](std::uint32_t ring, double s0, double s1) { return splices_.free(ring, s0, s1); },
+                        [&](Vec2 a, Vec2 b) {
+                            return clear({a, b});
+                        }};
+        std::optional<Splice> best;
+        for (std::size_t k = 0; k < std::min(found.size(), kTries); ++k) {
+            if (best && best->windows.size() >= found[k].lane.size()) break;
+            auto splice = double_spiral(graph_, found[k], width_, room);
+            if (splice && (!best || splice->windows.size() > best->windows.size())) best = std::move(splice);
+        }
+        return best;
+    }
+
+    // Whether neither the outline nor a link is in the way of this one.
+    [[nodiscard]] bool clear(const geom::Segment& l) const {
+        if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
+        return !links_.any_nearer(l, 0.1 * width_);
+    }
+
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
     std::vector<Candidate> candidates(double samples) {
         std::vector<Candidate> out;
@@ -148,9 +192,8 @@ class Joiner {
             Bridge b;
             const double window = half * c.bead; // the links are beads, too, and as wide as those they join
             if (!make(c, window, b) || !fits(b, window)) continue;
-            for (const int k : {0, 1}) windows_.take(b.ring[k], b.s0[k], b.s1[k]);
+            splices_.add(b.splice());
             for (const int k : {0, 1}) links_.push_back(b.link(k));
-            bridges_.push_back(b);
             forest_.unite(c.ring, c.other);
         }
     }
@@ -179,98 +222,21 @@ class Joiner {
 
     [[nodiscard]] bool fits(const Bridge& b, double half) const {
         for (const int k : {0, 1})
-            if (!windows_.free(b.ring[k], b.s0[k] - half / 2, b.s1[k] + half / 2)) return false;
+            if (!splices_.free(b.ring[k], b.s0[k] - half / 2, b.s1[k] + half / 2)) return false;
         const geom::Segment u = b.link(0), v = b.link(1);
         if (geom::cross_properly(u.a, u.b, v.a, v.b)) return false;
         for (const auto& l : {u, v}) {
             if (geom::distance(l.a, l.b) > kLongestLink * width_) return false;
             // not quite to the ends, which lie on rings
             if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
-            if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; }))
-                return false;
-            for (const auto& m : links_)
-                if (geom::segment_distance(l.a, l.b, m.a, m.b) < 0.1 * width_) return false;
+            if (!clear(l)) return false;
         }
         return true;
     }
 
-    struct End {
-        std::uint32_t arc;
-        bool last; // the arc's last point, else its first
-    };
-    struct Arc {
-        std::uint32_t ring;
-        double s0, s1;
-        End next[2]; // what the links at its first and last point lead to
-    };
-
-    std::vector<Arc> cut() const {
-        // per ring the cuts in order of arc length; an arc runs from each cut to the next
-        struct Cut {
-            double s0, s1;
-            std::uint32_t bridge;
-            int side;
-        };
-        std::vector<std::vector<Cut>> cuts(graph_.size());
-        for (std::uint32_t k = 0; k < bridges_.size(); ++k)
-            for (const int side : {0, 1}) {
-                const Bridge& b = bridges_[k];
-                const double l = graph_.length(b.ring[side]), shift = std::floor(b.s0[side] / l) * l;
-                cuts[b.ring[side]].push_back({b.s0[side] - shift, b.s1[side] - shift, k, side});
-            }
-        std::vector<Arc> arcs;
-        std::vector<End> at_begin(2 * bridges_.size()), at_end(2 * bridges_.size()); // per window: its two rims
-        for (std::uint32_t r = 0; r < graph_.size(); ++r) {
-            auto& c = cuts[r];
-            std::sort(c.begin(), c.end(), [](const Cut& a, const Cut& b) { return a.s0 < b.s0; });
-            const auto first = static_cast<std::uint32_t>(arcs.size()), n = static_cast<std::uint32_t>(c.size());
-            for (std::uint32_t k = 0; k < n; ++k) {
-                const bool wraps = k + 1 == n;
-                const Cut& here = c[k];
-                arcs.push_back({r, here.s1, c[wraps ? 0 : k + 1].s0 + (wraps ? graph_.length(r) : 0), {}});
-                at_end[2 * here.bridge + static_cast<std::uint32_t>(here.side)] = {first + k, false};
-                at_begin[2 * here.bridge + static_cast<std::uint32_t>(here.side)] = {first + (k + n - 1) % n, true};
-            }
-            if (n == 0) arcs.push_back({r, 0, graph_.length(r), {{first, true}, {first, false}}});
-        }
-        const auto tie = [&](End a, End b) {
-            arcs[a.arc].next[a.last ? 1 : 0] = b;
-            arcs[b.arc].next[b.last ? 1 : 0] = a;
-        };
-        for (std::uint32_t k = 0; k < bridges_.size(); ++k) {
-            tie(at_begin[2 * k], bridges_[k].parallel ? at_begin[2 * k + 1] : at_end[2 * k + 1]);
-            tie(at_end[2 * k], bridges_[k].parallel ? at_end[2 * k + 1] : at_begin[2 * k + 1]);
-        }
-        return arcs;
-    }
-
     [[nodiscard]] std::vector<ClosedLine> trace() const {
-        const auto arcs = cut();
-        std::vector<char> seen(arcs.size(), 0);
-        std::vector<ClosedLine> out;
-        ClosedLine piece;
-        for (std::uint32_t start = 0; start < arcs.size(); ++start) {
-            if (seen[start]) continue;
-            ClosedLine line;
-            End at{start, false}; // where the next arc is entered
-            while (!seen[at.arc]) {
-                const Arc& arc = arcs[at.arc];
-                seen[at.arc] = 1;
-                piece.points.clear(), piece.width.clear();
-                graph_.append(arc.ring, arc.s0, arc.s1, piece.points, piece.width);
-                if (at.last) {
-                    std::reverse(piece.points.begin(), piece.points.end());
-                    std::reverse(piece.width.begin(), piece.width.end());
-                }
-                line.points.insert(line.points.end(), piece.points.begin(), piece.points.end());
-                line.width.insert(line.width.end(), piece.width.begin(), piece.width.end());
-                at = arc.next[at.last ? 0 : 1];
-            }
-            out.push_back(without_specks(line, kSpeck * width_));
-        }
-        std::stable_sort(out.begin(), out.end(), [](const ClosedLine& a, const ClosedLine& b) {
-            return polygon::perimeter(a.points) > polygon::perimeter(b.points);
-        });
+        auto out = splices_.trace();
+        for (ClosedLine& line : out) line = without_specks(line, kSpeck * width_);
         return out;
     }
 
@@ -280,16 +246,15 @@ class Joiner {
     double width_;
     bool stay_inside_ = true;
     Forest forest_;
-    Windows windows_;
-    std::vector<Bridge> bridges_;
-    std::vector<geom::Segment> links_;
+    Splices splices_;
+    Links links_;
 };
 
 } // namespace
 
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline) {
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline, bool spirals) {
     if (rings.loops.empty()) return {};
-    return Joiner(rings, width, outline).run();
+    return Joiner(rings, width, outline).run(spirals);
 }
 
 } // namespace filum::fill

@@ -1,27 +1,28 @@
-// Rings to one closed curve: the exchange construction (notes 3a, A3-A4).
+// Rings to one closed curve: the exchange construction and double spirals (notes 3a, A3-A5).
 #pragma once
 
 #include "fill/spacing.hpp"
+#include "fill/splices.hpp"
 
 #include <vector>
 
 namespace filum::fill {
 
-// One closed bead: its last point runs on to its first.
-struct ClosedLine {
-    std::vector<Vec2> points;
-    std::vector<double> width; // mm, per point
-};
+using ClosedLine = BeadLine; // its last point runs on to its first
 
 // Joins rings along a spanning tree.  Where two rings face each other, both give up a short window of about one bead
 // width and two links close the gap, so two closed curves become one (Lemma 1: exchange).  Windows never overlap and
 // links never cross anything, so the result does not cross itself.  Neighbours are found by true segment distance up to
 // 2.2 `width`: rings spaced `width` inside a connected erosion then always form one connected graph (Lemma 2).
 //
+// With `spirals`, stacks of three rings or more become double spirals first: two turns for all of them instead of two
+// for each pair (A5), in the order of the rings, each where the most rings lie side by side.
+//
 // No link crosses `outline` either: rings on both sides of a narrow slot are near, but not neighbours.
 //
 // Returns one curve if all rings could be joined, else one per connected group, the longest first.
 // Ties: better facing first, then the lower ring, then the earlier place on it.
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {});
+std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {},
+                                   bool spirals = false);
 
 } // namespace filum::fill

@@ -1,13 +1,18 @@
 #include "fill/fill.hpp"
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "fill/contour.hpp"
 #include "fill/rectilinear.hpp"
 #include "fill/ringed_zigzag.hpp"
+#include "fill/scaffold.hpp"
+#include "fill/single_lane.hpp"
 #include "fill/spiral.hpp"
 #include "fill/sun2019.hpp"
+#include "fill/wall_walk.hpp"
 #include "fill/zigzag.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace filum::fill {
@@ -21,15 +26,43 @@ double angle(const polygon::Region& r, const Options& o) {
 
 int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cast<int>(o.rings); }
 
+// One pass along the walls of a region that is thin all over; nothing for others.
+std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width, Notes& notes) {
+    const auto graph = wall_graph(r.loops, width);
+    if (!graph) return {};
+    WallWalk walk = wall_walk(*graph);
+    if (walk.twice > 0) notes.push_back({"", "wall laid twice", walk.twice, "mm", 1, -1, walk.at.x, walk.at.y});
+    if (walk.curves.size() > 1)
+        notes.push_back({"", "wall not joined", static_cast<double>(walk.curves.size() - 1), "curves",
+                         walk.curves.size() - 1, -1, walk.at.x, walk.at.y});
+    return std::move(walk.curves);
+}
+
+// Opens the curve of a region that has thin walls, among others, along the longest of them.
+void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve& curve, Notes& notes) {
+    const WallGraph walls = thin_walls(r.loops, width);
+    std::size_t once = walls.walls.size();
+    pass_once(curve, walls, width, once);
+    double twice = 0;
+    geom::Vec2 at;
+    for (std::size_t k = 0; k < walls.walls.size(); ++k)
+        if (k != once) twice += walls.walls[k].length, at = walls.walls[k].line.front();
+    if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
+}
+
 std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, double& unplaced, Notes& notes) {
     const double w = o.bead_width;
     if (o.pattern == "spiral" && o.method == "cyc") {
-        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = o.min_width > 0 ? o.min_width : w / 4}, notes);
+        if (o.thin == "single")
+            if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
+        const double least = o.min_width > 0 ? o.min_width : w / 4;
+        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least, .min_radius = o.min_radius}, notes);
         unplaced = s.unplaced;
+        if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
         return std::move(s.curves);
     }
     if (o.pattern == "spiral" && o.method == "sun2019")
-        return sun2019(r.loops, {.offset = w, .threshold = o.threshold}, notes);
+        return sun2019(r.loops, {.offset = w, .threshold = o.threshold, .start_shift = o.start_shift * r.layer}, notes);
     if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)}, notes);
     if (o.pattern == "zigzag") return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o)}, notes);
     if (o.pattern == "rectilinear")
@@ -42,18 +75,89 @@ std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, 
     throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "' and method '" + o.method + "'");
 }
 
-} // namespace
-
-toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
+toolpath::RegionPaths paths_of(const polygon::Region& r) {
     toolpath::RegionPaths out;
     out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
     out.stroke = r.stroke, out.join = r.join;
-    const std::size_t before = notes.size();
-    out.curves = curves(r, o, out.unplaced, notes);
-    for (std::size_t i = before; i < notes.size(); ++i) {
+    return out;
+}
+
+// Lays walls whose lanes would be narrower than the least width in two passes, one on the other.
+void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, std::size_t first,
+                      toolpath::RegionPaths& out) {
+    if (out.curves.size() != 1) return;
+    const double w = o.bead_width, least = o.min_width > 0 ? o.min_width : w / 4;
+    out.stacked = stack_lanes(out.curves[0], thin_walls(r.loops, w), w, least);
+    double length = 0;
+    for (const auto& line : out.stacked)
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) length += geom::distance(line[i], line[i + 1]);
+    for (std::size_t i = first; i < notes.size(); ++i) // those are not narrow any more
+        if (notes[i].what == "bead below the least width") notes[i].amount -= std::min(notes[i].amount, 2 * length);
+    const auto from = notes.begin() + static_cast<std::ptrdiff_t>(first);
+    notes.erase(std::remove_if(from, notes.end(),
+                               [&](const Note& n) { return n.what == "bead below the least width" && n.amount < w; }),
+                notes.end());
+}
+
+// Puts the notes from `first` on to their layer.
+void place(const polygon::Region& r, Notes& notes, std::size_t first, toolpath::RegionPaths& out) {
+    for (std::size_t i = first; i < notes.size(); ++i) {
         notes[i].layer = r.layer;
         if (notes[i].what == "not reached by a bead") out.unplaced += notes[i].amount;
     }
+}
+
+// The column that r belongs to.
+std::size_t column(const polygon::Region& r, Before& before) {
+    if (r.join == Join::vertical && !before.columns.empty()) return before.column;
+    const auto box = polygon::bounds(r.loops[0]);
+    const auto middle = geom::lerp(box.lo, box.hi, 0.5);
+    for (std::size_t i = 0; i < before.columns.size(); ++i)
+        if (geom::distance(before.columns[i].box, {middle, middle}) == 0) return i;
+    before.columns.push_back({box, r.loops});
+    return before.columns.size() - 1;
+}
+
+} // namespace
+
+toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
+    if (o.pattern == "scaffold") {
+        Before before;
+        return fill_scaffold(r, o, before, notes);
+    }
+    toolpath::RegionPaths out = paths_of(r);
+    const std::size_t first = notes.size();
+    out.curves = curves(r, o, out.unplaced, notes);
+    if (o.thin == "half-height" && o.pattern == "spiral" && o.method == "cyc")
+        stack_thin_walls(r, o, notes, first, out);
+    place(r, notes, first, out);
+    return out;
+}
+
+double strand_spacing(const Options& o) {
+    const double spacing = o.spacing > 0 ? o.spacing : 2.5 * o.bead_width;
+    if (spacing < o.bead_width)
+        throw Error(Exit::usage, "cannot use '" + shortest_text(o.spacing) + "' for --spacing: strands " +
+                                     shortest_text(o.bead_width) +
+                                     " mm wide would overlap; make it larger than --bead-width");
+    return spacing;
+}
+
+toolpath::RegionPaths fill_scaffold(const polygon::Region& r, const Options& options, Before& before, Notes& notes) {
+    Options o = options;
+    if (o.angles_deg.empty()) o.angles_deg = {0, 90};
+    toolpath::RegionPaths out = paths_of(r);
+    const std::size_t first = notes.size();
+    before.column = column(r, before);
+    const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
+    ScaffoldOptions s;
+    s.bead_width = o.bead_width, s.spacing = strand_spacing(o), s.angle = angle(r, o);
+    s.shift = shifted ? o.stagger : 0, s.rings = rings(o, 0);
+    if (r.join == Join::vertical) s.from = before.exit;
+    out.curves = scaffold(r.loops, before.columns[before.column].region, s, notes);
+    place(r, notes, first, out);
+    before.exit.reset();
+    if (!out.curves.empty() && !out.curves.back().closed) before.exit = out.curves.back().points.back();
     return out;
 }
 

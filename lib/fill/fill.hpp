@@ -5,28 +5,54 @@
 #include "polygon/region.hpp"
 #include "toolpath/path.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace filum::fill {
 
 // The names that Options::pattern takes.
-inline const std::vector<std::string> kPatterns = {"spiral",        "contour",        "zigzag",
-                                                   "spiral+zigzag", "contour+zigzag", "rectilinear"};
+inline const std::vector<std::string> kPatterns = {"spiral",         "contour",     "zigzag",  "spiral+zigzag",
+                                                   "contour+zigzag", "rectilinear", "scaffold"};
 
 struct Options {
-    std::string pattern = "spiral";       // one of kPatterns
-    std::string method = "cyc";           // of the spiral: cyc, or sun2019 for the paper's own construction
-    double bead_width = 0.4;              // mm
-    double min_width = 0.1;               // mm: narrower beads of the spiral are reported
-    std::vector<double> angles_deg = {0}; // of straight lines from the x axis: layer after layer, over and over
-    std::int64_t rings = -1; // along the outline: of contour at most this many, of the hybrids and rectilinear exactly;
-                             // -1: the pattern's own number (all, 2, 0)
-    double threshold = 1.5;  // sun2019: bead widths within which contours are adjacent
+    std::string pattern = "spiral"; // one of kPatterns
+    std::string method = "cyc";     // of the spiral: cyc, or sun2019 for the paper's own construction
+    double bead_width = 0.4;        // mm
+    double min_width = 0.1;         // mm: narrower beads of the spiral are reported
+    double min_radius = 0;          // mm: the spiral turns no tighter where it has room
+    std::vector<double> angles_deg; // of straight lines from the x axis: layer after layer, over and over;
+                                    // none: the pattern's own (0; scaffold 0, 90)
+    std::int64_t rings = -1;        // along the outline: of contour at most this many, of the others exactly;
+                                    // -1: the pattern's own number (all, 2 of the hybrids, 0)
+    std::string thin = "lanes";     // walls of the spiral thinner than a bead: lanes, half-height or single
+    double spacing = 0;             // scaffold: mm between strands; 0: two and a half bead widths
+    double stagger = 0;             // scaffold: spacings by which every other round of angles is shifted
+    double threshold = 1.5;         // sun2019: bead widths within which contours are adjacent
+    double start_shift = 0;         // sun2019: mm that the start moves along the outer contour from layer to layer
 };
 
 // What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,
 // zigzag and spiral+zigzag give one closed curve.  Throws Error(usage) for a pattern or method that does not exist.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
+
+// What a scaffold's next region takes from those before: where it begins, and which lattice its strands lie on.
+struct Before {
+    struct Column {
+        geom::Box2 box;        // of its first region
+        polygon::Loops region; // that
+    };
+    std::vector<Column> columns;
+    std::size_t column = 0;         // of the region before
+    std::optional<geom::Vec2> exit; // of its curve
+};
+
+// The same, of a scaffold; regions come in processing order.  A region that continues the one before it begins where
+// that ended.  It shares the lattice of the first column that its middle lies in; else it begins a column.
+toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, Before& before,
+                                    Notes& notes);
+
+// The strands' spacing, mm.  Throws Error(usage) where strands would overlap.
+double strand_spacing(const Options& options);
 
 } // namespace filum::fill

@@ -45,9 +45,24 @@ class RingGraph {
     // Where the ray from p along d (unit) first meets `ring`, within `reach`.
     [[nodiscard]] std::optional<Place> hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const;
 
+    // The first place on any ring that the ray from p along d (unit) meets at least `from` and at most `reach` away.
+    [[nodiscard]] std::optional<Place> first_hit(Vec2 p, Vec2 d, double from, double reach) const;
+
     // True if the open segment p-q crosses any ring.
     [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const {
         return grid_.crosses(p, q, segments_, [](std::uint32_t) { return true; });
+    }
+
+    // Calls f(place) where the open segment p-q crosses a ring; maybe more than once for a crossing.
+    template <class F>
+    void each_crossing(Vec2 p, Vec2 q, F&& f) const {
+        grid_.near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)},
+                   [&](std::uint32_t i) {
+                       const auto& [a, b] = segments_[i];
+                       if (!geom::cross_properly(p, q, a, b)) return;
+                       const double u = geom::orient(p, q, a), v = geom::orient(p, q, b), t = u / (u - v);
+                       f(Place{ring_of_[i], s_[i] + t * geom::distance(a, b), geom::lerp(a, b, t), 0});
+                   });
     }
 
     // Turning (rad, absolute) of the ring between s0 and s1 > s0.

@@ -2,9 +2,12 @@
 
 #include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
+#include "fill/least_radius.hpp"
+#include "fill/rounding.hpp"
 #include "fill/speck.hpp"
 #include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
+#include "polygon/segments.hpp"
 
 namespace filum::fill {
 
@@ -15,7 +18,11 @@ using polygon::Loops;
 // Beads lie a little nearer than their width, so that rounding never opens a seam between them.
 constexpr double kOverlap = 1.0 / 512;
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
+constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
+constexpr double kRoundMost = 0.7;     // the same where a least radius asks for more
 constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
+
+constexpr double kGrid = 1e-3; // mm
 
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
@@ -55,12 +62,30 @@ void tidy(ClosedLine& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move) {
+Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
+               bool round) {
     const double w = o.bead_width;
+    if (o.min_radius > 0) tolerance = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
     const FirstRings first = first_rings(region, w, tolerance);
-    const Rings rings = nested_rings(first.rings, w * (1 - kOverlap), kShortestRing * w, tolerance);
-    Spiral out{{}, first.unplaced};
-    for (ClosedLine& line : join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region)) {
+    const double spacing = w * (1 - kOverlap), shortest = kShortestRing * w;
+    Spiral out{{}, first.unplaced, {"", "left open for the least radius", 0, "mm2", 0}};
+    const Rings rings = o.min_radius > 0
+                            ? nested_round_rings(first.rings, spacing, shortest, tolerance,
+                                                 drawn_radius(o.min_radius, w / 2, kGrid + tolerance), out.open)
+                            : nested_rings(first.rings, spacing, shortest, tolerance);
+    const double reach = std::clamp(0.75 * o.min_radius, kRound * w, kRoundMost * w);
+    const auto edges = polygon::segments(region);
+    const geom::SegmentGrid grid(edges, 1.5 * w);
+    const auto room = [&](geom::Vec2 p) {
+        double best = w;
+        grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t i) {
+            best = std::min(best, geom::point_segment_distance(edges[i].a, edges[i].b, p));
+        });
+        return best;
+    };
+    for (ClosedLine& line :
+         join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
+        if (round) line = rounded(with_wide_turns(line, w, room), reach, room);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
@@ -98,6 +123,11 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
             length += geom::distance(c.points[i], c.points[j]);
             where = c.points[i];
         }
+    if (spiral.open.count > 0) notes.push_back(spiral.open);
+    if (o.min_radius > 0) {
+        const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
+        if (tight.count > 0) notes.push_back(tight);
+    }
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
@@ -112,7 +142,7 @@ void absorb_voids(const Loops& region, const SpiralOptions& o, Spiral& spiral) {
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
     std::vector<geom::Segment> all;
     for (const auto& c : curves)
-        for (std::size_t i = 0; i < c.points.size(); ++i)
+        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
             all.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
     const geom::SegmentGrid grid(all, cell);
     std::size_t crossings = 0;
@@ -130,26 +160,45 @@ std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double c
     return crossings;
 }
 
-Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
-    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+namespace {
+
+// The first of several ways to fill the region, from the best to the safest, whose curves do not cross themselves.
+Spiral certified(const Loops& region, const SpiralOptions& o) {
     struct Try {
         double tolerance; // bead widths
-        bool move;
+        bool move, wind, round;
     };
+    constexpr double kUsual = 1.0 / 128, kFine = 1.0 / 1024;
     Spiral out;
     if (is_speck(region, o.bead_width)) {
         ClosedLine line = speck_loop(region);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
-        report(out, o, notes);
         return out;
     }
-    for (const Try t : {Try{1.0 / 128, true}, Try{1.0 / 1024, true}, Try{1.0 / 1024, false}}) {
-        out = attempt(region, o, t.tolerance * o.bead_width, t.move);
+    for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
+                        Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
+        out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
         if (count_crossings(out.curves, o.bead_width) > 0) continue;
-        if (o.absorb) absorb_voids(region, o, out);
+        // noses are sharp: not where a least radius is asked for
+        if (o.absorb && o.min_radius <= 0) absorb_voids(region, o, out);
         break;
     }
+    return out;
+}
+
+} // namespace
+
+Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
+    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+    Spiral out = certified(region, o);
+    const bool sound = out.curves.size() == 1 && count_crossings(out.curves, o.bead_width) == 0;
+    if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more
+        SpiralOptions any = o;
+        any.min_radius = 0;
+        out = certified(region, any);
+    }
+    out.unplaced += out.open.amount;
     report(out, o, notes);
     return out;
 }

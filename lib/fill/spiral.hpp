@@ -12,6 +12,7 @@ namespace filum::fill {
 struct SpiralOptions {
     double bead_width = 0.4; // mm
     double min_width = 0.1;  // mm: beads narrower than this are reported
+    double min_radius = 0;   // mm: the path turns no tighter where there is room for that
     bool absorb = true;      // whether voids beside corners and turns are reached into
     int lanes = 2;           // rings on each side of the medial axis that share a wall's odd thickness
 };
@@ -19,16 +20,23 @@ struct SpiralOptions {
 struct Spiral {
     std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
     double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
+    Note open{"", "left open for the least radius", 0, "mm2", 0}; // of it
 };
 
 // Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls
 // whose thickness is no multiple of it, thin walls followed by two lanes of half the wall each, all joined to one
-// curve; then voids absorbed (lib/absorb).  Specks get a loop in the rectangle about them.  The result is checked:
-// should it cross itself, it is made again with finer outlines, at last without moving rings. Notes: beads below
+// curve: stacks of rings as double spirals, the rest by pairs of links.  Corners and turns are rounded, so that sharp
+// turns are left at the ends of walls, at centres and where rings branch; then voids beside them are absorbed
+// (lib/absorb).  Specks get a loop in the rectangle about them.  The result is checked: should it cross itself, it is
+// made again with finer outlines, then without rounding, spirals, and moving rings. Notes: beads below
 // min_width (mm of length), rings that could not be joined (count).
+//
+// With a min_radius, corners of rings become arcs of that radius, and rings too small for it are left out; a note says
+// what area that leaves open, another how many turns are tighter all the same: of links, at the ends of walls, round
+// corners of the outline that point inwards.
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
-// Pairs of segments of closed curves that properly cross.
+// Pairs of segments of curves that properly cross.
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell);
 
 } // namespace filum::fill

@@ -2,6 +2,7 @@
 
 #include "fill/inset.hpp"
 #include "fill/sun2019_graph.hpp"
+#include "geom/principal_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,31 +127,10 @@ Ring path_below(const std::vector<Ring>& rings, const std::vector<Node>& nodes, 
 
 // Where the axis of greatest variance of all samples leaves the outer contour (Figure 6): the nearest vertex.
 std::size_t pca_start(const std::vector<Ring>& rings) {
-    Vec2 mean;
-    double count = 0, xx = 0, xy = 0, yy = 0;
-    for (const Ring& ring : rings)
-        for (const Vec2 p : ring) mean = mean + p, ++count;
-    mean = (1 / count) * mean;
-    for (const Ring& ring : rings)
-        for (const Vec2 p : ring) {
-            const Vec2 d = p - mean;
-            xx += d.x * d.x, xy += d.x * d.y, yy += d.y * d.y;
-        }
-    const double angle = std::atan2(2 * xy, xx - yy) / 2; // in [-90, 90] degrees
-    Vec2 axis{std::cos(angle), std::sin(angle)};
-    if (axis.x < 1e-6 && axis.y < 0) axis = -1.0 * axis; // upright, but for rounding: +y
-    const Ring& outer = rings.front();
-    double farthest = -std::numeric_limits<double>::infinity();
-    Vec2 leaves = outer[0];
-    for (std::size_t i = 0; i < outer.size(); ++i) {
-        const Vec2 a = outer[i] - mean, b = outer[(i + 1) % outer.size()] - mean;
-        const double ha = geom::cross(axis, a), hb = geom::cross(axis, b);
-        if ((ha > 0) == (hb > 0)) continue;
-        const Vec2 at = geom::lerp(a, b, ha / (ha - hb));
-        if (geom::dot(at, axis) <= farthest) continue;
-        farthest = geom::dot(at, axis), leaves = mean + at;
-    }
-    return nearest_vertex(outer, leaves);
+    Ring all;
+    for (const Ring& ring : rings) all.insert(all.end(), ring.begin(), ring.end());
+    const auto at = geom::leaves(geom::principal_axis(all), rings.front());
+    return at ? nearest_vertex(rings.front(), *at) : 0;
 }
 
 // The vertex `shift` mm along the ring from `at`.

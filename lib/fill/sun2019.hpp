@@ -9,14 +9,12 @@
 //  - "internal filling contour is generated from outer contour R, d(r_n, r_n+1) = w": the first contour lies `first`
 //    offsets inside the outline, half a bead, or the part would come out larger than the model; the rest follow at w.
 //  - "minimum distance between any vertex in contour 1 and any vertex in contour 2; threshold set to 1-2 times w":
-//    `threshold` offsets, at most; that distance is also the edge's weight.
+//    `threshold` offsets, at most.  "The corresponding element is set to 1": all edges weigh the same.
 //  - "contour index starts from 1, from the external contour": depth by depth, in a depth the largest signed area
-//  first.
-//  - "Reverse-delete": edges go by falling weight, later index pairs first, unless the graph would fall apart.  (Done
-//  as
-//    Kruskal's rule with the opposite order, which keeps the same edges.)
+//    first.
+//  - "Reverse-delete": edges go one by one, later index pairs first, unless the graph would fall apart.
 //  - "merge nodes that contain only one-way parent-child relationships": maximal chains of contours with one child
-//  each.
+//    each.
 //  - "connect the two contour sets sequentially and connect the endpoints of the two contour sets" (Figure 5a): in a
 //    chain the odd contours are joined inwards and the even ones outwards, linked at the centre, as in the Fermat
 //    spirals that the section builds on (its reference 12); each contour is opened by one offset.

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace filum::fill::sun {
@@ -45,14 +44,6 @@ std::vector<Sample> binned(const std::vector<Ring>& rings, double cell) {
         return std::tie(a.column, a.row, a.ring, a.vertex) < std::tie(b.column, b.row, b.ring, b.vertex);
     });
     return out;
-}
-
-int find(std::vector<int>& leader, int i) {
-    while (leader[static_cast<std::size_t>(i)] != i) {
-        auto& l = leader[static_cast<std::size_t>(i)];
-        i = l = leader[static_cast<std::size_t>(l)];
-    }
-    return i;
 }
 
 } // namespace
@@ -100,17 +91,45 @@ std::vector<Edge> adjacency(const std::vector<Ring>& rings, double reach) {
     return out;
 }
 
-std::vector<Node> tree(std::size_t contours, std::vector<Edge> edges) {
-    std::sort(edges.begin(), edges.end(), [](const Edge& l, const Edge& r) {
-        return std::tie(l.distance, l.a, l.b) < std::tie(r.distance, r.a, r.b);
-    });
-    std::vector<int> leader(contours);
-    std::iota(leader.begin(), leader.end(), 0);
+std::vector<Edge> reverse_delete(std::size_t contours, std::vector<Edge> edges, std::size_t* steps) {
+    std::vector<std::vector<std::uint32_t>> at(contours); // the edges of each contour
+    for (std::uint32_t e = 0; e < edges.size(); ++e)
+        for (const int end : {edges[e].a, edges[e].b}) at[static_cast<std::size_t>(end)].push_back(e);
+    std::vector<char> gone(edges.size(), 0);
+    std::vector<std::uint32_t> seen(contours, 0);
+    std::vector<int> todo;
+    std::size_t looked = 0;
+    const auto connected = [&](int from, int to, std::uint32_t round) {
+        todo.assign(1, from);
+        seen[static_cast<std::size_t>(from)] = round;
+        while (!todo.empty()) {
+            const int n = todo.back();
+            todo.pop_back();
+            if (n == to) return true;
+            for (const std::uint32_t e : at[static_cast<std::size_t>(n)]) {
+                ++looked;
+                const int other = edges[e].a + edges[e].b - n;
+                if (gone[e] || seen[static_cast<std::size_t>(other)] == round) continue;
+                seen[static_cast<std::size_t>(other)] = round;
+                todo.push_back(other);
+            }
+        }
+        return false;
+    };
+    for (std::size_t e = edges.size(); e-- > 0;) {
+        gone[e] = 1;
+        if (!connected(edges[e].a, edges[e].b, static_cast<std::uint32_t>(e) + 1)) gone[e] = 0;
+    }
+    if (steps != nullptr) *steps = looked;
+    std::vector<Edge> out;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (!gone[e]) out.push_back(edges[e]);
+    return out;
+}
+
+std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges) {
     std::vector<std::vector<Edge>> kept(contours);
-    for (const Edge& e : edges) {
-        const int a = find(leader, e.a), b = find(leader, e.b);
-        if (a == b) continue;
-        leader[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    for (const Edge& e : reverse_delete(contours, edges)) {
         kept[static_cast<std::size_t>(e.a)].push_back(e);
         kept[static_cast<std::size_t>(e.b)].push_back({e.b, e.a, e.distance, e.vertex_b, e.vertex_a});
     }

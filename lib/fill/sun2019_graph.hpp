@@ -27,7 +27,13 @@ struct Node {
     std::vector<int> children; // ascending
 };
 
+// The edges that the Reverse-delete algorithm leaves of `edges`, which come in the order of adjacency(): the last one
+// first, each goes unless its ends would fall apart.  All weigh the same: elements of the paper's matrix are 0 or 1.
+// Cost: edges * (contours + edges), as every edge asks anew whether its ends are connected; `steps` counts the edges
+// looked at.
+std::vector<Edge> reverse_delete(std::size_t contours, std::vector<Edge> edges, std::size_t* steps = nullptr);
+
 // Each piece of the graph rid of loops and hung up at its first contour.
-std::vector<Node> tree(std::size_t contours, std::vector<Edge> edges);
+std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges);
 
 } // namespace filum::fill::sun

@@ -211,6 +211,8 @@ FirstRings round_fattest(const Loops& area, const MedialAxis& axis, double least
 
 } // namespace
 
+std::vector<std::uint32_t> thin_edges(const MedialAxis& axis, double width) { return ThinAxis(axis, width).edges(); }
+
 FirstRings first_rings(const Loops& area, double width, double tolerance) {
     FirstRings out{polygon::simplify(polygon::offset(area, -width / 2, tolerance), tolerance), 0};
     out.unplaced = std::max(0.0, polygon::signed_area(area) - swept_area(out.rings, width / 2));
@@ -222,7 +224,7 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     for (const double r : {kThin, kFat, kHairline}) axis = split_at(axis, r * width);
     if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
     if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
-    const auto edges = ThinAxis(axis, width).edges();
+    const auto edges = thin_edges(axis, width);
     if (edges.empty()) return out.rings.empty() ? round_fattest(area, axis, least, tolerance) : out;
     out.rings = polygon::simplify(with_strips(std::move(out.rings), axis, edges, width, tolerance), tolerance);
     out.unplaced = std::max(0.0, out.unplaced - wall_area(axis, edges));

@@ -3,9 +3,13 @@
 
 #include "polygon/loops.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace filum::fill {
 
 using polygon::Loops;
+struct MedialAxis;
 
 struct FirstRings {
     Loops rings;         // where the outermost bead runs: level 0, solid on the left
@@ -19,5 +23,10 @@ struct FirstRings {
 // width beyond the discs next to them are left to the rounding of the bead, and what is thinner than 0.03 width of a
 // tip is left out.
 FirstRings first_rings(const Loops& area, double width, double tolerance);
+
+// The edges of the medial axis that a bead follows in thin walls, by index, ascending: those that begin or end where
+// the half-thickness is below 0.55 width, without twigs to corners and tips that reach less than 0.4 width beyond the
+// disc at their foot, and with what leads on into thicker parts, up to a half-thickness of 0.95 width.
+std::vector<std::uint32_t> thin_edges(const MedialAxis& axis, double width);
 
 } // namespace filum::fill

@@ -34,13 +34,13 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell) : cell_
     columns_ = static_cast<int>(size.x / cell_) + 1;
     rows_ = static_cast<int>(size.y / cell_) + 1;
 
+    // how many, then where the next cell begins; each item put in moves that to where its own cell begins
     start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (const Segment& s : segments) cells_of(s, [&](std::size_t c) { ++start_[c + 1]; });
+    for (const Segment& s : segments) cells_of(s, [&](std::size_t c) { ++start_[c]; });
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     item_.resize(start_.back());
-    std::vector<std::uint32_t> at(start_.begin(), start_.end() - 1);
-    for (std::uint32_t i = 0; i < segments.size(); ++i)
-        cells_of(segments[i], [&](std::size_t c) { item_[at[c]++] = i; });
+    for (auto i = static_cast<std::uint32_t>(segments.size()); i-- > 0;)
+        cells_of(segments[i], [&](std::size_t c) { item_[--start_[c]] = i; });
 }
 
 } // namespace filum::geom

@@ -20,6 +20,9 @@ double mean_width(const toolpath::Curve& curve);
 double length(std::span<const Vec2> line); // mm
 double length(std::span<const geom::Vec3> line);
 
+// The point `l` mm behind `place` along the curve, not beyond the ends of an open one.
+Vec2 along(const toolpath::Curve& curve, const Place& place, double l);
+
 // The gap that a cut leaves between the end of a closed bead and its start: w (1 - pi / 4), so that the two rounded
 // bead ends fill it (notes F8, A9); at most a tenth of the curve.
 double cut_gap(const toolpath::Curve& curve);
@@ -27,6 +30,9 @@ double cut_gap(const toolpath::Curve& curve);
 // The closed curve cut at `at`: once around from there, along the order of its points or against it, ending `gap` mm
 // short of the start.
 Bead cut(const toolpath::Curve& curve, const Place& at, bool against, double gap);
+
+// The same, but on over its own beginning by `over` mm.
+Bead cut_over(const toolpath::Curve& curve, const Place& at, bool against, double over);
 
 // The open curve, or its reverse.
 Bead run(const toolpath::Curve& curve, bool against);
@@ -36,7 +42,23 @@ void pin(Bead& bead, Vec2 p, double reach);
 
 // Takes `lane_width` * length of `lane` (mm2) from the beads on both sides of the lane, half from each, where one is
 // within `reach` mm; segments there are split to at most `reach` / 2.  No point's width falls below `least` times its
-// own; what that forbids moves on to the neighbouring points.  Returns the area taken, mm2.
-double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least);
+// own; what that forbids moves on to the neighbouring points.  The far edge of the bead stays where it was: points move
+// away from the lane by half of what their width loses, but for the ends.  Returns the area taken, mm2.
+double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
+                   const SegmentIndex& lines);
+
+// A scarf: the first `length` mm of a way rise to the layer's height, `lead` mm of them before the bead begins; the
+// bead's last length - lead mm lie over its first ones and lay what is missing there.
+struct Ramp {
+    double length = 0, lead = 0; // mm; no ramp if the length is 0
+    double from = 0;             // mm, z where it begins
+};
+
+// The bead at z, as thick as `height` but on a ramp.  Where it is on one, points are at most `step` mm apart.
+struct Laid {
+    std::vector<geom::Vec3> points;
+    std::vector<double> width, height; // mm, per point, or one for all
+};
+Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double step);
 
 } // namespace filum::link3d

@@ -58,11 +58,11 @@ std::optional<Linker::Entry> Linker::nearest_entry(const Waiting& r, Vec2 p, dou
     return best;
 }
 
-// How many regions behind the front one climb from it without a break, of those that are known.
+// How many regions behind the front one climb from it without a break, of those that it looks ahead.
 std::size_t Linker::climbing() const {
     std::size_t n = 0;
-    while (n + 1 < window_.size() && window_[n + 1].paths.join == Join::vertical &&
-           !window_[n + 1].paths.curves.empty())
+    while (static_cast<std::int64_t>(n) < options_.look_ahead && n + 1 < window_.size() &&
+           window_[n + 1].paths.join == Join::vertical && !window_[n + 1].paths.curves.empty())
         ++n;
     return n;
 }
@@ -75,6 +75,11 @@ Linker::Entry Linker::start_entry() const {
     if (options_.seam == Seam::inside) {
         const Box2 box = window_[n].index.bounds();
         p = geom::lerp(box.lo, box.hi, 0.5);
+    }
+    // The stroke is to leave the last region of the column on the side of the next one.
+    if (options_.connect == Connect::inside && n + 1 < window_.size() && !window_[n + 1].index.empty()) {
+        const Box2 here = window_[n].index.bounds();
+        p = window_[n].index.nearest(window_[n + 1].index.nearest(geom::lerp(here.lo, here.hi, 0.5))->point)->point;
     }
     // Back from the last region that is known: so the column can be climbed from there.
     for (std::size_t k = n; k > 0; --k) {

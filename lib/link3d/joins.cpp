@@ -13,7 +13,6 @@ using toolpath::Curve;
 using toolpath::Role;
 
 constexpr double kDrift = 0.5; // bead widths per layer that an entry can be counted on to move
-constexpr std::array kStrips{Strips{}, Strips{0.05, 0.8}}; // where a lane just fits: better a thick place than a stop
 
 } // namespace
 
@@ -22,93 +21,77 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
     const double rise = at_ ? r.paths.z - at_->z : 0;
     if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), climb_reach() * (r.width + width_before_) / 2, {});
+    auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
-    *entry = drift(*entry);
-    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
-    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
+    if (options_.interlace == Interlace::none && !turn_)
+        *entry = drift(*entry); // else lanes lead wherever the column goes
+    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
     ++counts_.lifts;
     counts_.lift_length += entry->place.distance;
-    joins_.push_back({false, {at_->xy(), entry->place.point}, {kThin * r.width}});
+    if (turn_ || winds_on(*entry)) {
+        winds_ = true;
+        if (entry->place.distance > kSame)
+            extrude(Role::lift, {*at_, at_height(entry->place.point, at_->z)}, {kThin * r.width}, emit);
+        return entry;
+    }
+    if (ramps(*entry)) {
+        begin_ramp(*entry, emit);
+        return entry;
+    }
+    std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
+    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
-}
-
-// A connector outside everything printed to whichever of the front region's four extreme places makes it the shortest.
-std::optional<Linker::Entry> Linker::go_around(const Emit& emit) {
-    const auto& r = window_.front();
-    if (!may_climb_ || !last_) return std::nullopt;
-    Box2 box = printed_.bounds();
-    box.add(r.index.bounds().lo), box.add(r.index.bounds().hi);
-    const auto free = [&](Vec3 a, Vec3 b) {
-        return a == *at_ ? leads_out(a, b, *last_, true) : leads_out(a, b, r.index, false);
-    };
-    std::optional<std::vector<Vec3>> best;
-    std::optional<Entry> entry;
-    for (const Place& p : r.index.extremes()) {
-        if (!r.paths.curves[p.curve].closed) continue;
-        auto way = around(box, 2 * r.width, *at_, at_height(p.point, r.paths.z), free);
-        if (way && (!best || length(*way) < length(*best))) best = std::move(way), entry = Entry{p};
-    }
-    if (!best) return std::nullopt;
-    ++counts_.connectors;
-    counts_.connector_length += length(*best);
-    printed_.begin(); // the two ends of a connector are two bodies
-    extrude(Role::connector, std::move(*best), {r.width}, emit);
-    return entry;
-}
-
-// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
-bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const {
-    const auto& r = window_.front();
-    return is_free(own, a.xy(), b.xy(), kMargin, kEnds, 0) &&
-           !printed_.blocks(a, b, a.z - r.paths.height / 2, 2 * r.width, leaves);
 }
 
 // The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.
 std::vector<Curve> Linker::as_printed(std::uint32_t c, const Bead& bead, const std::vector<Vec2>& lane) const {
     std::vector<Curve> curves = window_.front().paths.curves;
-    curves[c] = {false, bead.points, {window_.front().width}};
+    curves[c] = {false, bead.points, bead.width};
     curves.insert(curves.end(), joins_.begin(), joins_.end());
     if (lane.size() > 1) curves.push_back({false, lane, {window_.front().width}});
     return curves;
 }
 
 // How many of the next regions are in reach of p, with what entries drift until then; 0 if that is below `least`.
-int Linker::rank_above(Vec2 p, int least) const {
+int Linker::rank_above(Vec2 p, int least, double reach) const {
     const int all = static_cast<int>(climbing());
     int k = 0;
     for (; k < all; ++k) {
         const auto& next = window_[static_cast<std::size_t>(k) + 1];
-        if (!nearest_entry(next, p, (climb_reach() + kDrift * k) * (window_[0].width + next.width) / 2, {})) break;
+        if (!nearest_entry(next, p, (reach + kDrift * k) * (window_[0].width + next.width) / 2, {})) break;
     }
     return k < least ? 0 : k;
 }
 
-// Whether p, on the layer of the front region, has a straight way out of the part.
+// Whether p, on the layer of the front region, has a straight way out of the part, or over to the next region.
 bool Linker::sees_outside(Vec2 p, const SegmentIndex& own) const {
     const auto& r = window_.front();
-    Box2 box = printed_.bounds();
-    box.add(own.bounds().lo), box.add(own.bounds().hi);
+    if (options_.connect == Connect::inside) {
+        const auto next = nearest_entry(window_[1], p, std::numeric_limits<double>::infinity(), {});
+        return next && is_free(own, p, next->place.point, kMargin, kEnds, 0);
+    }
+    const Box2 box = all_bounds();
     const double m = 2 * r.width;
     const Vec3 a = at_height(p, r.paths.z);
     const std::array<Vec2, 4> ends{
         {{box.lo.x - m, p.y}, {box.hi.x + m, p.y}, {p.x, box.lo.y - m}, {p.x, box.hi.y + m}}};
-    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) { return leads_out(a, at_height(b, a.z), own, true); });
+    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) {
+        return leads_out(a, at_height(b, a.z), own, true) && misses_others(a, at_height(b, a.z), false);
+    });
 }
 
 // Whether the next region can be reached from the end of the front region's last bead.
-bool Linker::ends_well(std::uint32_t c, const Bead& bead) const {
+bool Linker::ends_well(std::uint32_t c, const Bead& bead, double reach) const {
     const Vec2 end = bead.points.back();
     if (next_ == Next::above)
-        return nearest_entry(window_[1], end, climb_reach() * (window_[0].width + window_[1].width) / 2, {})
-            .has_value();
+        return nearest_entry(window_[1], end, reach * (window_[0].width + window_[1].width) / 2, {}).has_value();
     return sees_outside(end, SegmentIndex(as_printed(c, bead, {})));
 }
 
 // The way from the end of the region's last bead, between its beads, to where the next region is in reach, and of those
 // behind it as many as possible; or to where it leads out.
-std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead) const {
+std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead, double reach) const {
     const auto curves = as_printed(c, bead, {});
     std::vector<std::vector<Vec2>> lines;
     for (const auto& curve : curves) {
@@ -117,10 +100,28 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead)
     }
     const SegmentIndex index(curves);
     const bool above = next_ == Next::above;
-    return strip_route(lines, index, bead.points.back(), window_.front().width, kStrips,
+    const auto strips = std::span(kStrips).first(above ? kStrips.size() : 1); // whoever leaves the region needs room
+    return strip_route(lines, curves, index, bead.points.back(), window_.front().width, strips,
                        above ? static_cast<int>(climbing()) : 1, [&](Vec2 p, int least) {
-                           return above ? rank_above(p, least) : sees_outside(p, index) ? 1 : 0;
+                           return above ? rank_above(p, least, reach) : sees_outside(p, index) ? 1 : 0;
                        });
+}
+
+// Sees to it that the front region's last bead can be left, if there is a way: as it is, the other way round (`other`;
+// the same for an open curve), or by the lane that is returned.
+std::optional<std::vector<Vec2>> Linker::leave(std::uint32_t c, Bead& bead, const std::function<Bead()>& other) {
+    if (next_ == Next::anywhere) return std::nullopt;
+    for (const double reach : climb_reaches()) {
+        if (ends_well(c, bead, reach)) return std::nullopt;
+        if (Bead b = other(); ends_well(c, b, reach)) return bead = std::move(b), std::nullopt;
+        if (auto way = lane(c, bead, reach)) {
+            ++counts_.lanes;
+            counts_.lane_length += length(*way);
+            return way;
+        }
+        if (next_ == Next::outside) break;
+    }
+    return std::nullopt;
 }
 
 } // namespace filum::link3d

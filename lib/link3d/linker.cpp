@@ -3,6 +3,7 @@
 #include "geom/segment.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace filum::link3d {
 
@@ -24,15 +25,24 @@ Facts facts(const Counts& c) {
     const auto n = [](std::uint64_t count) { return static_cast<double>(count); };
     return {{"", "strokes", n(c.strokes), "strokes"},
             {"", "lifts", n(c.lifts), ""},
+            {"", "ramps", n(c.ramps), ""},
+            {"", "turns", n(c.turns), ""},
             {"", "lanes", n(c.lanes), ""},
+            {"", "shifts", n(c.shifts), ""},
+            {"", "kept-starts", n(c.kept), ""},
             {"", "jogs", n(c.jogs), ""},
+            {"", "strands", n(c.strands), ""},
             {"", "connectors", n(c.connectors), ""},
             {"", "breaks", n(c.breaks), ""},
             {"", "broken-joins", n(c.broken), ""},
             {"", "lift-length", c.lift_length, "mm"},
             {"", "lane-length", c.lane_length, "mm"},
+            {"", "shift-length", c.shift_length, "mm"},
             {"", "jog-length", c.jog_length, "mm"},
+            {"", "strand-length", c.strand_length, "mm"},
             {"", "connector-length", c.connector_length, "mm"},
+            {"", "connector-free", c.connector_free, "mm"},
+            {"", "connector-volume", c.connector_volume, "mm3"},
             {"", "travel-length", c.travel_length, "mm"}};
 }
 
@@ -42,7 +52,9 @@ void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     bool closed = false, open = false;
     for (const auto& c : region.curves) (c.closed ? closed : open) = true;
     window_.push_back({std::move(region), std::move(index), width, closed, open});
-    if (window_.size() > options_.look_ahead) print_front(emit, notes);
+    // Connectors go around everything, so everything must be known.
+    if (options_.connect != Connect::outside && static_cast<std::int64_t>(window_.size()) > options_.look_ahead)
+        print_front(emit, notes);
 }
 
 void Linker::finish(const Emit& emit, Notes& notes) {
@@ -57,11 +69,13 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         window_.pop_front();
         return;
     }
-    next_ = window_.size() < 2 || window_[1].paths.curves.empty()                           ? Next::anywhere
-            : window_[1].paths.join == Join::vertical                                       ? Next::above
-            : window_[1].paths.join == Join::beside && options_.connect == Connect::outside ? Next::outside
-                                                                                            : Next::anywhere;
+    next_ = window_.size() < 2 || window_[1].paths.curves.empty()                      ? Next::anywhere
+            : window_[1].paths.join == Join::vertical                                  ? Next::above
+            : options_.connect == Connect::outside                                     ? Next::outside
+            : options_.connect == Connect::inside && window_[1].paths.layer == r.layer ? Next::outside
+                                                                                       : Next::anywhere;
     const Entry first = enter(emit, notes);
+    start_ = first.place.point;
     std::vector<char> done(r.curves.size(), 0);
     Entry entry = first;
     const auto main = main_curve();
@@ -69,7 +83,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         if (main) done[*main] = left > 1 || *main == first.place.curve ? 1 : 0;
         if (left < r.curves.size()) entry = hop(done, emit);
         done[entry.place.curve] = 1;
-        print_curve(entry, left == 1, emit);
+        print_curve(entry, left == 1, emit, notes);
     }
     joins_.clear();
     pin_.reset();
@@ -97,19 +111,40 @@ std::optional<std::uint32_t> Linker::main_curve() const {
 // Gets the nozzle to the front region's first curve.
 Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
-    if (r.paths.join == Join::vertical) {
-        if (const auto entry = climb(emit)) return *entry;
-    } else if (r.paths.join == Join::beside && options_.connect == Connect::outside) {
-        if (const auto entry = go_around(emit)) return *entry;
-    }
-    if (r.paths.join != Join::start && at_ &&
-        (r.paths.join == Join::vertical || options_.connect == Connect::outside)) {
+    const bool above = r.paths.join == Join::vertical;
+    std::optional<Entry> joined;
+    if (above)
+        joined = climb(emit);
+    else if (at_ && options_.connect == Connect::outside)
+        joined = go_around(emit, notes);
+    else if (at_ && options_.connect == Connect::inside)
+        joined = go_inside(emit);
+    if (joined && !above) home_ = joined->place.point, offset_ = 0;
+    if (joined) return *joined;
+    if (at_ && (above || options_.connect != Connect::stop)) {
         ++counts_.broken;
-        notes.push_back({"", "join broken, its ends are out of reach", 0, "", 1, r.paths.layer, at_->x, at_->y});
+        notes.push_back({"", above ? "join broken, its ends are out of reach" : "connector impossible, broken", 0, "",
+                         1, r.paths.layer, at_->x, at_->y});
     }
-    const Entry entry = start_entry();
+    Entry entry = start_entry();
+    if (const auto other = other_end(entry)) entry = *other;
     stop_and_travel(entry.place.point, emit);
+    home_ = entry.place.point, offset_ = 0;
     return entry;
+}
+
+// The other end of the region's only curve, an open one, if beginning there it ends nearer to the next region.
+std::optional<Linker::Entry> Linker::other_end(const Entry& entry) const {
+    const auto& curves = window_.front().paths.curves;
+    const Curve& curve = curves[entry.place.curve];
+    if (curve.closed || curves.size() > 1 || next_ != Next::above) return std::nullopt;
+    const auto left = [&](Vec2 end) { // to go from there
+        return nearest_entry(window_[1], end, std::numeric_limits<double>::infinity(), {})->place.distance;
+    };
+    const Vec2 here = entry.place.point, there = entry.against ? curve.points.front() : curve.points.back();
+    if (left(there) <= left(here) + window_[0].width / 2) return std::nullopt;
+    const auto segment = entry.against ? 0 : static_cast<std::uint32_t>(curve.points.size()) - 2;
+    return Entry{{0, segment, entry.against ? 0.0 : 1.0, there, 0}, !entry.against};
 }
 
 // The nozzle's way from one curve of the front region to the nearest one that is left.
@@ -135,33 +170,50 @@ bool Linker::crosses_no_join(Vec2 a, Vec2 b) const {
 }
 
 // Prints one curve of the front region; the last one is left where the next region can be reached, if it can.
-void Linker::print_curve(const Entry& entry, bool last, const Emit& emit) {
+void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
     const std::uint32_t c = entry.place.curve;
     const Curve& curve = r.paths.curves[c];
+    const Ramp ramp = std::exchange(ramp_, {});
     const auto bead = [&](bool against) {
-        Bead b = curve.closed ? cut(curve, entry.place, against, cut_gap(curve)) : run(curve, entry.against);
+        Bead b = !curve.closed     ? run(curve, entry.against)
+                 : ramp.length > 0 ? cut_over(curve, entry.place, against, ramp.length - ramp.lead)
+                                   : cut(curve, entry.place, against, cut_gap(curve));
         if (pin_ && curve.closed) pin(b, *pin_, kOn);
         return b;
     };
-    const bool turn = r.paths.layer % 2 != 0; // beads run the other way on every second layer
+    if (std::exchange(winds_, false)) {
+        const bool goes_on = winds_on(entry);
+        Bead end = wind(entry, goes_on, emit);
+        if (goes_on) return;
+        if (const auto lane = leave(c, end, [&] { return end; })) lay_lane(*lane, emit);
+        return;
+    }
+    const bool turn = options_.alternate_direction && r.paths.layer % 2 != 0;
     Bead out = bead(turn);
     std::optional<std::vector<Vec2>> way;
-    if (last && next_ != Next::anywhere && !ends_well(c, out)) {
-        Bead other = curve.closed ? bead(!turn) : out;
-        if (curve.closed && ends_well(c, other))
-            out = std::move(other);
-        else if ((way = lane(c, out)))
-            thin_beside(out, *way, kThin * r.width, r.width, kThin);
+    const bool shifts =
+        last && next_ == Next::above && curve.closed && options_.interlace != Interlace::none && !apart(out);
+    if (shifts && (way = shift(c, out))) {
+        ++counts_.shifts;
+        counts_.shift_length += length(*way);
     }
-    if (last && options_.connect == Connect::outside)
+    if (shifts && !way) {
+        ++counts_.kept;
+        notes.push_back({"", "start of the next layer not moved", 0, "", 1, r.paths.layer, start_.x, start_.y});
+    }
+    if (last && !way) way = leave(c, out, [&] { return curve.closed ? bead(!turn) : out; });
+    if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
+    if (last && options_.connect != Connect::stop)
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
-    print(out, emit);
-    if (!way) return;
+    print(out, ramp, emit);
+    if (way) lay_lane(*way, emit);
+}
+
+void Linker::lay_lane(const std::vector<Vec2>& way, const Emit& emit) {
+    const auto& r = window_.front();
     std::vector<Vec3> points;
-    for (const auto p : *way) points.push_back(at_height(p, r.paths.z));
-    ++counts_.lanes;
-    counts_.lane_length += length(*way);
+    for (const auto p : way) points.push_back(at_height(p, r.paths.z));
     extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
 }
 
@@ -188,12 +240,14 @@ void Linker::extrude(Role role, std::vector<Vec3> points, std::vector<double> wi
     emit(Span{role, stroke_, r.layer, r.region, std::move(points), std::move(width), {r.height}});
 }
 
-void Linker::print(const Bead& bead, const Emit& emit) {
-    std::vector<Vec3> points;
-    points.reserve(bead.points.size());
-    for (const auto p : bead.points) points.push_back(at_height(p, window_.front().paths.z));
-    if (geom::distance(points.front(), *at_) < kSame) points.front() = *at_; // spans chain exactly
-    extrude(Role::bead, std::move(points), bead.width, emit);
+void Linker::print(const Bead& bead, const Ramp& ramp, const Emit& emit) {
+    if (print_stacked(bead, emit)) return;
+    const auto& r = window_.front();
+    Laid laid = lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
+    if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_; // spans chain exactly
+    at_ = laid.points.back();
+    emit(Span{Role::bead, stroke_, r.paths.layer, r.paths.region, std::move(laid.points), std::move(laid.width),
+              std::move(laid.height)});
 }
 
 } // namespace filum::link3d

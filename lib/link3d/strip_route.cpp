@@ -60,8 +60,9 @@ Triangulation triangulate(std::span<const std::vector<Vec2>> lines, double step)
 // Walks from door to door, nearest first (Dijkstra).
 class Search {
   public:
-    Search(Triangulation& t, const SegmentIndex& index, double narrow, double wide)
-        : t_(t), index_(index), narrow_(narrow), wide_(wide) {}
+    Search(Triangulation& t, std::span<const toolpath::Curve> curves, const SegmentIndex& index, double narrow,
+           double beyond)
+        : t_(t), curves_(curves), index_(index), narrow_(narrow), beyond_(beyond) {}
 
     std::optional<std::vector<Vec2>> run(Vec2 from, int best, const std::function<int(Vec2, int)>& rank) {
         start(from);
@@ -107,6 +108,12 @@ class Search {
         }
     }
 
+    [[nodiscard]] bool in_strip(Vec2 p) const {
+        const auto near = index_.nearest(p);
+        return near && near->distance > narrow_ &&
+               near->distance <= curves_[near->curve].width_at(near->segment) / 2 + beyond_;
+    }
+
     // The number of the door at this side of f, kNone if the way may not pass there.
     int door(Face f, int side) {
         if (f->is_constrained(side)) return kNone;
@@ -115,8 +122,7 @@ class Search {
         if (f->info()[static_cast<std::size_t>(side)] == kNone &&
             g->info()[static_cast<std::size_t>(mirror)] == kNone) {
             const Vec2 m = geom::lerp(vec(f->vertex(t_.cw(side))->point()), vec(f->vertex(t_.ccw(side))->point()), 0.5);
-            const auto near = index_.nearest(m, wide_);
-            const int number = near && near->distance > narrow_ ? static_cast<int>(doors_.size()) : kClosed;
+            const int number = in_strip(m) ? static_cast<int>(doors_.size()) : kClosed;
             if (number != kClosed) doors_.push_back({m, f, side});
             f->info()[static_cast<std::size_t>(side)] = number;
         }
@@ -135,8 +141,9 @@ class Search {
     }
 
     Triangulation& t_;
+    std::span<const toolpath::Curve> curves_;
     const SegmentIndex& index_;
-    double narrow_, wide_; // mm
+    double narrow_, beyond_; // mm
     std::vector<Door> doors_;
     std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open_;
 };
@@ -162,13 +169,14 @@ std::vector<Vec2> straighten(const std::vector<Vec2>& way, const SegmentIndex& i
 
 } // namespace
 
-std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines, const SegmentIndex& index,
+std::optional<std::vector<Vec2>> strip_route(std::span<const std::vector<Vec2>> lines,
+                                             std::span<const toolpath::Curve> curves, const SegmentIndex& index,
                                              Vec2 from, double width, std::span<const Strips> strips, int best,
                                              const std::function<int(Vec2, int)>& rank) {
     Triangulation t = triangulate(lines, width);
     if (t.dimension() < 2) return std::nullopt;
-    for (const auto& [narrow, wide] : strips)
-        if (const auto way = Search(t, index, narrow * width, wide * width).run(from, best, rank))
+    for (const auto& [narrow, beyond] : strips)
+        if (const auto way = Search(t, curves, index, narrow * width, beyond * width).run(from, best, rank))
             return straighten(*way, index, narrow * width, width / 20);
     return std::nullopt;
 }

@@ -9,6 +9,8 @@ namespace filum::link3d {
 
 namespace {
 
+constexpr double kTouch = 1e-6; // mm
+
 // True if a -> b comes within `margin` mm of the box (in both axes).
 bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
     double from = 0, to = 1;
@@ -32,7 +34,7 @@ void Printed::add(const Box2& box, double top) {
 Box2 Printed::bounds() const {
     Box2 out;
     for (const auto& b : bodies)
-        if (!b.box.empty()) out.add(b.box.lo), out.add(b.box.hi);
+        if (b.part && !b.box.empty()) out.add(b.box.lo), out.add(b.box.hi);
     return out;
 }
 
@@ -42,12 +44,31 @@ bool Printed::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
     return false;
 }
 
+void Printed::connector(std::span<const Vec3> way) {
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+        Box2 box;
+        box.add(way[i].xy()), box.add(way[i + 1].xy());
+        bodies.push_back({box, std::min(way[i].z, way[i + 1].z), false});
+    }
+}
+
+bool Printed::hits(Vec3 a, Vec3 b, const machine::Head& head) const {
+    if (head.none) return false;
+    const double z = std::min(a.z, b.z), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
+    return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+        const double up = body.top - z;
+        if (up <= kTouch) return false;
+        if (up > head.gantry_height) return true;
+        return passes(a.xy(), b.xy(), body.box, up > head.cone_height ? carriage : head.cone_radius(up));
+    });
+}
+
 std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machine::Head& head) {
     const double level = std::max(from.z, to.z);
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
     double z = level;
     for (const auto& b : printed.bodies) {
-        if (b.top <= level) continue;
+        if (head.none || b.top <= level) continue;
         if (passes(from.xy(), to.xy(), b.box, cone))
             z = std::max(z, b.top);
         else if (passes(from.xy(), to.xy(), b.box, carriage))
@@ -95,7 +116,8 @@ std::vector<Vec2> outlets(const Box2& box, Vec3 p, const std::function<bool(Vec3
 } // namespace
 
 std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
-                                        const std::function<bool(Vec3, Vec3)>& free) {
+                                        const std::function<bool(Vec3, Vec3)>& free,
+                                        const std::function<bool(Vec3, Vec3)>& clear) {
     const Box2 wide{box.lo - Vec2{margin, margin}, box.hi + Vec2{margin, margin}};
     const double all = 2 * (wide.hi.x - wide.lo.x + wide.hi.y - wide.lo.y);
     std::optional<std::vector<Vec3>> best;
@@ -106,14 +128,22 @@ std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 fro
             const double length =
                 geom::distance(from.xy(), a) + std::min(ahead, all - ahead) + geom::distance(b, to.xy());
             if (best && length >= shortest) continue;
+            auto turns = ahead <= all - ahead ? corners(wide, s, t) : corners(wide, t, s);
+            if (ahead > all - ahead) std::reverse(turns.begin(), turns.end());
+            std::vector<Vec3> way{from, {a.x, a.y, from.z}};
+            const double outside = std::min(ahead, all - ahead);
+            double gone = 0;
+            for (const Vec2 c : turns) {
+                gone += geom::distance(way.back().xy(), c);
+                way.push_back({c.x, c.y, from.z + (to.z - from.z) * gone / outside});
+            }
+            if (const Vec3 last{b.x, b.y, to.z}; last != way.back()) way.push_back(last);
+            way.push_back(to);
+            bool all_clear = true;
+            for (std::size_t i = 0; i + 1 < way.size() && all_clear; ++i) all_clear = clear(way[i], way[i + 1]);
+            if (!all_clear) continue;
             shortest = length;
-            auto way = ahead <= all - ahead ? corners(wide, s, t) : corners(wide, t, s);
-            if (ahead > all - ahead) std::reverse(way.begin(), way.end());
-            best.emplace({from, {a.x, a.y, from.z}});
-            for (const Vec2 c : way) best->push_back({c.x, c.y, from.z});
-            best->push_back({b.x, b.y, from.z});
-            if (to.z != from.z) best->push_back({b.x, b.y, to.z});
-            best->push_back(to);
+            best = std::move(way);
         }
     }
     return best;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace filum::link3d {
@@ -18,13 +19,17 @@ using geom::Vec3;
 struct Printed {
     struct Body {
         Box2 box;
-        double top = 0; // mm
+        double top = 0;   // mm
+        bool part = true; // not a connector
     };
     std::vector<Body> bodies;
 
-    void begin() { bodies.emplace_back(); } // a new stroke
-    void add(const Box2& box, double top);  // to the newest
-    [[nodiscard]] Box2 bounds() const;
+    void begin() { bodies.emplace_back(); }    // a new stroke
+    void add(const Box2& box, double top);     // to the newest
+    void connector(std::span<const Vec3> way); // a body for each of its legs
+    [[nodiscard]] Box2 bounds() const;         // of the part
+    // True if the head would touch a body on the straight way from a to b.
+    [[nodiscard]] bool hits(Vec3 a, Vec3 b, const machine::Head& head) const;
     // True if a -> b comes within `margin` mm of a body that reaches above `z`; the newest counts only if not `own`.
     [[nodiscard]] bool blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const;
 };
@@ -34,11 +39,12 @@ struct Printed {
 // clears them.  Only upright and level moves; never below `from` or `to` in between.
 std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machine::Head& head);
 
-// A way for a connector: straight out to the bounding box of everything printed and of `target`, grown by `margin` mm,
-// around it the shorter way, and straight in.  The height changes outside.  Nothing if there is no straight way out (at
-// from.z) or in (at to.z) for which `free(a, b)` holds.  Tie: the sides in the order left, right, front, back.
-// (paper Fig. 8b; notes 3c, L3)
+// A way for a connector: straight out to `box` grown by `margin` mm, around it the shorter way, and straight in; the
+// height changes evenly on the way around.  Nothing if there is no straight way out (at from.z) or in (at to.z) for
+// which `free(a, b)` holds, or no way around of which each leg is `clear`.  Tie: the sides in the order left, right,
+// front, back. (paper Fig. 8b; notes 3c, L3)
 std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
-                                        const std::function<bool(Vec3, Vec3)>& free);
+                                        const std::function<bool(Vec3, Vec3)>& free,
+                                        const std::function<bool(Vec3, Vec3)>& clear);
 
 } // namespace filum::link3d

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace filum::machine {
 
@@ -22,5 +25,22 @@ struct Head {
         return flat_radius + std::min(dz, cone_height) * std::tan(cone_angle / 2);
     }
 };
+
+// A head as the user says it: by name, and what is to be different about it; empty lists leave it as it is.
+struct HeadChoice {
+    std::string name = "ordinary"; // or "none", or a machine profile's name or file
+    std::vector<double> flat_radius, cone_angle_deg, cone_height, gantry_height; // mm, deg; gantry 0: out of reach
+    std::vector<double> carriage;                                                // mm, x and y
+};
+
+// Throws Error like load_profile.
+Head head(const HeadChoice& choice);
+
+// The head, wherever it came from, as names and values of options that give it again.
+struct HeadSetting {
+    std::string name, value;
+    bool changed = false; // differs from the ordinary head's
+};
+std::vector<HeadSetting> settings(const Head& head);
 
 } // namespace filum::machine

@@ -1,6 +1,7 @@
 #include "metrics/report.hpp"
 
 #include "base/number.hpp"
+#include "metrics/directions.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -158,8 +159,14 @@ void shape(const Beads& beads, const std::vector<polygon::Region>& regions, cons
         out.push_back({q, "mean distance", s.mean, 3, "mm"});
         out.push_back({q, "median distance", s.median, 3, "mm"});
         out.push_back({q, "smallest distance", s.min, 3, "mm"});
+        out.push_back({q, "median distance in bead widths", s.median / w.median, 2});
+        out.push_back({q, "smallest distance in bead widths", s.min / w.median, 2});
         out.push_back({q, "nearer than three beads", count(s.near)});
     }
+    const Directions along = directions(beads);
+    for (std::size_t k = 0; k < Directions::kBins; ++k)
+        if (along.share[k] > 0)
+            out.push_back({"bead direction", "share at " + std::to_string(15 * k) + " degrees", along.share[k], 5});
     const std::string h = "bead width";
     out.push_back({h, "smallest", w.min, 3, "mm"});
     out.push_back({h, "median", w.median, 3, "mm"});
@@ -209,6 +216,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     areas(layers, input.claimed_unplaced, out);
     crossing_figures(layers, out);
     region_figures(layers, out);
+    if (input.pores) pore_figures(*input.pores, out);
     shape(beads, regions, w, options, threads, out);
     if (input.whole_program) lengths(input.course, input.seconds, options, out);
     if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
@@ -232,14 +240,15 @@ std::string region_table(const std::vector<LayerFigures>& layers) {
     return out;
 }
 
-std::string layer_table(const std::vector<LayerFigures>& layers) {
-    std::string out = "layer\tz_mm\tarea_mm2\tcoverage\toutside\toverfill\tmaterial\tcrossings\tregions\n";
+std::string layer_table(const std::vector<LayerFigures>& layers, const std::optional<Pores>& pores) {
+    std::string out = "layer\tz_mm\tarea_mm2\tcoverage\toutside\toverfill\tmaterial\tcrossings\tregions" +
+                      (pores ? "\t" + pore_columns() : "") + "\n";
     for (const auto& l : layers) {
         const double a = l.cover.area;
         out += std::to_string(l.layer) + "\t" + fixed_text(l.z, 4) + "\t" + fixed_text(a, 4) + "\t" +
                fixed_text(coverage(l.cover), 5) + "\t" + share(l.cover.outside(), a) + "\t" +
                share(l.cover.overfill(), a) + "\t" + share(l.cover.deposited, a) + "\t" + std::to_string(l.crossings) +
-               "\t" + std::to_string(l.regions.size()) + "\n";
+               "\t" + std::to_string(l.regions.size()) + (pores ? "\t" + pore_cells(*pores, l.layer) : "") + "\n";
     }
     return out;
 }

@@ -6,13 +6,17 @@
 #include "metrics/course.hpp"
 #include "metrics/figures.hpp"
 #include "metrics/layers.hpp"
+#include "metrics/pores.hpp"
 #include "metrics/turns.hpp"
 #include "metrics/widths.hpp"
+
+#include <optional>
 
 namespace filum::metrics {
 
 struct Options {
     std::string regions, per_region, per_layer; // files
+    bool pores = false;                         // measure pores
     std::string format = "table";               // table | tsv | json
     std::string machine = "marlin", set;        // profile of the print time, and changes to it
     double pixel = 0;             // mm between the rows that areas are swept by; 0: a sixteenth of the bead width
@@ -30,14 +34,15 @@ struct Input {
     Notes notes;                 // what the stages before dropped or repaired
     Facts facts;                 // and what they found out
     double claimed_unplaced = 0; // mm2, by the fill's own account
+    std::optional<Pores> pores;  // if asked for
 };
 
 // All figures, in the order in which they are to be read.
 Figures report(const Input& input, const Beads& beads, const std::vector<polygon::Region>& regions,
                const std::vector<LayerFigures>& layers, const Options& options, int threads);
 
-// TSV with a head line.
+// TSV with a head line; that of layers is wider if pores were measured.
 std::string region_table(const std::vector<LayerFigures>& layers);
-std::string layer_table(const std::vector<LayerFigures>& layers);
+std::string layer_table(const std::vector<LayerFigures>& layers, const std::optional<Pores>& pores);
 
 } // namespace filum::metrics

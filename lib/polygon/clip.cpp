@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "polygon/simple.hpp"
+#include "polygon/tiles.hpp"
 
 #include <polyclipping/clipper.hpp>
 
@@ -43,21 +44,51 @@ cl::PolyFillType fill_type(Fill rule) {
     return rule == Fill::positive ? cl::pftPositive : cl::pftNonZero;
 }
 
-Loops combine(cl::ClipType kind, const Loops& a, const Loops* b, Fill rule, bool strict = true) {
+Loops combine_tile(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool strict) {
+    cl::Clipper clipper;
+    clipper.AddPaths(to_clipper(in[0]), cl::ptSubject, true);
+    if (in.size() > 1) clipper.AddPaths(to_clipper(in[1]), cl::ptClip, true);
+    cl::Paths out;
+    clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
+    Loops result = from_clipper(out);
+    if (!strict || is_simple(result)) return result;
+    clipper.StrictlySimple(true); // takes time by the square of the points, and is seldom needed
+    clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
+    return from_clipper(out);
+}
+
+Loops combine(cl::ClipType kind, std::span<const Loops> in, Fill rule, bool strict = true) {
     try {
-        cl::Clipper clipper;
-        clipper.AddPaths(to_clipper(a), cl::ptSubject, true);
-        if (b != nullptr) clipper.AddPaths(to_clipper(*b), cl::ptClip, true);
-        cl::Paths out;
-        clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
-        Loops result = from_clipper(out);
-        if (!strict || is_simple(result)) return result;
-        clipper.StrictlySimple(true); // takes time by the square of the points, and is seldom needed
-        clipper.Execute(kind, out, fill_type(rule), fill_type(rule));
-        return from_clipper(out);
+        return tiled(in, 0, [&](std::span<const Loops> tile) { return combine_tile(kind, tile, rule, strict); });
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot combine outlines: ") + e.what());
     }
+}
+Loops combine(cl::ClipType kind, const Loops& a, const Loops& b, Fill rule, bool strict = true) {
+    const Loops both[] = {a, b};
+    return combine(kind, both, rule, strict);
+}
+
+Loops offset_whole(const Loops& a, double delta, double arc_tolerance) {
+    cl::ClipperOffset offsetter(2.0, arc_tolerance * kScale);
+    offsetter.AddPaths(to_clipper(a), cl::jtRound, cl::etClosedPolygon);
+    cl::Paths out;
+    offsetter.Execute(out, delta * kScale);
+    return from_clipper(out);
+}
+
+// The same for a tile.  Clipper takes the loop with the greatest y for an outer one and turns all round if it is not;
+// on a tile a hole may go as far, so a square beyond it leads, for the time being.
+Loops offset_tile(Loops tile, double delta, double arc_tolerance) {
+    if (tile.empty()) return {};
+    const double side = 4 * std::abs(delta) + 1, near = bounds(tile).hi.y + side, far = near + side;
+    const double x = bounds(tile).lo.x;
+    tile.add(std::vector<Vec2>{{x, near}, {x + side, near}, {x + side, far}, {x, far}});
+    const Loops found = offset_whole(tile, delta, arc_tolerance);
+    Loops out;
+    for (std::size_t l = 0; l < found.size(); ++l)
+        if (found[l][0].y < near - side / 2) out.add(found[l]);
+    return out;
 }
 
 struct Ordered {
@@ -83,51 +114,77 @@ Vec2 lowest_left(std::span<const Vec2> loop) {
                              [](Vec2 a, Vec2 b) { return a.y < b.y || (a.y == b.y && a.x < b.x); });
 }
 
+// The point of a loop's stretch farthest from its chord, and how far, squared.
+struct Farthest {
+    std::size_t at = 0;
+    double distance2 = 0;
+};
+
+// Of the points in (from, to), seen from the chord between i and j.
+Farthest farthest(std::span<const Vec2> loop, std::size_t i, std::size_t j, std::size_t from, std::size_t to) {
+    const std::size_t n = loop.size();
+    const Vec2 a = loop[i % n], d = loop[j % n] - a;
+    const double l2 = geom::norm2(d);
+    Farthest out;
+    for (std::size_t k = from + 1; k < to; ++k) {
+        const Vec2 q = loop[k] - a;
+        const double t = l2 > 0 ? std::clamp(geom::dot(q, d) / l2, 0.0, 1.0) : 0.0;
+        const double e = geom::norm2(q - t * d);
+        if (e > out.distance2) out = {k, e};
+    }
+    return out;
+}
+
 // Keeps the points of path[first..last] that stray from the chord by more than the tolerance; iterative, so that deep
-// recursion on long loops is no danger.
+// recursion on long loops is no danger.  A long stretch is parted at a point near its middle, so that the teeth of a
+// comb do not come off one by one.
 void keep_far_points(std::span<const Vec2> loop, std::size_t first, std::size_t last, double tolerance,
                      std::vector<char>& keep) {
+    constexpr std::size_t kLong = 2000; // points
     std::vector<std::pair<std::size_t, std::size_t>> todo{{first, last}};
-    const std::size_t n = loop.size();
     while (!todo.empty()) {
         const auto [i, j] = todo.back();
         todo.pop_back();
-        const Vec2 a = loop[i % n], d = loop[j % n] - a;
-        const double l2 = geom::norm2(d);
-        double worst = tolerance * tolerance;
-        std::size_t at = 0;
-        for (std::size_t k = i + 1; k < j; ++k) {
-            const Vec2 q = loop[k] - a;
-            const double t = l2 > 0 ? std::clamp(geom::dot(q, d) / l2, 0.0, 1.0) : 0.0;
-            const double e = geom::norm2(q - t * d);
-            if (e > worst) worst = e, at = k;
-        }
-        if (at == 0) continue;
-        keep[at] = 1;
-        todo.emplace_back(i, at);
-        todo.emplace_back(at, j);
+        const std::size_t margin = j - i > kLong ? (j - i) / 3 : 0;
+        Farthest found = farthest(loop, i, j, i + margin, j - margin);
+        if (margin > 0 && found.distance2 <= tolerance * tolerance) found = farthest(loop, i, j, i, j);
+        if (found.distance2 <= tolerance * tolerance) continue;
+        keep[found.at] = 1;
+        todo.emplace_back(i, found.at);
+        todo.emplace_back(found.at, j);
     }
 }
 
 } // namespace
 
-Loops unite(const Loops& a, Fill rule) { return combine(cl::ctUnion, a, nullptr, rule); }
-Loops unite(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctUnion, a, &b, rule); }
-Loops intersect(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctIntersection, a, &b, rule); }
+Loops unite(const Loops& a, Fill rule) { return combine(cl::ctUnion, {&a, 1}, rule); }
+Loops unite(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctUnion, a, b, rule); }
+Loops intersect(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctIntersection, a, b, rule); }
 Loops intersect_touching(const Loops& a, const Loops& b, Fill rule) {
-    return combine(cl::ctIntersection, a, &b, rule, false);
+    return combine(cl::ctIntersection, a, b, rule, false);
 }
-Loops subtract(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctDifference, a, &b, rule); }
+Loops subtract(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctDifference, a, b, rule); }
 
 Loops offset(const Loops& a, double delta, double arc_tolerance) {
     try {
-        cl::ClipperOffset offsetter(2.0, arc_tolerance * kScale);
-        offsetter.AddPaths(to_clipper(a), cl::jtRound, cl::etClosedPolygon);
-        cl::Paths out;
-        offsetter.Execute(out, delta * kScale);
-        return from_clipper(out);
+        return tiled({&a, 1}, std::abs(delta),
+                     [&](std::span<const Loops> tile) { return offset_tile(tile[0], delta, arc_tolerance); });
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot offset outlines: ") + e.what());
+    }
+}
+
+Loops around(std::span<const Vec2> line, double radius, double arc_tolerance) {
+    try {
+        cl::ClipperOffset offsetter(2.0, arc_tolerance * kScale);
+        cl::Path path;
+        for (const Vec2 p : line) path.emplace_back(std::llround(p.x * kScale), std::llround(p.y * kScale));
+        offsetter.AddPath(path, cl::jtRound, cl::etOpenRound);
+        cl::Paths out;
+        offsetter.Execute(out, radius * kScale);
+        return from_clipper(out);
+    } catch (const cl::clipperException& e) {
+        throw Error(Exit::bad_input, std::string("cannot widen a line: ") + e.what());
     }
 }
 

@@ -21,6 +21,9 @@ Loops subtract(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 // `a` grown by `delta` mm (shrunk if negative), corners rounded; arcs are off by at most `arc_tolerance` mm.
 Loops offset(const Loops& a, double delta, double arc_tolerance = 0.002);
 
+// Everything within `radius` mm of the open line: a bead with round ends.  A line of one point gives a disc.
+Loops around(std::span<const Vec2> line, double radius, double arc_tolerance = 0.002);
+
 // The connected parts of a simple area: each with its outer loop first, then its holes.  Order: by the first point's
 // (y, x) of the outer loop's lowest-left vertex, so that it depends on the area alone.
 // `parent[i]` is the part whose hole holds part i, -1 if none.

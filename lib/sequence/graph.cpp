@@ -69,14 +69,14 @@ Graph support_graph(std::span<const polygon::Region> regions, double least_area)
     return g;
 }
 
-Columns columns(std::span<const polygon::Region> regions) {
+Columns columns(std::span<const polygon::Region> regions, double least_area) {
     const auto n = static_cast<Index>(regions.size());
     std::vector<Index> below(n, kNone), above(n, kNone);
     std::vector<double> share(n, 0);
     for (Index v = 0; v < n; ++v) {
         double most = 0;
         for (const auto& o : regions[v].below)
-            if (o.area > most) most = o.area, below[v] = o.below;
+            if ((o.link || o.area >= least_area) && o.area > most) most = o.area, below[v] = o.below;
         const Index u = below[v];
         if (u == kNone) continue;
         if (most > share[u]) share[u] = most, above[u] = v;

@@ -54,9 +54,9 @@ struct Columns {
 // Throws Error(bad_input) if ids or layers do not ascend or an overlap names no region of the layer below.
 Graph support_graph(std::span<const polygon::Region> regions, double least_area);
 
-// Each region continues the column of the region below with which it shares most area, if it is also that one's
-// largest; ties to the lower id.
-Columns columns(std::span<const polygon::Region> regions);
+// Each region continues the column of the region below that supports it with most area, if it is also that one's
+// largest; ties to the lower id.  `least_area` as above.
+Columns columns(std::span<const polygon::Region> regions, double least_area);
 
 // `g` with more precedence.
 void add_precedence(Graph& g, std::vector<Pair> more);

@@ -71,4 +71,6 @@ Index matched(const std::vector<Index>& next) {
     return static_cast<Index>(std::count_if(next.begin(), next.end(), [](Index v) { return v != kNone; }));
 }
 
+Index path_cover(const Graph& g) { return g.size() - matched(maximum_matching(g.up)); }
+
 } // namespace filum::sequence

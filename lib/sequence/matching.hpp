@@ -13,4 +13,7 @@ std::vector<Index> maximum_matching(const Arcs& links);
 // How many nodes have a next.
 Index matched(const std::vector<Index>& next);
 
+// Strokes that links alone demand: regions less a maximum matching.
+Index path_cover(const Graph& g);
+
 } // namespace filum::sequence

@@ -14,6 +14,7 @@ using geom::Box2;
 using geom::Vec2;
 
 constexpr std::size_t kRun = 2; // edges per leaf
+constexpr double kLevel = 1e-6; // mm; heights so near are the same: sums of layers are not exact
 
 double gap_x(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x}); }
 double gap_y(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y}); }
@@ -105,8 +106,8 @@ double Reach::farthest() const { return std::max({radius, half_x, half_y}); }
 Reach reach(const machine::Head& head, double dz) {
     Reach r;
     r.radius = head.cone_radius(dz);
-    if (dz > head.cone_height) r.half_x = head.carriage_x / 2, r.half_y = head.carriage_y / 2;
-    r.everywhere = dz > head.gantry_height;
+    if (dz > head.cone_height + kLevel) r.half_x = head.carriage_x / 2, r.half_y = head.carriage_y / 2;
+    r.everywhere = dz > head.gantry_height + kLevel;
     return r;
 }
 

@@ -3,24 +3,35 @@
 
 #include "base/fact.hpp"
 #include "machine/head.hpp"
-#include "sequence/order.hpp"
+#include "sequence/ends.hpp"
 
 namespace filum::sequence {
 
 struct Options {
     bool by_layers = false; // strictly layer by layer
+    bool sun2019 = false;   // if so, as in the 2019 paper (sun2019_order.hpp)
     machine::Head head;
     double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
-    std::uint64_t budget = 100'000'000; // precedences that the search may look at, and a tenth of it the bound
+    std::uint64_t budget = 600'000'000; // steps that searches and bounds may take
 };
 
 struct Result {
     Order order;                       // ids in the order of printing
     std::vector<std::uint32_t> stroke; // by place in `order`
     std::vector<Join> join;            // likewise
-    // regions, strokes, lower-bound (no order that the head allows has fewer), path-cover (nor without a head),
-    // layer-floor (regions - layers + 1: layer by layer has no fewer), columns, collisions
+    std::vector<End> ends;             // of the strokes
+    Graph graph;                       // that was ordered
+    // regions, columns, collisions;
+    // layer-floor (regions - layers + 1: layer by layer has no fewer strokes);
+    // path-cover, relaxation-bound, lower-bound: no order that the head allows has fewer strokes than any
+    // of these (path-cover: nor without a head); lower-bound is the best of them, or the strokes if the search proved
+    // its order best;
+    // strokes; gap (% of the strokes that lower-bound leaves open);
+    // ends-...: strokes by the cause of their end, see ends.hpp;
+    // steps (millions) taken by search and bounds; search-complete (1 if the search left nothing out, so that nothing
+    // has fewer strokes)
     Facts facts;
+    std::string bound_by; // what proved lower-bound: path-cover, relaxation-bound or search
 };
 
 // Orders `regions`, which come layer by layer with ids from 0 without gaps; their outlines are given up.

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "wire/planar.hpp"
+#include "wire/surface.hpp"
 
 #include <span>
 
@@ -72,16 +73,20 @@ Record record(const toolpath::Curve& c) {
 Record record(const toolpath::RegionPaths& p) {
     std::vector<Record> curves;
     for (const auto& c : p.curves) curves.push_back(record(c));
-    return {"paths",
-            {{"region", whole(p.region)},
-             {"layer", whole(p.layer)},
-             {"z", p.z},
-             {"height", p.height},
-             {"area", p.area},
-             {"unplaced", p.unplaced},
-             {"stroke", whole(p.stroke)},
-             {"join", kJoins[static_cast<std::size_t>(p.join)]},
-             {"curves", std::move(curves)}}};
+    Record out{"paths",
+               {{"region", whole(p.region)},
+                {"layer", whole(p.layer)},
+                {"z", p.z},
+                {"height", p.height},
+                {"area", p.area},
+                {"unplaced", p.unplaced},
+                {"stroke", whole(p.stroke)},
+                {"join", kJoins[static_cast<std::size_t>(p.join)]},
+                {"curves", std::move(curves)}}};
+    std::vector<Record> stacked;
+    for (const auto& line : p.stacked) stacked.push_back({"line", {{"points", columns(line)}}});
+    if (!stacked.empty()) out.fields.emplace_back("stacked", std::move(stacked));
+    return out;
 }
 
 Record record(const toolpath::Span& s) {
@@ -97,6 +102,44 @@ Record record(const toolpath::Span& s) {
     add_values(out, table, "height", s.height);
     out.fields.emplace_back("points", std::move(table));
     return out;
+}
+
+Table columns(std::span<const geom::Vec3> points) {
+    std::vector<double> x, y, z;
+    for (const auto& p : points) x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
+    return {{"x", std::move(x)}, {"y", std::move(y)}, {"z", std::move(z)}};
+}
+
+Record record(const surface::Surface& s, const surface::Rim& rim) {
+    return {"rim",
+            {{"component", whole(rim.component)},
+             {"outer", rim.outer ? "yes" : "no"},
+             {"sides", whole(rim.sides.size())},
+             {"length", surface::rim_length(s, rim)}}};
+}
+
+Record record(const surface::Isoline& line) {
+    return {"isoline",
+            {{"level", line.level}, {"closed", line.closed ? "yes" : "no"}, {"points", columns(line.points)}}};
+}
+
+// Vertices with their fields as columns.
+Record record(const surface::Sheet& sheet) {
+    const surface::Surface& s = sheet.surface;
+    std::vector<Record> rims, lines;
+    for (const auto& rim : s.rims) rims.push_back(record(s, rim));
+    for (const auto& line : sheet.isolines) lines.push_back(record(line));
+    Table table = columns(s.vertices);
+    for (const auto& f : sheet.fields) table.emplace_back(f.name, f.values);
+    std::vector<double> a, b, c;
+    for (const auto& t : s.triangles) a.push_back(t[0]), b.push_back(t[1]), c.push_back(t[2]);
+    return {"surface",
+            {{"components", whole(s.components)},
+             {"area", surface::area(s)},
+             {"points", std::move(table)},
+             {"triangles", Table{{"a", std::move(a)}, {"b", std::move(b)}, {"c", std::move(c)}}},
+             {"rims", std::move(rims)},
+             {"isolines", std::move(lines)}}};
 }
 
 Record record(const Note& n) {
@@ -131,6 +174,8 @@ Record record(const stream::RawFrame& frame) {
         return record(wire::paths(frame));
     case stream::Tag::span:
         return record(wire::span(frame));
+    case stream::Tag::surface:
+        return record(wire::sheet(frame));
     case stream::Tag::header:
     case stream::Tag::end:
         break;

@@ -37,7 +37,7 @@ void add_record(Summary& s, const Record& record) {
         else if (const auto* word = std::get_if<std::string>(&value)) {
             if (name == "role" || name == "join") ++s.named[name + " " + *word];
         } else if (const auto* table = std::get_if<Table>(&value)) {
-            if (!table->empty()) s.points += table->front().second.size();
+            if (name == "points" && !table->empty()) s.points += table->front().second.size();
             for (const auto& [column, numbers] : *table) {
                 if (!among(kRanges, column)) continue;
                 Range& range = s.ranges[column];

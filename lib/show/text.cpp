@@ -12,7 +12,7 @@ void append_number(std::string& out, double v, int decimals) {
     if (std::isfinite(v))
         append_fixed(out, v, decimals);
     else
-        out += "nan";
+        out += std::isnan(v) ? "nan" : v > 0 ? "inf" : "-inf";
 }
 
 void append_table(std::string& out, const Table& table, const std::string& indent, int decimals) {

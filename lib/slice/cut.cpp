@@ -116,7 +116,7 @@ std::vector<Chain> lid_chains(const Sweep& sweep, std::size_t layer) {
         if (a != b || b != c) pieces.push_back(piece(t, a, b, c));
     }
     Loops unused;
-    auto out = link(*sweep.mesh, sweep.levels[layer].plane, pieces, unused);
+    auto out = link(*sweep.mesh, sweep.levels[layer].plane + kLift, pieces, unused);
     for (Chain& c : out) c.lid = length(c);
     return out;
 }
@@ -129,7 +129,7 @@ double perimeter(const Loops& loops) {
 
 Loops contours(const Sweep& sweep, std::size_t layer, const std::vector<Piece>& pieces, Notes& notes) {
     Loops loops;
-    auto chains = link(*sweep.mesh, sweep.levels[layer].plane, pieces, loops);
+    auto chains = link(*sweep.mesh, sweep.levels[layer].plane + kLift, pieces, loops);
     const auto number = static_cast<std::int64_t>(layer);
     auto rule = polygon::Fill::nonzero;
     if (!chains.empty()) {

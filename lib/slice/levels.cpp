@@ -27,7 +27,7 @@ Reach reach(const mesh::Mesh& mesh) {
 }
 
 std::vector<Level> uniform(double bottom, double height, double first, double step) {
-    const double more = std::max(0.0, std::floor((height - first) / step + 0.5 + 1e-9));
+    const double more = std::max(0.0, std::floor((height - first - 2 * kLift) / step + 0.5));
     if (more >= kMaxLayers) too_many(kMaxLayers);
     std::vector<Level> out{{bottom + first, first, bottom + first / 2}};
     for (std::size_t i = 1; i <= static_cast<std::size_t>(more); ++i) {

@@ -16,11 +16,11 @@ constexpr std::size_t kGrain = 1 << 16;
 
 std::vector<std::uint32_t> ranks(const mesh::Mesh& mesh, const std::vector<Level>& levels, int threads) {
     std::vector<double> planes;
-    for (const Level& l : levels) planes.push_back(l.plane);
+    for (const Level& l : levels) planes.push_back(l.plane + kLift);
     std::vector<std::uint32_t> out(mesh.vertices.size());
     parallel::for_chunks(out.size(), kGrain, threads, [&](std::size_t from, std::size_t to) {
-        for (std::size_t v = from; v < to; ++v) // as many planes as are <= z
-            out[v] = static_cast<std::uint32_t>(std::upper_bound(planes.begin(), planes.end(), mesh.vertices[v].z) -
+        for (std::size_t v = from; v < to; ++v) // as many planes as are below it
+            out[v] = static_cast<std::uint32_t>(std::lower_bound(planes.begin(), planes.end(), mesh.vertices[v].z) -
                                                 planes.begin());
     });
     return out;

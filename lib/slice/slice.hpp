@@ -1,8 +1,9 @@
 // A mesh to closed contours per layer.
 //
-// The sweep calls a vertex above a plane if z >= plane, so that no vertex is ever on a plane: every triangle that a
+// The sweep calls a vertex above a plane or not above it, so that no vertex is ever on a plane: every triangle that a
 // plane meets gives exactly one piece of contour, from one edge to another, and the pieces of a closed mesh always
-// close.
+// close.  Tie rule: a face level with a plane counts as below it, so that the section is that of the upper half of the
+// layer: the floor over a recess is there, and a step that ends half way up is not.
 #pragma once
 
 #include "base/note.hpp"
@@ -33,14 +34,16 @@ struct Level {
     double plane = 0;  // mid-height
 };
 
+// Planes are cut this much higher: more than what single precision leaves of a height below 100 mm.
+inline constexpr double kLift = 1e-5; // mm
+
 // The levels of a part that reaches from z = bottom to z = top, lowest first.  Without `adaptive` there are
-// round(height / layer_height) of them, the first as high as asked for.  A part lower than half a layer is an
-// Error(bad_input), as are more than a million layers; one lower than a layer gets one, cut at the part's own
-// mid-height, with a note.
-// With `adaptive`, a layer of height h on a surface whose unit normal has vertical part n_z leaves steps h |n_z| off
-// the surface (cusp height, Dolenc and Makela 1994): each is the highest within the limits that keeps it below `cusp`
-// on the slopes it spans, but for the steepest 5 % of the area and for level faces; neighbours differ by less than a
-// third.  At most 100000 of them.
+// round(height / layer_height) of them, half a layer rounded down, the first as high as asked for.  A part lower than
+// half a layer is an Error(bad_input), as are more than a million layers; one lower than a layer gets one, cut at the
+// part's own mid-height, with a note. With `adaptive`, a layer of height h on a surface whose unit normal has vertical
+// part n_z leaves steps h |n_z| off the surface (cusp height, Dolenc and Makela 1994): each is the highest within the
+// limits that keeps it below `cusp` on the slopes it spans, but for the steepest 5 % of the area and for level faces;
+// neighbours differ by less than a third.  At most 100000 of them.
 std::vector<Level> levels(const mesh::Mesh& mesh, const Options& options, Notes& notes);
 
 // Layers that are cut together.

@@ -18,6 +18,8 @@ std::string_view name(Payload p) {
         return "Paths";
     case Payload::toolpath:
         return "Toolpath";
+    case Payload::surface:
+        return "Surface";
     case Payload::unknown:
         break;
     }
@@ -34,6 +36,8 @@ Tag tag_of(Payload p) {
         return Tag::paths;
     case Payload::toolpath:
         return Tag::span;
+    case Payload::surface:
+        return Tag::surface;
     case Payload::unknown:
         break;
     }

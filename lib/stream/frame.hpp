@@ -12,7 +12,7 @@
 namespace filum::stream {
 
 // The one kind of payload that a stream carries.  Values are the wire's.
-enum class Payload : std::uint8_t { unknown = 0, layers = 1, regions = 2, paths = 3, toolpath = 4 };
+enum class Payload : std::uint8_t { unknown = 0, layers = 1, regions = 2, paths = 3, toolpath = 4, surface = 5 };
 
 std::string_view name(Payload p);
 
@@ -25,7 +25,8 @@ enum class Tag : std::uint32_t {
     layer = 8,
     region = 9,
     paths = 10,
-    span = 11
+    span = 11,
+    surface = 12
 };
 
 // The only payload tag that a stream of this kind holds.

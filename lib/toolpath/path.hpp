@@ -30,6 +30,10 @@ struct RegionPaths {
     Join join = Join::start;
     std::vector<Curve> curves;
     double unplaced = 0; // mm2 of the region that no bead reaches
+    // Middle lines of walls that a curve passes twice on this very line, each time half as wide as the wall.  The first
+    // pass is to be laid twice as wide in the lower half of the layer, the second one in the upper half: the same
+    // volume.
+    std::vector<std::vector<Vec2>> stacked;
 };
 
 enum class Role : std::uint8_t {

@@ -179,6 +179,10 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
         curve.width = per_point(c.width(), curve.points.size(), "paths", "width");
         out.curves.push_back(std::move(curve));
     }
+    for (const auto& line : m.stacked()) {
+        out.stacked.push_back(points(line.x(), line.y(), "paths"));
+        if (out.stacked.back().size() < 2) bad("paths", "a line has fewer than two points");
+    }
     return out;
 }
 
@@ -200,6 +204,10 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         for (const auto p : curve.points)
             c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
         put(*c->mutable_width(), curve.width);
+    }
+    for (const auto& line : paths.stacked) {
+        auto* l = m.add_stacked();
+        for (const auto p : line) l->add_x(p.x), l->add_y(p.y);
     }
     return raw(Tag::paths, m);
 }

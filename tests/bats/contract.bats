@@ -64,7 +64,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     for c in $(stream_readers); do
         expect 3 "$c" < part.stl
         complaint "$c"
-        for payload in Layers Regions Paths Toolpath; do
+        for payload in Layers Regions Paths Toolpath Surface; do
             in=$(fact "$c" in)
             [[ $in == "stream $payload" || $in == 'stream unknown' ]] && continue
             expect 3 "$c" < $payload

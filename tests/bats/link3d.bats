@@ -71,7 +71,11 @@ stops() {
 }
 
 @test "without reach only what touches is joined" {
-    paths
+    # pillars of one small ring each, which lies between two rings of the plate: at 3 and 3.4 mm from its side
+    box plate 0 0 0 12 12 0.6 > part.stl
+    box near 2.95 5.5 0.6 3.45 6.0 3 >> part.stl
+    box far 8.55 5.5 0.6 9.05 6.0 3 >> part.stl
+    slice part.stl | regions | sequence | fill --pattern contour > part.paths
     run --separate-stderr link3d --reach 0 part.paths -o part.toolpath
     [ "$status" -eq 0 ]
     [[ "$stderr" == *"join broken"* ]]
@@ -89,6 +93,20 @@ stops() {
     [ "$(stops)" -eq 1 ]
 }
 
+@test "travels clear the head that is given, as the history says" {
+    paths
+    link3d part.paths -o ordinary.toolpath
+    link3d --head ordinary part.paths -o same.toolpath
+    cmp ordinary.toolpath same.toolpath
+    link3d --head none part.paths -o none.toolpath
+    link3d --head bio-x part.paths -o bio.toolpath
+    peek --script none.toolpath | grep -q 'link3d .*--head=none'
+    peek --script bio.toolpath | grep -q 'link3d .*--carriage=60,60'
+    if peek --script ordinary.toolpath | grep -q 'carriage'; then return 1; fi
+    run link3d --head nothing part.paths
+    [ "$status" -eq 2 ]
+}
+
 @test "a cut stream and a wrong one are refused" {
     paths
     head -c -20 part.paths > cut.paths
@@ -100,4 +118,59 @@ stops() {
     [ "$status" -eq 3 ]
     run link3d --reach -1 part.paths
     [ "$status" -eq 2 ]
+}
+
+# figure FILE NAME: the number that metrics gives for NAME
+figure() { metrics "$1" | sed -n "s/^  $2  *\([0-9.]*\).*/\1/p" | head -1; }
+
+@test "interlaced starts are three beads apart, without a stop and from the seed alone" {
+    box plate 0 0 0 12 12 3 > part.stl
+    paths
+    link3d part.paths -o none.toolpath
+    [ "$(figure none.toolpath 'nearer than three beads')" -eq 14 ]
+    for scheme in alternate golden random; do
+        run --separate-stderr link3d --interlace $scheme part.paths -o $scheme.toolpath
+        [ "$status" -eq 0 ]
+        [ -z "$stderr" ]
+        [ "$(figure $scheme.toolpath 'nearer than three beads')" -eq 0 ]
+        [ "$(figure $scheme.toolpath crossings)" -eq 0 ]
+        program $scheme.toolpath
+        [ "$(stops)" -eq 0 ]
+    done
+    link3d --interlace random --seed 1 part.paths -o again.toolpath
+    cmp random.toolpath again.toolpath
+    link3d --interlace random --seed 2 part.paths -o other.toolpath
+    if cmp -s random.toolpath other.toolpath; then return 1; fi
+    run link3d --interlace often part.paths -o part.toolpath
+    [ "$status" -eq 2 ]
+}
+
+@test "connectors join two towers in one stroke, and say what is to be trimmed" {
+    box one 0 0 0 4 4 1 > part.stl
+    box two 12 0 0 16 4 1 >> part.stl
+    paths --order layers
+    run --separate-stderr link3d --connect outside part.paths -o outside.toolpath
+    [ "$status" -eq 0 ]
+    [[ "$stderr" == *"connector to be trimmed: 5 cases"* ]]
+    program outside.toolpath
+    [ "$(stops)" -eq 0 ]
+    [ "$(figure outside.toolpath 'joins by connector')" -eq 5 ]
+    link3d --connect inside part.paths -o inside.toolpath
+    program inside.toolpath
+    [ "$(stops)" -eq 0 ]
+    [ "$(figure inside.toolpath 'joins by connector')" -eq 0 ]
+    run link3d --connect around part.paths
+    [ "$status" -eq 2 ]
+}
+
+@test "ramps lose no stroke and no material" {
+    box plate 0 0 0 12 12 3 > part.stl
+    paths
+    link3d part.paths -o plain.toolpath
+    link3d --lift ramp part.paths -o ramp.toolpath
+    program ramp.toolpath
+    [ "$(stops)" -eq 0 ]
+    [ "$(figure ramp.toolpath crossings)" -eq 0 ]
+    plain=$(figure plain.toolpath volume) ramp=$(figure ramp.toolpath volume)
+    [ "$(echo "$ramp > 0.995 * $plain && $ramp < 1.005 * $plain" | bc)" -eq 1 ]
 }

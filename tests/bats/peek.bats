@@ -36,7 +36,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 
 @test "--json is JSON with the same counts" {
     command -v jq > /dev/null || skip "no jq"
-    for s in Layers Regions Paths Toolpath; do
+    for s in Layers Regions Paths Toolpath Surface; do
         frames=$(peek --frames $s | wc -l)
         [[ $(peek --json $s | jq '.frames | length') == "$frames" ]]
         [[ $(peek --json $s | jq -r .header.payload) == "$s" ]]
@@ -56,7 +56,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 }
 
 @test "--check is quiet and tells by the exit code" {
-    for s in Layers Regions Paths Toolpath; do
+    for s in Layers Regions Paths Toolpath Surface; do
         expect 0 peek --check $s
         [[ -z $out && -z $err ]]
     done

@@ -63,6 +63,46 @@ strokes() { # options of sequence
     cmp one eight
 }
 
+@test "the report tells bounds and causes, --ends every end" {
+    slice towers.stl | regions > r
+    run sequence r --report --ends ends.tsv -o s
+    [ "$status" -eq 0 ]
+    for line in 'lower-bound 4' 'gap 0' 'ends-top 2' 'ends-carriage 2' 'ends-cone 0' 'bound-by relaxation-bound'; do
+        grep -qx "sequence: $line" <<<"$output"
+    done
+    [ "$(wc -l < ends.tsv)" -eq 5 ]
+    [ "$(cut -f7 ends.tsv | sort | uniq -c | tr -s ' ' | tr '\n' ';')" = ' 2 carriage; 1 cause; 2 top;' ]
+    [[ "$(peek s)" == *ends-carriage* ]]
+}
+
+@test "a budget is steps or seconds; too little still gives an order" {
+    slice towers.stl | regions > r
+    sequence r --budget 0 -o none
+    peek --check none
+    sequence r --budget 600 | peek --text --decimals 3 | grep '^region' > steps
+    sequence r --budget 2s | peek --text --decimals 3 | grep '^region' > seconds
+    cmp steps seconds
+    for wrong in -1 ten 5m 1e9 9999s; do
+        run sequence r --budget "$wrong" -o x
+        [ "$status" -eq 2 ]
+        [[ "$output" == *--budget* ]]
+    done
+}
+
+@test "a head by name or file, and what is said if there is none such" {
+    slice towers.stl | regions > r
+    sequence r --head marlin -o s
+    cp "$(dirname "$(command -v sequence)")"/../share/filum/profiles/marlin.toml short.toml
+    sequence r --head ./short.toml -o t
+    cmp <(peek --text s | grep '^region') <(peek --text t | grep '^region')
+    run sequence r --head nosuch -o x
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"'nosuch'"*marlin* ]]
+    run sequence r --head ./nosuch.toml -o x
+    [ "$status" -eq 5 ]
+    [[ "$output" == *"nosuch.toml"* ]]
+}
+
 @test "nothing on standard error without need" {
     slice towers.stl > layers
     run regions layers -o r

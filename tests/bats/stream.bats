@@ -13,7 +13,7 @@ setup_file() {
 setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 
 @test "every stream begins with the same 15 bytes" {
-    for s in Layers Regions Paths Toolpath; do
+    for s in Layers Regions Paths Toolpath Surface; do
         [[ $(head -c 15 $s | od -An -tx1 | tr -d ' \n') == 0e09008946696c756d0a1501000000 ]]
     done
 }

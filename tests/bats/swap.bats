@@ -14,7 +14,7 @@ setup_file() {
     done
     [[ -n $python ]] || skip "no python3-protobuf"
     command -v protoc > /dev/null || skip "no protoc"
-    protoc --python_out=. -I "$source_tree/proto" filum/stream.proto filum/planar.proto
+    protoc --python_out=. -I "$source_tree/proto" filum/stream.proto filum/planar.proto filum/surface.proto
     cp "$source_tree/examples/swap-a-stage/walls" "$source_tree/examples/swap-a-stage/filum_stream.py" .
     printf '#!/bin/sh\nPYTHONDONTWRITEBYTECODE=1 PYTHONPATH="%s" exec "%s" "%s/walls" "$@"\n' "$PWD" "$python" "$PWD" > stage
     chmod +x stage

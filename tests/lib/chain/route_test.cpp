@@ -22,6 +22,19 @@ TEST(route, options_go_to_all_that_have_them_own_ones_last) {
     EXPECT_EQ(r.output, "x");
 }
 
+TEST(route, machine_is_the_head_to_keep_clear_of_unless_another_is_given) {
+    const std::vector<Stage> stages{{"sequence", "", "", "", "", {{"head", true}}},
+                                    {"link3d", "", "", "", "", {{"head", true}}},
+                                    {"postproc", "", "", "", "", {{"machine", true}}}};
+    const auto heads = [&](const std::vector<std::string>& words) { return route(words, stages).arguments; };
+    EXPECT_EQ(heads({}), (Lists{{}, {}, {}}));
+    EXPECT_EQ(heads({"--machine", "bio"}), (Lists{{"--head=bio"}, {"--head=bio"}, {"--machine=bio"}}));
+    EXPECT_EQ(heads({"--postproc.machine=bio"}), (Lists{{"--head=bio"}, {"--head=bio"}, {"--machine=bio"}}));
+    EXPECT_EQ(heads({"--machine=bio", "--head=none"}), (Lists{{"--head=none"}, {"--head=none"}, {"--machine=bio"}}));
+    EXPECT_EQ(heads({"--sequence.head=none", "--machine=bio"}),
+              (Lists{{"--head=none"}, {"--head=bio"}, {"--machine=bio"}}));
+}
+
 TEST(route, refuses_what_is_nobodys) {
     for (const auto& words : std::vector<std::vector<std::string>>{{"--nothing"},
                                                                    {"--slice.width=1"},

@@ -10,8 +10,6 @@ using namespace test;
 
 namespace {
 
-constexpr std::array kStrips{Strips{}};
-
 double area(const Bead& b) {
     double sum = 0;
     const auto w = [&](std::size_t i) { return b.width.size() == 1 ? b.width[0] : b.width[i]; };
@@ -102,9 +100,9 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
                 const Curve line{false, bead.points, {kWidth}};
                 const SegmentIndex index(std::span(&line, 1));
                 const Vec2 goal{1 + 6 * random(), 1 + 4 * random()};
-                const auto way =
-                    strip_route(std::span(&bead.points, 1), index, bead.points.back(), kWidth, kStrips, 1,
-                                [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
+                const auto way = strip_route(
+                    std::span(&bead.points, 1), std::span(&line, 1), index, bead.points.back(), kWidth, kStrips, 1,
+                    [&](Vec2 p, int) { return geom::distance(p, goal) < 1.5 * kWidth ? 1 : 0; });
                 ASSERT_TRUE(way) << at.point.x << "," << at.point.y << " to " << goal.x << "," << goal.y << " case "
                                  << k << " n " << c.points.size();
                 EXPECT_EQ(way->front(), bead.points.back());
@@ -112,13 +110,33 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
                 EXPECT_EQ(crossings(*way, bead.points), 0);
                 EXPECT_GT(clearance(*way, index), 0.19 * kWidth);
                 const double before = area(bead), lane = 0.5 * kWidth * length(*way);
-                const double taken = thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5);
+                const double taken = thin_beside(bead, *way, 0.5 * kWidth, kWidth, 0.5, index);
                 EXPECT_NEAR(before - area(bead), taken, 1e-9);
+                EXPECT_EQ(crossings(bead.points, bead.points), 0);
+                EXPECT_EQ(crossings(*way, bead.points), 0);
                 EXPECT_NEAR(taken, lane, 0.02 * lane + 0.1 * kWidth * kWidth);
-                for (const double w : bead.width) EXPECT_GT(w, 0.5 * 0.9 * kWidth - 1e-9);
+                for (const double w : bead.width) EXPECT_GT(w, 0.4 * 0.9 * kWidth);
             }
         }
     }
+}
+
+// Two lanes one width apart and a lane between them: together they still fill the same two widths.
+TEST(Bead, KeepsItsFarEdgeBesideALane) {
+    Bead b{{{0, 0}, {10, 0}, {10, kWidth}, {0, kWidth}}, {kWidth}};
+    const std::vector<Vec2> lane{{3, kWidth / 2}, {7, kWidth / 2}};
+    const Curve line{false, b.points, {kWidth}};
+    thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1)));
+    int beside = 0;
+    for (std::size_t i = 0; i < b.points.size(); ++i) {
+        if (b.points[i].x < 3.4 || b.points[i].x > 6.6) continue;
+        ++beside;
+        const bool lower = b.points[i].y < kWidth / 2;
+        EXPECT_NEAR(b.width[i], 0.75 * kWidth, 0.01 * kWidth);
+        EXPECT_NEAR(b.points[i].y + (lower ? -1 : 1) * b.width[i] / 2, (lower ? -0.5 : 1.5) * kWidth, 1e-9);
+    }
+    EXPECT_GE(beside, 20);
+    EXPECT_EQ(b.points.front(), (Vec2{0, 0}));
 }
 
 TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
@@ -128,7 +146,7 @@ TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
     line.push_back(line.front());
     const Vec2 from = c.points[2];
     const auto to = [&](int best) {
-        return strip_route(std::span(&line, 1), index, from, kWidth, kStrips, best, [](Vec2 p, int) {
+        return strip_route(std::span(&line, 1), std::span(&c, 1), index, from, kWidth, kStrips, best, [](Vec2 p, int) {
             return p.y > 4 ? 2 : p.y > 1 ? 1 : 0;
         });
     };
@@ -143,7 +161,7 @@ TEST(StripRoute, KeepsOutOfHolesAndTheOutside) {
     const std::vector<std::vector<Vec2>> lines{{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}},
                                                {{2, 2}, {8, 2}, {8, 8}, {2, 8}, {2, 2}}};
     const std::vector<Curve> curves{{false, lines[0], {kWidth}}, {false, lines[1], {kWidth}}};
-    const auto way = strip_route(lines, SegmentIndex(curves), {0, 0}, kWidth, kStrips, 1,
+    const auto way = strip_route(lines, curves, SegmentIndex(curves), {0, 0}, kWidth, kStrips, 1,
                                  [](Vec2 p, int) { return p.x > 5 ? 1 : 0; });
     EXPECT_FALSE(way);
 }

@@ -1,120 +1,8 @@
-#include "curves.hpp"
-#include "link3d/linker.hpp"
-
-#include <gtest/gtest.h>
-
-#include <map>
+#include "stacks.hpp"
 
 namespace filum::link3d {
 
 using namespace test;
-using geom::Vec3;
-using toolpath::RegionPaths;
-using toolpath::Role;
-using toolpath::Span;
-
-namespace {
-
-constexpr double kHeight = 0.2;
-
-struct Result {
-    std::vector<Span> spans;
-    Notes notes;
-    Counts counts;
-};
-
-Result link(const std::vector<RegionPaths>& regions, const Options& options = {}) {
-    Result r;
-    Linker linker(options);
-    const auto emit = [&](const Span& s) { r.spans.push_back(s); };
-    for (const auto& region : regions) linker.add(region, emit, r.notes);
-    linker.finish(emit, r.notes);
-    r.counts = linker.counts();
-    return r;
-}
-
-RegionPaths region(std::uint32_t id, std::uint32_t layer, Join join, std::vector<Curve> curves) {
-    RegionPaths r;
-    r.region = id, r.layer = layer, r.z = kHeight * (layer + 1), r.height = kHeight, r.area = 1, r.join = join;
-    r.curves = std::move(curves);
-    return r;
-}
-
-// A column: one region per layer, each climbing from the one below.
-std::vector<RegionPaths> column(const std::vector<std::vector<Curve>>& layers) {
-    std::vector<RegionPaths> out;
-    for (std::uint32_t i = 0; i < layers.size(); ++i)
-        out.push_back(region(i, i, i == 0 ? Join::start : Join::vertical, layers[i]));
-    return out;
-}
-
-double volume(const Result& r, bool beads_only) {
-    double v = 0;
-    for (const auto& s : r.spans)
-        for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
-            if (!beads_only || s.role == Role::bead) v += toolpath::volume(s, i);
-    return v;
-}
-
-// Pairs of extruded segments of one height that cross.
-int crossings(const std::vector<Span>& spans) {
-    std::map<double, std::vector<std::pair<Vec2, Vec2>>> at;
-    for (const auto& s : spans)
-        for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
-            if (toolpath::extrudes(s.role) && s.points[i].z == s.points[i + 1].z)
-                at[s.points[i].z].emplace_back(s.points[i].xy(), s.points[i + 1].xy());
-    int n = 0;
-    for (const auto& [z, line] : at)
-        for (std::size_t i = 0; i < line.size(); ++i)
-            for (std::size_t j = i + 2; j < line.size(); ++j)
-                n += geom::cross_properly(line[i].first, line[i].second, line[j].first, line[j].second) ? 1 : 0;
-    return n;
-}
-
-// What holds for every toolpath.
-void check(const std::vector<RegionPaths>& regions, const Result& r) {
-    std::uint64_t breaks = 0;
-    std::map<Role, std::uint64_t> spans;
-    for (std::size_t i = 0; i < r.spans.size(); ++i) {
-        const Span& s = r.spans[i];
-        ++spans[s.role];
-        ASSERT_GE(s.points.size(), 2U);
-        EXPECT_EQ(s.stroke, breaks) << "strokes are numbered in order";
-        if (s.role == Role::travel) ++breaks;
-        if (i > 0) {
-            EXPECT_EQ(s.points.front(), r.spans[i - 1].points.back()) << "spans chain";
-        }
-        for (std::size_t k = 0; k + 1 < s.points.size(); ++k)
-            if (s.role != Role::travel) {
-                EXPECT_GE(s.points[k + 1].z, s.points[k].z) << "a stroke never goes down";
-            }
-    }
-    std::size_t curves = 0;
-    for (const auto& region : regions) {
-        std::map<std::pair<double, double>, int> printed;
-        for (const auto& s : r.spans)
-            if (s.role == Role::bead && s.region == region.region)
-                for (const auto& p : s.points) ++printed[{std::round(p.x * 1e4), std::round(p.y * 1e4)}];
-        std::size_t missing = 0;
-        for (const auto& c : region.curves)
-            for (const auto p : c.points)
-                missing += printed.count({std::round(p.x * 1e4), std::round(p.y * 1e4)}) == 0 ? 1 : 0;
-        EXPECT_LE(missing, region.curves.size()) << "every point is printed, but for one in a gap";
-        curves += region.curves.size();
-    }
-    EXPECT_EQ(spans[Role::bead], curves);
-    EXPECT_EQ(spans[Role::lift], r.counts.lifts);
-    EXPECT_EQ(spans[Role::connector], r.counts.connectors);
-    EXPECT_EQ(spans[Role::travel], r.counts.breaks);
-    if (curves > 0) {
-        EXPECT_EQ(r.counts.strokes, r.counts.breaks + 1);
-    }
-    EXPECT_EQ(r.counts.lifts + r.counts.jogs + r.counts.connectors + r.counts.breaks + (curves > 0 ? 1 : 0), curves);
-    EXPECT_EQ(crossings(r.spans), 0);
-}
-
-} // namespace
-
 TEST(Linker, ClimbsAPrismWithoutLayingAnythingBetween) {
     const auto regions = column(std::vector<std::vector<Curve>>(20, {comb({0, 0}, 8, 10)}));
     const auto r = link(regions);
@@ -233,6 +121,38 @@ TEST(Linker, EntersOpenLinesAtTheirEnds) {
     EXPECT_NEAR(volume(r, true), 2 * 20 * 10 * kWidth * kHeight, 1e-6);
 }
 
+// Meanders begun where the one below ended: whichever end is nearer to the corner, the stroke begins at the one that
+// leads on.
+TEST(Linker, ClimbsOpenCurvesFromEndToEnd) {
+    const Curve up{false, {{0, 0}, {10, 0}, {10, 5}, {0, 5}, {0, 10}, {10, 10}}, {0.4}};
+    Curve down = up;
+    std::reverse(down.points.begin(), down.points.end());
+    for (const auto& layers : {std::vector<Curve>{up, down, up, down}, std::vector<Curve>{down, up, down, up}}) {
+        std::vector<std::vector<Curve>> curves;
+        for (const auto& c : layers) curves.push_back({c});
+        const auto regions = column(curves);
+        const Result r = link(regions);
+        check(regions, r);
+        EXPECT_EQ(r.counts.breaks, 0U);
+        EXPECT_EQ(r.counts.lifts, 3U);
+    }
+    // only one end leads on: above its far end stands a post
+    const Curve post{false, {{10, 10}, {10, 9}}, {0.4}};
+    for (const bool turned : {false, true}) {
+        const auto regions = column({{turned ? down : up}, {post}});
+        const Result r = link(regions);
+        check(regions, r);
+        EXPECT_EQ(r.counts.breaks, 0U) << turned;
+        EXPECT_EQ(r.spans.front().points.front().xy(), (Vec2{0, 0}));
+    }
+    const Curve near{false, {{0, 0}, {1, 0}}, {0.4}};
+    for (const bool turned : {false, true}) {
+        const Result r = link(column({{turned ? down : up}, {near}}));
+        EXPECT_EQ(r.counts.breaks, 0U) << turned;
+        EXPECT_EQ(r.spans.front().points.front().xy(), (Vec2{10, 10}));
+    }
+}
+
 TEST(Linker, TravelsOverWhatIsPrinted) {
     std::vector<RegionPaths> regions;
     const auto add = [&](double x, std::uint32_t layer, Join join) {
@@ -257,26 +177,13 @@ TEST(Linker, TravelsOverWhatIsPrinted) {
     EXPECT_NEAR(highest[0], 0.6, 1e-9) << "nothing is in the way";
     EXPECT_NEAR(highest[1], 6.0, 1e-9) << "from the top of the tall column";
     EXPECT_NEAR(highest[2], 6.0, 1e-9) << "over the tall column";
-}
-
-TEST(Linker, ConnectsOutsideThePart) {
-    std::vector<RegionPaths> regions;
-    for (std::uint32_t layer = 0; layer < 6; ++layer)
-        for (std::uint32_t k = 0; k < 2; ++k) {
-            const bool second = (layer + k) % 2 == 1;
-            const Join join = layer + k == 0 ? Join::start : k == 0 ? Join::vertical : Join::beside;
-            regions.push_back(region(2 * layer + k, layer, join, {rings({second ? 12.0 : 0.0, 0}, 2, 4)}));
-        }
-    auto r = link(regions);
-    check(regions, r);
-    EXPECT_EQ(r.counts.breaks, 6U);
-    EXPECT_TRUE(r.notes.empty()) << "a break is what was asked for";
-    Options outside;
-    outside.connect = Connect::outside;
-    r = link(regions, outside);
-    check(regions, r);
-    EXPECT_EQ(r.counts.connectors, 6U);
-    EXPECT_EQ(r.counts.strokes, 1U);
+    Options none;
+    none.head.none = true;
+    double top = 0;
+    for (const auto& s : link(regions, none).spans)
+        if (s.role == Role::travel && s.stroke == 2)
+            for (const auto& p : s.points) top = std::max(top, p.z);
+    EXPECT_NEAR(top, 0.8, 1e-9) << "nothing can be in the way of no head";
 }
 
 // A region that breaks into pieces leaves bodies without an extent: they are nowhere.

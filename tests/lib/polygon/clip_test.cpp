@@ -115,6 +115,16 @@ TEST(offset, a_square_grows_as_steiner_says) {
     EXPECT_TRUE(offset(square, -5.1).empty());
 }
 
+TEST(offset, a_line_becomes_a_bead) {
+    const std::vector<Vec2> line{{0, 0}, {3, 0}, {3, 4}};
+    const Loops bead = around(line, 0.2, 0.0005);
+    ASSERT_EQ(bead.size(), 1U);
+    // straight parts, round ends, the wedge outside the corner and the overlap inside it
+    const double r = 0.2, pi = 3.14159265358979;
+    EXPECT_NEAR(signed_area(bead), 7 * 2 * r + pi * r * r + pi * r * r / 4 - r * r, 1e-3);
+    EXPECT_NEAR(signed_area(around(std::vector<Vec2>{{1, 1}}, 0.5, 0.0005)), pi / 4, 2e-3);
+}
+
 TEST(split, parts_are_disjoint_connected_and_complete) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         const Loops a = unite(random_area(seed));

@@ -98,6 +98,47 @@ inline Towers towers(Index k, Index layers, Index c) {
     return t;
 }
 
+// k columns of up to `layers` regions, each pair in each other's way from its own height of up to `most` layers on, or
+// not at all; some steps of a column are no links, and some links lead to other columns.
+inline Towers random_towers(Random& random, Index k, Index layers, Index most) {
+    Towers t;
+    std::vector<Pair> links, support;
+    std::vector<std::vector<Index>> at(k, std::vector<Index>(layers, kNone));
+    std::vector<Index> lowest(k), end(k);
+    t.columns.member.resize(k);
+    for (Index i = 0; i < k; ++i) {
+        lowest[i] = i == 0 ? 0 : static_cast<Index>(random() % layers);
+        end[i] = i == 0 ? layers : lowest[i] + 1 + static_cast<Index>(random() % (layers - lowest[i]));
+    }
+    for (Index l = 0; l < layers; ++l)
+        for (Index i = 0; i < k; ++i) {
+            if (l < lowest[i] || l >= end[i]) continue;
+            const Index v = at[i][l] = t.g.size();
+            t.g.node.push_back({l, 0.2 * l, {10.0 * i, 0}});
+            t.columns.member[i].push_back(v);
+            t.columns.of.push_back(i);
+            for (Index j = 0; j < k && l > 0; ++j) {
+                const Index u = at[j][l - 1];
+                if (u == kNone || (j != i && random() % 20 != 0)) continue;
+                support.emplace_back(u, v);
+                if (random() % 10 != 0) links.emplace_back(u, v);
+            }
+        }
+    for (Index i = 0; i < k; ++i)
+        for (Index j = 0; j < k; ++j) {
+            const Index c = 1 + static_cast<Index>(random() % most);
+            if (i == j || random() % 6 == 0) continue;
+            for (Index l = lowest[i]; l < end[i]; ++l)
+                if (l + c >= lowest[j] && l + c < end[j]) t.collisions.emplace_back(at[i][l], at[j][l + c]);
+        }
+    t.g.up = arcs(t.g.size(), links);
+    t.g.down = reversed(t.g.up);
+    t.g.after = arcs(t.g.size(), support);
+    t.g.before = reversed(t.g.after);
+    add_precedence(t.g, t.collisions);
+    return t;
+}
+
 // The fewest strokes by enumeration of all (printed set, last region); for up to about 16 regions.
 inline Index fewest_strokes(const Graph& g) {
     const Index n = g.size();
@@ -142,9 +183,9 @@ inline double plain_distance(const polygon::Loops& a, const polygon::Loops& b) {
 inline bool plainly_collides(const polygon::Region& v, const polygon::Region& u, const machine::Head& head) {
     const double dz = u.z - v.z;
     if (dz <= 0 || head.none) return false;
-    if (dz > head.gantry_height) return true;
+    if (dz > head.gantry_height + 1e-6) return true;
     if (plain_distance(v.loops, u.loops) < head.cone_radius(dz) - 1e-6) return true;
-    if (dz <= head.cone_height) return false;
+    if (dz <= head.cone_height + 1e-6) return false;
     polygon::Loops grown; // v swept by the carriage: the hulls of its edges' boxes, and itself
     const double x = head.carriage_x / 2 - 1e-3, y = head.carriage_y / 2 - 1e-3;
     for (const auto p : v.loops.points) grown.add(box(p.x - x, p.y - y, 2 * x, 2 * y)[0]);

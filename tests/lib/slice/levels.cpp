@@ -18,8 +18,9 @@ std::vector<Level> of_height(double height, const Options& o, Notes& notes) {
 } // namespace
 
 TEST(Levels, as_many_as_come_nearest) {
-    for (const auto& [height, count] : {std::pair{3.0, 15U}, std::pair{3.09, 15U}, std::pair{3.11, 16U},
-                                        std::pair{48.0, 240U}, std::pair{0.2, 1U}, std::pair{0.29, 1U}}) {
+    for (const auto& [height, count] :
+         {std::pair{3.0, 15U}, std::pair{3.09, 15U}, std::pair{3.1, 15U}, std::pair{3.11, 16U}, std::pair{48.0, 240U},
+          std::pair{0.2, 1U}, std::pair{0.29, 1U}}) {
         Notes notes;
         const auto l = of_height(height, {}, notes);
         ASSERT_EQ(l.size(), count) << height;

@@ -96,6 +96,21 @@ TEST(Slice, a_box_is_exact) {
     }
 }
 
+TEST(Slice, a_face_level_with_a_plane_counts_as_below_it) {
+    // a step whose tread, and the ceiling of a recess, lie at the mid-height of layer 1, as single precision has it
+    for (const double z : {0.3, static_cast<double>(0.3F), std::nextafter(0.3, 0.0)}) {
+        const Result tread =
+            cut(shapes::together(shapes::box({0, 0, 0}, {10, 5, 1}), shapes::box({20, 0, 0}, {30, 5, z})));
+        ASSERT_EQ(tread.layers.size(), 5U);
+        EXPECT_DOUBLE_EQ(polygon::signed_area(tread.layers[0].contours), 100);
+        EXPECT_DOUBLE_EQ(polygon::signed_area(tread.layers[1].contours), 50) << z;
+        const Result ceiling =
+            cut(shapes::together(shapes::box({0, 0, 0}, {10, 5, 1}), shapes::box({20, 0, z}, {30, 5, 1})));
+        EXPECT_DOUBLE_EQ(polygon::signed_area(ceiling.layers[0].contours), 50);
+        EXPECT_DOUBLE_EQ(polygon::signed_area(ceiling.layers[1].contours), 100) << z;
+    }
+}
+
 TEST(Slice, moving_the_part_moves_the_contours) {
     for (const Mesh& m : solids()) {
         const Result a = cut(m), b = cut(shapes::moved(m, {1234.5, -777.25, 0}));

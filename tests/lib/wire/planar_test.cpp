@@ -40,6 +40,7 @@ toolpath::RegionPaths good_paths() {
     toolpath::RegionPaths p;
     p.region = 4, p.layer = 3, p.z = 0.6, p.height = 0.2, p.area = 100, p.join = Join::vertical, p.unplaced = 0.5;
     p.curves = {{true, {{0, 0}, {1, 0}, {1, 1}}, {0.4}}, {false, {{0, 0}, {1, 0}}, {0.4, 0.5}}};
+    p.stacked = {{{0, 0}, {1, 0}}};
     return p;
 }
 
@@ -64,6 +65,7 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_TRUE(p.curves[0].closed);
     EXPECT_EQ(p.curves[1].width, (std::vector<double>{0.4, 0.5}));
     EXPECT_EQ(p.unplaced, 0.5);
+    EXPECT_EQ(p.stacked, good_paths().stacked);
     const auto s = span(frame(good_span()));
     EXPECT_EQ(s.points, good_span().points);
     EXPECT_EQ(s.width, good_span().width);
@@ -123,7 +125,8 @@ TEST(planar, broken_paths_are_refused) {
                [](M& m) { m.mutable_curves(0)->set_width(0, 0); },
                [](M& m) { m.mutable_curves(0)->set_width(0, kNan); },
                [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
-               [](M& m) { m.add_curves()->add_width(0.4); }});
+               [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
+               [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
 }
 
 TEST(planar, broken_spans_are_refused) {

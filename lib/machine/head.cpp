@@ -1,30 +1,30 @@
-#include "sequence/head.hpp"
+#include "machine/head.hpp"
 
 #include "base/number.hpp"
 #include "machine/profile.hpp"
 
-#include <cmath>
 #include <numbers>
 
-namespace filum::sequence {
+namespace filum::machine {
 
-machine::Head head(const HeadChoice& o) {
-    machine::Head h;
+Head head(const HeadChoice& o) {
+    Head h;
     if (o.name == "none")
         h.none = true;
     else if (o.name != "ordinary")
-        h = machine::load_profile(o.name).head;
+        h = load_profile(o.name).head;
     if (!o.flat_radius.empty()) h.flat_radius = o.flat_radius[0];
     if (!o.cone_angle_deg.empty()) h.cone_angle = o.cone_angle_deg[0] * std::numbers::pi / 180;
     if (!o.cone_height.empty()) h.cone_height = o.cone_height[0];
     if (!o.carriage.empty()) h.carriage_x = o.carriage[0], h.carriage_y = o.carriage[1];
-    if (!o.gantry_height.empty())
-        h.gantry_height = o.gantry_height[0] > 0 ? o.gantry_height[0] : machine::Head{}.gantry_height;
+    if (!o.gantry_height.empty()) h.gantry_height = o.gantry_height[0] > 0 ? o.gantry_height[0] : Head{}.gantry_height;
     return h;
 }
 
-std::vector<std::pair<std::string, std::string>> settings(const machine::Head& h) {
-    if (h.none) return {{"head", "none"}};
+namespace {
+
+std::vector<HeadSetting> plain(const Head& h) {
+    if (h.none) return {{"head", "none", true}};
     const double degrees = std::round(h.cone_angle * 180 / std::numbers::pi * 1e9) / 1e9;
     return {{"flat-radius", shortest_text(h.flat_radius)},
             {"cone-angle", shortest_text(degrees)},
@@ -33,4 +33,13 @@ std::vector<std::pair<std::string, std::string>> settings(const machine::Head& h
             {"gantry-height", std::isinf(h.gantry_height) ? "0" : shortest_text(h.gantry_height)}};
 }
 
-} // namespace filum::sequence
+} // namespace
+
+std::vector<HeadSetting> settings(const Head& head) {
+    auto out = plain(head);
+    const auto ordinary = plain({});
+    for (std::size_t i = 0; i < out.size(); ++i) out[i].changed = head.none || out[i].value != ordinary[i].value;
+    return out;
+}
+
+} // namespace filum::machine

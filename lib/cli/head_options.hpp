@@ -1,0 +1,33 @@
+// The options of commands that keep clear of a print head.
+#pragma once
+
+#include "cli/spec.hpp"
+
+#include <vector>
+
+namespace filum::cli {
+
+// Bound to the fields of `to`, a machine::HeadChoice.  None is a setting: commands record the head that results.
+template <class HeadChoice>
+std::vector<Option> head_options(HeadChoice& to) {
+    const auto length = [](const char* name, std::vector<double>& at, const char* unit, const char* help) {
+        return Option{name, &at, unit, help}.at_least(0).numbers(1).not_a_setting();
+    };
+    return {
+        Option{"head", &to.name, "HEAD", "ordinary, none, or the head of a machine profile: its name or file"}
+            .not_a_setting(),
+        length("flat-radius", to.flat_radius, "MM", "radius of the flat at the tip; the ordinary head's is 0.2"),
+        length("cone-angle", to.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60").at_most(175),
+        length("cone-height", to.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),
+        length("carriage", to.carriage, "MM,MM", "size of the carriage around the nozzle; ordinary 40,40").numbers(2),
+        length("gantry-height", to.gantry_height, "MM",
+               "height of the gantry above the tip, 0 for out of reach; ordinary 0")};
+}
+
+// `more` behind `options`.
+inline std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
+    options.insert(options.end(), more.begin(), more.end());
+    return options;
+}
+
+} // namespace filum::cli

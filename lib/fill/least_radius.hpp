@@ -1,0 +1,30 @@
+// Paths for material that does not bend sharply: fibres.
+#pragma once
+
+#include "base/note.hpp"
+#include "fill/rings.hpp"
+#include "toolpath/path.hpp"
+
+#include <cstddef>
+
+namespace filum::fill {
+
+// As `nested_rings`, but every level is first rid of the corners and specks that a disc of `radius` does not reach, so
+// that corners become arcs of that radius and small rings stay out.  Arms too narrow for the disc stay, and so do parts
+// that would fall apart, and those of level 0 that vanish or only touch.  `open`: the area given up, mm2, and where
+// most of it is.
+Rings nested_round_rings(const Loops& first, double spacing, double min_length, double tolerance, double radius,
+                         Note& open);
+
+// The radius with which an arc must be drawn to measure `radius` by points `scale` apart that are `off` mm off it.
+double drawn_radius(double radius, double scale, double off);
+
+// Radius, mm, of the circle through vertex i and the points of the closed curve `scale` before and after it along the
+// curve; infinite where it runs straight.  As `metrics` measures it.
+double radius_at(const toolpath::Curve& curve, std::size_t i, double scale);
+
+// Places where a curve turns tighter than `radius`, counted once for all vertices nearer than 2 `scale` along it; the
+// place is the tightest.
+Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, double radius);
+
+} // namespace filum::fill

@@ -1,0 +1,266 @@
+#include "fill/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::fill {
+
+namespace {
+
+// Of rounded corners; in reaches unless said otherwise.
+constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
+constexpr double kBent = 0.3;       // rad: where a line turns less within the reach, its chord is longer than that
+constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
+constexpr double kAcuteReach = 2.6; // about those
+constexpr double kOuter = 0.75;  // bead widths from the outline: nearer, acute corners are worth more than their room
+constexpr double kShortest = 60; // a shorter line stays as it is
+constexpr double kWiden = 1.7;   // times the width, at most
+constexpr double kSpill = 0.03;  // bead widths that a widened bead may reach over the outline
+constexpr int kPoints = 6;       // per corner
+
+// Of widened turns, in bead widths.
+constexpr double kNarrowTurn = 0.8, kWideTurn = 1.2; // across, before and after: then it is not sharp when rounded
+constexpr double kFullWidth = 0.45, kTaper = 1.5;    // so far behind the turn it is as wide, and as it was
+constexpr double kCorner = 0.8;                      // rad, each of the two corners of a turn
+
+// A closed line by arc length, to be asked for ascending places.
+class Course {
+  public:
+    explicit Course(const BeadLine& line) : line_(&line), n_(line.points.size()) {
+        s_.push_back(0), sum_.push_back({});
+        for (std::size_t i = 0; i < n_; ++i) {
+            const Vec2 a = point(i), b = point(i + 1);
+            const double l = geom::distance(a, b);
+            s_.push_back(s_.back() + l);
+            sum_.push_back(sum_.back() + l * geom::lerp(a, b, 0.5));
+        }
+    }
+    [[nodiscard]] double length() const { return s_.back(); }
+    [[nodiscard]] double s(std::size_t vertex) const { return s_[vertex]; }
+
+    struct At {
+        Vec2 point;
+        double width;
+        Vec2 sum; // of the points from the line's begin on, times mm
+    };
+    [[nodiscard]] At at(double s) const {
+        const double turns = std::floor(s / length());
+        s -= turns * length();
+        const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+            std::upper_bound(s_.begin(), s_.end(), s) - s_.begin() - 1, 0, static_cast<std::ptrdiff_t>(n_) - 1));
+        const double l = s_[i + 1] - s_[i], t = l > 0 ? (s - s_[i]) / l : 0;
+        const Vec2 a = point(i), p = geom::lerp(a, point(i + 1), t);
+        const double w = line_->width[i] + t * (line_->width[(i + 1) % n_] - line_->width[i]);
+        return {p, w, sum_[i] + (s - s_[i]) * geom::lerp(a, p, 0.5) + turns * sum_.back()};
+    }
+
+  private:
+    [[nodiscard]] Vec2 point(std::size_t i) const { return line_->points[i % n_]; }
+    const BeadLine* line_;
+    std::size_t n_;
+    std::vector<double> s_;
+    std::vector<Vec2> sum_;
+};
+
+struct Corner {
+    double s, reach;
+};
+
+struct Stretch {
+    double begin, end;
+    std::vector<Corner> corner;
+    // A point is moved to the mean of what is nearer to it than this: constant about a corner, and continuous.
+    [[nodiscard]] double reach(double s) const {
+        double out = 0;
+        for (const Corner& c : corner) out = std::max(out, std::min(c.reach, 2 * c.reach - std::abs(s - c.s)));
+        return out;
+    }
+};
+
+class Rounding {
+  public:
+    Rounding(const BeadLine& line, double reach, const std::function<double(Vec2)>& room)
+        : line_(&line), course_(line), reach_(reach), room_(&room) {}
+
+    BeadLine run() {
+        find_corners();
+        if (parts_.empty()) return *line_;
+        const std::size_t n = line_->points.size();
+        const bool about_begin = parts_.front().begin < 0; // the first stretch holds the line's first point
+        std::size_t next = 0;
+        const auto keep_until = [&](double s) {
+            for (; next < n && course_.s(next) < s; ++next) out_.add(line_->points[next], line_->width[next]);
+        };
+        for (const Stretch& part : parts_) {
+            if (part.begin >= 0) keep_until(part.begin);
+            smooth(part);
+            while (next < n && course_.s(next) <= part.end) ++next;
+        }
+        keep_until(about_begin ? parts_.front().begin + course_.length() : course_.length() + 1);
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] double reach_at(std::size_t vertex) const {
+        const double s = course_.s(vertex);
+        const double ratio = chord(s, reach_) / (2 * reach_);
+        if (ratio >= kTurned) return 0;
+        const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
+        return ratio < kAcute && !outer ? kAcuteReach * reach_ : reach_;
+    }
+    [[nodiscard]] double turn(std::size_t i) const {
+        const std::size_t n = line_->points.size();
+        const Vec2 p = line_->points[i], u = p - line_->points[i == 0 ? n - 1 : i - 1];
+        const Vec2 v = line_->points[i + 1 == n ? 0 : i + 1] - p;
+        const double l = geom::norm2(u) * geom::norm2(v);
+        return l > 0 ? std::sqrt(std::max(0.0, 2 - 2 * dot(u, v) / std::sqrt(l))) : 0;
+    }
+    [[nodiscard]] double chord(double s, double reach) const {
+        return geom::distance(course_.at(s - reach).point, course_.at(s + reach).point);
+    }
+
+    // Ascending and apart, all within a turn from the first one's begin.
+    void find_corners() {
+        const std::size_t n = line_->points.size();
+        std::vector<double> turned{0}; // up to vertex i, of the unit vectors along the segments: less than the angle
+        for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
+        std::size_t first = 0, last = 0; // vertices within the reach
+        for (std::size_t i = 0; i < n; ++i) {
+            const double s = course_.s(i);
+            while (course_.s(first) < s - reach_) ++first;
+            while (last < n && course_.s(last) <= s + reach_) ++last;
+            const bool whole = s > reach_ && s < course_.length() - reach_;
+            if (whole && turned[last] - turned[first] < kBent) continue;
+            const double reach = reach_at(i);
+            if (reach == 0) continue;
+            if (parts_.empty() || s - reach > parts_.back().end) parts_.push_back({s - reach, s + reach, {}});
+            parts_.back().end = std::max(parts_.back().end, s + reach);
+            parts_.back().corner.push_back({s, reach});
+        }
+        while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + course_.length()) {
+            Stretch& first = parts_.front();
+            for (Corner c : parts_.back().corner) c.s -= course_.length(), first.corner.push_back(c);
+            first.begin = std::min(first.begin, parts_.back().begin - course_.length());
+            first.end = std::max(first.end, parts_.back().end - course_.length());
+            parts_.pop_back();
+        }
+    }
+
+    void smooth(const Stretch& part) {
+        const int n = std::max(2, static_cast<int>(std::ceil(kPoints * (part.end - part.begin) / (2 * reach_))));
+        for (int k = 0; k <= n; ++k) {
+            const double s = part.begin + (part.end - part.begin) * k / n;
+            const double reach = std::max(1e-6, part.reach(s));
+            const auto a = course_.at(s - reach), b = course_.at(s + reach);
+            const double slower = 2 * reach / std::max(1e-9, geom::distance(a.point, b.point));
+            const Vec2 p = (1 / (2 * reach)) * (b.sum - a.sum);
+            const double w = course_.at(s).width;
+            out_.add(p, std::max(w, std::min(w * std::min(slower, kWiden), 2 * (*room_)(p) + kSpill * w)));
+        }
+    }
+
+    const BeadLine* line_;
+    Course course_;
+    double reach_;
+    const std::function<double(Vec2)>* room_;
+    std::vector<Stretch> parts_;
+    BeadLine out_;
+};
+
+// Two corners of a line that turn it back.
+struct Turn {
+    double middle, across; // mm: arc length of the middle, and from corner to corner
+};
+
+class Widening {
+  public:
+    Widening(const BeadLine& line, double width, const std::function<double(Vec2)>& room)
+        : line_(&line), course_(line), width_(width), room_(&room) {}
+
+    BeadLine run() {
+        const auto turns = find();
+        if (turns.empty()) return *line_;
+        std::size_t next = 0;
+        for (const Turn& t : turns) {
+            const double reach = t.across / 2 + kTaper * width_;
+            for (; course_.s(next) < t.middle - reach; ++next) out_.add(line_->points[next], line_->width[next]);
+            widen(t, reach);
+            while (next < line_->points.size() && course_.s(next) <= t.middle + reach) ++next;
+        }
+        for (; next < line_->points.size(); ++next) out_.add(line_->points[next], line_->width[next]);
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] double turning(std::size_t i) const { // rad, signed
+        const std::size_t n = line_->points.size();
+        const Vec2 p = line_->points[i], u = p - line_->points[(i + n - 1) % n], v = line_->points[(i + 1) % n] - p;
+        return std::atan2(geom::cross(u, v), dot(u, v));
+    }
+
+    // Ascending, and so far apart that none is widened where another is.
+    [[nodiscard]] std::vector<Turn> find() const {
+        std::vector<Turn> out;
+        const std::size_t n = line_->points.size();
+        const double most = kWideTurn * width_, margin = most / 2 + kTaper * width_;
+        double taken = 0;
+        for (std::size_t i = 1; i + 1 < n; ++i) {
+            const Vec2 u = line_->points[i] - line_->points[i - 1], v = line_->points[i + 1] - line_->points[i];
+            if (dot(u, v) > 0 && std::abs(geom::cross(u, v)) < 0.5 * dot(u, v)) continue; // surely no corner
+            const double first = turning(i);
+            if (std::abs(first) < kCorner) continue;
+            std::size_t j = i + 1;
+            while (j + 1 < n && std::abs(turning(j)) < kCorner && course_.s(j) - course_.s(i) < most) ++j;
+            const double across = geom::distance(line_->points[i], line_->points[j]);
+            if (j + 1 >= n || first * turning(j) < 0 || across < kNarrowTurn * width_ || across > most) continue;
+            const Turn t{(course_.s(i) + course_.s(j)) / 2, across};
+            const Vec2 in = line_->points[i] - course_.at(course_.s(i) - width_).point;
+            const Vec2 out_again = course_.at(course_.s(j) + width_).point - line_->points[j];
+            if (dot(in, out_again) > -0.8 * geom::norm(in) * geom::norm(out_again)) continue;
+            if (t.middle - margin < taken || t.middle + margin > course_.length()) continue;
+            taken = t.middle + margin;
+            out.push_back(t);
+        }
+        return out;
+    }
+
+    // Both lanes moved apart, by the same on either side where both have room, most at the turn.
+    void widen(const Turn& t, double reach) {
+        const double most = kWideTurn * width_ / t.across - 1;
+        const int n = static_cast<int>(std::ceil(reach / (0.2 * width_)));
+        for (int k = -n; k <= n; ++k) {
+            const double u = reach * k / n, beyond = std::max(0.0, std::abs(u) - t.across / 2) / width_;
+            const double x = std::clamp((kTaper - beyond) / (kTaper - kFullWidth), 0.0, 1.0);
+            const auto own = course_.at(t.middle + u), other = course_.at(t.middle - u);
+            const Vec2 by = most * x * x * (3 - 2 * x) * 0.5 * (own.point - other.point);
+            const bool free = has_room(own, own.point + by), free_there = has_room(other, other.point - by);
+            const double share = free ? (free_there ? 1 : 2) : 0;
+            out_.add(own.point + share * by, own.width);
+        }
+    }
+    [[nodiscard]] bool has_room(const Course::At& from, Vec2 to) const {
+        const double room = (*room_)(to);
+        return room >= 0.48 * from.width || room >= (*room_)(from.point);
+    }
+
+    const BeadLine* line_;
+    Course course_;
+    double width_;
+    const std::function<double(Vec2)>* room_;
+    BeadLine out_;
+};
+
+} // namespace
+
+BeadLine with_wide_turns(const BeadLine& line, double width, const std::function<double(Vec2)>& room) {
+    return line.points.size() < 4 ? line : Widening(line, width, room).run();
+}
+
+BeadLine rounded(const BeadLine& line, double reach, const std::function<double(Vec2)>& room) {
+    double length = 0;
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+        length += geom::distance(line.points[i], line.points[(i + 1) % line.points.size()]);
+    return length < kShortest * reach ? line : Rounding(line, reach, room).run();
+}
+
+} // namespace filum::fill

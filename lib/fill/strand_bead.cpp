@@ -1,0 +1,120 @@
+#include "fill/strand_bead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::fill {
+
+namespace {
+
+constexpr double kSame = 1e-6;                  // mm; points nearer than this are one
+constexpr double kStep = std::numbers::pi / 24; // rad between the points of a rounded corner
+constexpr double kTaper = 1.0 / 8;              // bead widths, from one width to another
+
+struct Leg {
+    std::vector<Vec2> line;
+    double length = 0; // mm
+    double width = 0;  // mm
+    bool strand = false, once = false;
+};
+
+// Points where the width of a pass may change, at the same places whichever way it runs: so passes never cross.
+void add_tapers(Leg& leg, double taper) {
+    for (int end = 0; end < 2; ++end) {
+        const Vec2 a = leg.line[0], b = leg.line[1];
+        if (const double l = geom::distance(a, b); l > 3 * taper)
+            leg.line.insert(leg.line.begin() + 1, geom::lerp(a, b, taper / l));
+        std::reverse(leg.line.begin(), leg.line.end());
+    }
+}
+
+Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width) {
+    Leg out;
+    out.strand = s.strand;
+    out.line = s.strand ? std::vector<Vec2>{g.node[2 * s.id], g.node[2 * s.id + 1]} : g.arcs[s.id].line;
+    out.length = s.strand ? g.strand_length(s.id) : g.arcs[s.id].length;
+    const std::uint32_t times = s.strand ? passes.strand[s.id] : passes.arc[s.id];
+    out.width = width / times, out.once = times == 1;
+    if (!out.once) add_tapers(out, kTaper * width);
+    if (s.against) std::reverse(out.line.begin(), out.line.end());
+    return out;
+}
+
+// Takes `by` mm off the end of the line.
+void shorten(std::vector<Vec2>& line, double by) {
+    while (line.size() > 1) {
+        const Vec2 a = line[line.size() - 2], b = line.back();
+        const double l = geom::distance(a, b);
+        if (l > by) {
+            line.back() = geom::lerp(b, a, by / l);
+            return;
+        }
+        by -= l;
+        line.pop_back();
+    }
+}
+
+// From a to b around the corner c, tangent to both sides: the cubic nearest to a circle's arc.
+void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
+    const Vec2 u = c - a, v = b - c;
+    const double turn = std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
+    const double pull = turn > 1e-6 && turn < 3.1 ? 4.0 / 3 * std::tan(turn / 4) / std::tan(turn / 2) : 0;
+    const Vec2 p = a + pull * u, q = b - pull * v;
+    const int n = std::max(1, static_cast<int>(std::ceil(turn / kStep)));
+    for (int i = 1; i <= n; ++i) {
+        const double t = static_cast<double>(i) / n, s = 1 - t;
+        to.push_back(s * s * s * a + 3 * s * s * t * p + 3 * s * t * t * q + t * t * t * b);
+    }
+}
+
+// Rounds the corner between two legs: the first gets the round.
+void round_corner(Leg& before, Leg& after, double radius) {
+    if (before.strand == after.strand || !before.once || !after.once) return;
+    const double by = std::min({radius, before.length / 2, after.length / 2});
+    const Vec2 corner = before.line.back();
+    shorten(before.line, by);
+    std::reverse(after.line.begin(), after.line.end());
+    shorten(after.line, by);
+    std::reverse(after.line.begin(), after.line.end());
+    append_rounded(before.line.back(), corner, after.line.front(), before.line);
+}
+
+void append(const Leg& leg, double taper, toolpath::Curve& to) {
+    if (to.points.empty()) to.points.push_back(leg.line.front()), to.width.push_back(leg.width);
+    bool same = to.width.back() == leg.width;
+    for (const Vec2 p : leg.line) {
+        const Vec2 last = to.points.back();
+        const double l = geom::distance(last, p);
+        if (l < kSame) continue;
+        if (!same && leg.once) {
+            to.points.push_back(geom::lerp(last, p, std::min(0.5, taper / l)));
+            to.width.push_back(leg.width);
+        }
+        same = true;
+        to.points.push_back(p);
+        to.width.push_back(leg.width);
+    }
+}
+
+} // namespace
+
+Passes passes(const StrandGraph& graph, const StrandWalk& walk) {
+    Passes out{std::vector<std::uint32_t>(graph.strands, 0), std::vector<std::uint32_t>(graph.arcs.size(), 0)};
+    for (const auto& trail : walk.trails)
+        for (const Step& s : trail) ++(s.strand ? out.strand : out.arc)[s.id];
+    return out;
+}
+
+toolpath::Curve strand_bead(const StrandGraph& graph, std::span<const Step> trail, const Passes& passes, double width,
+                            double radius) {
+    std::vector<Leg> legs;
+    for (const Step& s : trail) legs.push_back(leg(graph, s, passes, width));
+    for (std::size_t i = 0; i + 1 < legs.size(); ++i) round_corner(legs[i], legs[i + 1], radius);
+    toolpath::Curve out;
+    for (const Leg& l : legs) append(l, kTaper * width, out);
+    if (std::all_of(out.width.begin(), out.width.end(), [&](double w) { return w == width; })) out.width = {width};
+    return out;
+}
+
+} // namespace filum::fill

@@ -1,0 +1,304 @@
+#include "fill/wall_graph.hpp"
+
+#include "fill/medial_axis.hpp"
+#include "fill/thin.hpp"
+#include "polygon/clip.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace filum::fill {
+
+namespace {
+
+constexpr double kMost = 0.75, kUsual = 0.625; // bead widths: half-thickness anywhere, and of most of the length
+constexpr double kUnusual = 0.2;               // share of the length that may be thicker than usual
+constexpr double kPrune = 1.25;                // thin_edges must take all of this as thin
+constexpr double kLeast = 0.03;                // bead widths: the least half-thickness of a wall
+constexpr double kTaper = 0.025;               // bead widths, of the half-thickness along one segment
+constexpr std::size_t kExact = 14;             // odd nodes that are matched exactly
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+bool all_thin(const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
+    double all = 0, thick = 0;
+    for (const auto k : edges) {
+        const auto a = axis.a[k], b = axis.b[k];
+        const double l = geom::distance(axis.point[a], axis.point[b]), r = std::max(axis.radius[a], axis.radius[b]);
+        if (r > kMost * width) return false;
+        all += l, thick += r > kUsual * width ? l : 0;
+    }
+    return all > 0 && thick <= kUnusual * all;
+}
+
+// Where walls meet there is more room than any one of them needs: up to a disc's radius from the node a bead is no
+// wider than where the disc ends.
+void narrow_start(Wall& w) {
+    double along = 0;
+    for (std::size_t i = 1; i < w.line.size(); ++i) {
+        const double l = geom::distance(w.line[i - 1], w.line[i]);
+        if (along + l < w.radius[0]) {
+            along += l;
+            continue;
+        }
+        const double t = (w.radius[0] - along) / l, r = w.radius[i - 1] + t * (w.radius[i] - w.radius[i - 1]);
+        for (std::size_t k = 0; k < i; ++k) w.radius[k] = std::min(w.radius[k], r);
+        return;
+    }
+}
+
+// A machine lays each segment in one width: none may taper by more than kTaper.
+void split_tapers(WallGraph& g, double width) {
+    for (Wall& w : g.walls) {
+        Wall out{w.a, w.b, {w.line[0]}, {w.radius[0]}, w.length};
+        for (std::size_t i = 1; i < w.line.size(); ++i) {
+            const double n = std::ceil(std::abs(w.radius[i] - w.radius[i - 1]) / (kTaper * width));
+            for (double k = 1; k < n; k += 1) {
+                out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], k / n));
+                out.radius.push_back(w.radius[i - 1] + k / n * (w.radius[i] - w.radius[i - 1]));
+            }
+            out.line.push_back(w.line[i]), out.radius.push_back(w.radius[i]);
+        }
+        w = std::move(out);
+    }
+}
+
+// Where tips taper to nothing a bead still has some width.
+void widen_tips(WallGraph& g, double width) {
+    for (Wall& w : g.walls)
+        for (double& r : w.radius) r = std::max(r, kLeast * width);
+}
+
+void narrow_at_nodes(WallGraph& g) {
+    std::vector<int> degree(g.node.size(), 0);
+    for (const Wall& w : g.walls) ++degree[w.a], ++degree[w.b];
+    for (Wall& w : g.walls)
+        for (const auto v : {w.a, w.b}) {
+            if (degree[v] > 2) narrow_start(w);
+            std::reverse(w.line.begin(), w.line.end()), std::reverse(w.radius.begin(), w.radius.end());
+        }
+}
+
+// Follows the axis from node to node.
+class Tracer {
+  public:
+    Tracer(const MedialAxis& axis, const std::vector<std::uint32_t>& edges)
+        : axis_(axis), at_(axis.point.size()), node_(axis.point.size(), kNone), done_(axis.a.size(), 1) {
+        for (const auto k : edges) at_[axis.a[k]].push_back(k), at_[axis.b[k]].push_back(k), done_[k] = 0;
+    }
+
+    WallGraph run() {
+        for (std::uint32_t v = 0; v < at_.size(); ++v)
+            if (!at_[v].empty() && at_[v].size() != 2) add_node(v);
+        for (std::uint32_t v = 0; v < at_.size(); ++v) follow_from(v);
+        for (std::uint32_t v = 0; v < at_.size(); ++v) { // rings that no node lies on
+            const bool left = std::any_of(at_[v].begin(), at_[v].end(), [&](auto k) { return done_[k] == 0; });
+            if (left) add_node(v), follow_from(v);
+        }
+        return std::move(out_);
+    }
+
+  private:
+    void add_node(std::uint32_t v) {
+        node_[v] = static_cast<std::uint32_t>(out_.node.size());
+        out_.node.push_back(axis_.point[v]);
+    }
+    void follow_from(std::uint32_t v) {
+        if (node_[v] == kNone) return;
+        for (const auto k : at_[v])
+            if (done_[k] == 0) follow(v, k);
+    }
+    void follow(std::uint32_t v, std::uint32_t k) {
+        Wall w;
+        w.a = node_[v];
+        const auto push = [&](std::uint32_t u) {
+            if (!w.line.empty()) w.length += geom::distance(w.line.back(), axis_.point[u]);
+            w.line.push_back(axis_.point[u]), w.radius.push_back(axis_.radius[u]);
+        };
+        push(v);
+        for (;;) {
+            done_[k] = 1;
+            v = axis_.a[k] == v ? axis_.b[k] : axis_.a[k];
+            push(v);
+            if (node_[v] != kNone) break;
+            k = at_[v][0] == k ? at_[v][1] : at_[v][0];
+        }
+        w.b = node_[v];
+        out_.walls.push_back(std::move(w));
+    }
+
+    const MedialAxis& axis_;
+    std::vector<std::vector<std::uint32_t>> at_;
+    std::vector<std::uint32_t> node_;
+    std::vector<char> done_;
+    WallGraph out_;
+};
+
+// Shortest ways from one node to all: length, and the wall that leads to each.
+struct Ways {
+    std::vector<double> length;
+    std::vector<std::uint32_t> by;
+};
+
+Ways ways(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at, std::uint32_t from) {
+    Ways out{std::vector<double>(g.node.size(), kFar), std::vector<std::uint32_t>(g.node.size(), kNone)};
+    using Item = std::pair<double, std::uint32_t>;
+    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+    out.length[from] = 0;
+    queue.emplace(0, from);
+    while (!queue.empty()) {
+        const auto [l, v] = queue.top();
+        queue.pop();
+        if (l > out.length[v]) continue;
+        for (const auto k : at[v]) {
+            const auto u = g.walls[k].a == v ? g.walls[k].b : g.walls[k].a;
+            if (l + g.walls[k].length >= out.length[u]) continue;
+            out.length[u] = l + g.walls[k].length, out.by[u] = k;
+            queue.emplace(out.length[u], u);
+        }
+    }
+    return out;
+}
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+// The pairs of 0 .. n - 1 (n even) with the least sum of cost, two left over at no cost.  Tie: the first found.
+Pairs match_exactly(std::size_t n, const std::vector<std::vector<double>>& cost) {
+    const std::size_t all = n + 2, full = (std::size_t{1} << all) - 1; // two more that pair at no cost
+    const auto c = [&](std::size_t i, std::size_t j) {
+        return i >= n || j >= n ? (i >= n && j >= n ? kFar : 0) : cost[i][j];
+    };
+    std::vector<double> best(full + 1, kFar);
+    std::vector<std::size_t> mate(full + 1, 0);
+    best[0] = 0;
+    for (std::size_t set = 0; set < full; ++set) {
+        if (best[set] == kFar) continue;
+        std::size_t i = 0;
+        while ((set >> i & 1U) != 0) ++i;
+        for (std::size_t j = i + 1; j < all; ++j) {
+            if ((set >> j & 1U) != 0) continue;
+            const std::size_t next = set | std::size_t{1} << i | std::size_t{1} << j;
+            if (const double d = best[set] + c(i, j); d < best[next]) best[next] = d, mate[next] = i * all + j;
+        }
+    }
+    Pairs out;
+    for (std::size_t set = full; set != 0;) {
+        const std::size_t i = mate[set] / all, j = mate[set] % all;
+        if (i < n && j < n) out.emplace_back(i, j);
+        set &= ~(std::size_t{1} << i | std::size_t{1} << j);
+    }
+    return out;
+}
+
+// All of 0 .. n - 1 (n even) in pairs: the nearest two first, then two pairs exchange partners while that helps.
+Pairs match_greedily(std::size_t n, const std::vector<std::vector<double>>& cost) {
+    std::vector<char> taken(n, 0);
+    Pairs all, out;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j) all.emplace_back(i, j);
+    std::stable_sort(all.begin(), all.end(),
+                     [&](const auto& p, const auto& q) { return cost[p.first][p.second] < cost[q.first][q.second]; });
+    for (const auto& [i, j] : all)
+        if (taken[i] == 0 && taken[j] == 0) taken[i] = taken[j] = 1, out.emplace_back(i, j);
+    const auto sum = [&](const auto& p, const auto& q) { return cost[p.first][p.second] + cost[q.first][q.second]; };
+    for (bool better = true; better;) {
+        better = false;
+        for (auto& p : out)
+            for (auto& q : out) {
+                if (&p == &q) continue;
+                for (std::size_t* other : {&q.first, &q.second}) {
+                    const double now = sum(p, q);
+                    std::swap(p.second, *other);
+                    if (sum(p, q) < now - 1e-9)
+                        better = true;
+                    else
+                        std::swap(p.second, *other);
+                }
+            }
+    }
+    return out;
+}
+
+std::uint32_t other_end(const Wall& w, std::uint32_t v) { return w.a == v ? w.b : w.a; }
+
+// The trail may begin at one odd node and end at another: takes the way between two of `odd` whose walls, passed once
+// more or once less, save the most.  Exact in a tree, where there is but one way.
+void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at,
+             const std::vector<std::uint32_t>& odd, std::vector<int>& passes) {
+    WallGraph priced{g.node, g.walls}; // what is passed twice already is no loss
+    for (std::size_t k = 0; k < g.walls.size(); ++k)
+        if (passes[k] == 2) priced.walls[k].length = 0;
+    double most = 0;
+    std::vector<std::uint32_t> best;
+    for (const auto from : odd) {
+        const Ways w = ways(priced, at, from);
+        for (const auto to : odd) {
+            if (to <= from) continue;
+            double saved = 0;
+            std::vector<std::uint32_t> way;
+            for (auto v = to; v != from; v = other_end(g.walls[way.back()], v)) {
+                way.push_back(w.by[v]);
+                saved += (passes[way.back()] == 2 ? 1 : -1) * g.walls[way.back()].length;
+            }
+            if (saved > most) most = saved, best = way;
+        }
+    }
+    for (const auto k : best) passes[k] = 3 - passes[k];
+}
+
+} // namespace
+
+std::optional<WallGraph> wall_graph(const Loops& area, double width) {
+    if (!polygon::offset(area, -kMost * width).empty()) return std::nullopt;
+    const MedialAxis axis = medial_axis(polygon::simplify(area, width / 64), width / 4);
+    if (axis.point.empty()) return std::nullopt;
+    const auto edges = thin_edges(axis, kPrune * width);
+    if (!all_thin(axis, edges, width)) return std::nullopt;
+    WallGraph out = Tracer(axis, edges).run();
+    split_tapers(out, width);
+    narrow_at_nodes(out);
+    widen_tips(out, width);
+    return out;
+}
+
+WallGraph thin_walls(const Loops& area, double width) {
+    const double least = width / 2 * (1 + 1e-9);
+    const MedialAxis axis = split_at(medial_axis(polygon::simplify(area, width / 64), width / 4), width / 2);
+    if (axis.point.empty()) return {};
+    auto edges = thin_edges(axis, width);
+    std::erase_if(edges, [&](auto k) { return std::max(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) > least; });
+    WallGraph out = Tracer(axis, edges).run();
+    split_tapers(out, width);
+    widen_tips(out, width);
+    return out;
+}
+
+std::vector<int> passes_of_walls(const WallGraph& g) {
+    std::vector<std::vector<std::uint32_t>> at(g.node.size());
+    for (std::uint32_t k = 0; k < g.walls.size(); ++k) at[g.walls[k].a].push_back(k), at[g.walls[k].b].push_back(k);
+    std::vector<std::uint32_t> odd;
+    for (std::uint32_t v = 0; v < at.size(); ++v)
+        if (at[v].size() % 2 != 0) odd.push_back(v);
+    std::vector<int> out(g.walls.size(), 1);
+    if (odd.size() <= 2) return out;
+    std::vector<Ways> from;
+    std::vector<std::vector<double>> cost;
+    for (const auto v : odd) {
+        from.push_back(ways(g, at, v));
+        cost.emplace_back();
+        for (const auto u : odd) cost.back().push_back(from.back().length[u]);
+    }
+    const bool exact = odd.size() <= kExact;
+    const auto pairs = exact ? match_exactly(odd.size(), cost) : match_greedily(odd.size(), cost);
+    for (const auto& [i, j] : pairs)
+        for (std::uint32_t v = odd[j]; v != odd[i];) {
+            const std::uint32_t k = from[i].by[v];
+            out[k] = 3 - out[k];
+            v = other_end(g.walls[k], v);
+        }
+    if (!exact) open_up(g, at, odd, out);
+    return out;
+}
+
+} // namespace filum::fill

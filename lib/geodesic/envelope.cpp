@@ -1,0 +1,143 @@
+// The lists of windows: each the lower envelope of what came to its half-edge.
+#include "base/error.hpp"
+#include "geodesic/propagation.hpp"
+
+namespace filum::geodesic {
+
+namespace {
+
+constexpr double kNarrow = 1e-9;   // of the edge: windows not wider are dropped
+constexpr double kGrazing = 1e-12; // slope: lines that run flatter never cross
+constexpr std::uint32_t kNew = 0;
+
+// True if both continue each other in [b0, b1]: the same source, or the same line, but for rounding.
+bool same_source(const Window& a, const Window& b, double b0, double b1, double slack) {
+    if (a.is_line() != b.is_line() || a.pending != b.pending) return false;
+    if (a.is_line()) return std::abs(a.at(b0) - b.at(b0)) <= slack && std::abs(a.at(b1) - b.at(b1)) <= slack;
+    return std::abs(a.sigma - b.sigma) <= slack && std::abs(a.sx - b.sx) <= slack && std::abs(a.sy - b.sy) <= slack;
+}
+
+} // namespace
+
+std::uint32_t Propagation::fresh() {
+    if (!free_.empty()) {
+        const std::uint32_t node = free_.back();
+        free_.pop_back();
+        return node;
+    }
+    if (field_.windows.size() >= (std::size_t{1} << 31))
+        throw Error(Exit::failure, "cannot compute exact distances: the surface needs too many windows; remesh it "
+                                   "coarser, or use the heat method");
+    field_.windows.emplace_back();
+    return static_cast<std::uint32_t>(field_.windows.size() - 1);
+}
+
+void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double narrow) {
+    changed_ = changed_ || (owner == kNew && b1 - b0 > narrow);
+    if (!pieces_.empty()) {
+        Piece& last = pieces_.back();
+        if (b0 - last.b1 <= narrow &&
+            (last.owner == owner || same_source(owners_[last.owner], owners_[owner], last.b0, b1, 10 * slack_))) {
+            last.b1 = b1;
+            return;
+        }
+    }
+    if (b1 - b0 > narrow) pieces_.push_back({owner, b0, b1});
+}
+
+// Where the new window and an old one overlap, each has what it is nearer to; the old one also what is equal.
+void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double narrow) {
+    const Window &w = owners_[kNew], &o = owners_[old];
+    const double ahead_lo = o.at(lo) - w.at(lo), ahead_hi = o.at(hi) - w.at(hi);
+    const bool better_lo = ahead_lo > slack_, better_hi = ahead_hi > slack_;
+    // They can be equal in two places within, but not if they differ by more than their slopes allow, nor, with the
+    // same sigma, in more than one.
+    const bool far = std::abs(ahead_lo) + std::abs(ahead_hi) > 2 * (hi - lo);
+    if (better_lo == better_hi && (far || (w.sigma == o.sigma && !w.is_line() && !o.is_line()))) {
+        add_piece(better_lo ? kNew : old, lo, hi, narrow);
+        return;
+    }
+    const Crossings c = crossings(w, o, lo, hi);
+    double from = lo;
+    for (int i = 0; i <= c.count; ++i) {
+        const double to = i < c.count ? c.x[i] : hi, m = (from + to) / 2;
+        add_piece(w.at(m) < o.at(m) - slack_ ? kNew : old, from, to, narrow);
+        from = to;
+    }
+}
+
+// Makes the list the lower envelope of itself and `w`.
+void Propagation::insert(Side& exit, const Window& w) {
+    const auto& windows = field_.windows;
+    const double narrow = kNarrow * exit.length;
+    // Windows from different sources may come in another order than they left.
+    std::uint32_t before = exit.cursor;
+    if (before != kNone && windows[before].b1 > w.b0) before = kNone;
+    std::uint32_t first = before == kNone ? field_.first[exit.list] : windows[before].next;
+    const auto continued = [&](const Window& o) { // by w
+        return o.b1 >= w.b0 - narrow && same_source(o, w, w.b0, w.b1, 10 * slack_);
+    };
+    while (first != kNone && windows[first].b1 <= w.b0 && !continued(windows[first]))
+        before = first, first = windows[first].next;
+    exit.cursor = before;
+    owners_.assign(1, w);
+    pieces_.clear();
+    changed_ = false;
+    double x = w.b0; // all before it is decided
+    std::uint32_t o = first;
+    for (; o != kNone && windows[o].b0 < w.b1; o = windows[o].next) {
+        const auto old = static_cast<std::uint32_t>(owners_.size());
+        owners_.push_back(windows[o]);
+        const Window& was = windows[o];
+        if (was.b0 < w.b0)
+            add_piece(old, was.b0, std::min(was.b1, w.b0), narrow);
+        else if (was.b0 > x)
+            add_piece(kNew, x, was.b0, narrow);
+        const double lo = std::max(was.b0, w.b0), hi = std::min(was.b1, w.b1);
+        if (hi > lo) add_overlap(old, lo, hi, narrow);
+        if (was.b1 > w.b1) add_piece(old, w.b1, was.b1, narrow);
+        x = std::max(x, was.b1);
+    }
+    if (x < w.b1) add_piece(kNew, x, w.b1, narrow);
+    if (changed_) rewrite(exit, before, first, o);
+}
+
+// Puts the pieces in place of the windows from `first` to before `after`.
+void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first, std::uint32_t after) {
+    std::uint32_t spare = first;
+    for (const Piece& p : pieces_) {
+        std::uint32_t node = spare;
+        if (node != after)
+            spare = field_.windows[node].next;
+        else
+            node = fresh();
+        Window& n = field_.windows[node];
+        n = owners_[p.owner];
+        n.b0 = p.b0, n.b1 = p.b1;
+        (before == kNone ? field_.first[exit.list] : field_.windows[before].next) = node;
+        before = node;
+    }
+    (before == kNone ? field_.first[exit.list] : field_.windows[before].next) = after;
+    for (; spare != after; spare = field_.windows[spare].next) free_.push_back(spare);
+}
+
+// A window that comes to an exit; the source is a line's direction if `line`.
+void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line) {
+    if (b1 - b0 <= kNarrow * exit.length) return;
+    if (line && sy < kGrazing) return;
+    if (!line) sy = std::min(sy, 0.0);
+    Window w{b0, b1, sx, sy, sigma, kNone, exit.list < surface_.twin.size()};
+    const double at0 = w.at(b0), at1 = w.at(b1);
+    // A path over a corner that is shorter to the window's far end beats all of it (Xin, Wang 2009).
+    const auto& d = field_.distance;
+    if (d[exit.tail] + b1 < at1 - slack_ || d[exit.head] + (exit.length - b0) < at0 - slack_) return;
+    if (exit.third != kNone) {
+        const double q = exit.from_right ? b0 : b1, dx = q - exit.tx;
+        if (d[exit.third] + std::sqrt(dx * dx + exit.ty * exit.ty) < (exit.from_right ? at0 : at1) - slack_) return;
+    }
+    ++field_.propagated;
+    insert(exit, w);
+    if (w.pending) queue_.push(exit.list, std::min(at0, at1));
+}
+
+} // namespace filum::geodesic

@@ -1,0 +1,48 @@
+// Exact geodesic distance on a triangulated surface: the length of the shortest path on the faces to the nearest
+// source.
+#pragma once
+
+#include "geodesic/sources.hpp"
+#include "geodesic/window.hpp"
+
+#include <limits>
+#include <span>
+
+namespace filum::geodesic {
+
+// A half-edge laid flat: its tail at the origin, its head at (length, 0), the triangle above it with its third corner
+// at (cx, cy), cy > 0.
+struct Frame {
+    double length, cx, cy, inverse_length;
+};
+std::vector<Frame> frames(const Surface& surface);
+
+// Point `p` of the triangle of half-edge `h`, in the frame of `h`.
+geom::Vec2 flatten(const Surface& surface, const Frame& frame, std::uint32_t h, const Vec3& p);
+
+// Distances from all sources at once, and how they come about.
+struct ExactField {
+    std::vector<double> distance; // per vertex, mm; infinite where no source is on the same component
+
+    // Per half-edge, windows that enter its triangle across it, without overlap; behind those of the half-edges, at
+    // 3 * triangles + i, windows that reach the i-th side of the rims from within.
+    std::vector<Frame> frame;          // per half-edge
+    std::vector<std::uint32_t> across; // per half-edge: the one whose list holds what leaves the triangle there
+    std::vector<Window> windows;
+    std::vector<std::uint32_t> first; // per list: the window with the least b0, kNone if there is none
+    std::vector<Segment> segments;    // the sources that are no vertices, by triangle
+    std::uint64_t propagated = 0;     // windows in all, those replaced by nearer ones included
+};
+
+// Window propagation: windows cross triangles in the order of their distance, all that wait at one half-edge together
+// (Mitchell, Mount, Papadimitriou 1987; the order by triangles: Qin et al. 2016, "Fast and exact discrete geodesic
+// computation"), each list being the lower envelope of its windows, and windows that a path over a vertex beats are
+// dropped (Xin, Wang 2009).  Segments are sources in their own right (Bommes, Kobbelt 2007): their windows have linear
+// distances.  Exact up to rounding: 1e-9 of an edge per triangle crossed.
+// Ties: the window that came first.  Throws Error(failure) if more than 2^31 windows were needed.
+// Stops when all is found that is nearer than `farthest` mm: other vertices are infinitely far then, and the windows
+// are good for nothing beyond.
+ExactField exact(const Surface& surface, const Sources& sources,
+                 double farthest = std::numeric_limits<double>::infinity());
+
+} // namespace filum::geodesic

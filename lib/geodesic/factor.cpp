@@ -1,0 +1,114 @@
+#include "geodesic/factor.hpp"
+
+#include "base/error.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <suitesparse/cholmod.h>
+
+namespace filum::geodesic {
+
+namespace {
+
+constexpr Eigen::Index kSupernodal = 150'000; // rows from which the overhead of supernodes pays
+
+// One CHOLMOD workspace, shared by the factors that come of one analysis.
+struct Workspace {
+    cholmod_common common;
+    Workspace() {
+        cholmod_start(&common);
+        common.print = 0;
+        common.supernodal = CHOLMOD_SUPERNODAL;
+        common.nmethods = 1; // AMD: nested dissection takes twice as long on surfaces, and threads would race
+        common.method[0].ordering = CHOLMOD_AMD;
+        common.postorder = 1;
+    }
+    ~Workspace() { cholmod_finish(&common); }
+    Workspace(const Workspace&) = delete;
+    Workspace& operator=(const Workspace&) = delete;
+};
+
+// The matrix as CHOLMOD sees it, without a copy.
+cholmod_sparse view(const Sparse& a) {
+    cholmod_sparse out{};
+    out.nrow = static_cast<std::size_t>(a.rows());
+    out.ncol = static_cast<std::size_t>(a.cols());
+    out.nzmax = static_cast<std::size_t>(a.nonZeros());
+    out.p = const_cast<int*>(a.outerIndexPtr());
+    out.i = const_cast<int*>(a.innerIndexPtr());
+    out.x = const_cast<double*>(a.valuePtr());
+    out.stype = -1; // the lower triangle
+    out.itype = CHOLMOD_INT;
+    out.xtype = CHOLMOD_REAL;
+    out.dtype = CHOLMOD_DOUBLE;
+    out.sorted = 1;
+    out.packed = 1;
+    return out;
+}
+
+} // namespace
+
+struct Factor::State {
+    std::shared_ptr<Workspace> workspace; // of CHOLMOD; null: Eigen's
+    cholmod_factor* super = nullptr;
+    Eigen::SimplicialLDLT<Sparse> simple;
+
+    ~State() {
+        if (super != nullptr) cholmod_free_factor(&super, &workspace->common);
+    }
+};
+
+Factor::Factor() : state_(std::make_unique<State>()) {}
+Factor::~Factor() = default;
+Factor::Factor(Factor&&) noexcept = default;
+Factor& Factor::operator=(Factor&&) noexcept = default;
+
+void Factor::analyse(const Sparse& a) {
+    if (a.rows() <= kSupernodal) {
+        state_->simple.analyzePattern(a);
+        return;
+    }
+    state_->workspace = std::make_shared<Workspace>();
+    cholmod_sparse m = view(a);
+    state_->super = cholmod_analyze(&m, &state_->workspace->common);
+    if (state_->super == nullptr) throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");
+}
+
+Factor Factor::same_order() const {
+    Factor out;
+    if (state_->workspace == nullptr) return out;
+    out.state_->workspace = state_->workspace;
+    out.state_->super = cholmod_copy_factor(state_->super, &state_->workspace->common);
+    return out;
+}
+
+bool Factor::factorise(const Sparse& a) {
+    if (state_->workspace == nullptr) {
+        if (state_->simple.rows() != a.rows()) state_->simple.analyzePattern(a);
+        state_->simple.factorize(a);
+        return state_->simple.info() == Eigen::Success;
+    }
+    cholmod_sparse m = view(a);
+    cholmod_common& common = state_->workspace->common;
+    cholmod_factorize(&m, state_->super, &common);
+    if (common.status == CHOLMOD_OUT_OF_MEMORY)
+        throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");
+    return common.status == CHOLMOD_OK;
+}
+
+Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
+    if (state_->workspace == nullptr) return state_->simple.solve(b);
+    cholmod_dense right{};
+    right.nrow = right.d = right.nzmax = static_cast<std::size_t>(b.size());
+    right.ncol = 1;
+    right.x = const_cast<double*>(b.data());
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    cholmod_common& common = state_->workspace->common;
+    cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->super, &right, &common);
+    if (x == nullptr) throw Error(Exit::failure, "cannot solve for the distances: out of memory");
+    Eigen::VectorXd out = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());
+    cholmod_free_dense(&x, &common);
+    return out;
+}
+
+} // namespace filum::geodesic

@@ -1,0 +1,33 @@
+// Direct solvers for symmetric positive definite systems; private to lib/geodesic.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+
+namespace filum::geodesic {
+
+using Sparse = Eigen::SparseMatrix<double>; // the lower triangle of a symmetric matrix
+
+// A factorisation.  Matrices of more than 150,000 rows go to CHOLMOD's supernodal one, others to Eigen's.
+class Factor {
+  public:
+    Factor();
+    ~Factor();
+    Factor(Factor&&) noexcept;
+    Factor& operator=(Factor&&) noexcept;
+
+    // Orders the unknowns; all matrices to come have entries in the same places.
+    void analyse(const Sparse& a);
+    // False if the matrix is not positive definite.
+    [[nodiscard]] bool factorise(const Sparse& a);
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    // Another factor of matrices with entries in the same places, with what analyse() found.
+    [[nodiscard]] Factor same_order() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace filum::geodesic

@@ -1,0 +1,22 @@
+// The whole job of `geodesic`: distances from sources, isolines, and how good they are.
+#pragma once
+
+#include "base/fact.hpp"
+#include "geodesic/sources.hpp"
+#include "surface/sheet.hpp"
+
+namespace filum::geodesic {
+
+struct Options {
+    std::string method = "auto"; // exact, heat, or auto: exact up to 300,000 triangles
+    bool paper = false;          // heat as Kipping et al. 2022 did it
+    std::vector<double> levels;  // mm: of isolines
+    double spacing = 0;          // mm: isolines also at first, first + spacing, ... up to the farthest place; 0: none
+    double first = 0;            // mm; 0: one spacing
+};
+
+// Appends the field "distance" to the sheet, and its isolines.  Returns what is known of it as facts.
+// Throws Error(usage) for levels that are too many or not positive, and for `paper` without the heat method.
+Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& options);
+
+} // namespace filum::geodesic

@@ -1,0 +1,94 @@
+#include "geodesic/query.hpp"
+
+#include <limits>
+
+namespace filum::geodesic {
+
+namespace {
+
+constexpr double kGlue = 1e-7; // of the edge: gaps between windows that are none
+constexpr double kEnd = 1e-9;  // of the edge: how far from an end that is above a level the level is at least
+
+// Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.
+double through(const Window& w, double px, double py) {
+    const double dx = w.is_line() ? w.sx : px - w.sx, dy = w.is_line() ? w.sy : py - w.sy;
+    const double x = dy > 0 ? px - dx / dy * py : px;
+    if (x >= w.b0 && x <= w.b1)
+        return w.is_line() ? w.sigma + w.sx * px + w.sy * py : w.sigma + std::sqrt(dx * dx + dy * dy);
+    const double b = std::clamp(x, w.b0, w.b1);
+    return w.at(b) + std::hypot(px - b, py);
+}
+
+double to_segment(const Segment& s, const Vec3& p) {
+    const Vec3 d = s.b - s.a;
+    const double l2 = dot(d, d);
+    const double t = l2 > 0 ? std::clamp(dot(p - s.a, d) / l2, 0.0, 1.0) : 0;
+    return distance(p, s.a + t * d);
+}
+
+struct Interval {
+    double a, b;
+};
+
+// The part of a window that lies below the level.
+Interval below(const Window& w, double level) {
+    if (w.is_line()) {
+        const double rest = level - w.sigma;
+        if (w.sx == 0) return rest > 0 ? Interval{w.b0, w.b1} : Interval{0, 0};
+        const double x = rest / w.sx;
+        return w.sx > 0 ? Interval{w.b0, std::min(w.b1, x)} : Interval{std::max(w.b0, x), w.b1};
+    }
+    const double r = level - w.sigma, r2 = r * r - w.sy * w.sy;
+    if (r <= 0 || r2 <= 0) return {0, 0};
+    const double half = std::sqrt(r2);
+    return {std::max(w.b0, w.sx - half), std::min(w.b1, w.sx + half)};
+}
+
+} // namespace
+
+double distance_at(const Surface& s, const ExactField& field, std::uint32_t triangle, const Vec3& p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const std::uint32_t v = s.tail(h);
+        least = std::min(least, field.distance[v] + distance(s.vertices[v], p));
+        if (field.first[h] == surface::kNone) continue;
+        const geom::Vec2 q = flatten(s, field.frame[h], h, p);
+        for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
+            least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y)));
+    }
+    const auto& own = field.segments;
+    auto it = std::lower_bound(own.begin(), own.end(), triangle,
+                               [](const Segment& a, std::uint32_t t) { return a.triangle < t; });
+    for (; it != own.end() && it->triangle == triangle; ++it) least = std::min(least, to_segment(*it, p));
+    return least;
+}
+
+void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h, double level,
+                     std::vector<double>& out) {
+    const double l = field.frame[h].length, tail = field.distance[s.tail(h)], head = field.distance[s.head(h)];
+    const double lo = tail < level ? 0 : kEnd * l, hi = head < level ? l : (1 - kEnd) * l;
+    std::vector<Interval> parts;
+    const auto add = [&](Interval i) {
+        i = {std::max(i.a, lo), std::min(i.b, hi)};
+        if (i.a < i.b) parts.push_back(i);
+    };
+    if (tail < level) add({0, level - tail});
+    if (head < level) add({l - (level - head), l});
+    for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
+        add(below(field.windows[w], level));
+    for (std::uint32_t w = field.first[field.across[h]]; w != surface::kNone; w = field.windows[w].next) {
+        const Interval i = below(field.windows[w], level);
+        if (i.a < i.b) add({l - i.b, l - i.a});
+    }
+    std::sort(parts.begin(), parts.end(), [](const Interval& a, const Interval& b) { return a.a < b.a; });
+    out.clear();
+    for (std::size_t i = 0; i < parts.size();) {
+        double end = parts[i].b;
+        const double begin = parts[i].a;
+        for (++i; i < parts.size() && parts[i].a <= end + kGlue * l; ++i) end = std::max(end, parts[i].b);
+        if (begin > 0) out.push_back(begin);
+        if (end < l) out.push_back(end);
+    }
+}
+
+} // namespace filum::geodesic

@@ -1,0 +1,107 @@
+// How the linker gets to the next layer.
+#include "link3d/linker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::link3d {
+
+using toolpath::Role;
+using toolpath::Span;
+
+namespace {
+
+constexpr double kFaint = 0.05; // of the layer's height: where a ramp begins and its overlap ends; flow never stops
+
+// Splits a -> b at the given places along the bead, and so that no piece that meets a ramp is longer than `step`.
+struct Splitter {
+    const Bead& bead;
+    std::vector<double> marks; // mm along the bead, ascending
+    double step;
+
+    // Calls visit(point, width, mm along the bead) for every point.
+    template <class Visit>
+    void run(double rise, double fall, Visit visit) const {
+        const auto width = [&](std::size_t i) { return bead.width.size() == 1 ? bead.width[0] : bead.width[i]; };
+        double s = 0;
+        visit(bead.points[0], width(0), 0.0);
+        for (std::size_t i = 0; i + 1 < bead.points.size(); ++i) {
+            const double l = geom::distance(bead.points[i], bead.points[i + 1]);
+            std::vector<double> cuts;
+            for (const double m : marks)
+                if (m > s + kLeast && m < s + l - kLeast) cuts.push_back(m - s);
+            cuts.push_back(l);
+            double before = 0;
+            for (const double c : cuts) {
+                const bool on = s + before < rise - kLeast || s + c > fall + kLeast;
+                const int pieces = on ? std::max(1, static_cast<int>(std::ceil((c - before) / step))) : 1;
+                for (int k = 1; k <= pieces; ++k) {
+                    const double at = before + (c - before) * k / pieces, t = l > 0 ? at / l : 1;
+                    visit(geom::lerp(bead.points[i], bead.points[i + 1], t), width(i) + t * (width(i + 1) - width(i)),
+                          s + at);
+                }
+                before = c;
+            }
+            s += l;
+        }
+    }
+
+    static constexpr double kLeast = 0.02; // mm: the shortest piece of a ramp that is worth a step of z
+};
+
+} // namespace
+
+Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double step) {
+    Laid out;
+    if (ramp.length == 0) {
+        for (const auto p : bead.points) out.points.push_back({p.x, p.y, z});
+        out.width = bead.width, out.height = {height};
+        return out;
+    }
+    const double rise = ramp.length - ramp.lead, all = length(bead.points), fall = all - rise;
+    Splitter{bead, {rise, fall}, step}.run(rise, fall, [&](Vec2 p, double w, double s) {
+        const double up = std::min(1.0, (ramp.lead + s) / ramp.length);
+        const double over = s > fall ? std::min(1.0, (ramp.lead + s - fall) / ramp.length) : 0;
+        out.points.push_back({p.x, p.y, z - (z - ramp.from) * (1 - up)});
+        out.width.push_back(w);
+        out.height.push_back(height * std::max(kFaint, up - over));
+    });
+    return out;
+}
+
+// Longest slope 1 : 20, and never shorter than five beads (notes 3c, L1).
+double Linker::ramp_length() const {
+    const auto& r = window_.front();
+    return std::max(20 * (r.paths.z - at_->z), 5 * r.width);
+}
+
+// Whether the front region's curve is long enough to be entered by a ramp.
+bool Linker::ramps(const Entry& entry) const {
+    const auto& curve = window_.front().paths.curves[entry.place.curve];
+    if (!window_.front().paths.stacked.empty()) return false; // climbs by halves as it is
+    return options_.lift != Lift::plain && curve.closed && length(curve.points) > 3 * ramp_length();
+}
+
+// The jog to the front region's curve is the beginning of the ramp.
+void Linker::begin_ramp(const Entry& entry, const Emit& emit) {
+    const auto& r = window_.front();
+    ramp_ = {ramp_length(), geom::distance(at_->xy(), entry.place.point), at_->z};
+    ++counts_.ramps;
+    if (ramp_.lead <= kSame) {
+        ramp_.lead = 0;
+        return;
+    }
+    const double up = ramp_.lead / ramp_.length;
+    const Vec3 to = at_height(entry.place.point, r.paths.z - (r.paths.z - at_->z) * (1 - up));
+    Span s{Role::lift,
+           stroke_,
+           r.paths.layer,
+           r.paths.region,
+           {*at_, to},
+           {kThin * r.width},
+           {r.paths.height * kFaint, r.paths.height * std::max(kFaint, up)}};
+    at_ = to;
+    emit(s);
+}
+
+} // namespace filum::link3d

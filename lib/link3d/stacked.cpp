@@ -1,0 +1,85 @@
+#include "link3d/stacked.hpp"
+
+#include "link3d/linker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::link3d {
+
+namespace {
+
+constexpr double kOn = 0.002;   // mm; nearer to a line is on it
+constexpr double kSame = 0.005; // mm; a segment on a line is as long as its way along it
+
+} // namespace
+
+Stacked::Stacked(const std::vector<std::vector<Vec2>>& lines) : laid_(lines.size()) {
+    for (const auto& line : lines) {
+        lines_.push_back({false, line, {1}});
+        along_.push_back({0});
+        for (std::size_t i = 1; i < line.size(); ++i)
+            along_.back().push_back(along_.back().back() + geom::distance(line[i - 1], line[i]));
+    }
+    if (!lines.empty()) index_.emplace(lines_);
+}
+
+Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
+    if (!index_) return Pass::plain;
+    const auto p = index_->nearest(a, kOn), q = index_->nearest(b, kOn);
+    if (!p || !q || p->curve != q->curve) return Pass::plain;
+    const auto& sums = along_[p->curve];
+    const auto at = [&](const Place& x) { return sums[x.segment] + x.t * (sums[x.segment + 1] - sums[x.segment]); };
+    const auto [lo, hi] = std::minmax({at(*p), at(*q)});
+    if (std::abs(hi - lo - geom::distance(a, b)) > kSame) return Pass::plain;
+    auto& laid = laid_[p->curve];
+    const double middle = (lo + hi) / 2;
+    if (std::any_of(laid.begin(), laid.end(), [&](const auto& s) { return s.first <= middle && middle <= s.second; }))
+        return Pass::upper;
+    for (auto& s : laid) // mostly the stretch goes on
+        if (std::abs(s.second - lo) < kSame || std::abs(s.first - hi) < kSame) {
+            s = {std::min(s.first, lo), std::max(s.second, hi)};
+            return Pass::lower;
+        }
+    laid.emplace_back(lo, hi);
+    return Pass::lower;
+}
+
+Stacked::Laid Stacked::lay(const Bead& bead, double z, double height, double ramp) {
+    Laid out;
+    const auto push = [&](Vec2 p, double width, Pass pass) {
+        const bool half = pass != Pass::plain;
+        out.points.push_back({p.x, p.y, pass == Pass::lower ? z - height / 2 : z});
+        out.width.push_back(half ? 2 * width : width);
+        out.height.push_back(half ? height / 2 : height);
+    };
+    const auto width = [&](std::size_t i) { return bead.width.size() == 1 ? bead.width[0] : bead.width[i]; };
+    Pass now = Pass::plain;
+    push(bead.points[0], width(0), now);
+    for (std::size_t i = 0; i + 1 < bead.points.size(); ++i) {
+        const Vec2 a = bead.points[i], b = bead.points[i + 1];
+        const Pass next = pass(a, b);
+        if (next != now) {
+            const double l = geom::distance(a, b), t = l > 0 ? std::min(0.5, ramp / l) : 0.5;
+            push(geom::lerp(a, b, t), width(i) + t * (width(i + 1) - width(i)), next);
+        }
+        now = next;
+        push(b, width(i + 1), now);
+    }
+    return out;
+}
+
+// Prints a bead of a region that has stacked walls; false if it has none.
+bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
+    const auto& r = window_.front().paths;
+    if (r.stacked.empty()) return false;
+    if (!stacked_ || stacked_in_ != r.region) stacked_.emplace(r.stacked), stacked_in_ = r.region;
+    auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
+    if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_; // spans chain exactly
+    at_ = laid.points.back();
+    emit({toolpath::Role::bead, stroke_, r.layer, r.region, std::move(laid.points), std::move(laid.width),
+          std::move(laid.height)});
+    return true;
+}
+
+} // namespace filum::link3d

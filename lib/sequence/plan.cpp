@@ -1,0 +1,98 @@
+#include "sequence/plan.hpp"
+
+#include "sequence/climb.hpp"
+#include "sequence/matching.hpp"
+#include "sequence/mend.hpp"
+#include "sequence/relaxation.hpp"
+#include "sequence/search.hpp"
+
+#include <algorithm>
+
+namespace filum::sequence {
+
+namespace {
+
+constexpr double kBaseWeight = 0.02;            // a printed region counts this much even where nothing is near
+constexpr double kNearShare = 0.1;              // of those weights, where the bound has priced the regions
+constexpr std::uint64_t kMostKept = 16'000'000; // regions in all kept strokes of a search: bounds its memory
+
+struct Planner {
+    const Graph& g;
+    const Columns& columns;
+    Plan best;
+
+    void offer(Order o) {
+        const Cost c = cost(g, o);
+        if (best.order.empty() || c < best.cost) best.order = std::move(o), best.cost = c;
+    }
+    void prove(Index strokes) { best.bound = std::max(best.bound, strokes); }
+    [[nodiscard]] bool proven() const { return best.cost.strokes == best.bound; }
+
+    // Searches of growing width, by each of the weights, until one proves its order best or the budget is used up.
+    void widen(const std::vector<std::vector<double>>& weights, std::uint64_t budget) {
+        std::uint64_t left = budget;
+        for (std::size_t width = 1; width * g.size() <= kMostKept || width == 1;) {
+            std::uint64_t most = 1;
+            for (const auto& weight : weights) {
+                Found f = search(g, columns, weight, width, left);
+                best.steps += f.work;
+                if (f.order.empty()) return;
+                offer(f.order);
+                if (f.optimal) best.complete = true, prove(best.cost.strokes);
+                if (proven()) return;
+                f.work += mend(std::move(f.order), f.work / 4);
+                left -= std::min(left, f.work);
+                most = std::max(most, f.work);
+                if (proven()) return;
+            }
+            std::size_t factor = 8; // work grows with the width
+            while (factor > 1 && most * weights.size() * factor > left) factor /= 2;
+            if (factor == 1) return;
+            width *= factor;
+        }
+    }
+
+    // Offers a mended order; the steps taken.
+    std::uint64_t mend(Order order, std::uint64_t budget) {
+        std::uint64_t steps = 0;
+        sequence::mend(g, order, best.bound, budget, steps);
+        offer(std::move(order));
+        best.steps += steps;
+        return steps;
+    }
+
+    void tighten(Relaxation& r, std::uint64_t budget) {
+        if (proven()) return;
+        const std::uint64_t before = r.work();
+        best.relaxation = r.tighten(best.cost.strokes, budget);
+        best.steps += r.work() - before;
+        prove(best.relaxation);
+    }
+};
+
+} // namespace
+
+Plan layer_plan(const Graph& g) {
+    Plan p;
+    p.order = layer_order(g);
+    p.cost = cost(g, p.order);
+    p.bound = p.path_cover = path_cover(g);
+    return p;
+}
+
+Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
+    Planner p{g, columns, layer_plan(g)};
+    for (const Choice c : {Choice::longest, Choice::lowest, Choice::nearest}) p.offer(climb(g, c));
+    if (p.proven()) return std::move(p.best);
+    Relaxation r(g, columns);
+    p.tighten(r, budget / 10);
+    const auto near = weights(g, columns, kBaseWeight);
+    auto priced = r.density();
+    for (Index v = 0; v < g.size(); ++v) priced[v] += kNearShare * near[v];
+    if (!p.proven()) p.widen({near, priced}, budget / 10 * 4);
+    if (!p.proven()) p.mend(p.best.order, budget / 10);
+    p.tighten(r, budget - std::min(budget, p.best.steps));
+    return std::move(p.best);
+}
+
+} // namespace filum::sequence

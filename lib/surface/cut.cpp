@@ -1,0 +1,65 @@
+#include "base/error.hpp"
+#include "surface/remesh.hpp"
+
+#include <algorithm>
+
+namespace filum::surface {
+
+namespace {
+
+// Where the plane meets edges, one vertex for both triangles.
+class Cutter {
+  public:
+    Cutter(const Surface& s, const std::vector<double>& side) : surface_(s), side_(side) {
+        out_.vertices = s.vertices;
+        on_edge_.assign(s.twin.size(), kNone);
+    }
+
+    void keep_lower(std::uint32_t t) {
+        corners_.clear();
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const double a = side_[surface_.tail(h)], b = side_[surface_.head(h)];
+            if (a <= 0) corners_.push_back(surface_.tail(h));
+            if (a * b < 0) corners_.push_back(crossing(h));
+        }
+        for (std::size_t k = 2; k < corners_.size(); ++k)
+            out_.triangles.push_back({corners_[0], corners_[k - 1], corners_[k]});
+    }
+    mesh::Mesh take() { return std::move(out_); }
+
+  private:
+    std::uint32_t crossing(std::uint32_t h) {
+        const std::uint32_t edge = std::min(h, surface_.twin[h]); // kNone is the greatest
+        std::uint32_t& v = on_edge_[edge];
+        if (v == kNone) {
+            const std::uint32_t a = surface_.tail(edge), b = surface_.head(edge);
+            v = static_cast<std::uint32_t>(out_.vertices.size());
+            out_.vertices.push_back(surface_.vertices[a] +
+                                    side_[a] / (side_[a] - side_[b]) * (surface_.vertices[b] - surface_.vertices[a]));
+        }
+        return v;
+    }
+
+    const Surface& surface_;
+    const std::vector<double>& side_;
+    std::vector<std::uint32_t> on_edge_, corners_;
+    mesh::Mesh out_;
+};
+
+} // namespace
+
+Surface cut(const Surface& s, const Plane& plane, Notes& notes) {
+    if (!(norm(plane.normal) > 0)) throw Error(Exit::usage, "cannot use --cut: the plane's normal has no length");
+    const auto side = sides(s, plane);
+    Cutter cutter(s, side);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& [a, b, c] = s.triangles[t];
+        if (std::min({side[a], side[b], side[c]}) < 0) cutter.keep_lower(t);
+    }
+    mesh::Mesh out = cutter.take();
+    if (out.triangles.empty())
+        throw Error(Exit::usage, "cannot use --cut: nothing of the surface lies on the plane's lower side");
+    return connect(std::move(out), notes);
+}
+
+} // namespace filum::surface

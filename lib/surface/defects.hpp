@@ -1,0 +1,25 @@
+// Repairs of a triangle soup before it is connected; private to lib/surface.
+#pragma once
+
+#include "surface/surface.hpp"
+
+namespace filum::surface {
+
+inline Note note(std::string what, std::size_t count, double amount = 0, std::string unit = "") {
+    return {.stage = "", .what = std::move(what), .amount = amount, .unit = std::move(unit), .count = count};
+}
+
+// Leaves out triangles that have the same three corners as an earlier one.
+void remove_copies(mesh::Mesh& mesh, Notes& notes);
+
+// Leaves out triangles without area: of height below 1e-9 of their longest side.  The triangle across the longest side
+// is split at the third corner, so that no gap remains.
+void remove_flat(mesh::Mesh& mesh, Notes& notes);
+
+// Per half-edge the one that it is joined to, or kNone.
+std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes);
+
+// Gives every fan of triangles its own vertex, and leaves out vertices without a triangle.
+void split_fans(mesh::Mesh& mesh, const std::vector<std::uint32_t>& twin, Notes& notes);
+
+} // namespace filum::surface

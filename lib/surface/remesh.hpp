@@ -1,0 +1,19 @@
+// Changing the triangles of a surface.
+#pragma once
+
+#include "surface/section.hpp"
+
+namespace filum::surface {
+
+// The surface in triangles whose sides are about `edge` mm, its vertices on the old triangles.  Rims and edges sharper
+// than 30 degrees are kept as they are, but for points in between: there sides may be shorter.
+// Throws Error(usage) if it would take more than 20 million triangles, Error(failure) if CGAL cannot do it.
+// (CGAL isotropic_remeshing, after Botsch, Kobbelt 2004; three rounds.)
+Surface remesh(const Surface& s, double edge, Notes& notes);
+
+// The part of the surface on the plane's lower side, dot(normal, p) <= offset: triangles across it are split, in
+// places where the neighbours are, too.
+// Throws Error(usage) if nothing is left, or the normal has no length.
+Surface cut(const Surface& s, const Plane& plane, Notes& notes);
+
+} // namespace filum::surface

@@ -1,0 +1,81 @@
+#include "surface/section.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace filum::surface {
+
+namespace {
+
+constexpr double kInPlane = 1e-9; // of the box's diagonal
+
+// Nearest point of a triangle: of its inside, or of a side (Ericson, Real-Time Collision Detection, 5.1.5).
+Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
+                 d6 = dot(ac, cp);
+    if (d1 <= 0 && d2 <= 0) return a;
+    if (d3 >= 0 && d4 <= d3) return b;
+    if (d6 >= 0 && d5 <= d6) return c;
+    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    const double f = 1 / (va + vb + vc);
+    return a + vb * f * ab + vc * f * ac;
+}
+
+} // namespace
+
+std::vector<double> sides(const Surface& s, const Plane& plane) {
+    Vec3 lo = s.vertices.front(), hi = lo;
+    for (const Vec3& v : s.vertices) {
+        lo = {std::min(lo.x, v.x), std::min(lo.y, v.y), std::min(lo.z, v.z)};
+        hi = {std::max(hi.x, v.x), std::max(hi.y, v.y), std::max(hi.z, v.z)};
+    }
+    const double size = norm(plane.normal), near = kInPlane * distance(lo, hi);
+    std::vector<double> out(s.vertices.size());
+    for (std::size_t v = 0; v < out.size(); ++v) {
+        out[v] = (dot(plane.normal, s.vertices[v]) - plane.offset) / size;
+        if (std::abs(out[v]) <= near) out[v] = 0;
+    }
+    return out;
+}
+
+std::vector<Segment> section(const Surface& s, const Plane& plane) {
+    const auto side = sides(s, plane);
+    std::vector<Segment> out;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        Vec3 ends[2];
+        int found = 0;
+        bool along = false;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t h = 3 * t + k, a = s.tail(h), b = s.head(h);
+            if (side[a] == 0 && side[b] == 0) {
+                along = true;
+                if (s.twin[h] == kNone || h < s.twin[h]) out.push_back({t, s.vertices[a], s.vertices[b]});
+            }
+            if (found == 2) continue;
+            if (side[a] == 0)
+                ends[found++] = s.vertices[a];
+            else if (side[a] * side[b] < 0)
+                ends[found++] = s.vertices[a] + side[a] / (side[a] - side[b]) * (s.vertices[b] - s.vertices[a]);
+        }
+        if (found == 2 && !along) out.push_back({t, ends[0], ends[1]});
+    }
+    return out;
+}
+
+Segment nearest(const Surface& s, const Vec3& p) {
+    Segment out;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& [a, b, c] = s.triangles[t];
+        const Vec3 q = nearest_in(s.vertices[a], s.vertices[b], s.vertices[c], p);
+        const double d = distance(p, q);
+        if (d < least) least = d, out = {t, q, q};
+    }
+    return out;
+}
+
+} // namespace filum::surface

@@ -1,0 +1,29 @@
+// Where things meet a surface: planes, points near it.
+#pragma once
+
+#include "surface/surface.hpp"
+
+namespace filum::surface {
+
+// A straight line within one triangle, borders included; a point if both ends are the same.
+struct Segment {
+    std::uint32_t triangle = 0;
+    Vec3 a, b; // mm; in the triangle's plane
+};
+
+struct Plane {
+    Vec3 normal;       // any length but 0
+    double offset = 0; // of the points p of the plane: dot(normal, p) = offset
+};
+
+// Per vertex its distance from the plane, mm, positive where the normal points; 0 if it is nearer than 1e-9 of the
+// surface's box.
+std::vector<double> sides(const Surface& s, const Plane& plane);
+
+// The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.
+std::vector<Segment> section(const Surface& s, const Plane& plane);
+
+// The point of the surface nearest to `p`, as a segment without length; the first triangle of equals.
+Segment nearest(const Surface& s, const Vec3& p);
+
+} // namespace filum::surface

@@ -1,0 +1,138 @@
+#include "wire/surface.hpp"
+
+#include "base/error.hpp"
+
+#include "filum/stream.pb.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::wire {
+
+namespace {
+
+using google::protobuf::RepeatedField;
+using surface::kNone;
+
+constexpr double kMaxCoordinate = 1e8; // mm
+
+[[noreturn]] void bad(const std::string& why) { throw Error(Exit::bad_input, "cannot use a surface frame: " + why); }
+
+std::vector<geom::Vec3> points(const RepeatedField<double>& x, const RepeatedField<double>& y,
+                               const RepeatedField<double>& z) {
+    if (x.size() != y.size() || x.size() != z.size()) bad("x, y and z differ in number");
+    std::vector<geom::Vec3> out(static_cast<std::size_t>(x.size()));
+    bool fine = true;
+    for (int i = 0; i < x.size(); ++i) {
+        out[static_cast<std::size_t>(i)] = {x[i], y[i], z[i]};
+        fine = fine && std::abs(x[i]) <= kMaxCoordinate && std::abs(y[i]) <= kMaxCoordinate &&
+               std::abs(z[i]) <= kMaxCoordinate;
+    }
+    if (!fine) bad("a coordinate is not a number or beyond 1e8 mm");
+    return out;
+}
+
+void put(std::span<const geom::Vec3> from, RepeatedField<double>& x, RepeatedField<double>& y,
+         RepeatedField<double>& z) {
+    for (RepeatedField<double>* field : {&x, &y, &z}) field->Reserve(field->size() + static_cast<int>(from.size()));
+    for (const auto& p : from) x.Add(p.x), y.Add(p.y), z.Add(p.z);
+}
+
+surface::Surface connected(const proto::Surface& m) {
+    const auto sides = static_cast<std::size_t>(m.corner_size());
+    if (sides % 3 != 0) bad("the corners are not three per triangle");
+    std::vector<surface::Triangle> triangles(sides / 3);
+    for (std::size_t i = 0; i < sides; ++i) triangles[i / 3][i % 3] = m.corner(static_cast<int>(i));
+    std::vector<std::uint32_t> twin(m.across().begin(), m.across().end());
+    for (auto& h : twin) --h; // 0 becomes kNone
+    try {
+        return surface::assemble(points(m.x(), m.y(), m.z()), std::move(triangles), std::move(twin));
+    } catch (const Error& e) {
+        if (std::string(e.what()).starts_with("cannot")) throw;
+        bad(e.what());
+    }
+}
+
+surface::Field field(const proto::Field& m, std::size_t vertices) {
+    surface::Field out{m.name(), {m.value().begin(), m.value().end()}};
+    if (out.values.size() != vertices) bad("a field has not one value per vertex");
+    if (std::any_of(out.values.begin(), out.values.end(), [](double v) { return std::isnan(v); }))
+        bad("a field's value is not a number");
+    return out;
+}
+
+std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t triangles) {
+    const auto all = points(m.x(), m.y(), m.z());
+    const int n = m.level_size();
+    if (m.closed_size() != n || (n > 0 && m.start_size() != n + 1) ||
+        static_cast<std::size_t>(m.triangle_size()) != all.size())
+        bad("the arrays of its isolines differ in length");
+    if (n == 0) {
+        if (!all.empty() || m.start_size() > 1) bad("isoline offsets are missing");
+        return {};
+    }
+    if (m.start(0) != 0 || m.start(n) != all.size()) bad("isoline offsets do not fit the points");
+    std::vector<surface::Isoline> out(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+        const std::uint32_t from = m.start(i), to = m.start(i + 1);
+        if (to > all.size() || from > to || to - from < 2) bad("an isoline has fewer than two points");
+        if (!std::isfinite(m.level(i))) bad("a level is not a number");
+        auto& line = out[static_cast<std::size_t>(i)];
+        line.level = m.level(i);
+        line.closed = m.closed(i);
+        line.points.assign(all.begin() + from, all.begin() + to);
+        line.triangles.assign(m.triangle().begin() + static_cast<int>(from),
+                              m.triangle().begin() + static_cast<int>(to));
+        if (!line.closed) line.triangles.pop_back();
+        for (const auto t : line.triangles)
+            if (t >= triangles) bad("an isoline crosses no triangle of the surface");
+    }
+    return out;
+}
+
+void put(proto::Isolines& m, const std::vector<surface::Isoline>& lines) {
+    if (lines.empty()) return;
+    m.add_start(0);
+    for (const auto& line : lines) {
+        m.add_level(line.level);
+        m.add_closed(line.closed);
+        put(line.points, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
+        m.mutable_triangle()->Add(line.triangles.begin(), line.triangles.end());
+        if (!line.closed) m.add_triangle(line.triangles.back());
+        m.add_start(static_cast<std::uint32_t>(m.x_size()));
+    }
+}
+
+} // namespace
+
+surface::Sheet sheet(const stream::RawFrame& frame) {
+    if (frame.tag != stream::Tag::surface) bad("it is of another kind");
+    proto::Surface m;
+    if (!m.ParseFromArray(frame.body.data(), static_cast<int>(frame.body.size()))) bad("malformed");
+    surface::Sheet out;
+    out.surface = connected(m);
+    for (const auto& f : m.fields()) out.fields.push_back(field(f, out.surface.vertices.size()));
+    out.isolines = isolines(m.isolines(), out.surface.triangles.size());
+    if (!out.isolines.empty() && out.fields.empty()) bad("it has isolines of no field");
+    return out;
+}
+
+stream::RawFrame frame(const surface::Sheet& sheet) {
+    proto::Surface m;
+    put(sheet.surface.vertices, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
+    for (const auto& t : sheet.surface.triangles) m.mutable_corner()->Add(t.begin(), t.end());
+    m.mutable_across()->Reserve(static_cast<int>(sheet.surface.twin.size()));
+    for (const auto h : sheet.surface.twin) m.mutable_across()->AddAlreadyReserved(h + 1); // kNone becomes 0
+    for (const auto& f : sheet.fields) {
+        auto* to = m.add_fields();
+        to->set_name(f.name);
+        to->mutable_value()->Add(f.values.begin(), f.values.end());
+    }
+    put(*m.mutable_isolines(), sheet.isolines);
+    if (m.ByteSizeLong() > stream::kMaxFrame)
+        throw Error(Exit::failure, "cannot write a surface of more than 64 MiB; remesh it coarser, or ask for fewer "
+                                   "isolines");
+    return {stream::Tag::surface, m.SerializeAsString()};
+}
+
+} // namespace filum::wire

@@ -1,0 +1,15 @@
+// The surface chain's messages to domain data and back, with all validation of what arrives.
+#pragma once
+
+#include "stream/frame.hpp"
+#include "surface/sheet.hpp"
+
+namespace filum::wire {
+
+// Throws Error(bad_input) naming the frame and the fault.
+surface::Sheet sheet(const stream::RawFrame& frame);
+
+// Throws Error(failure) if the surface is too large for a frame: beyond about two million triangles.
+stream::RawFrame frame(const surface::Sheet& sheet);
+
+} // namespace filum::wire

@@ -1,0 +1,159 @@
+#!/usr/bin/env bats
+# Distances on surfaces, from the outside.
+# shellcheck disable=SC2154
+
+load common
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || exit 1
+    # two triangles that make a square of 10 mm, and a third one far away
+    cat > square.off << 'END'
+OFF
+7 3 0
+0 0 0  10 0 0  10 10 0  0 10 0  50 0 0  60 0 0  50 10 0
+3 0 1 2
+3 0 2 3
+3 4 5 6
+END
+}
+
+facts() { peek "$1" | sed -n 's/^fact *geodesic: //p'; }
+
+@test "distances of the corners of a square" {
+    geodesic square.off --source vertex:0 > s
+    [[ $(peek --text s | grep -A 7 '^surface' | tail -n 7 | cut -d ' ' -f 6 | tr '\n' ' ') == "0 10 14.142136 10 inf inf inf " ]]
+    facts s | grep -qx 'reached 4 vertices'
+    facts s | grep -qx 'unreached 3 vertices'
+    facts s | grep -qx 'components 2'
+    facts s | grep -qx 'rims 2'
+}
+
+@test "isolines of a rim are squares within it" {
+    geodesic square.off --source boundary:0 --spacing 2 > s
+    peek --json s | python3 -c '
+import json, sys
+s = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]
+levels = [l["level"] for l in s["isolines"]]
+assert levels == [2, 4], levels
+for l in s["isolines"]:
+    p = l["points"]
+    assert len(p["x"]) == 4 and l["closed"] == "yes", l
+    for x, y in zip(p["x"], p["y"]):
+        assert abs(min(x, 10 - x, y, 10 - y) - l["level"]) < 1e-3, (x, y)
+'
+}
+
+@test "without a source it only makes the surface" {
+    geodesic square.off > s
+    [[ $(peek --text s) != *isoline\ level* && $(peek --text s | grep '^surface') == *'points x,y,z 7'* ]]
+    expect 2 geodesic square.off --levels 3
+    complaint geodesic
+}
+
+@test "what was repaired is noted and said" {
+    sed -i '/^7 3 0/s/3/4/; $a 3 0 1 2' square.off
+    expect 0 geodesic square.off --output s
+    [[ $err == 'geodesic: triangle that stood twice left out: 1 case' ]]
+    peek s | grep -q '^note *geodesic: triangle that stood twice left out: 1 case'
+}
+
+@test "units and scale apply" {
+    geodesic square.off --unit cm --scale 2 --source 'plane:1,0,0,200' > s
+    facts s | grep -qx 'farthest-vertex 200 mm'
+}
+
+@test "sources that are none are usage errors" {
+    for source in vertex:7 vertex:-1 edge:3 boundary:2 plane:0,0,1,5 point:1,2 'plane:0,0,0,0' vertex:nan; do
+        expect 2 geodesic square.off --source "$source"
+        complaint geodesic
+        [[ $err == *"$source"* || $err == *number* ]] || { echo "$err"; false; }
+    done
+    box_stl > box.stl
+    expect 2 geodesic box.stl --source boundary
+    [[ $err == *closed* ]]
+    expect 2 geodesic square.off --source vertex:0 --spacing -1
+    expect 2 geodesic square.off --source vertex:0 --spacing 1e-9
+    expect 2 geodesic square.off --source vertex:0 --levels 0
+    expect 2 geodesic square.off --source vertex:0 --levels nan
+}
+
+@test "heat comes near the exact distance, and is the paper's if asked" {
+    python3 - > grid.off << 'END'
+n = 40
+print("OFF"), print((n + 1) ** 2, 2 * n * n, 0)
+for j in range(n + 1):
+    for i in range(n + 1):
+        print(i, j, 0)
+for j in range(n):
+    for i in range(n):
+        a = j * (n + 1) + i
+        print(3, a, a + 1, a + n + 2), print(3, a, a + n + 2, a + n + 1)
+END
+    for how in "--method exact" "--method heat" "--method heat --paper"; do
+        # shellcheck disable=SC2086
+        geodesic grid.off --source plane:1,0,0,3.4 $how > s
+        [[ $(facts s | grep '^exact') == "exact $([[ $how == *exact ]] && echo 1 || echo 0)" ]]
+        peek --json s | python3 -c '
+import json, sys
+p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
+print(max(abs(d - abs(x - 3.4)) for x, d in zip(p["x"], p["distance"])))
+' >> worst
+    done
+    paste -s -d ' ' worst | awk '{ print; exit !($1 < 1e-9 && $2 > 1e-9 && $2 < 0.5 && $3 > $2 && $3 < 2) }'
+    expect 2 geodesic grid.off --source vertex:0 --paper
+    expect 2 geodesic grid.off --source vertex:0 --method guess
+}
+
+@test "cut, then remeshed, then measured" {
+    geodesic square.off --cut 1,0,0,8 --remesh 0.5 --source boundary > s
+    facts s | grep -qx 'area 80 mm2'
+    facts s | grep -qx 'components 1'
+    [[ $(facts s | sed -n 's/^triangles //p') -gt 500 ]]
+    facts s | sed -n 's/^farthest-vertex \(.*\) mm/\1/p' | awk '{ exit !($1 > 3.6 && $1 < 4.0001) }'
+    for bad in '--cut 0,0,0,1' '--cut 1,0,0,-1' '--cut 1,2' '--remesh -1' '--remesh 1e-6' '--remesh nan' '--cut 1,0,nan,0'; do
+        # shellcheck disable=SC2086
+        expect 2 geodesic square.off $bad
+        complaint geodesic
+    done
+}
+
+@test "lines of points are sources" {
+    printf '# a bent line\n1 5 0\n5 5 0\n5, 9, 0\n\n55 5 3\n' > lines.txt
+    expect 0 geodesic square.off --remesh 1 --source-lines lines.txt --output s
+    [[ $err == 'geodesic: source line moved to the surface: 1 case, 3 mm' ]]
+    facts s | grep -qx 'unreached 0 vertices'
+    peek --json s | python3 -c '
+import json, math, sys
+p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
+def far(x, y, a, b, c, d):
+    t = max(0, min(1, ((x - a) * (c - a) + (y - b) * (d - b)) / ((c - a) ** 2 + (d - b) ** 2)))
+    return math.hypot(x - a - t * (c - a), y - b - t * (d - b))
+for x, y, d in zip(p["x"], p["y"], p["distance"]):
+    truth = min(far(x, y, 1, 5, 5, 5), far(x, y, 5, 5, 5, 9)) if x < 20 else math.hypot(x - 55, y - 5)
+    assert abs(d - truth) < 1e-6, (x, y, d, truth)
+'
+    printf '1 2\n' > lines.txt
+    expect 3 geodesic square.off --source-lines lines.txt
+    complaint geodesic
+    [[ $err == *"line 1"* ]]
+    printf '1 1 0\n55 1 0\n' > lines.txt
+    expect 3 geodesic square.off --source-lines lines.txt
+    complaint geodesic
+    expect 5 geodesic square.off --source-lines no-such-file
+    : > empty.txt
+    expect 3 geodesic square.off --source-lines empty.txt
+}
+
+@test "a surface without an area is refused" {
+    printf 'OFF\n3 1 0\n0 0 0 1 0 0 2 0 0\n3 0 1 2\n' > line.off
+    expect 3 geodesic line.off
+    complaint geodesic
+}
+
+@test "no picture yet" {
+    geodesic square.off > s
+    expect 3 render s
+    complaint render
+    expect 3 metrics s
+    complaint metrics
+}

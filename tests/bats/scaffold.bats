@@ -1,0 +1,90 @@
+#!/usr/bin/env bats
+# Porous scaffolds through the whole chain: strokes and stops of the program, pores of the toolpath, wrong options.
+
+bats_require_minimum_version 1.5.0
+
+load common
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR"
+    make_part=$FILUM_SOURCE/examples/scaffold/make-part
+    $make_part block 20 20 2 block.stl
+    $make_part disc 10 2 disc.stl
+    $make_part ring 14 6 2 ring.stl
+    $make_part ell 16 14 5 2 ell.stl
+    for part in block disc ring ell; do slice $part.stl | regions > $part.regions; done
+}
+
+setup() { cd "$BATS_FILE_TMPDIR"; }
+
+value() { awk -F'\t' -v name="$1" '$2 == name { print $3; exit }' m.tsv; }
+
+# strokes and stops of a program
+unbroken() { "$FILUM_SOURCE/scripts/gcode-strokes" "$1" | awk -F'\t' 'NR == 2 { print $2, $3 }'; }
+
+@test "a block is one stroke of known porosity, windows and throats" {
+    filum print block.stl --machine marlin --pattern scaffold --spacing 1 -o block.gcode
+    [ "$(unbroken block.gcode)" = "1 0" ]
+    sequence block.regions | fill --pattern scaffold --spacing 1 | link3d | metrics --pores --regions block.regions --format tsv > m.tsv
+    [ "$(value strokes)" -eq 1 ]
+    [ "$(value stops)" -eq 0 ]
+    [ "$(value crossings)" -eq 0 ]
+    [ "$(value strands)" -eq 200 ]
+    [ "$(value 'openings through all layers')" -eq 361 ]
+    awk -v p="$(value 'porosity by volume')" -v s="$(value 'pore size')" -v t="$(value 'lateral throat')" \
+        'BEGIN { exit !(p > 0.594 && p < 0.606 && s > 0.597 && s < 0.603 && t == 0.2) }'
+}
+
+@test "discs, tubes and notches, with and without rings, in any sequence of angles: one stroke" {
+    for part in block disc ring ell; do
+        for angles in 0,90 0,60,120 30; do
+            for rings in 0 1; do
+                sequence $part.regions | fill -q --pattern scaffold --spacing 1.1 --angles $angles --rings $rings |
+                    link3d | metrics --regions $part.regions --format tsv > m.tsv
+                echo "$part $angles $rings: $(value strokes) strokes, $(value crossings) crossings"
+                [ "$(value strokes)" -eq 1 ]
+                [ "$(value stops)" -eq 0 ]
+                [ "$(value crossings)" -eq 0 ]
+            done
+        done
+    done
+}
+
+@test "bioprinters get it without a stop" {
+    for machine in bio-x syringe; do
+        filum print disc.stl -q --machine $machine --pattern scaffold --spacing 1.2 -o $machine.gcode
+        [ "$(unbroken $machine.gcode)" = "1 0" ]
+    done
+    filum print disc.stl -q --machine cellink-inkredible --pattern scaffold --spacing 1.2 -o cellink.gcode
+    [ "$(grep -c '^M760' cellink.gcode)" -eq 1 ] # pressure on once
+}
+
+@test "wrong options are usage errors that say what to do" {
+    for wrong in "--spacing 0.39" "--spacing -1" "--spacing nan" "--spacing 1e9" "--stagger 1.5" "--bead-width 2 --spacing 1.9" "--angles 0,x"; do
+        run --separate-stderr fill --pattern scaffold $wrong block.regions
+        echo "$wrong: $status $stderr"
+        [ "$status" -eq 2 ]
+        [ -n "$stderr" ]
+        [ -z "$output" ]
+    done
+    run --separate-stderr metrics --pores /dev/null
+    [ "$status" -eq 2 ]
+    [[ "$stderr" == *"--regions"* ]]
+}
+
+@test "the layer table tells the pores of each layer" {
+    sequence block.regions | fill --pattern scaffold --spacing 1 | link3d > block.toolpath
+    metrics --pores --regions block.regions --per-layer layers.tsv block.toolpath > m.txt
+    [ "$(awk -F'\t' 'NR > 1 && $10 == 20 && $13 == 1 && $15 == 361' layers.tsv | wc -l)" -eq 10 ]
+    metrics --regions block.regions --per-layer plain.tsv block.toolpath > m.txt
+    [ "$(cut -f1-9 layers.tsv | cmp - plain.tsv; echo $?)" -eq 0 ]
+}
+
+@test "the same bytes for any number of threads" {
+    for threads in 1 8; do
+        sequence ring.regions | fill -q --threads $threads --pattern scaffold --rings 1 > $threads.paths
+        link3d $threads.paths | metrics --threads $threads --pores --regions ring.regions > $threads.txt
+    done
+    cmp 1.paths 8.paths
+    cmp 1.txt 8.txt
+}

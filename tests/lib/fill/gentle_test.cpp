@@ -1,0 +1,190 @@
+// Few sharp turns: double spirals, rounded corners, widened turns.
+#include "fill/cycle.hpp"
+#include "fill/rings.hpp"
+#include "fill/rounding.hpp"
+#include "fill/spiral.hpp"
+#include "pattern_check.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::fill {
+namespace {
+
+using filum::test::random_region;
+using filum::test::rectangle;
+using test::disc;
+using test::laid;
+using test::length_of;
+using toolpath::Curve;
+
+constexpr double kWidth = 0.4;
+
+double anywhere(Vec2) { return 1e9; } // no outline near
+
+BeadRings beads(const Rings& rings) { return {rings.loops, std::vector<double>(rings.loops.points.size(), kWidth)}; }
+
+Rings nested(const Loops& region) {
+    return nested_rings(polygon::offset(region, -kWidth / 2), kWidth, 1.3 * kWidth, 0.002);
+}
+
+std::vector<Curve> curves(const std::vector<ClosedLine>& lines) {
+    std::vector<Curve> out;
+    for (const auto& l : lines) out.push_back({true, l.points, l.width});
+    return out;
+}
+
+// Places where a closed line turns back: its ends 1.2 widths before and after are nearer than 1.15 widths, and it is
+// the nearest such place for two widths around.
+int turns_back(const std::vector<Vec2>& points) {
+    std::vector<Vec2> even; // every twentieth of a width
+    const double step = kWidth / 20;
+    double left = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 a = points[i], b = points[(i + 1) % points.size()];
+        const double l = geom::distance(a, b);
+        for (; left < l; left += step) even.push_back(geom::lerp(a, b, left / l));
+        left -= l;
+    }
+    const std::size_t n = even.size();
+    int turns = 0, since = 1000;
+    for (std::size_t i = 0; i < n; ++i, ++since) {
+        if (geom::distance(even[(i + n - 24) % n], even[(i + 24) % n]) >= 1.15 * kWidth) continue;
+        if (since > 40) ++turns;
+        since = 0;
+    }
+    return turns;
+}
+
+int turns_back(const Loops& region, bool spirals) {
+    const auto lines = join_rings(beads(nested(region)), kWidth, region, spirals);
+    EXPECT_EQ(lines.size(), 1U);
+    return turns_back(lines[0].points);
+}
+
+TEST(DoubleSpiral, TurnsBackTwiceInARingShapedRegion) { // no ends of walls: only the turns of the one double spiral
+    const Loops region = polygon::subtract(test::disc({0, 0}, 8, 200), test::disc({0, 0}, 3.2, 90));
+    EXPECT_EQ(turns_back(region, true), 2);
+    EXPECT_GT(turns_back(region, false), 15); // two per pair of rings
+}
+
+TEST(DoubleSpiral, LeavesFewTurnsWhereARegionDoesNotBranch) {
+    // a spiral's two, and what the last rings and the ends of the middle need
+    EXPECT_LE(turns_back(rectangle(0, 0, 100, 25), true), 4);
+    EXPECT_LE(turns_back(rectangle(0, 0, 12, 12), true), 6);
+    EXPECT_LE(turns_back(test::disc({0, 0}, 9, 200), true), 6);
+    EXPECT_GT(turns_back(rectangle(0, 0, 100, 25), false), 50);
+}
+
+TEST(DoubleSpiral, NeedsTurnsOnlyForBranchesAndEnds) {
+    // four arms about a middle: four branches that end, a spiral for each and one for the middle
+    const Loops cross = polygon::unite(rectangle(-15, -3, 15, 3.1), rectangle(-3.2, -15, 3, 15));
+    EXPECT_LE(turns_back(cross, true), 4 * (4 + 1));
+}
+
+class Joined : public testing::TestWithParam<std::uint32_t> {};
+
+// Whatever pairs of links can join, spirals join, too; and no ring loses more than the bends take.
+TEST_P(Joined, SpiralsKeepEveryRingInOneCurveThatDoesNotCrossItself) {
+    const Loops region = random_region(GetParam());
+    const Rings rings = nested(region);
+    if (polygon::split(polygon::offset(region, -kWidth / 2)).part.size() != 1)
+        return; // the spiral has more to do there
+    const auto plain = join_rings(beads(rings), kWidth, region, false);
+    const auto wound = join_rings(beads(rings), kWidth, region, true);
+    EXPECT_EQ(wound.size(), plain.size());
+    EXPECT_EQ(count_crossings(curves(wound), kWidth), 0U);
+    std::vector<geom::Segment> segments;
+    for (const auto& l : wound)
+        for (std::size_t i = 0; i < l.points.size(); ++i)
+            segments.push_back({l.points[i], l.points[(i + 1) % l.points.size()]});
+    const geom::SegmentGrid grid(segments, kWidth);
+    for (const Vec2 p : rings.loops.points) {
+        double best = 1e9;
+        grid.near({p.x - kWidth, p.y - kWidth}, {p.x + kWidth, p.y + kWidth}, [&](std::uint32_t k) {
+            best = std::min(best, geom::point_segment_distance(segments[k].a, segments[k].b, p));
+        });
+        EXPECT_LE(best, kWidth) << p.x << ',' << p.y;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(DoubleSpiral, Joined, testing::Range(100U, 140U));
+
+BeadLine square(double side) {
+    BeadLine out;
+    for (const Vec2 p : {Vec2{0, 0}, Vec2{side, 0}, Vec2{side, side}, Vec2{0, side}}) out.add(p, kWidth);
+    return out;
+}
+
+double sharpest(const std::vector<Vec2>& points) { // rad, at any vertex
+    double most = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t n = points.size();
+        const Vec2 u = points[(i + 1) % n] - points[i], v = points[(i + 2) % n] - points[(i + 1) % n];
+        most = std::max(most, std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v))));
+    }
+    return most;
+}
+
+TEST(Rounded, TurnsCornersIntoArcsOfTheSameMaterial) {
+    const BeadLine line = square(10), round = rounded(line, 0.4 * kWidth, anywhere);
+    EXPECT_LT(sharpest(round.points), 0.4);
+    EXPECT_NEAR(laid({{true, round.points, round.width}}), laid({{true, line.points, line.width}}), 1e-2);
+    EXPECT_LT(length_of({true, round.points, round.width}), 40 - 4 * 0.1 * kWidth);
+    for (const Vec2 p : round.points) { // by no more than the reach
+        double best = 1e9;
+        for (std::size_t i = 0; i < 4; ++i)
+            best = std::min(best, geom::point_segment_distance(line.points[i], line.points[(i + 1) % 4], p));
+        EXPECT_LT(best, 0.4 * kWidth / 2);
+    }
+}
+
+TEST(Rounded, KeepsBeadsInsideTheOutline) {
+    const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
+    const BeadLine round = rounded(square(10), 0.4 * kWidth, room);
+    for (std::size_t i = 0; i < round.points.size(); ++i)
+        EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
+}
+
+TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or not
+    BeadLine shifted = square(10);
+    shifted.points.insert(shifted.points.begin(), {5, 0}), shifted.width.push_back(kWidth);
+    shifted.points.erase(shifted.points.begin() + 1), shifted.points.push_back({0, 0});
+    const double a = length_of({true, rounded(shifted, 0.16, anywhere).points, {kWidth}});
+    const double b = length_of({true, rounded(square(10), 0.16, anywhere).points, {kWidth}});
+    EXPECT_NEAR(a, b, 1e-9);
+}
+
+TEST(Rounded, LeavesStraightLinesAndSpecksAlone) {
+    EXPECT_EQ(rounded(square(0.5), 0.16, anywhere).points, square(0.5).points);
+    BeadLine circle;
+    const Loops outline = disc({0, 0}, 5, 200);
+    for (const Vec2 p : outline[0]) circle.add(p, kWidth);
+    EXPECT_EQ(rounded(circle, 0.16, anywhere).points, circle.points);
+}
+
+BeadLine hairpin() { // two lanes of 8 mm, a width apart, closed at both ends
+    BeadLine out;
+    for (const Vec2 p : {Vec2{4, 0}, Vec2{8, 0}, Vec2{8, kWidth}, Vec2{0, kWidth}, Vec2{0, 0}}) out.add(p, kWidth);
+    return out;
+}
+
+TEST(WideTurns, MoveTheLanesApartAtTheTurnOnly) {
+    const BeadLine wide = with_wide_turns(hairpin(), kWidth, anywhere);
+    const auto box = polygon::bounds(wide.points);
+    EXPECT_NEAR(box.hi.y - box.lo.y, 1.2 * kWidth, 0.03 * kWidth);
+    for (const Vec2 p : wide.points)
+        if (p.x > 1 && p.x < 7) {
+            EXPECT_TRUE(p.y == 0 || p.y == kWidth) << p.x << p.y;
+        }
+}
+
+TEST(WideTurns, MoveOnlyTheLaneThatHasRoom) {
+    const auto room = [](Vec2 p) { return p.y + kWidth / 2; }; // an outline below
+    const BeadLine wide = with_wide_turns(hairpin(), kWidth, room);
+    const auto box = polygon::bounds(wide.points);
+    EXPECT_GE(box.lo.y, -0.03 * kWidth);
+    EXPECT_NEAR(box.hi.y, 1.2 * kWidth, 0.03 * kWidth);
+}
+
+} // namespace
+} // namespace filum::fill

@@ -1,0 +1,104 @@
+// No tighter turns than asked for, and an honest account of those that are.
+#include "fill/least_radius.hpp"
+#include "fill/spiral.hpp"
+#include "pattern_check.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::fill {
+namespace {
+
+using filum::test::random_region;
+using filum::test::rectangle;
+using test::disc;
+using toolpath::Curve;
+
+constexpr double kWidth = 0.4;
+
+const Note* find(const Notes& notes, const std::string& what) {
+    for (const Note& n : notes)
+        if (n.what == what) return &n;
+    return nullptr;
+}
+
+Curve circle(double radius, int n) {
+    const Loops outline = disc({3, 4}, radius, n);
+    return {true, {outline[0].begin(), outline[0].end()}, {kWidth}};
+}
+
+TEST(LeastRadius, OfACircleIsItsRadius) {
+    const Curve c = circle(2, 400);
+    for (std::size_t i = 0; i < c.points.size(); ++i) EXPECT_NEAR(radius_at(c, i, 0.2), 2, 0.02);
+    EXPECT_EQ(tight_turns({c}, 0.2, 1.9).count, 0U);
+    EXPECT_EQ(tight_turns({c}, 0.2, 2.1).count, 1U); // one long place
+}
+
+TEST(LeastRadius, OfASquareIsThatOfItsCorners) {
+    const Curve c{true, {{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {kWidth}};
+    EXPECT_NEAR(radius_at(c, 1, 0.2), 0.2 / std::sqrt(2.0), 1e-12);
+    EXPECT_EQ(tight_turns({c}, 0.2, 0.2).count, 4U);
+    EXPECT_EQ(tight_turns({c}, 0.2, 0.1).count, 0U);
+}
+
+TEST(LeastRadius, RingsKeepTheirDistanceAndLoseTheirCorners) {
+    Note open;
+    const Rings rings = nested_round_rings(rectangle(0, 0, 10, 10), kWidth, 1.3 * kWidth, 0.0005, 1, open);
+    EXPECT_GE(rings.loops.size(), 10U);
+    for (std::size_t r = 0; r + 4 < rings.loops.size(); ++r) {
+        const Curve c{true, {rings.loops[r].begin(), rings.loops[r].end()}, {kWidth}};
+        EXPECT_EQ(tight_turns({c}, 0.2, 0.95).count, 0U) << r;
+        EXPECT_NEAR(polygon::bounds(rings.loops[r]).lo.x, static_cast<double>(r) * kWidth, 0.01);
+    }
+    EXPECT_GT(open.amount, 4 - 3.15); // the outer ring's four corners alone
+}
+
+class RoundRegion : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RoundRegion, EveryTighterTurnIsCounted) {
+    const Loops region = random_region(GetParam());
+    for (const double radius : {0.2, 0.4, 1.0}) {
+        Notes notes;
+        const Spiral s = spiral(region, {.bead_width = kWidth, .min_radius = radius}, notes);
+        ASSERT_EQ(s.curves.size(), 1U);
+        EXPECT_EQ(count_crossings(s.curves, kWidth), 0U);
+        // places of tighter vertices, a bead width of path apart
+        const auto& p = s.curves[0].points;
+        std::size_t places = 0;
+        double since = 1e9;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            since += i > 0 ? geom::distance(p[i - 1], p[i]) : 0;
+            if (radius_at(s.curves[0], i, kWidth / 2) >= radius) continue;
+            places += since > kWidth ? 1 : 0;
+            since = 0;
+        }
+        const Note* tight = find(notes, "turn tighter than the least radius");
+        EXPECT_EQ(tight == nullptr ? 0 : tight->count, places);
+        // what is left open is said: what beads cover and what is open make up the region, roughly
+        const Note* open = find(notes, "left open for the least radius");
+        const double area = polygon::signed_area(region), left = open == nullptr ? 0 : open->amount;
+        EXPECT_LE(left, s.unplaced);
+        EXPECT_GT(test::coverage(region, s.curves) + left / area, 0.93) << radius;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(LeastRadius, RoundRegion, testing::Range(1U, 12U));
+
+TEST(LeastRadius, OnlyTurnsOfTheSpiralStayTightInABar) {
+    const Loops bar = rectangle(0, 0, 40, 16);
+    Notes notes, none;
+    const Spiral s = spiral(bar, {.bead_width = kWidth, .min_radius = 0.4}, notes);
+    const Spiral usual = spiral(bar, {.bead_width = kWidth}, none);
+    EXPECT_LE(find(notes, "turn tighter than the least radius")->count, 25U);
+    EXPECT_GT(tight_turns(usual.curves, kWidth / 2, 0.4).count, 80U); // every corner of every ring
+    EXPECT_EQ(find(none, "turn tighter than the least radius"), nullptr);
+    const auto& c = s.curves[0];
+    for (std::size_t i = 0; i < c.points.size(); ++i) { // the corners of the outer rings
+        const Vec2 p = c.points[i];
+        if (std::min(p.x, 40 - p.x) < 2 && std::min(p.y, 16 - p.y) < 2) {
+            EXPECT_GE(radius_at(c, i, kWidth / 2), 0.4) << p.x << ',' << p.y;
+        }
+    }
+}
+
+} // namespace
+} // namespace filum::fill

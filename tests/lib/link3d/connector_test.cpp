@@ -1,0 +1,129 @@
+#include "stacks.hpp"
+
+namespace filum::link3d {
+
+using namespace test;
+
+namespace {
+
+// Two towers, layer by layer: one join from tower to tower in each layer, there and back in turn.
+std::vector<RegionPaths> towers(std::uint32_t layers, Join other) {
+    std::vector<RegionPaths> regions;
+    for (std::uint32_t layer = 0; layer < layers; ++layer)
+        for (std::uint32_t k = 0; k < 2; ++k) {
+            const bool second = (layer + k) % 2 == 1;
+            const Join join = layer + k == 0 ? Join::start : k == 0 ? Join::vertical : other;
+            regions.push_back(region(2 * layer + k, layer, join, {rings({second ? 12.0 : 0.0, 0}, 2, 4)}));
+        }
+    return regions;
+}
+
+Options with(Connect connect) {
+    Options o;
+    o.connect = connect;
+    return o;
+}
+
+std::size_t count(const Result& r, const std::string& what) {
+    return static_cast<std::size_t>(
+        std::count_if(r.notes.begin(), r.notes.end(), [&](const Note& n) { return n.what == what; }));
+}
+
+} // namespace
+
+TEST(Connectors, BreakWhereNothingElseIsAskedFor) {
+    const auto regions = towers(6, Join::start);
+    const auto r = link(regions);
+    check(regions, r);
+    EXPECT_EQ(r.counts.breaks, 6U);
+    EXPECT_TRUE(r.notes.empty()) << "a break is what was asked for";
+}
+
+// Fig. 8b: around the bounding box, thin at both ends, on the same way in all layers.
+TEST(Connectors, GoOutsideThePartAndStack) {
+    for (const Join join : {Join::start, Join::beside}) {
+        const auto regions = towers(6, join);
+        const auto r = link(regions, with(Connect::outside));
+        check(regions, r);
+        EXPECT_EQ(r.counts.connectors, 6U);
+        EXPECT_EQ(r.counts.strokes, 1U);
+        EXPECT_EQ(count(r, "connector to be trimmed"), 6U);
+        double volume = 0;
+        Box2 part;
+        part.add({-2, -2}), part.add({14, 2});
+        for (const auto& s : r.spans) {
+            if (s.role != Role::connector) continue;
+            for (std::size_t i = 0; i + 1 < s.points.size(); ++i) volume += toolpath::volume(s, i);
+            EXPECT_NEAR(s.width.front(), 0.4 * kWidth, 1e-9);
+            EXPECT_NEAR(s.width.back(), 0.4 * kWidth, 1e-9);
+            EXPECT_NEAR(*std::max_element(s.width.begin(), s.width.end()), kWidth, 1e-9);
+            for (std::size_t i = 1; i + 1 < s.points.size(); ++i) {
+                const Vec2 p = s.points[i].xy();
+                const bool out = p.x < part.lo.x || p.x > part.hi.x || p.y < part.lo.y || p.y > part.hi.y;
+                EXPECT_TRUE(out || s.width[i] < kWidth + 1e-9);
+            }
+        }
+        EXPECT_NEAR(r.counts.connector_volume, volume, 1e-9);
+        EXPECT_LT(r.counts.connector_free, 0.3 * r.counts.connector_length) << "most lies on the one below";
+    }
+}
+
+TEST(Connectors, CarriedOnesHangNowhere) {
+    auto regions = towers(8, Join::start);
+    Options o = with(Connect::outside);
+    o.strand = Strand::carried;
+    const auto on_bed = link(regions, o);
+    check(regions, on_bed);
+    EXPECT_GE(on_bed.counts.connectors, 1U);
+    EXPECT_LE(on_bed.counts.connector_free, 0.1 * on_bed.counts.connector_length);
+    std::vector<RegionPaths> high; // one tower of five layers, then another from the bed: the way down is free
+    for (std::uint32_t k = 0; k < 2; ++k)
+        for (std::uint32_t i = 0; i < 5; ++i)
+            high.push_back(region(5 * k + i, i, i == 0 ? Join::start : Join::vertical, {rings({30.0 * k, 0}, 2, 4)}));
+    const auto broken = link(high, o);
+    check(high, broken);
+    EXPECT_EQ(broken.counts.connectors, 0U);
+    EXPECT_EQ(count(broken, "connector impossible, broken"), 1U);
+    o.strand = Strand::free;
+    const auto free = link(high, o);
+    EXPECT_EQ(free.counts.strokes, 1U);
+    EXPECT_GT(free.counts.connector_free, 20);
+}
+
+// A tall tower: the head cannot come down beside it, but far away from it.
+TEST(Connectors, KeepTheHeadClear) {
+    for (const double apart : {8.0, 60.0}) {
+        std::vector<RegionPaths> regions;
+        for (std::uint32_t i = 0; i < 60; ++i)
+            regions.push_back(region(i, i, i == 0 ? Join::start : Join::vertical, {rings({0, 0}, 2, 4)}));
+        regions.push_back(region(60, 0, Join::start, {rings({apart, 0}, 2, 4)}));
+        Options o = with(Connect::outside);
+        auto r = link(regions, o);
+        EXPECT_EQ(r.counts.connectors, apart > 20 ? 1U : 0U) << apart;
+        EXPECT_EQ(count(r, "connector impossible, broken"), apart > 20 ? 0U : 1U);
+        o.head.none = true;
+        r = link(regions, o);
+        EXPECT_EQ(r.counts.connectors, 1U);
+    }
+}
+
+TEST(Connectors, GoInsideWithinALayer) {
+    const auto regions = towers(6, Join::start);
+    auto r = link(regions, with(Connect::inside));
+    check(regions, r);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_EQ(r.counts.strands, 6U);
+    EXPECT_NEAR(r.counts.strand_length, 6 * 8, 6 * 2);
+    // a third tower between them is in the way, printed before or after
+    for (const bool before : {true, false}) {
+        std::vector<RegionPaths> three{region(0, 0, Join::start, {rings({0, 0}, 2, 4)}),
+                                       region(1, 0, Join::start, {rings({24, 0}, 2, 4)})};
+        three.insert(three.begin() + (before ? 0 : 2), region(2, 0, Join::start, {rings({12, 0}, 2, 4)}));
+        r = link(three, with(Connect::inside));
+        check(three, r);
+        EXPECT_EQ(r.counts.strands, 1U) << before;
+        EXPECT_EQ(count(r, "connector impossible, broken"), 1U);
+    }
+}
+
+} // namespace filum::link3d

@@ -1,0 +1,163 @@
+#include "sequence/cover.hpp"
+#include "sequence/matching.hpp"
+#include "sequence/relaxation.hpp"
+#include "sequence/search.hpp"
+#include "worlds.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::sequence {
+namespace {
+
+constexpr std::uint64_t kAmple = 50'000'000;
+
+// An order that chooses at random among what is ready, most often going on with its stroke.
+Order random_order(Random& random, const Graph& g) {
+    std::vector<Index> waiting(g.size()), ready;
+    for (Index v = 0; v < g.size(); ++v)
+        if ((waiting[v] = static_cast<Index>(g.before[v].size())) == 0) ready.push_back(v);
+    Order out;
+    while (!ready.empty()) {
+        std::size_t pick = random() % ready.size();
+        for (std::size_t i = 0; i < ready.size(); ++i)
+            if (!out.empty() && random() % 8 != 0 && continues(g, out.back(), ready[i])) pick = i;
+        const Index v = ready[pick];
+        ready.erase(ready.begin() + static_cast<long>(pick));
+        out.push_back(v);
+        for (const Index w : g.after[v])
+            if (--waiting[w] == 0) ready.push_back(w);
+    }
+    return out;
+}
+
+TEST(Cuts, HoldForEveryOrder) {
+    Random random(7);
+    std::size_t cuts = 0, rivals = 0, tight = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const Towers t = random_towers(random, 3 + random() % 6, 20, 8);
+        const Graph& g = t.g;
+        Cuts source(g, t.columns, kAmple);
+        std::vector<Cut> all = source.degrees();
+        Cover cover(g.up.size());
+        cover.add(all);
+        for (int round = 0; round < 20; ++round) {
+            cover.solve(kAmple);
+            auto unused = cover.unused();
+            if (round % 3 == 2) // what nobody would propose
+                for (double& x : unused) x = std::max(0.0, uniform(random, -2, 1));
+            const auto more = source.violated(unused);
+            all.insert(all.end(), more.begin(), more.end());
+            cover.add(more);
+        }
+        cuts += all.size();
+        for (const Cut& x : all) rivals += x.least > 1 ? 1 : 0;
+        for (int i = 0; i < 30; ++i) {
+            const Order order = random_order(random, g);
+            check(g, order);
+            std::vector<char> used(g.up.size(), 0);
+            for (std::size_t k = 1; k < order.size(); ++k) {
+                const auto up = g.up[order[k - 1]];
+                const auto at = std::lower_bound(up.begin(), up.end(), order[k]);
+                if (at != up.end() && *at == order[k]) used[g.up.start[order[k - 1]] + (at - up.begin())] = 1;
+            }
+            for (const Cut& x : all) {
+                const auto left = std::count_if(x.link.begin(), x.link.end(), [&](Index a) { return used[a] == 0; });
+                EXPECT_GE(left, x.least);
+                tight += left == x.least ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(cuts, 2000);
+    EXPECT_GT(rivals, 15);
+    EXPECT_GT(tight, 10 * cuts);
+}
+
+TEST(Bounds, AreNoMoreThanEnumerationFinds) {
+    Random random(9);
+    int worlds = 0, above_cover = 0, relaxed_best = 0, slabs_above_cover = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+        const Towers t = random_towers(random, 2 + random() % 4, 3 + random() % 5, 1 + random() % 4);
+        if (t.g.size() > 13) continue;
+        ++worlds;
+        const Index least = fewest_strokes(t.g);
+        const auto w = weights(t.g, t.columns, 0.02);
+        const Index relaxed = Relaxation(t.g, t.columns).tighten(kNone, kAmple);
+        EXPECT_LE(path_cover(t.g), relaxed) << trial;
+        EXPECT_LE(relaxed, least) << trial;
+        const Index in_slabs = Relaxation(t.g, t.columns, 12).tighten(kNone, kAmple);
+        EXPECT_LE(in_slabs, least) << trial;
+        slabs_above_cover += in_slabs > path_cover(t.g) ? 1 : 0;
+        const Found f = search(t.g, t.columns, w, 5000, kAmple);
+        EXPECT_TRUE(f.optimal);
+        check(t.g, f.order);
+        EXPECT_EQ(cost(t.g, f.order).strokes, least) << trial;
+        above_cover += least > path_cover(t.g) ? 1 : 0;
+        relaxed_best += relaxed == least ? 1 : 0;
+    }
+    RecordProperty("worlds", worlds);
+    RecordProperty("above_cover", above_cover);
+    RecordProperty("relaxation_optimal", relaxed_best);
+    EXPECT_GT(worlds, 250);
+    EXPECT_GT(above_cover * 3, worlds);
+    EXPECT_GT(relaxed_best * 10, worlds * 9);
+    EXPECT_GT(slabs_above_cover, 100);
+}
+
+TEST(Slabs, HoldEveryLinkOnce) {
+    Random random(11);
+    std::size_t many = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const Towers t = random_towers(random, 1 + random() % 8, 1 + random() % 30, 4);
+        const auto parts = slabs(t.g, t.columns, 1 + random() % 300);
+        std::vector<Pair> links;
+        for (const Slab& s : parts) {
+            for (Index u = 0; u < s.g.size(); ++u) {
+                for (const Index v : s.g.up[u]) links.emplace_back(s.first + u, s.first + v);
+                EXPECT_EQ(s.g.node[u].z, t.g.node[s.first + u].z);
+                const auto& column = s.columns.member[s.columns.of[u]];
+                EXPECT_EQ(std::count(column.begin(), column.end(), u), 1);
+            }
+        }
+        std::sort(links.begin(), links.end());
+        const Arcs again = arcs(t.g.size(), links);
+        EXPECT_EQ(again.to, t.g.up.to);
+        EXPECT_EQ(links.size(), t.g.up.size());
+        many += parts.size() > 2 ? 1 : 0;
+    }
+    EXPECT_GT(many, 20);
+}
+
+TEST(Cover, AnyPricesProveABound) {
+    Random random(8);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Index links = 2 + random() % 9;
+        std::vector<Cut> cuts(1 + random() % 6);
+        for (Cut& c : cuts) {
+            for (Index a = 0; a < links; ++a)
+                if (random() % 2 == 0) c.link.push_back(a);
+            c.least = c.link.empty() ? 0 : static_cast<Index>(random() % c.link.size());
+        }
+        Index fewest = kNone; // by enumeration
+        for (std::uint32_t set = 0; set < 1U << links; ++set)
+            if (std::all_of(cuts.begin(), cuts.end(), [&](const Cut& c) {
+                    return std::count_if(c.link.begin(), c.link.end(), [&](Index a) { return set >> a & 1; }) >=
+                           c.least;
+                }))
+                fewest = std::min(fewest, static_cast<Index>(std::popcount(set)));
+        for (int i = 0; i < 20; ++i) {
+            std::vector<double> prices;
+            for (std::size_t k = 0; k < cuts.size(); ++k) prices.push_back(uniform(random, -0.5, 1.5));
+            EXPECT_LE(proven_unused(links, cuts, prices), fewest);
+        }
+        Cover cover(links);
+        cover.add(cuts);
+        EXPECT_TRUE(cover.solve(kAmple));
+        EXPECT_LE(cover.proven(), fewest);
+        double sum = 0;
+        for (const double x : cover.unused()) sum += x;
+        EXPECT_GE(cover.proven() + 1e-6, sum); // nothing is lost by whole numbers
+    }
+}
+
+} // namespace
+} // namespace filum::sequence

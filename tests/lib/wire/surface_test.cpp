@@ -1,0 +1,103 @@
+// What a surface message promises, and that every broken promise is noticed.
+#include "base/error.hpp"
+#include "wire/surface.hpp"
+
+#include <filum/stream.pb.h> // a fault needs a message to be put into
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <random>
+
+namespace filum::wire {
+namespace {
+
+surface::Sheet good() {
+    surface::Sheet s;
+    s.surface = surface::assemble({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}}, {{0, 1, 2}, {2, 1, 3}},
+                                  {surface::kNone, 3, surface::kNone, 1, surface::kNone, surface::kNone});
+    s.fields = {{"distance", {0, 1, 1, std::numeric_limits<double>::infinity()}}};
+    s.isolines = {{0.5, false, {{0.5, 0, 0}, {0, 0.5, 0}}, {0}},
+                  {0.7, true, {{0.5, 0, 0}, {0, 0.5, 0}, {0.5, 0.5, 0}}, {0, 0, 1}}};
+    return s;
+}
+
+TEST(surface_message, comes_out_as_it_went_in) {
+    const auto raw = frame(good());
+    EXPECT_EQ(raw.tag, stream::Tag::surface);
+    const auto s = sheet(raw);
+    EXPECT_EQ(s.surface.vertices, good().surface.vertices);
+    EXPECT_EQ(s.surface.triangles, good().surface.triangles);
+    EXPECT_EQ(s.surface.twin, good().surface.twin);
+    ASSERT_EQ(s.surface.rims.size(), 1U);
+    ASSERT_EQ(s.fields.size(), 1U);
+    EXPECT_EQ(s.fields[0].name, "distance");
+    EXPECT_EQ(s.fields[0].values, good().fields[0].values);
+    ASSERT_EQ(s.isolines.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(s.isolines[i].level, good().isolines[i].level);
+        EXPECT_EQ(s.isolines[i].closed, good().isolines[i].closed);
+        EXPECT_EQ(s.isolines[i].points, good().isolines[i].points);
+        EXPECT_EQ(s.isolines[i].triangles, good().isolines[i].triangles);
+    }
+    EXPECT_EQ(frame(s).body, raw.body);
+}
+
+TEST(surface_message, faults_are_noticed) {
+    const std::function<void(proto::Surface&)> faults[] = {
+        [](auto& m) { m.add_x(1); },
+        [](auto& m) { m.set_x(1, std::nan("")); },
+        [](auto& m) { m.set_z(3, 1e9); },
+        [](auto& m) { m.add_corner(1); },
+        [](auto& m) { m.set_corner(2, 4); },
+        [](auto& m) { m.set_corner(2, 0); },
+        [](auto& m) { m.clear_corner(), m.clear_across(); },
+        [](auto& m) { m.clear_across(); },
+        [](auto& m) { m.set_across(1, 0); },
+        [](auto& m) { m.set_across(0, 77); },
+        [](auto& m) { m.add_x(1), m.add_y(1), m.add_z(1); }, // a vertex of no triangle
+        [](auto& m) { m.mutable_fields(0)->add_value(1); },
+        [](auto& m) { m.mutable_fields(0)->set_value(1, std::nan("")); },
+        [](auto& m) { m.clear_fields(); },
+        [](auto& m) { m.mutable_isolines()->add_x(1); },
+        [](auto& m) { m.mutable_isolines()->set_start(1, 9); },
+        [](auto& m) { m.mutable_isolines()->set_start(1, 1); },
+        [](auto& m) { m.mutable_isolines()->set_start(2, 4); },
+        [](auto& m) { m.mutable_isolines()->clear_start(); },
+        [](auto& m) { m.mutable_isolines()->add_closed(true); },
+        [](auto& m) { m.mutable_isolines()->set_triangle(0, 2); },
+        [](auto& m) { m.mutable_isolines()->set_level(0, std::nan("")); },
+        [](auto& m) { m.mutable_isolines()->clear_level(); },
+    };
+    for (std::size_t i = 0; i < std::size(faults); ++i) {
+        proto::Surface m;
+        ASSERT_TRUE(m.ParseFromString(frame(good()).body));
+        faults[i](m);
+        try {
+            sheet({stream::Tag::surface, m.SerializeAsString()});
+            ADD_FAILURE() << "fault " << i;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::bad_input) << i;
+            EXPECT_TRUE(std::string(e.what()).starts_with("cannot use a surface frame: ")) << e.what();
+        }
+    }
+    EXPECT_THROW(sheet({stream::Tag::layer, frame(good()).body}), Error);
+}
+
+TEST(surface_message, flipped_bytes_never_crash) {
+    const auto raw = frame(good());
+    std::mt19937 random(3);
+    for (int i = 0; i < 5000; ++i) {
+        auto broken = raw;
+        for (int k = 0; k < 3; ++k) broken.body[random() % broken.body.size()] = static_cast<char>(random());
+        try {
+            sheet(broken);
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::bad_input);
+        }
+    }
+}
+
+} // namespace
+} // namespace filum::wire
