@@ -107,32 +107,6 @@ std::optional<Loops> clipped_simple(const Side& s, const Cut& cut) {
     return out;
 }
 
-// The part of any area on one side of the cut (Sutherland and Hodgman 1974): pieces of a loop hang together by edges to
-// and fro along the cut.
-Loops clipped(const Loops& a, const Cut& cut, bool upper) {
-    const auto kept = [&](Vec2 p) { return (cut.above(p) > 0) == upper; };
-    Loops out;
-    for (std::size_t l = 0; l < a.size(); ++l) {
-        const auto loop = a[l];
-        const std::size_t before = out.points.size();
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const Vec2 p = loop[i], q = loop[i + 1 == loop.size() ? 0 : i + 1];
-            if (kept(p)) out.points.push_back(p);
-            if (kept(p) != kept(q)) out.points.push_back(crossing(cut, p, q));
-        }
-        if (out.points.size() - before >= 3)
-            out.close();
-        else
-            out.points.resize(before);
-    }
-    return out;
-}
-
-Loops one_side(const Loops& a, const Cut& cut, bool upper) {
-    auto simple = clipped_simple(side(a, cut, upper), cut);
-    return simple ? std::move(*simple) : clipped(a, cut, upper);
-}
-
 // How the chains of one side go on at the other.
 struct Next {
     std::size_t chain = 0;
@@ -206,12 +180,18 @@ Cut choose(std::span<const Loops> inputs, double share) {
     return cut;
 }
 
-std::vector<Loops> half(std::span<const Loops> inputs, const Cut& cut, double reach, bool upper) {
+// Nothing if one of the inputs is not simple there: cut as it is, it would have edges to and fro along the cut, which
+// cost Clipper more than the whole.
+std::optional<std::vector<Loops>> half(std::span<const Loops> inputs, const Cut& cut, double reach, bool upper) {
     Cut rim = cut;
     rim.at += (upper ? -1 : 1) * (reach + kClear);
     std::vector<Loops> out;
     out.reserve(inputs.size());
-    for (const Loops& a : inputs) out.push_back(one_side(a, rim, upper));
+    for (const Loops& a : inputs) {
+        auto part = clipped_simple(side(a, rim, upper), rim);
+        if (!part) return std::nullopt;
+        out.push_back(std::move(*part));
+    }
     return out;
 }
 
@@ -223,10 +203,11 @@ Loops tiled(std::span<const Loops> inputs, double reach, const Operation& operat
     for (const double share : kShares) {
         const Cut cut = choose(inputs, share);
         const auto lower = half(inputs, cut, reach, false), upper = half(inputs, cut, reach, true);
+        if (!lower || !upper) break;
         const double most = kWorthwhile * static_cast<double>(n);
-        if (static_cast<double>(count(lower)) > most || static_cast<double>(count(upper)) > most) break;
-        const Side below = side(tiled(lower, reach, operation), cut, false);
-        const Side above = side(tiled(upper, reach, operation), cut, true);
+        if (static_cast<double>(count(*lower)) > most || static_cast<double>(count(*upper)) > most) break;
+        const Side below = side(tiled(*lower, reach, operation), cut, false);
+        const Side above = side(tiled(*upper, reach, operation), cut, true);
         if (auto joined = stitched(below, above, cut)) return std::move(*joined);
     }
     return operation(inputs);

@@ -14,8 +14,9 @@ using Operation = std::function<Loops(std::span<const Loops>)>;
 // What `operation` gives for `inputs`, found tile by tile: halved across the longer side until no tile has more than
 // some thousand points, each tile with a margin of `reach` mm, the results stitched together where their outlines
 // cross the cuts.  The same up to rounding (2 um at the cuts at most) and the order of the loops.  Where the two sides
-// of a cut disagree, the cut is moved, or the operation done in one piece.  Inputs and results are simple, outer loops
-// counter-clockwise, holes clockwise; inputs may cross themselves if the operation unites them.
+// of a cut disagree, the cut is moved, or the operation done in one piece, as it is where inputs cross themselves at a
+// cut. Results are simple, outer loops counter-clockwise, holes clockwise, and so are inputs unless the operation
+// unites them.
 Loops tiled(std::span<const Loops> inputs, double reach, const Operation& operation);
 
 } // namespace filum::polygon
