@@ -3,6 +3,7 @@
 #include "absorb/cracks.hpp"
 #include "absorb/nose.hpp"
 #include "absorb/turn.hpp"
+#include "geom/segment.hpp"
 #include "polygon/segments.hpp"
 
 #include <algorithm>
@@ -39,11 +40,39 @@ bool has_corner(std::span<const Vec2> loop) {
     return false;
 }
 
+// The curve without points that lie on the line between their neighbours and have its width: noses want room between
+// the corners.
+toolpath::Curve straightened(const toolpath::Curve& curve, double width) {
+    constexpr double kOff = 0.0006, kWider = 0.004; // mm; bead widths
+    constexpr std::size_t kMost = 60;               // points left out in a row: bounds the work
+    const std::size_t n = curve.points.size();
+    toolpath::Curve out{curve.closed, {curve.points[0]}, {curve.width_at(0)}};
+    for (std::size_t kept = 0, i = 1; i < n; ++i) {
+        const Vec2 a = curve.points[kept], b = curve.points[(i + 1) % n];
+        const double wa = curve.width_at(kept), wb = curve.width_at((i + 1) % n);
+        bool straight = i + 1 < n && i - kept < kMost && std::abs(wa - wb) < kWider * width;
+        for (std::size_t k = kept + 1; k <= i && straight; ++k)
+            straight = geom::point_segment_distance(a, b, curve.points[k]) < kOff &&
+                       geom::dot(curve.points[k] - curve.points[k - 1], b - a) > 0 &&
+                       std::abs(curve.width_at(k) - wa) < kWider * width;
+        if (straight) continue;
+        out.points.push_back(curve.points[i]), out.width.push_back(curve.width_at(i));
+        kept = i;
+    }
+    return out.points.size() < 4 ? curve : out;
+}
+
+std::vector<toolpath::Curve> straightened(const std::vector<toolpath::Curve>& curves, double width) {
+    std::vector<toolpath::Curve> out;
+    for (const auto& c : curves) out.push_back(straightened(c, width));
+    return out;
+}
+
 class Absorber {
   public:
     Absorber(const polygon::Loops& region, const std::vector<toolpath::Curve>& curves, const Options& o)
-        : region_(region), chain_(curves), width_(std::min(o.bead_width, kUsual * mean_width())),
-          box_(polygon::bounds(region)) {
+        : region_(region), chain_(straightened(curves, o.bead_width)),
+          width_(std::min(o.bead_width, kUsual * mean_width())), box_(polygon::bounds(region)) {
         const Vec2 size = box_.hi - box_.lo;
         const double area = polygon::signed_area(region) / (width_ * width_);
         large_ = area > kLarge, small_ = area < kSmall,
