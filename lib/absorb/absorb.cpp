@@ -19,6 +19,8 @@ constexpr double kSmall = 150;                      // and much
 constexpr double kTiny = 80;                        // and most
 constexpr double kDot = 3;                          // bead widths squared: of no weight in any box
 constexpr double kSharp = 1.2;                      // rad
+constexpr double kSpare = 0.02;                     // share of the area that may be laid beyond it,
+constexpr double kCorners = 1.5;                    // and bead widths squared, for corners
 constexpr double kCoarse = 1.0 / 9;                 // bead widths: their pixels
 constexpr double kPixel = 1.0 / 16;                 // bead widths
 constexpr int kCore = 896, kMargin = 64, kRim = 10; // pixels: tiles lap over each other by what an edit can reach
@@ -78,7 +80,11 @@ class Absorber {
         large_ = area > kLarge, small_ = area < kSmall,
         dot_ = area * width_ * width_ < kDot * o.bead_width * o.bead_width;
         tiny_ = area < kTiny && has_corner(region[0]);
-        for (std::uint32_t i = 0; i < chain_.size(); ++i) course_.add(chain_.point(i));
+        most_ = (1 + kSpare) * area * width_ * width_ + kCorners * o.bead_width * o.bead_width;
+        for (std::uint32_t i = 0; i < chain_.size(); ++i) {
+            const Bead b = chain_.bead(i);
+            course_.add(b.a), laid_ += geom::distance(b.a, b.b) * b.width;
+        }
         pixel_ = std::min((large_ ? kCoarse : kPixel) * width_, std::max(size.x, size.y) / 48);
         pixel_ = std::max({pixel_, kPixel / 8 * o.bead_width, 1e-3});
     }
@@ -190,9 +196,19 @@ class Absorber {
                             [&](std::uint32_t i) { return std::abs(turn(chain_, i)) > kSharp; });
     }
 
+    // mm2 laid between the ends of the course as it is now.
+    [[nodiscard]] double deposit(const Course& c) const {
+        double sum = 0;
+        for (std::uint32_t i = c.from; i != c.to; i = chain_[i].next) {
+            const Bead b = chain_.bead(i);
+            sum += geom::distance(b.a, b.b) * b.width;
+        }
+        return sum;
+    }
+
     // Pixels gained.
     double reach(Tile& tile, Near& near, const Void& v, Search& search) {
-        if (!tile.empty(v.deepest)) return 0; // covered meanwhile
+        if (!tile.empty(v.deepest) || (search.thorough && laid_ > most_)) return 0; // covered meanwhile; or enough
         std::vector<Course> found;
         search.enough = search.thorough ? 1e9 : kEnough * static_cast<double>(v.pixels.size());
         for (const Root& r : roots(tile, chain_, near, v, search)) {
@@ -209,7 +225,9 @@ class Absorber {
         if (found.size() > 8) found.resize(8);
         for (const Course& c : found) {
             if (!clear(chain_, near, c, kClear * width_)) continue;
+            const double more = deposit(c);
             make(tile, chain_, near, c);
+            laid_ += deposit(c) - more;
             return c.score;
         }
         return 0;
@@ -220,7 +238,8 @@ class Absorber {
     double width_;
     Box2 box_;
     double pixel_ = 0;
-    Box2 course_; // about the nodes, before
+    double laid_ = 0, most_ = 0; // mm2: so far; from where on no void is worth more
+    Box2 course_;                // about the nodes, before
     bool large_ = false, small_ = false, tiny_ = false, dot_ = false;
     int columns_ = 1, rows_ = 1; // of tiles
     std::vector<std::vector<std::uint32_t>> of_tile_;

@@ -88,7 +88,8 @@ TEST_P(RandomRegion, IsCoveredBetterWithVoidsAbsorbed) {
     Notes notes;
     const Spiral with = fill_it(region), without = fill::spiral(region, {.bead_width = kWidth, .absorb = false}, notes);
     EXPECT_GE(coverage(region, with, 8000), coverage(region, without, 8000) - 0.0005);
-    EXPECT_LE(deposited(with), deposited(without) + 0.05 * polygon::signed_area(region));
+    const double area = polygon::signed_area(region);
+    EXPECT_LE(deposited(with), std::max(deposited(without), area) + 0.06 * area);
 }
 
 TEST(Spiral, FillsTheBarOfThePaperAlmostWholly) {
