@@ -210,7 +210,7 @@ class Absorber {
     double reach(Tile& tile, Near& near, const Void& v, Search& search) {
         if (!tile.empty(v.deepest) || (search.thorough && laid_ > most_)) return 0; // covered meanwhile; or enough
         std::vector<Course> found;
-        search.enough = search.thorough ? 1e9 : kEnough * static_cast<double>(v.pixels.size());
+        search.enough = (search.thorough ? 0.7 : kEnough) * static_cast<double>(v.pixels.size());
         for (const Root& r : roots(tile, chain_, near, v, search)) {
             blades(tile, chain_, r, search, found);
             if (search.done(found)) break;
