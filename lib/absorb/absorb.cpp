@@ -26,12 +26,12 @@ constexpr double kPixel = 1.0 / 16;                 // bead widths
 constexpr int kCore = 896, kMargin = 64, kRim = 10; // pixels: tiles lap over each other by what an edit can reach
 constexpr int kRounds = 3;
 constexpr double kGood = 0.0015;  // share of the area: if no more is uncovered, that is enough
-constexpr double kPoor = 0.0095;  // if more is, the search is thorough,
+constexpr double kPoor = 0.008;   // if more is, the search is thorough,
 constexpr double kFair = 0.005;   // until no more than this is
 constexpr double kLowPrice = 0.1; // and laying twice is cheaper then
 constexpr double kEnough = 0.5;   // share of a void: a course that gains so much is taken
 constexpr double kWorth = 0.0;    // share of a void: a course that gains less only spoils the place for better ones
-constexpr std::size_t kLeastVoid = 8, kLeastLarge = 3, kLeastThorough = 3, kMostVoid = 600; // pixels
+constexpr std::size_t kLeastVoid = 8, kLeastLarge = 9, kLeastThorough = 3, kMostVoid = 600; // pixels
 constexpr double kClear = 0.02;                                                             // bead widths
 
 bool has_corner(std::span<const Vec2> loop) {

@@ -85,7 +85,7 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     };
     for (ClosedLine& line :
          join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
-        if (round) line = rounded(with_wide_turns(line, w, room), reach, room);
+        if (round && rings.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), reach, room);
         tidy(line);
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
