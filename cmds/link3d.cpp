@@ -56,12 +56,11 @@ std::vector<cli::Option> options(Options& o) {
         Option{"look-ahead", &o.link.look_ahead, "REGIONS", "how many regions are read before one is printed"}
             .at_least(1)
             .at_most(1000),
-        Option{"connect", &o.names.connect, "", "what joins a region to one that is not below it"}.one_of(
+        Option{"connect", &o.names.connect, "", "how to reach a region that lies aside"}.one_of(
             {"break", "inside", "outside"}),
         Option{"strand", &o.names.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
             .one_of({"free", "carried"}),
-        Option{"seam", &o.names.seam, "", "where a stroke begins: nearest to the last, or inside"}.one_of(
-            {"nearest", "inside"}),
+        Option{"seam", &o.names.seam, "", "where a stroke begins"}.one_of({"nearest", "inside"}),
         Option{"lift", &o.names.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
             .one_of({"plain", "ramp", "helical"}),
         Option{"interlace", &o.names.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
