@@ -7,6 +7,7 @@ load common
 
 setup_file() {
     cd "$BATS_FILE_TMPDIR"
+    export FILUM_SOURCE=${FILUM_SOURCE:-$(cd "$BATS_TEST_DIRNAME/../.." && pwd)}
     make_part=$FILUM_SOURCE/examples/scaffold/make-part
     $make_part block 20 20 2 block.stl
     $make_part disc 10 2 disc.stl

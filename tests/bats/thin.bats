@@ -7,6 +7,7 @@ load common
 
 setup() {
     cd "$BATS_TEST_TMPDIR"
+    export FILUM_SOURCE=${FILUM_SOURCE:-$(cd "$BATS_TEST_DIRNAME/../.." && pwd)}
     make_part=$FILUM_SOURCE/examples/scaffold/make-part
 }
 
