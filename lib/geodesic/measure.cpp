@@ -66,7 +66,8 @@ Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
     const Facts quality = certificate(s, distance);
     facts.insert(facts.end(), quality.begin(), quality.end());
     facts.push_back({"", "isolines", static_cast<double>(sheet.isolines.size()), ""});
-    sheet.fields.push_back({"distance", std::move(distance)});
+    sheet.fields.push_back({"distance", std::move(distance), 1});
+    sheet.sources = sources;
     return facts;
 }
 

@@ -1,21 +1,13 @@
-// Where distance is zero: places and lines on a surface.
+// The names that distances speak of.
 #pragma once
 
-#include "surface/section.hpp"
-
-#include <vector>
+#include "surface/sources.hpp"
 
 namespace filum::geodesic {
 
 using geom::Vec3;
-using surface::Surface;
-
 using surface::Segment;
-
-struct Sources {
-    std::vector<std::uint32_t> vertices;
-    std::vector<Segment> segments;
-    [[nodiscard]] bool empty() const { return vertices.empty() && segments.empty(); }
-};
+using surface::Sources;
+using surface::Surface;
 
 } // namespace filum::geodesic

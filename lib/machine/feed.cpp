@@ -16,6 +16,7 @@ double role_feed(const Feeds& feeds, toolpath::Role role) {
     case toolpath::Role::connector:
         return feeds.connector;
     case toolpath::Role::bead:
+    case toolpath::Role::hairpin:
     case toolpath::Role::travel:
         break;
     }

@@ -59,9 +59,9 @@ void follow(Course& c, const toolpath::Span& span) {
         if (extruding) {
             const bool gap = c.in_gap;
             if (gap) close_gap(c, span.height_at(i));
-            if (fresh && span.role != Role::bead && (gap || c.last != span.role || !c.begun))
+            if (fresh && !toolpath::fills(span.role) && (gap || c.last != span.role || !c.begun))
                 ++c.joins[index(span.role)];
-            if (fresh && !gap && c.begun && c.last == Role::bead && span.role == Role::bead &&
+            if (fresh && !gap && c.begun && toolpath::fills(c.last) && toolpath::fills(span.role) &&
                 std::abs(span.points[i].z - span.points[i + 1].z) > 0.01 * span.height_at(i))
                 ++c.bare_climbs;
             c.volume[index(span.role)] += toolpath::volume(span, i);

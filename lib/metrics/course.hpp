@@ -19,12 +19,13 @@ struct Course {
     std::size_t extruding_moves = 0;
     std::size_t stops = 0, breaks = 0;
     std::size_t hops = 0, travels = 0, climbs = 0;
-    std::array<std::size_t, 5> joins{}; // by role: stretches without a gap or another role between; [bead] stays 0
-    std::array<double, 5> length{};     // mm by role, in space
-    std::array<double, 5> volume{};     // mm3 by role
-    std::size_t bare_climbs = 0;        // beads that go on on another layer with neither gap nor join
-    std::size_t jumps = 0;              // spans that do not begin where the one before ended: counted as travels
-    double longest_gap = 0;             // mm in XY
+    std::array<std::size_t, toolpath::kRoles>
+        joins{}; // by role: stretches without a gap or another role between; [bead] stays 0
+    std::array<double, toolpath::kRoles> length{}; // mm by role, in space
+    std::array<double, toolpath::kRoles> volume{}; // mm3 by role
+    std::size_t bare_climbs = 0;                   // beads that go on on another layer with neither gap nor join
+    std::size_t jumps = 0;  // spans that do not begin where the one before ended: counted as travels
+    double longest_gap = 0; // mm in XY
     geom::Vec3 lo{kFar, kFar, kFar}, hi{-kFar, -kFar, -kFar}; // of the extruding moves
 
     [[nodiscard]] std::size_t strokes() const { return extruding_moves > 0 ? breaks + 1 : 0; }

@@ -11,7 +11,7 @@ Directions directions(const Beads& beads) {
     double total = 0;
     for (const auto& [index, layer] : beads.layer)
         for (std::size_t k = 0; k < layer.pieces.size(); ++k) {
-            if (layer.pieces[k].role != toolpath::Role::bead) continue;
+            if (!toolpath::fills(layer.pieces[k].role)) continue;
             for (std::size_t i = layer.pieces[k].first; i + 1 < layer.end(k); ++i) {
                 const Vec2 d = layer.points[i + 1] - layer.points[i];
                 const double l = geom::norm(d);

@@ -61,7 +61,7 @@ double direction(const Straight& s) {
 std::vector<Straight> straights(const LayerBeads& beads) {
     std::vector<Straight> out;
     for (std::size_t k = 0; k < beads.pieces.size(); ++k) {
-        if (beads.pieces[k].role != Role::bead) continue;
+        if (!toolpath::fills(beads.pieces[k].role)) continue;
         bool open = false;
         for (std::size_t i = beads.pieces[k].first; i + 1 < beads.end(k); ++i) {
             const Straight s{beads.points[i], beads.points[i + 1], beads.width[i]};

@@ -35,7 +35,7 @@ void continuity(const Course& c, Figures& out) {
 
 void lengths(const Course& c, double seconds, const Options& o, Figures& out) {
     double extruded = 0, volume = 0;
-    for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector})
+    for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector, Role::hairpin})
         extruded += c.length[role(r)], volume += c.volume[role(r)];
     const std::string g = "length";
     out.push_back({g, "extruded", extruded, 1, "mm"});
@@ -43,6 +43,7 @@ void lengths(const Course& c, double seconds, const Options& o, Figures& out) {
     out.push_back({g, "of it lifts", c.length[role(Role::lift)], 1, "mm"});
     out.push_back({g, "of it jogs", c.length[role(Role::jog)], 1, "mm"});
     out.push_back({g, "of it connectors", c.length[role(Role::connector)], 1, "mm"});
+    if (const double l = c.length[role(Role::hairpin)]; l > 0) out.push_back({g, "of it hairpins", l, 1, "mm"});
     out.push_back({g, "travel", c.length[role(Role::travel)], 1, "mm"});
     out.push_back({g, "moves", count(c.extruding_moves)});
     const std::string m = "time and material";

@@ -56,7 +56,7 @@ Seams seams(const Beads& beads, const std::vector<polygon::Region>& regions, dou
     std::map<std::uint32_t, std::map<std::uint32_t, Start>> start; // by layer, region
     for (const auto& [index, layer] : beads.layer) {
         for (const Piece& p : layer.pieces) {
-            if (p.role != toolpath::Role::bead) continue;
+            if (!toolpath::fills(p.role)) continue;
             const auto [it, fresh] = start[index].try_emplace(p.region, Start{p.order, layer.points[p.first]});
             if (!fresh && p.order < it->second.order) it->second = {p.order, layer.points[p.first]};
         }

@@ -30,6 +30,7 @@ const char* type_name(Role role) {
     case Role::connector:
         return "Support material";
     case Role::bead:
+    case Role::hairpin:
     case Role::travel:
         break;
     }

@@ -24,8 +24,8 @@ struct Survey {
     double volume = 0;                             // mm3 of bead, as the toolpath says
     double seconds = 0;
     std::uint64_t moves = 0, strokes = 0;
-    std::uint32_t layers = 0;         // highest index + 1
-    std::array<double, 5> role_len{}; // mm, by Role
+    std::uint32_t layers = 0;                        // highest index + 1
+    std::array<double, toolpath::kRoles> role_len{}; // mm, by Role
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is

@@ -14,7 +14,7 @@ using toolpath::Role;
 
 constexpr int kSteps = 1024; // of the ramp
 
-constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel"};
+constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel", "hairpin"};
 
 double length(const toolpath::Span& s) {
     double sum = 0;
@@ -84,6 +84,8 @@ Rgb role_colour(Role role) {
         return oklch(0.60, 0.22, 28);
     case Role::travel:
         return oklch(0.55, 0.02, 260);
+    case Role::hairpin:
+        return oklch(0.66, 0.16, 300);
     }
     return {};
 }

@@ -18,11 +18,11 @@ enum class By { progress, stroke, layer, width, speed, role };
 struct Tint {
     By by = By::progress;
     const machine::Profile* profile = nullptr;
-    double lo = 0, hi = 1;       // what the ramp's ends stand for
-    std::vector<double> begin;   // progress: mm extruded before each span
-    std::size_t strokes = 0;     // distinct ones drawn
-    std::array<bool, 5> roles{}; // drawn ones
-    std::vector<Srgb8> ramp;     // steps of the ramp: looked up faster than mixed
+    double lo = 0, hi = 1;                      // what the ramp's ends stand for
+    std::vector<double> begin;                  // progress: mm extruded before each span
+    std::size_t strokes = 0;                    // distinct ones drawn
+    std::array<bool, toolpath::kRoles> roles{}; // drawn ones
+    std::vector<Srgb8> ramp;                    // steps of the ramp: looked up faster than mixed
 };
 
 // `profile`: whose feeds By::speed shows; null for anything else.

@@ -11,7 +11,7 @@ namespace filum::show {
 namespace {
 
 constexpr const char* kJoins[] = {"start", "vertical", "beside"};
-constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel"};
+constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel", "hairpin"};
 
 std::int64_t whole(std::uint64_t v) { return static_cast<std::int64_t>(v); }
 
@@ -100,6 +100,12 @@ Record record(const toolpath::Span& s) {
     Table table{{"x", std::move(x)}, {"y", std::move(y)}, {"z", std::move(z)}};
     add_values(out, table, "width", s.width);
     add_values(out, table, "height", s.height);
+    if (!s.normals.empty()) {
+        std::vector<double> nx, ny, nz;
+        for (const auto& v : s.normals) nx.push_back(v.x), ny.push_back(v.y), nz.push_back(v.z);
+        table.emplace_back("nx", std::move(nx)), table.emplace_back("ny", std::move(ny));
+        table.emplace_back("nz", std::move(nz));
+    }
     out.fields.emplace_back("points", std::move(table));
     return out;
 }
@@ -123,6 +129,15 @@ Record record(const surface::Isoline& line) {
             {{"level", line.level}, {"closed", line.closed ? "yes" : "no"}, {"points", columns(line.points)}}};
 }
 
+// A column, or three, named as their axes.
+void add_field(Table& table, const surface::Field& f) {
+    for (std::uint32_t c = 0; c < f.components; ++c) {
+        std::vector<double> column;
+        for (std::size_t i = c; i < f.values.size(); i += f.components) column.push_back(f.values[i]);
+        table.emplace_back(f.components == 1 ? f.name : f.name + "." + "xyz"[c], std::move(column));
+    }
+}
+
 // Vertices with their fields as columns.
 Record record(const surface::Sheet& sheet) {
     const surface::Surface& s = sheet.surface;
@@ -130,7 +145,7 @@ Record record(const surface::Sheet& sheet) {
     for (const auto& rim : s.rims) rims.push_back(record(s, rim));
     for (const auto& line : sheet.isolines) lines.push_back(record(line));
     Table table = columns(s.vertices);
-    for (const auto& f : sheet.fields) table.emplace_back(f.name, f.values);
+    for (const auto& f : sheet.fields) add_field(table, f);
     std::vector<double> a, b, c;
     for (const auto& t : s.triangles) a.push_back(t[0]), b.push_back(t[1]), c.push_back(t[2]);
     return {"surface",

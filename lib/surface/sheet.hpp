@@ -1,16 +1,21 @@
 // What surface stages hand on: a surface, and what they found out about it.
 #pragma once
 
-#include "surface/surface.hpp"
+#include "surface/sources.hpp"
 
 #include <string>
 
 namespace filum::surface {
 
-// A number per vertex.
+// A number or a vector per vertex.
 struct Field {
-    std::string name;           // lower case, words joined by '-': "distance"
-    std::vector<double> values; // infinite where nothing is known
+    std::string name;             // lower case, words joined by '-': "distance"; of load cases "stress.CASE.s1"
+    std::vector<double> values;   // `components` per vertex, together; infinite where nothing is known
+    std::uint32_t components = 1; // 1 or 3
+
+    [[nodiscard]] Vec3 vector(std::size_t vertex) const {
+        return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
+    }
 };
 
 // A line on the surface along which a field has one value.  What is less lies to its left, seen from the side that the
@@ -25,7 +30,8 @@ struct Isoline {
 struct Sheet {
     Surface surface;
     std::vector<Field> fields;
-    std::vector<Isoline> isolines; // of the last field, by level
+    std::vector<Isoline> isolines; // of the field "distance", by level
+    Sources sources{};             // from where "distance" was measured
 };
 
 } // namespace filum::surface

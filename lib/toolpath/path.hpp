@@ -4,6 +4,7 @@
 #include "base/join.hpp"
 #include "geom/vec.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -42,9 +43,12 @@ enum class Role : std::uint8_t {
     jog,       // join over material
     connector, // join outside the part, to be removed
     travel,    // not extruding: a break
+    hairpin,   // fill in a turn that is declared to be tighter than what the path keeps to elsewhere
 };
+inline constexpr std::size_t kRoles = 6;
 
 inline bool extrudes(Role r) { return r != Role::travel; }
+inline bool fills(Role r) { return r == Role::bead || r == Role::hairpin; }
 
 // A stretch of the finished toolpath.  It begins where the span before ended; its first point is that place.
 // The cross-section of a bead is width * height: the area that the machine will extrude per mm.
@@ -54,6 +58,8 @@ struct Span {
     std::vector<Vec3> points;
     std::vector<double> width;  // mm, per point, or one for all; empty for a travel
     std::vector<double> height; // likewise
+    // Per point, unit: where the tool comes from, on a curved surface its normal; none: from above, (0, 0, 1).
+    std::vector<Vec3> normals{};
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }
@@ -63,7 +69,7 @@ struct Span {
 // straight up or down, and travels lay nothing at all.
 inline double volume(const Span& s, std::size_t i) {
     if (!extrudes(s.role)) return 0;
-    if (s.role != Role::bead && s.points[i].xy() == s.points[i + 1].xy()) return 0;
+    if (!fills(s.role) && s.points[i].xy() == s.points[i + 1].xy()) return 0;
     const double a = s.width_at(i) * s.height_at(i), b = s.width_at(i + 1) * s.height_at(i + 1);
     return geom::distance(s.points[i], s.points[i + 1]) * (a + b) / 2;
 }

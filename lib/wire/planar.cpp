@@ -212,9 +212,27 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
     return raw(Tag::paths, m);
 }
 
+namespace {
+
+std::vector<geom::Vec3> normals(const proto::Span& m, std::size_t points) {
+    const auto n = static_cast<std::size_t>(m.nx_size());
+    if (static_cast<std::size_t>(m.ny_size()) != n || static_cast<std::size_t>(m.nz_size()) != n)
+        bad("span", "the parts of its normals differ in number");
+    if (n != 0 && n != points) bad("span", "normals are neither none nor one per point");
+    std::vector<geom::Vec3> out(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const int k = static_cast<int>(i);
+        out[i] = {m.nx(k), m.ny(k), m.nz(k)};
+        if (!(std::abs(geom::dot(out[i], out[i]) - 1) <= 1e-6)) bad("span", "a normal has not length 1");
+    }
+    return out;
+}
+
+} // namespace
+
 toolpath::Span span(const RawFrame& frame) {
     const auto m = parse<proto::Span>(frame, Tag::span, "span");
-    if (m.role() < 0 || m.role() > 4) bad("span", "unknown role");
+    if (m.role() < 0 || m.role() > 5) bad("span", "unknown role");
     toolpath::Span out;
     out.role = static_cast<toolpath::Role>(m.role());
     out.stroke = m.stroke();
@@ -236,6 +254,7 @@ toolpath::Span span(const RawFrame& frame) {
     } else if (m.width_size() + m.height_size() > 0) {
         bad("span", "a travel has a bead");
     }
+    out.normals = normals(m, xy.size());
     return out;
 }
 
@@ -260,6 +279,7 @@ RawFrame frame(const toolpath::Span& span) {
         for (const auto& p : span.points) m.add_z(p.z);
     put(*m.mutable_width(), span.width);
     put(*m.mutable_height(), span.height);
+    for (const auto& v : span.normals) m.add_nx(v.x), m.add_ny(v.y), m.add_nz(v.z);
     return raw(Tag::span, m);
 }
 

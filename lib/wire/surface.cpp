@@ -54,8 +54,9 @@ surface::Surface connected(const proto::Surface& m) {
 }
 
 surface::Field field(const proto::Field& m, std::size_t vertices) {
-    surface::Field out{m.name(), {m.value().begin(), m.value().end()}};
-    if (out.values.size() != vertices) bad("a field has not one value per vertex");
+    surface::Field out{m.name(), {m.value().begin(), m.value().end()}, std::max(1U, m.components())};
+    if (out.components != 1 && out.components != 3) bad("a field is neither of numbers nor of vectors");
+    if (out.values.size() != vertices * out.components) bad("a field has not one value per vertex");
     if (std::any_of(out.values.begin(), out.values.end(), [](double v) { return std::isnan(v); }))
         bad("a field's value is not a number");
     return out;
@@ -90,6 +91,28 @@ std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t tri
     return out;
 }
 
+surface::Sources sources(const proto::Sources& m, std::size_t vertices, std::size_t triangles) {
+    surface::Sources out{{m.vertex().begin(), m.vertex().end()}, {}};
+    const auto a = points(m.ax(), m.ay(), m.az()), b = points(m.bx(), m.by(), m.bz());
+    const auto n = static_cast<std::size_t>(m.triangle_size());
+    if (a.size() != n || b.size() != n) bad("the arrays of its sources differ in length");
+    for (std::size_t i = 0; i < n; ++i) out.segments.push_back({m.triangle(static_cast<int>(i)), a[i], b[i]});
+    for (const auto v : out.vertices)
+        if (v >= vertices) bad("a source is no vertex of the surface");
+    for (const auto& s : out.segments)
+        if (s.triangle >= triangles) bad("a source lies in no triangle of the surface");
+    return out;
+}
+
+void put(proto::Sources& m, const surface::Sources& sources) {
+    m.mutable_vertex()->Add(sources.vertices.begin(), sources.vertices.end());
+    for (const auto& s : sources.segments) {
+        m.add_triangle(s.triangle);
+        m.add_ax(s.a.x), m.add_ay(s.a.y), m.add_az(s.a.z);
+        m.add_bx(s.b.x), m.add_by(s.b.y), m.add_bz(s.b.z);
+    }
+}
+
 void put(proto::Isolines& m, const std::vector<surface::Isoline>& lines) {
     if (lines.empty()) return;
     m.add_start(0);
@@ -113,6 +136,7 @@ surface::Sheet sheet(const stream::RawFrame& frame) {
     out.surface = connected(m);
     for (const auto& f : m.fields()) out.fields.push_back(field(f, out.surface.vertices.size()));
     out.isolines = isolines(m.isolines(), out.surface.triangles.size());
+    out.sources = sources(m.sources(), out.surface.vertices.size(), out.surface.triangles.size());
     if (!out.isolines.empty() && out.fields.empty()) bad("it has isolines of no field");
     return out;
 }
@@ -127,7 +151,9 @@ stream::RawFrame frame(const surface::Sheet& sheet) {
         auto* to = m.add_fields();
         to->set_name(f.name);
         to->mutable_value()->Add(f.values.begin(), f.values.end());
+        if (f.components != 1) to->set_components(f.components);
     }
+    if (!sheet.sources.empty()) put(*m.mutable_sources(), sheet.sources);
     put(*m.mutable_isolines(), sheet.isolines);
     if (m.ByteSizeLong() > stream::kMaxFrame)
         throw Error(Exit::failure, "cannot write a surface of more than 64 MiB; remesh it coarser, or ask for fewer "

@@ -17,9 +17,11 @@ surface::Sheet good() {
     surface::Sheet s;
     s.surface = surface::assemble({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5}}, {{0, 1, 2}, {2, 1, 3}},
                                   {surface::kNone, 3, surface::kNone, 1, surface::kNone, surface::kNone});
-    s.fields = {{"distance", {0, 1, 1, std::numeric_limits<double>::infinity()}}};
+    s.fields = {{"distance", {0, 1, 1, std::numeric_limits<double>::infinity()}, 1},
+                {"stress.x.d1", {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0}, 3}};
     s.isolines = {{0.5, false, {{0.5, 0, 0}, {0, 0.5, 0}}, {0}},
                   {0.7, true, {{0.5, 0, 0}, {0, 0.5, 0}, {0.5, 0.5, 0}}, {0, 0, 1}}};
+    s.sources = {{2}, {{1, {0.5, 0.5, 0}, {1, 1, 0.5}}}};
     return s;
 }
 
@@ -31,9 +33,15 @@ TEST(surface_message, comes_out_as_it_went_in) {
     EXPECT_EQ(s.surface.triangles, good().surface.triangles);
     EXPECT_EQ(s.surface.twin, good().surface.twin);
     ASSERT_EQ(s.surface.rims.size(), 1U);
-    ASSERT_EQ(s.fields.size(), 1U);
-    EXPECT_EQ(s.fields[0].name, "distance");
-    EXPECT_EQ(s.fields[0].values, good().fields[0].values);
+    ASSERT_EQ(s.fields.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(s.fields[i].name, good().fields[i].name);
+        EXPECT_EQ(s.fields[i].components, good().fields[i].components);
+        EXPECT_EQ(s.fields[i].values, good().fields[i].values);
+    }
+    EXPECT_EQ(s.sources.vertices, good().sources.vertices);
+    ASSERT_EQ(s.sources.segments.size(), 1U);
+    EXPECT_EQ(s.sources.segments[0].b, good().sources.segments[0].b);
     ASSERT_EQ(s.isolines.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(s.isolines[i].level, good().isolines[i].level);
@@ -60,6 +68,12 @@ TEST(surface_message, faults_are_noticed) {
         [](auto& m) { m.mutable_fields(0)->add_value(1); },
         [](auto& m) { m.mutable_fields(0)->set_value(1, std::nan("")); },
         [](auto& m) { m.clear_fields(); },
+        [](auto& m) { m.mutable_fields(1)->set_components(2); },
+        [](auto& m) { m.mutable_fields(1)->set_components(1); },
+        [](auto& m) { m.mutable_sources()->set_vertex(0, 4); },
+        [](auto& m) { m.mutable_sources()->set_triangle(0, 2); },
+        [](auto& m) { m.mutable_sources()->add_ax(2); },
+        [](auto& m) { m.mutable_sources()->set_bz(0, std::nan("")); },
         [](auto& m) { m.mutable_isolines()->add_x(1); },
         [](auto& m) { m.mutable_isolines()->set_start(1, 9); },
         [](auto& m) { m.mutable_isolines()->set_start(1, 1); },
