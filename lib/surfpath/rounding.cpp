@@ -117,6 +117,10 @@ class Rounder {
         for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
         if (has_cusp(arc)) return;
         const double l = curve::length(arc);
+        if (rings[a.line].ahead(a.way, b.way) < 0.5 * l) { // all the way round
+            rings[a.line].by.back().instead.push_back(line);
+            return;
+        }
         rings[a.line].by.back().corners.push_back({a.way, b.way, std::move(arc), l});
     }
     // Leaves out arcs that lead across narrow places.
@@ -156,11 +160,14 @@ class Rounder {
         for (const Corner* corner : best) choose(r, b, by, *corner, out);
     }
 
+    // True if nothing of the ring itself stays.
+    static bool gone(const Ring& r) { return r.by[0].kept.empty() || !r.by[0].instead.empty(); }
+
     // The corners that are taken, by their places.
     [[nodiscard]] std::vector<Bend> bends(const std::vector<Ring>& rings, const Batch& b) const {
         std::vector<Bend> out;
         for (std::size_t i = 0; i < rings.size(); ++i) {
-            if (rings[i].by[0].kept.empty()) continue;
+            if (gone(rings[i])) continue;
             std::vector<const Corner*> corners;
             for (const Corner& c : rings[i].by[0].corners) choose(rings[i], b, 0, c, corners);
             std::sort(corners.begin(), corners.end(), [](const auto* x, const auto* y) { return x->from < y->from; });
@@ -173,7 +180,7 @@ class Rounder {
         auto bent = bends(rings, b);
         bridge_necks(surface_, field_, b.level, spacing_, rings, bent);
         for (std::size_t i = 0; i < rings.size(); ++i) {
-            if (rings[i].by[0].kept.empty())
+            if (gone(rings[i]))
                 for (auto& line : rings[i].by[0].instead) b.lines.push_back(std::move(line));
             else if (std::none_of(bent.begin(), bent.end(), [&](const Bend& c) { return c.ring == i; }))
                 b.lines.push_back(rings[i].line);
@@ -187,7 +194,8 @@ class Rounder {
                 const Ring& r = rings[bent[at].ring];
                 const Corner &c = *bent[at].corner, &next = *bent[to].corner;
                 const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
-                if (rest < r.ways.back() - 1e-6) curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
+                if (rest < r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
+                    curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
                 curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
                 at = bent[to].over ? static_cast<std::size_t>(bent[to].over - bent.data()) : to;
             }
