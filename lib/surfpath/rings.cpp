@@ -17,7 +17,7 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kStretch = 0.03;  // of the spacing
+constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;   // of the way to the ridge that a turn of a ring takes, where the ridge is near
 constexpr double kRounder = 1.05;  // least radii: what corners are rounded by, so that little remains to be eased
 constexpr double kTightest = 0.3;  // spacings: no ring turns tighter
@@ -36,11 +36,13 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
     return out;
 }
 
-// The spacing up to `d` for which the farthest place is a whole number of them and a half away, if one is near; else one
-// that is a little less, which wins more of the gaps at corners than it loses.
+// The spacing near `d` for which the farthest place is a whole number of them and a half away; if there is none, one
+// that is a little less than `d`, which wins more of the gaps at corners than it loses.
 double stretched(double farthest, double d) {
-    const double fits = farthest / (std::ceil(farthest / d - 0.5 - 1e-9) + 0.5);
-    return fits >= (1 - kStretch) * d ? std::min(fits, d) : (1 - kStretch / 2) * d;
+    const double n = std::max(0.0, std::floor(farthest / d - 0.5)) + 0.5;
+    for (const double fits : {farthest / n, farthest / (n + 1)})
+        if (fits <= (1 + kWider) * d && fits >= (1 - kNarrower) * d) return fits;
+    return (1 - kNarrower / 2) * d;
 }
 
 // The highest vertex of the triangles that a line runs through; kNone if none is as high as the line.
@@ -108,7 +110,7 @@ Rings rings(const surface::Sheet& sheet, const Options& o, Facts& facts) {
     std::vector<Batch> batches;
     std::vector<std::vector<std::uint32_t>> tops; // per batch: where its rings lead up to
     for (const double l : levels) {
-        Batch high{l, {}, {{least}, {0.6 * least}, {0.35 * least}}};
+        Batch high{l, {}, {{least}, {0.6 * least}, {0.35 * least}, {0.2 * least}}};
         std::vector<std::uint32_t> high_tops;
         for (std::size_t i = 0; i < outer.size(); ++i) {
             if (!outer[i].closed || outer[i].level != l || climbs[i].to == kNone) continue;

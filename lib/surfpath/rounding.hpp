@@ -14,7 +14,7 @@ using surface::Isoline;
 using surface::Surface;
 
 // Least radii of length that a radian of turning too tight is worth.
-inline constexpr double kGain = 1.2;
+inline constexpr double kGain = 2.0;
 
 // One radius to round by: `inner` are the lines as much farther away.
 struct Scale {
