@@ -108,10 +108,10 @@ void run(const metrics::Options& given, const cli::Io& io) {
     input.seconds = pace.seconds();
     const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
     if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
-    const auto figures = metrics::report(input, beads, regions, layers, options, io.threads);
+    const auto measured = metrics::report(input, beads, regions, layers, options, io.threads);
     if (!options.per_region.empty()) write(options.per_region, metrics::region_table(layers));
     if (!options.per_layer.empty()) write(options.per_layer, metrics::layer_table(layers, input.pores));
-    write(io.output, metrics::text(figures, metrics::format_named(options.format)));
+    write(io.output, figures::text(measured, figures::format_named(options.format)));
 }
 
 } // namespace
