@@ -48,7 +48,8 @@ cli::Spec spec(Options& o) {
         .memory = "the surface, and the file of stresses twice over",
         .options = {Option{"stress", &o.file, "FILE", "the stresses, a CSV file; also packed by gzip"}.not_a_setting(),
                     {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
-                    {"columns", &o.read.columns, "ROLE,...", "what the columns of a CSV are; none: by their names"},
+                    {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
+             {"columns", &o.read.columns, "ROLE,...", "what the columns of a CSV are; none: by their names"},
                     Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
                     Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
                         {"MPa", "Pa", "kPa", "GPa", "psi"}),

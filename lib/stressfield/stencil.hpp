@@ -27,7 +27,7 @@ std::vector<Vec3> normals(const Surface& s);
 Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads);
 
 // Of elements: in the element that the vertex lies in, else on the nearest outer face (or shell) that faces as the
-// surface does, if it is not farther than `reach` (mm; 0: a quarter of that face's mean side).  Elements are cut into
+// surface does, if it is not farther than `reach` (mm; 0: half the mean side of its triangle).  Elements are cut into
 // tetrahedra about their middles, linear in each; faces into triangles of all their nodes.  The first of equals
 // counts.
 Stencils in_mesh(const Surface& s, const Samples& samples, double reach, int threads);

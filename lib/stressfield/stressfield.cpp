@@ -157,7 +157,8 @@ void add(surface::Sheet& sheet, const Samples& samples, const Options& options, 
             if (f.name.starts_with("stress." + c.name + "."))
                 throw Error(Exit::usage, "cannot add case '" + c.name +
                                              "': the surface has stresses of that name; give another --case");
-    const Stencils stencils = in_cloud(sheet.surface, samples.points, options.reach, threads);
+    const Stencils stencils = samples.elements.empty() ? in_cloud(sheet.surface, samples.points, options.reach, threads)
+                                                       : in_mesh(sheet.surface, samples, options.reach, threads);
     const auto normal = normals(sheet.surface);
     for (const Case& c : samples.cases) add_case(sheet, c, stencils, normal, options, threads, notes, facts);
 }

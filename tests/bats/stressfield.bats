@@ -23,7 +23,7 @@ columns() {
 import json, sys
 p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
 for name in sys.argv[1:]:
-    print(name, *(round(float(v), 6) for v in p[name]))' "${@:2}"
+    print(name, *("inf" if v is None else round(float(v), 6) for v in p[name]))' "${@:2}"
 }
 
 @test "fields of a load case join what the surface has" {
