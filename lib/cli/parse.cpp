@@ -95,6 +95,16 @@ std::string in_house(std::string what) {
     return what;
 }
 
+// The first argument is the value of the leading option if it is one of its choices.
+void take_leading(const Spec& spec, Io& io) {
+    for (const Option& o : spec.options) {
+        if (spec.leading.empty() || o.name != spec.leading || io.inputs.empty()) continue;
+        if (std::find(o.choices.begin(), o.choices.end(), io.inputs.front()) == o.choices.end()) continue;
+        store(o, io.inputs.front());
+        io.inputs.erase(io.inputs.begin());
+    }
+}
+
 void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     CLI::App app;
     app.set_help_flag();
@@ -112,6 +122,7 @@ void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     } catch (const CLI::ParseError& e) {
         misused("cannot read the command line: " + in_house(e.what()) + "; see '" + spec.name + " --help'");
     }
+    take_leading(spec, io);
     const std::size_t most = spec.many_inputs ? io.inputs.size() : spec.in.kind == Port::Kind::none ? 0 : 1;
     if (io.inputs.size() > most)
         misused("unexpected argument '" + io.inputs[most] + "'; see '" + spec.name + " --help'");

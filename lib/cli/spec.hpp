@@ -62,6 +62,7 @@ struct Spec {
     std::vector<std::string> see_also = {};
     std::string arguments = "[INPUT]"; // how the usage line names what is no option
     bool many_inputs = false;          // takes any number of positional arguments
+    std::string leading = "";          // an option one of whose choices may come first, without its name
 };
 
 } // namespace filum::cli

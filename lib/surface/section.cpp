@@ -66,12 +66,16 @@ std::vector<Segment> section(const Surface& s, const Plane& plane) {
     return out;
 }
 
+Vec3 nearest_in(const Surface& s, std::uint32_t triangle, const Vec3& p) {
+    const auto& [a, b, c] = s.triangles[triangle];
+    return nearest_in(s.vertices[a], s.vertices[b], s.vertices[c], p);
+}
+
 Segment nearest(const Surface& s, const Vec3& p) {
     Segment out;
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const auto& [a, b, c] = s.triangles[t];
-        const Vec3 q = nearest_in(s.vertices[a], s.vertices[b], s.vertices[c], p);
+        const Vec3 q = nearest_in(s, t, p);
         const double d = distance(p, q);
         if (d < least) least = d, out = {t, q, q};
     }

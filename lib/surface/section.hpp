@@ -23,6 +23,9 @@ std::vector<double> sides(const Surface& s, const Plane& plane);
 // The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.
 std::vector<Segment> section(const Surface& s, const Plane& plane);
 
+// The point of a triangle, borders included, that is nearest to `p`.
+Vec3 nearest_in(const Surface& s, std::uint32_t triangle, const Vec3& p);
+
 // The point of the surface nearest to `p`, as a segment without length; the first triangle of equals.
 Segment nearest(const Surface& s, const Vec3& p);
 

@@ -1,0 +1,23 @@
+// The whole job of `surfpath`: an algorithm, a surface, a plan of strokes.
+#pragma once
+
+#include "surface/sheet.hpp"
+#include "surfpath/plan.hpp"
+
+#include <string>
+
+namespace filum::surfpath {
+
+struct Options {
+    std::string algorithm = "geo-fiso"; // fina, fexa, ortheo, geo-fiso, geo-contour, geo-spiral
+    std::string method = "filum";       // or kipping2022: as the paper says
+    double spacing = 1;                 // mm, d: between neighbouring lines
+    double least_radius = 2.4;          // mm: of turns, where there is room
+};
+
+// Strokes on the surface of `sheet`, along the field "distance" or from its sources.
+// Throws Error(usage) for options that cannot be followed, Error(bad_input) if the sheet lacks what the algorithm
+// needs: "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
+Plan plan(const surface::Sheet& sheet, const Options& options);
+
+} // namespace filum::surfpath
