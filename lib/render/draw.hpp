@@ -9,9 +9,13 @@ namespace filum::render {
 
 struct Options {
     std::string color = "auto"; // auto | progress | stroke | layer | width | speed | class
-    std::string view = "iso";   // iso | top | front | X,Y,Z
+    std::string view = "auto";  // auto | iso | top | ... | X,Y,Z: render::looks; auto: face for a surface, else iso
+    std::string views = {};     // several of these, instead
     std::string machine = "marlin";
     std::string regions = {};                                       // file of outlines for a layer
+    std::string surface = {};                                       // file of the surface under a toolpath
+    std::string by = {}, arrows = {};                               // fields of the surface
+    bool voids = false, overlap = false;                            // marked on the surface
     std::int64_t layer = -1, from_layer = 0, to_layer = UINT32_MAX; // layer -1: all, in perspective
     std::int64_t samples = 4;                                       // per pixel
     std::vector<double> size = {1024, 768};                         // pixels

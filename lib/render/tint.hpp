@@ -3,7 +3,7 @@
 
 #include "machine/profile.hpp"
 #include "render/colour.hpp"
-#include "render/image.hpp"
+#include "render/key.hpp"
 #include "render/scene.hpp"
 
 #include <array>
@@ -33,7 +33,8 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
 
 Rgb role_colour(toolpath::Role role);
 
-// Writes what the colours mean into the lower left corner.
+// What the colours mean; alone, in the lower left corner.
+void add_legend(Key& key, const Tint& tint);
 void draw_legend(Image& image, const Tint& tint);
 
 } // namespace filum::render
