@@ -95,7 +95,7 @@ class Turner {
     }
 
     [[nodiscard]] Laid lay(std::uint32_t a, std::uint32_t b) const {
-        Laid out{a, b};
+        Laid out{a, b, 0, 0, 0, 0, {}};
         const Place pa = inwards(a).places[0], pb = inwards(b).places[0];
         const Vec3 sum = curve::normal_at(surface_, normals_, pa) + curve::normal_at(surface_, normals_, pb);
         if (!(norm(sum) > 0.5)) return out;
