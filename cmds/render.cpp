@@ -71,7 +71,7 @@ cli::Spec spec(render::Options& o) {
                          {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
                           "--output distance.png",
                           "distances on a surface"}},
-            .see_also = {"metrics", "peek"}};
+            .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
 }
 
 // Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
