@@ -1,6 +1,8 @@
 #include "kipping2022/kipping2022.hpp"
 
 #include "base/error.hpp"
+#include "kipping2022/ortheo.hpp"
+#include "kipping2022/rings.hpp"
 #include "kipping2022/rows.hpp"
 
 #include <cmath>
@@ -12,6 +14,8 @@ namespace {
 surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
     if (o.algorithm == "fina") return fina(sheet, o);
     if (o.algorithm == "fexa") return fexa(sheet, o);
+    if (o.algorithm == "ortheo") return ortheo(sheet, o);
+    if (o.algorithm == "geo-fiso") return geo_fiso(sheet, o);
     throw Error(Exit::usage, "cannot plan by '" + o.algorithm + "' yet");
 }
 
