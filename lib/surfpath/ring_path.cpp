@@ -46,6 +46,23 @@ std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
     return out;
 }
 
+// The place, in the triangle among those about its own that it lies in: where lines were joined it may be another.
+Place settled(const Surface& s, Place p) {
+    for (int round = 0; round < 3; ++round) {
+        Place best{p.triangle, surface::nearest_in(s, p.triangle, p.point)};
+        double least = distance(best.point, p.point);
+        if (least < 1e-9) return best;
+        for (const auto v : s.triangles[p.triangle])
+            surface::each_outgoing(s, v, [&](std::uint32_t h) {
+                const Vec3 q = surface::nearest_in(s, h / 3, p.point);
+                if (const double d = distance(q, p.point); d < least) least = d, best = {h / 3, q};
+            });
+        if (best.triangle == p.triangle) return best;
+        p.triangle = best.triangle;
+    }
+    return {p.triangle, surface::nearest_in(s, p.triangle, p.point)};
+}
+
 // The line with points where it crosses edges only if it would leave the surface by more than 0.004 mm between its own:
 // of two points that are next to nothing apart, each turns by any angle.
 Line slim_threaded(const Surface& s, const Line& line) {
@@ -69,7 +86,9 @@ Line slim_threaded(const Surface& s, const Line& line) {
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     const auto eased =
         curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
-    return slim_threaded(s, curve::resampled(eased.line, kStep * radius));
+    Line out = curve::resampled(eased.line, kStep * radius);
+    for (Place& p : out.places) p = settled(s, p);
+    return slim_threaded(s, out);
 }
 
 } // namespace
