@@ -16,6 +16,23 @@ constexpr double kStep = 0.1;  // least radii: between points of the path
 constexpr double kEase = 1.08; // least radii: so that what remains keeps to it
 constexpr double kSeam = 25;   // spacings: length of a seam, per lane that lanes go over by
 
+// The place, in the triangle among those about its own that it lies in: where lines were joined it may be another.
+Place settled(const Surface& s, Place p) {
+    for (int round = 0; round < 3; ++round) {
+        Place best{p.triangle, surface::nearest_in(s, p.triangle, p.point)};
+        double least = distance(best.point, p.point);
+        if (least < 1e-9) return best;
+        for (const auto v : s.triangles[p.triangle])
+            surface::each_outgoing(s, v, [&](std::uint32_t h) {
+                const Vec3 q = surface::nearest_in(s, h / 3, p.point);
+                if (const double d = distance(q, p.point); d < least) least = d, best = {h / 3, q};
+            });
+        if (best.triangle == p.triangle) return best;
+        p.triangle = best.triangle;
+    }
+    return {p.triangle, surface::nearest_in(s, p.triangle, p.point)};
+}
+
 // The line in pieces, those that turn tighter than the radius declared.
 std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
     constexpr double kReach = 0.4; // mm about a place that its turn is measured over
@@ -41,26 +58,10 @@ std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
         out.push_back(
             {curve::part(line, ways, step * static_cast<double>(i), j == n ? all : step * static_cast<double>(j)),
              tight[i] != 0});
+        for (Place* p : {&out.back().line.places.front(), &out.back().line.places.back()}) *p = settled(s, *p);
         i = j;
     }
     return out;
-}
-
-// The place, in the triangle among those about its own that it lies in: where lines were joined it may be another.
-Place settled(const Surface& s, Place p) {
-    for (int round = 0; round < 3; ++round) {
-        Place best{p.triangle, surface::nearest_in(s, p.triangle, p.point)};
-        double least = distance(best.point, p.point);
-        if (least < 1e-9) return best;
-        for (const auto v : s.triangles[p.triangle])
-            surface::each_outgoing(s, v, [&](std::uint32_t h) {
-                const Vec3 q = surface::nearest_in(s, h / 3, p.point);
-                if (const double d = distance(q, p.point); d < least) least = d, best = {h / 3, q};
-            });
-        if (best.triangle == p.triangle) return best;
-        p.triangle = best.triangle;
-    }
-    return {p.triangle, surface::nearest_in(s, p.triangle, p.point)};
 }
 
 // The line with points where it crosses edges only if it would leave the surface by more than 0.004 mm between its own:
