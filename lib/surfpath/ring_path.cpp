@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace filum::surfpath {
 
@@ -98,18 +99,18 @@ Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
 namespace {
 
 // Notes of rings that stayed apart, and facts of how tight the path turns.
-void tell(const Surface& s, Plan& plan, std::size_t apart) {
+void tell(Plan& plan, std::size_t apart) {
     double hairpins = 0, length = 0;
     for (const Stroke& stroke : plan.strokes)
         for (const Piece& p : stroke.pieces)
             if (p.hairpin) hairpins += 1, length += curve::length(p.line);
     plan.facts.push_back({"", "hairpins", hairpins, ""});
     plan.facts.push_back({"", "hairpin-length", length, "mm"});
-    if (apart < s.components) return;
+    if (apart == 0) return;
     const Vec3 at = plan.strokes.back().pieces[0].line[0];
     Note note;
     note.what = "ring not joined";
-    note.amount = static_cast<double>(apart + 1 - s.components);
+    note.amount = static_cast<double>(apart);
     note.unit = "rings";
     note.x = at.x, note.y = at.y;
     plan.notes.push_back(std::move(note));
@@ -145,7 +146,9 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
         const Line line = gentle(s, course.line, o.least_radius, made.spacing);
         out.strokes.push_back({pieces(s, line, o.least_radius)});
     }
-    tell(s, out, apart);
+    std::set<std::uint32_t> components; // that have rings
+    for (const Line& line : made.lines) components.insert(s.component[line.places[0].triangle]);
+    tell(out, apart + 1 - components.size());
     return out;
 }
 
