@@ -13,7 +13,7 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLong = 2.5;  // least radii: a corner that is cut by less is let be
+constexpr double kLong = 3.0;  // least radii: a corner that is cut by less is let be
 constexpr double kSeen = 0.06; // least radii: what touches a ring farther from the ends of an arc lies between them
 constexpr double kCusp = 0.15; // rad
 
@@ -77,7 +77,7 @@ class Rounder {
     [[nodiscard]] std::vector<Line> opened(double level, const Scale& scale) const {
         std::vector<Line> out;
         if (scale.inner.empty()) return out;
-        const auto near = geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 2 * edge_);
+        const auto near = geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 1.01 * edge_);
         const double levels[] = {scale.radius};
         for (const auto& line : geodesic::isolines(surface_, near, levels)) {
             if (!line.closed || line.points.size() < 3) continue;
