@@ -120,6 +120,17 @@ TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
     EXPECT_NEAR(uncovered(s.sheet->surface, lay(s, tint(s, By::role, nullptr))), 0.5, 0.002);
 }
 
+TEST(Drape, KnowsTheSideOfPathsWithoutNormals) {
+    Scene s;
+    mesh::Mesh m;
+    add_square(m, 4, 0, false), add_square(m, 4, 0.3, true);
+    s.sheet = sheet_of(std::move(m)), s.spans = lanes(0, 0.3);
+    for (auto& span : s.spans) span.normals.clear();
+    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    EXPECT_TRUE(laid.loose.empty());
+    EXPECT_NEAR(uncovered(s.sheet->surface, laid), 0.5, 0.002);
+}
+
 TEST(Drape, FollowsThePathToTheBack) {
     Scene s;
     s.sheet = square(3), s.spans = lanes(3, 0, {0, 0, -1});
