@@ -21,6 +21,7 @@ using figures::Figures;
 
 constexpr double kWidest = 20;       // bead widths: how far apart strands may be
 constexpr double kMostSamples = 2e7; //
+constexpr double kBeyond = 1.05;     // of the limit of curvature: what points leave uncertain
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 std::string place(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
@@ -64,6 +65,7 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     parallel::for_chunks(chains.size(), 1, job.threads, [&](std::size_t k, std::size_t) {
         bent[k] = bends(chains[k], feet.normals[k], job.options.step);
     });
+    const double limit = kBeyond * job.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
     double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0;
     std::size_t turns = 0;
@@ -73,9 +75,9 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
             geodesic.push_back({std::abs(p.geodesic), p.length});
             normal.push_back({std::abs(p.normal), p.length});
             total.push_back({p.total(), p.length});
-            const bool over = std::abs(p.geodesic) > job.options.max_curvature;
+            const bool over = std::abs(p.geodesic) > limit;
             all += p.length, sharp += over ? p.length : 0;
-            sharp_total += p.total() > job.options.max_curvature ? p.length : 0;
+            sharp_total += p.total() > limit ? p.length : 0;
             if (!p.hairpin) plain += p.length, sharp_plain += over ? p.length : 0;
         }
     }
