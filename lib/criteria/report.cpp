@@ -67,7 +67,7 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     });
     const double limit = kBeyond * job.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
-    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0;
+    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0, total_plain = 0, most_plain = 0;
     std::size_t turns = 0;
     for (const Bends& b : bent) {
         turns += b.turns;
@@ -78,7 +78,10 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
             const bool over = std::abs(p.geodesic) > limit;
             all += p.length, sharp += over ? p.length : 0;
             sharp_total += p.total() > limit ? p.length : 0;
-            if (!p.hairpin) plain += p.length, sharp_plain += over ? p.length : 0;
+            if (p.hairpin) continue;
+            plain += p.length, sharp_plain += over ? p.length : 0;
+            total_plain += p.total() > limit ? p.length : 0;
+            most_plain = std::max(most_plain, p.total());
         }
     }
     const std::string g = "curvature";
@@ -92,10 +95,12 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     out.push_back({g, "normal p99", quantile(normal, 0.99), 4, "1/mm"});
     out.push_back({g, "normal max", quantile(normal, 1), 4, "1/mm"});
     out.push_back({g, "least radius", 1 / quantile(total, 1), 3, "mm"});
+    out.push_back({g, "least radius outside hairpins", 1 / most_plain, 3, "mm"});
     out.push_back({g, "limit", job.options.max_curvature, 4, "1/mm"});
     out.push_back({g, "share above the limit, geodesic", share(sharp, all), 5});
     out.push_back({g, "share above the limit, geodesic, outside hairpins", share(sharp_plain, plain), 5});
     out.push_back({g, "share above the limit, total", share(sharp_total, all), 5});
+    out.push_back({g, "share above the limit, total, outside hairpins", share(total_plain, plain), 5});
     out.push_back({g, "length of declared hairpins", all - plain, 1, "mm"});
     out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
 }
