@@ -126,6 +126,7 @@ void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
         out.push_back({g, "coverage elsewhere", share(a.covered - a.strip_covered, a.surface - a.strip), 4});
     }
     if (below.beside > 0) out.push_back({g, "path beside the surface", below.beside, 2, "mm"});
+    if (below.aloft > 0) out.push_back({g, "path above the surface", below.aloft, 2, "mm"});
     if (below.lost > 0) out.push_back({g, "path across gaps of the surface", below.lost, 2, "mm"});
 }
 
@@ -182,6 +183,7 @@ void load(const Job& job, Figures& out) {
 void off_surface(const Feet& feet, const std::vector<Sample>& samples, Figures& out) {
     std::vector<Weighted> off = feet.off;
     for (const Sample& s : samples) off.push_back({s.off, s.length});
+    out.push_back({"off the surface", "p50", quantile(off, 0.5), 4, "mm"});
     out.push_back({"off the surface", "p99", quantile(off, 0.99), 4, "mm"});
     out.push_back({"off the surface", "max", quantile(off, 1), 4, "mm"});
 }
@@ -231,7 +233,9 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
     check(options, width, length(fibres));
     const Job job(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, job.ground, threads);
-    const Shadow below = shadow(fibres, job.ground, options.spacing / 2, threads);
+    std::vector<Weighted> off;
+    for (const Sample& s : job.samples) off.push_back({s.off, s.length});
+    const Shadow below = shadow(fibres, job.ground, quantile(off, 0.5), options.spacing / 2, threads);
     const PathField field = path_field(job.ground, below);
     const Area areas = measure_area(job.ground, field, options.spacing, threads);
     continuity(fibres, areas.surface, out.figures);
