@@ -57,13 +57,16 @@ struct Feet {
 };
 Feet feet(const Fibres& fibres, const Ground& ground, int threads);
 
-// The shadow of a chain on the finer surface: stretches within triangles, each at a place of the path.
+// The shadow of the path on the finer surface: stretches within triangles.  It has none where it lies past a rim by
+// more than a twentieth of the bead, or is farther from the surface than half a bead above `level`.
 struct Shadow {
     std::vector<surface::Segment> segments;
     std::vector<double> width; // mm, per segment
     double lost = 0;           // mm of path that no way on the surface follows: across gaps
-    double beside = 0;         // mm of path past a rim, by more than a twentieth of the bead: it has no shadow
+    double beside = 0;         // mm of path past a rim
+    double aloft = 0;          // mm of path too far from the surface
 };
-Shadow shadow(const Fibres& fibres, const Ground& ground, double step, int threads);
+// `level`: mm, how far the path is meant to be from the surface.  `step`: mm, stretches laid at once.
+Shadow shadow(const Fibres& fibres, const Ground& ground, double level, double step, int threads);
 
 } // namespace filum::criteria

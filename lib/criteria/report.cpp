@@ -21,6 +21,7 @@ using figures::Figures;
 
 constexpr double kWidest = 20;       // bead widths: how far apart strands may be
 constexpr double kMostSamples = 2e7; //
+constexpr double kBeyond = 1.05;     // of the limit of curvature: what points leave uncertain
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 std::string place(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
@@ -64,8 +65,9 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     parallel::for_chunks(chains.size(), 1, job.threads, [&](std::size_t k, std::size_t) {
         bent[k] = bends(chains[k], feet.normals[k], job.options.step);
     });
+    const double limit = kBeyond * job.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
-    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0;
+    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0, total_plain = 0, most_plain = 0;
     std::size_t turns = 0;
     for (const Bends& b : bent) {
         turns += b.turns;
@@ -73,10 +75,13 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
             geodesic.push_back({std::abs(p.geodesic), p.length});
             normal.push_back({std::abs(p.normal), p.length});
             total.push_back({p.total(), p.length});
-            const bool over = std::abs(p.geodesic) > job.options.max_curvature;
+            const bool over = std::abs(p.geodesic) > limit;
             all += p.length, sharp += over ? p.length : 0;
-            sharp_total += p.total() > job.options.max_curvature ? p.length : 0;
-            if (!p.hairpin) plain += p.length, sharp_plain += over ? p.length : 0;
+            sharp_total += p.total() > limit ? p.length : 0;
+            if (p.hairpin) continue;
+            plain += p.length, sharp_plain += over ? p.length : 0;
+            total_plain += p.total() > limit ? p.length : 0;
+            most_plain = std::max(most_plain, p.total());
         }
     }
     const std::string g = "curvature";
@@ -90,10 +95,12 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     out.push_back({g, "normal p99", quantile(normal, 0.99), 4, "1/mm"});
     out.push_back({g, "normal max", quantile(normal, 1), 4, "1/mm"});
     out.push_back({g, "least radius", 1 / quantile(total, 1), 3, "mm"});
+    out.push_back({g, "least radius outside hairpins", 1 / most_plain, 3, "mm"});
     out.push_back({g, "limit", job.options.max_curvature, 4, "1/mm"});
     out.push_back({g, "share above the limit, geodesic", share(sharp, all), 5});
     out.push_back({g, "share above the limit, geodesic, outside hairpins", share(sharp_plain, plain), 5});
     out.push_back({g, "share above the limit, total", share(sharp_total, all), 5});
+    out.push_back({g, "share above the limit, total, outside hairpins", share(total_plain, plain), 5});
     out.push_back({g, "length of declared hairpins", all - plain, 1, "mm"});
     out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
 }
@@ -119,6 +126,7 @@ void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
         out.push_back({g, "coverage elsewhere", share(a.covered - a.strip_covered, a.surface - a.strip), 4});
     }
     if (below.beside > 0) out.push_back({g, "path beside the surface", below.beside, 2, "mm"});
+    if (below.aloft > 0) out.push_back({g, "path above the surface", below.aloft, 2, "mm"});
     if (below.lost > 0) out.push_back({g, "path across gaps of the surface", below.lost, 2, "mm"});
 }
 
@@ -175,6 +183,7 @@ void load(const Job& job, Figures& out) {
 void off_surface(const Feet& feet, const std::vector<Sample>& samples, Figures& out) {
     std::vector<Weighted> off = feet.off;
     for (const Sample& s : samples) off.push_back({s.off, s.length});
+    out.push_back({"off the surface", "p50", quantile(off, 0.5), 4, "mm"});
     out.push_back({"off the surface", "p99", quantile(off, 0.99), 4, "mm"});
     out.push_back({"off the surface", "max", quantile(off, 1), 4, "mm"});
 }
@@ -224,7 +233,9 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
     check(options, width, length(fibres));
     const Job job(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, job.ground, threads);
-    const Shadow below = shadow(fibres, job.ground, options.spacing / 2, threads);
+    std::vector<Weighted> off;
+    for (const Sample& s : job.samples) off.push_back({s.off, s.length});
+    const Shadow below = shadow(fibres, job.ground, quantile(off, 0.5), options.spacing / 2, threads);
     const PathField field = path_field(job.ground, below);
     const Area areas = measure_area(job.ground, field, options.spacing, threads);
     continuity(fibres, areas.surface, out.figures);

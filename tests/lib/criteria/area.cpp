@@ -108,6 +108,15 @@ TEST(Area, OfAPathThatHovers) {
     EXPECT_NEAR(number(f, "p99", "off the surface"), 0.3, 1e-9);
 }
 
+TEST(Area, OfAPathThatLeavesTheSurface) {
+    const auto f = measure(plate(20, 20),
+                           {span({{0, 5, 0.3}, {20, 5, 0.3}}),
+                            span({{0, 15, 0.3}, {5, 15, 0.3}, {5, 15, 2}, {15, 15, 2}, {15, 15, 0.3}, {20, 15, 0.3}})});
+    EXPECT_NEAR(number(f, "path above the surface"), 10 + 2 * 1.2,
+                0.01); // from half a bead above the 0.3 mm of the rest
+    EXPECT_NEAR(number(f, "coverage"), (30 + kPi / 4) / 400, 1e-3);
+}
+
 TEST(Area, OfAPathPastTheRim) {
     const auto f = measure(plate(10, 10), {span({{-5, 5, 0}, {15, 5, 0}}), span({{0, -0.3, 0}, {10, -0.3, 0}})});
     EXPECT_NEAR(number(f, "coverage"), 0.1, 2e-3); // but for the half discs of 0.05 mm past the rim
@@ -124,7 +133,7 @@ TEST(Area, OnBumpsAgainstPlaces) {
     const Ground ground(s, 1);
     std::vector<paths::Span> lines;
     for (int i = 0; i < 6; ++i) lines.push_back(span({{1, 1.5 * i + 0.7, 0.2}, {9, 1.3 * i + 1.4, -0.1}}));
-    const PathField field = path_field(ground, shadow(paths::fibres(lines), ground, 0.1, 1));
+    const PathField field = path_field(ground, shadow(paths::fibres(lines), ground, 0.5, 0.1, 1));
     const Area area = measure_area(ground, field, 1, 1);
     double covered = 0;
     const int n = 24;
