@@ -1,9 +1,9 @@
 // fill - bead lines that fill each region
 // reads:  Regions
 // writes: Paths
-// memory: one region per thread
-#include "fill/fill.hpp"
+// memory: one region per thread, and outlines filled before, up to 32 MB
 #include "cli/command.hpp"
+#include "fill/reuse.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -42,7 +42,7 @@ cli::Spec spec(fill::Options& o) {
         .description = kDescription,
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::paths),
-        .memory = "one region per thread",
+        .memory = "one region per thread, and outlines filled before, up to 32 MB",
         .options =
             {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
              Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
@@ -94,8 +94,9 @@ void run(const fill::Options& options, const cli::Io& io) {
         };
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
+    fill::Reuse filled(options);
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
-        return std::vector{wire::frame(fill::fill(wire::region(frame), options, notes))};
+        return std::vector{wire::frame(filled(wire::region(frame), notes))};
     });
 }
 

@@ -104,8 +104,9 @@ struct Search {
 
     void expand(Index s) {
         reached_top = false;
+        const auto own = heights.begin() + static_cast<long>(s * k);
+        now.assign(own, own + static_cast<long>(k)); // and again behind every stroke tried
         for (Index c = 0; c < k && !reached_top; ++c) {
-            now.assign(heights.begin() + static_cast<long>(s * k), heights.begin() + static_cast<long>((s + 1) * k));
             if (now[c] == columns.member[c].size()) continue;
             const Index v = columns.member[c][now[c]];
             ++work;
@@ -113,6 +114,7 @@ struct Search {
             path.assign(1, v);
             ++now[c];
             extend(level[s], s);
+            --now[c];
         }
     }
 

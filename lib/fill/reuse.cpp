@@ -1,0 +1,77 @@
+#include "fill/reuse.hpp"
+
+#include <bit>
+
+namespace filum::fill {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) { // splitmix64
+    x += 0x9e3779b97f4a7c15U;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+    return x ^ (x >> 31);
+}
+
+std::uint64_t key_of(const polygon::Loops& loops, double layer) {
+    std::uint64_t h = mixed(std::bit_cast<std::uint64_t>(layer));
+    for (const std::uint32_t s : loops.start) h = mixed(h ^ s);
+    for (const geom::Vec2 p : loops.points)
+        h = mixed(mixed(h ^ std::bit_cast<std::uint64_t>(p.x)) ^ std::bit_cast<std::uint64_t>(p.y));
+    return h;
+}
+
+} // namespace
+
+double Reuse::of_layer(std::uint32_t layer) const {
+    if (options_.pattern == "spiral" && options_.method == "sun2019") return options_.start_shift * layer;
+    return options_.angles_deg.empty() ? 0 : options_.angles_deg[layer % options_.angles_deg.size()];
+}
+
+std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
+    auto fresh = std::make_shared<Filled>();
+    fresh->loops = region.loops, fresh->layer = of_layer(region.layer);
+    fresh->key = key_of(fresh->loops, fresh->layer);
+    const std::scoped_lock lock(mutex_);
+    const auto before = filled_.try_emplace(fresh->key, fresh).first->second;
+    const bool same = before->layer == fresh->layer && before->loops.start == fresh->loops.start &&
+                      before->loops.points == fresh->loops.points; // keys may be equal by chance
+    return same ? before : fresh;
+}
+
+void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled) {
+    const std::scoped_lock lock(filled->mutex);
+    if (filled->done) return;
+    filled->paths = fill(region, options_, filled->notes);
+    filled->points = filled->loops.points.size();
+    for (const auto& c : filled->paths.curves) filled->points += c.points.size();
+    for (const auto& s : filled->paths.stacked) filled->points += s.size();
+    filled->done = true;
+    hold(filled);
+}
+
+void Reuse::hold(const std::shared_ptr<Filled>& filled) {
+    const std::scoped_lock lock(mutex_);
+    done_.push_back(filled), held_ += filled->points;
+    for (; held_ > most_; done_.pop_front()) {
+        const Filled& oldest = *done_.front();
+        held_ -= oldest.points;
+        const auto it = filled_.find(oldest.key);
+        if (it != filled_.end() && it->second == done_.front()) filled_.erase(it);
+    }
+}
+
+toolpath::RegionPaths Reuse::operator()(const polygon::Region& region, Notes& notes) {
+    const auto filled = find(region);
+    work_out(region, filled);
+    toolpath::RegionPaths paths = filled->paths;
+    paths.region = region.id, paths.layer = region.layer, paths.z = region.z, paths.height = region.height;
+    paths.area = region.area, paths.stroke = region.stroke, paths.join = region.join;
+    for (Note n : filled->notes) {
+        n.layer = region.layer;
+        notes.push_back(std::move(n));
+    }
+    return paths;
+}
+
+} // namespace filum::fill

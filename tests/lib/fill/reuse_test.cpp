@@ -1,0 +1,88 @@
+#include "fill/reuse.hpp"
+
+#include "shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace filum::fill {
+namespace {
+
+using namespace test;
+
+polygon::Region region(Loops loops, std::uint32_t layer) {
+    polygon::Region r;
+    r.id = 7 * layer, r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2, r.stroke = layer / 2;
+    r.join = layer % 2 == 0 ? Join::start : Join::vertical;
+    r.area = polygon::signed_area(loops), r.loops = std::move(loops);
+    return r;
+}
+
+void expect_same(const toolpath::RegionPaths& a, const toolpath::RegionPaths& b) {
+    EXPECT_EQ(a.region, b.region);
+    EXPECT_EQ(a.layer, b.layer);
+    EXPECT_EQ(a.z, b.z);
+    EXPECT_EQ(a.height, b.height);
+    EXPECT_EQ(a.area, b.area);
+    EXPECT_EQ(a.stroke, b.stroke);
+    EXPECT_EQ(a.join, b.join);
+    EXPECT_EQ(a.unplaced, b.unplaced);
+    EXPECT_EQ(a.stacked, b.stacked);
+    ASSERT_EQ(a.curves.size(), b.curves.size());
+    for (std::size_t i = 0; i < a.curves.size(); ++i) {
+        EXPECT_EQ(a.curves[i].points, b.curves[i].points);
+        EXPECT_EQ(a.curves[i].width, b.curves[i].width);
+    }
+}
+
+// Two columns of upright walls, and one whose outline changes by the last bit.
+std::vector<polygon::Region> column() {
+    std::vector<polygon::Region> out;
+    for (std::uint32_t layer = 0; layer < 6; ++layer) {
+        out.push_back(region(rectangle(0, 0, 6, 0.5), layer)); // thin: with notes
+        out.push_back(region(disc({9, 9}, 3), layer));
+        out.push_back(region(rectangle(20, 0, layer % 2 == 0 ? 24 : std::nextafter(24.0, 25.0), 3), layer));
+    }
+    return out;
+}
+
+TEST(Reuse, GivesWhatFillGives) {
+    for (const char* pattern : {"spiral", "zigzag", "rectilinear"})
+        for (const char* method : {"cyc", "sun2019"})
+            for (const std::size_t most : {0U, 150U, 1U << 20}) { // none held, some forgotten, all held
+                Options o;
+                o.pattern = pattern, o.method = method, o.min_width = 0.3, o.angles_deg = {0, 90},
+                o.start_shift = o.pattern == "spiral" ? 0.3 : 0;
+                Reuse reuse(o, most);
+                for (const auto& r : column()) {
+                    Notes expected, notes;
+                    const auto plain = fill(r, o, expected);
+                    expect_same(reuse(r, notes), plain);
+                    ASSERT_EQ(notes.size(), expected.size());
+                    for (std::size_t i = 0; i < notes.size(); ++i) {
+                        EXPECT_EQ(notes[i].what, expected[i].what);
+                        EXPECT_EQ(notes[i].layer, expected[i].layer);
+                        EXPECT_EQ(notes[i].amount, expected[i].amount);
+                    }
+                }
+            }
+}
+
+TEST(Reuse, WorksOutEqualOutlinesOnce) {
+    using Clock = std::chrono::steady_clock;
+    Reuse reuse({});
+    const auto time = [&](std::uint32_t layer) {
+        Notes notes;
+        const auto begin = Clock::now();
+        (void)reuse(region(sieve(5, 1.5, 1), layer), notes);
+        return std::chrono::duration<double>(Clock::now() - begin).count();
+    };
+    const double first = time(0);
+    double again = 0;
+    for (std::uint32_t layer = 1; layer <= 4; ++layer) again += time(layer);
+    EXPECT_LT(again, first);
+}
+
+} // namespace
+} // namespace filum::fill
