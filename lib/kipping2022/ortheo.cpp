@@ -85,7 +85,8 @@ class Strands {
         }
     }
 
-    void grow(Level& level) {
+    // Up to the next isocontour; new lines begin there if it is not the last.
+    void grow(Level& level, bool last) {
         std::vector<std::uint32_t> left;
         for (const std::uint32_t j : row_) {
             const auto found = level.closest(lines[j].back(), kFarthest * o_.iso);
@@ -103,7 +104,7 @@ class Strands {
             left.push_back(j);
         }
         row_ = std::move(left);
-        insert(level);
+        if (!last) insert(level);
     }
 
     std::vector<Points> lines; // in the order of their first points
@@ -164,7 +165,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         for (const SeedLine& seed : seeds) all.emplace_back(seed, o);
         for (const auto& pieces : lines) {
             Level level(pieces, o.resample);
-            for (Strands& strands : all) strands.grow(level);
+            for (Strands& strands : all) strands.grow(level, &pieces == &lines.back());
             for (std::uint32_t k = 0; k < pieces.size(); ++k)
                 if (!level.reached(k))
                     plan.notes.push_back(lines_note("isocontour that no line crosses",
