@@ -1,10 +1,12 @@
 #include "surfpath/surfpath.hpp"
 
 #include "base/error.hpp"
+#include "surfpath/fina.hpp"
 
 namespace filum::surfpath {
 
-Plan plan(const surface::Sheet&, const Options& options) {
+Plan plan(const surface::Sheet& sheet, const Options& options) {
+    if (options.algorithm == "fina") return fina(sheet, options);
     throw Error(Exit::usage, "cannot plan by '" + options.algorithm + "' yet");
 }
 
