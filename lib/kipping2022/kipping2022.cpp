@@ -27,7 +27,7 @@ surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
 Options settled(Options o) {
     if (!(o.resample > 0)) o.resample = o.spacing / 4;
     if (!(o.iso > 0)) o.iso = o.spacing;
-    if (!(o.least_spacing > 0)) o.least_spacing = o.spacing / 2;
+    if (!(o.least_spacing > 0)) o.least_spacing = 0.4 * o.spacing;
     if (!(o.reach > 0)) o.reach = 1.2 * o.spacing;
     if (o.run <= 0) o.run = static_cast<std::int64_t>(std::ceil(o.spacing / o.resample - 1e-9));
     if (o.window % 2 == 0) throw Error(Exit::usage, "cannot smooth with an even --savgol-window; give an odd one");

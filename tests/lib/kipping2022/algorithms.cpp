@@ -111,11 +111,12 @@ TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     EXPECT_EQ(first(outwards), 30); // the 31st is 0.06 mm from the first one and goes nowhere
     EXPECT_NEAR(fact(outwards, "insertions"), 31, 1);
     EXPECT_EQ(fact(outwards, "endings"), 1);
-    auto inwards = lines(0.35, 1.2, "boundary:0"); // from 29.28 mm to 10.77 mm
-    if (first(inwards) < 58) inwards = lines(0.35, 1.2, "boundary:1");
+    auto inwards = lines(0.25, 1.2, "boundary:0"); // from 29.28 mm to 7.77 mm
+    if (first(inwards) < 58) inwards = lines(0.25, 1.2, "boundary:1");
     EXPECT_NEAR(first(inwards), 58, 1);
     EXPECT_LE(fact(inwards, "insertions"), 1); // beside the last one
-    EXPECT_NEAR(fact(inwards, "endings"), 29, 3);
+    EXPECT_GE(fact(inwards, "endings"), 29); // half of them; more where marching drifts
+    EXPECT_LE(fact(inwards, "endings"), 40);
 }
 
 TEST(geo_fiso, is_one_path_that_crosses_nowhere) {
