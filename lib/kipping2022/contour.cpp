@@ -79,7 +79,7 @@ class Spirals {
         const Node& n = nodes_[node];
         for (const std::uint32_t m : n.neighbours)
             if (nodes_[m].contour.level > n.contour.level) return {};
-        const double level = n.contour.level * o_.spacing;
+        const double level = (n.contour.level - kAtLevel) * o_.spacing;
         for (const std::uint32_t v : surface_.triangles[n.contour.triangle])
             if (phi_[v] >= level && seen_[v] == 0) {
                 Points out = maximum(surface_, phi_, level, v, kAtMaximum * o_.spacing, kApart * o_.spacing, seen_);
