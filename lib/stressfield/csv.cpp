@@ -3,8 +3,10 @@
 // header.
 #include "stressfield/csv_columns.hpp"
 #include "stressfield/formats.hpp"
+#include "stressfield/principal.hpp"
 
 #include <charconv>
+#include <span>
 
 namespace filum::stressfield {
 
@@ -121,8 +123,7 @@ class Table {
                 bad(name_, "--columns names " + std::to_string(c + 1) + " columns, line " +
                                std::to_string(line_number_) + " has " + std::to_string(width_));
         tensors_ = columns_[kXx] != kNoColumn;
-        principals_ = columns_[kVx] != kNoColumn && !tensors_;
-        out_.cases.push_back({"1", {}, {}});
+        out_.cases.push_back({"1", {}, {}, {}});
     }
 
     // False if it is not finite.
@@ -132,23 +133,20 @@ class Table {
         };
         const double unknown = std::numeric_limits<double>::infinity();
         const Vec3 p{row[columns_[kX]], row[columns_[kY]], row[columns_[kZ]]};
-        Tensor t{};
-        Principal s{};
+        if (!std::isfinite(p.x + p.y + p.z)) return false;
+        Case& c = out_.cases[0];
         if (tensors_) {
+            Tensor t;
             for (std::size_t k = 0; k < 6; ++k) t[k] = row[columns_[kXx + k]];
+            if (!std::isfinite(t[0] + t[1] + t[2] + t[3] + t[4] + t[5])) return false;
+            c.tensors.push_back(t);
         } else {
             const Vec3 d{row[columns_[kVx]], row[columns_[kVy]], row[columns_[kVz]]};
-            const double length = norm(d);
-            s = {at(kS1, length), at(kS2, unknown), at(kS3, unknown)};
-            if (std::isnan(length) || std::isnan(s[1]) || std::isnan(s[2])) return false;
-            t = length > 0 ? about(d, s) : Tensor{s[0], s[0], s[0], 0, 0, 0}; // the same to all sides
+            const Principal s{at(kS1, norm(d)), at(kS2, unknown), at(kS3, unknown)};
+            if (!std::isfinite(norm(d) + s[0]) || std::isnan(s[1] + s[2])) return false;
+            c.directions.push_back(d), c.principals.push_back(s);
         }
-        double sum = p.x + p.y + p.z + s[0];
-        for (const double part : t) sum += part;
-        if (!std::isfinite(sum)) return false;
         out_.points.push_back(p);
-        out_.cases[0].tensors.push_back(t);
-        if (principals_) out_.cases[0].principals.push_back(s);
         return true;
     }
 
@@ -162,26 +160,32 @@ class Table {
         };
         std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
         Samples merged;
-        Case& from = out_.cases[0];
-        merged.cases.push_back({from.name, {}, {}});
-        Case& to = merged.cases[0];
+        merged.cases.push_back({out_.cases[0].name, {}, {}, {}});
         for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
-            Tensor t{};
-            Principal s{};
-            for (j = i; j < order.size() && key(order[j]) == key(order[i]); ++j) {
-                for (std::size_t k = 0; k < 6; ++k) t[k] += from.tensors[order[j]][k];
-                for (std::size_t k = 0; principals_ && k < 3; ++k) s[k] += from.principals[order[j]][k];
-            }
-            const double share = 1 / static_cast<double>(j - i);
-            for (double& part : t) part *= share;
-            for (double& part : s) part *= share;
+            for (j = i; j < order.size() && key(order[j]) == key(order[i]);) ++j;
             merged.points.push_back(out_.points[order[i]]);
-            to.tensors.push_back(t);
-            if (principals_) to.principals.push_back(s);
+            add_mean(std::span(order).subspan(i, j - i), out_.cases[0], merged.cases[0]);
         }
         if (const std::size_t less = out_.points.size() - merged.points.size(); less > 0)
             notes_.push_back(note("sample averaged with another at its place", less));
         out_ = std::move(merged);
+    }
+
+    static void add_mean(std::span<const std::uint32_t> of, const Case& from, Case& to) {
+        const double share = 1 / static_cast<double>(of.size());
+        Tensor t{};
+        Principal s{};
+        for (const auto i : of) {
+            const Tensor own = from.tensors.empty() ? about(from.directions[i], from.principals[i]) : from.tensors[i];
+            for (std::size_t k = 0; k < 6; ++k) t[k] += share * own[k];
+            for (std::size_t k = 0; from.tensors.empty() && k < 3; ++k) s[k] += share * from.principals[i][k];
+        }
+        if (!from.tensors.empty()) {
+            to.tensors.push_back(t);
+            return;
+        }
+        to.principals.push_back(s);
+        to.directions.push_back(of.size() == 1 ? from.directions[of[0]] : principal_axes(t).first.value_or(Vec3{}));
     }
 
     [[noreturn]] void fail(const std::string& why) const {
@@ -198,7 +202,7 @@ class Table {
     char mark_ = ' ';
     std::string_view culprit_;
     std::size_t width_ = 0, line_number_ = 0;
-    bool last_ = false, tensors_ = false, principals_ = false;
+    bool last_ = false, tensors_ = false;
     Samples out_;
 };
 

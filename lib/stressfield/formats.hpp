@@ -9,6 +9,7 @@ namespace filum::stressfield {
 
 Samples read_csv(std::string_view bytes, const std::string& name, const std::string& columns, Notes& notes);
 Samples read_frd(std::string_view bytes, const std::string& name, const std::string& step, Notes& notes);
+Samples read_vtu(std::string_view bytes, const std::string& name, const std::string& arrays, Notes& notes);
 
 [[noreturn]] inline void bad(const std::string& name, const std::string& why) {
     throw Error(Exit::bad_input, "cannot read " + name + ": " + why);

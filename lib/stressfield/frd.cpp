@@ -226,7 +226,7 @@ class Frd {
         Case* c = nullptr;
         for (Case& other : out_.cases)
             if (other.name == step_name) c = &other, ++repeated_;
-        if (c == nullptr) c = &out_.cases.emplace_back(Case{step_name, {}, {}});
+        if (c == nullptr) c = &out_.cases.emplace_back(Case{step_name, {}, {}, {}});
         read_stresses(*c);
     }
 

@@ -91,8 +91,9 @@ class Outside {
         parallel::for_chunks(with.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 const Hit hit = tree_.nearest(s.vertices[v], kInfinity, [](std::uint32_t) { return true; });
-                if (hit.triangle != surface::kNone && !skin_.shell[hit.triangle])
-                    with[v] = dot(normal(hit.triangle), normals[v]) > 0 ? 1 : -1;
+                if (hit.triangle == surface::kNone || skin_.shell[hit.triangle]) continue;
+                const Vec3 n = normal(hit.triangle);
+                with[v] = dot(n, normals[v]) / norm(n);
             }
         });
         double sum = 0;

@@ -3,13 +3,14 @@
 namespace filum::stressfield {
 
 Tensor about(const Vec3& direction, const Principal& principal) {
-    const double s1 = principal[0];
-    const double across = std::isfinite(principal[1]) && std::isfinite(principal[2]) ? (principal[1] + principal[2]) / 2
-                                                                                     : s1 - std::abs(s1);
-    const Vec3 d = (1 / norm(direction)) * direction;
-    const double along = s1 - across;
-    return {across + along * d.x * d.x, across + along * d.y * d.y, across + along * d.z * d.z,
-            along * d.x * d.y,          along * d.y * d.z,          along * d.z * d.x};
+    const auto [s1, s2, s3] = principal;
+    const double length = norm(direction);
+    if (length == 0) return {s1, s1, s1, 0, 0, 0};
+    const Vec3 d = (1 / length) * direction;
+    const double round = std::isfinite(s2) && std::isfinite(s3) ? (s2 + s3) / 2 : s1 - std::abs(s1);
+    const double along = s1 - round;
+    return {round + along * d.x * d.x, round + along * d.y * d.y, round + along * d.z * d.z,
+            along * d.x * d.y,         along * d.y * d.z,         along * d.z * d.x};
 }
 
 } // namespace filum::stressfield

@@ -35,10 +35,12 @@ struct Element {
     std::uint32_t first = 0; // its nodes in Samples::nodes begin here
 };
 
+// Tensors, or else directions and principal stresses.
 struct Case {
     std::string name;
     std::vector<Tensor> tensors;       // per point; nan where there is none
-    std::vector<Principal> principals; // per point, if given beside directions; else empty: those of the tensors
+    std::vector<Vec3> directions;      // per point: of the greatest principal stress, of any length; 0: to all sides
+    std::vector<Principal> principals; // per point
 };
 
 struct Samples {
@@ -48,9 +50,9 @@ struct Samples {
     std::vector<Case> cases;
 };
 
-// A tensor whose greatest principal stress is principal[0] along `direction` (any length but 0); across it, the same
-// stress all round: the mean of the other two if they are known, else as much below the greatest as that is from 0.
-// So averages of such tensors do not depend on the signs of the directions.
+// A tensor whose greatest principal stress is principal[0] along `direction` (any length; 0: to all sides); across it,
+// the same stress all round: the mean of the other two if they are known, else as much below the greatest as that is
+// from 0.  So averages of such tensors do not depend on the signs of the directions, and strong ones count most.
 Tensor about(const Vec3& direction, const Principal& principal);
 
 } // namespace filum::stressfield

@@ -31,7 +31,7 @@ std::vector<double> areas(const Surface& s) {
     return out;
 }
 
-Place place(const Stencils& stencils, std::size_t v, const Case& c, const Vec3* normal) {
+Place place(const Stencils& stencils, std::size_t v, const Case& c, const Vec3& normal, bool tangent) {
     Place out;
     const std::uint32_t begin = stencils.start[v], end = stencils.start[v + 1];
     if (begin == end) return out;
@@ -41,16 +41,17 @@ Place place(const Stencils& stencils, std::size_t v, const Case& c, const Vec3* 
         const double w = stencils.weight[k];
         if (w == 0) continue;
         const std::uint32_t i = stencils.sample[k];
-        for (std::size_t j = 0; j < 6; ++j) t[j] += w * c.tensors[i][j];
-        if (!c.principals.empty())
+        const Tensor own = c.tensors.empty() ? about(c.directions[i], c.principals[i]) : c.tensors[i];
+        for (std::size_t j = 0; j < 6; ++j) t[j] += w * own[j];
+        if (c.tensors.empty())
             for (std::size_t j = 0; j < 3; ++j) given[j] += w * c.principals[i][j];
     }
     for (const double part : t)
         if (!std::isfinite(part)) return out; // a node without a value
     out.known = true;
     out.axes = principal_axes(t);
-    if (normal != nullptr) out.tangent = in_plane_axis(t, *normal);
-    if (c.principals.empty()) return out;
+    if (tangent) out.tangent = in_plane_axis(t, normal);
+    if (!c.tensors.empty()) return out;
     out.axes.values[0] = given[0];
     const bool all = std::isfinite(given[1]) && std::isfinite(given[2]);
     for (std::size_t j = 1; j < 3; ++j) out.axes.values[j] = all ? given[j] : kInfinity;
@@ -99,8 +100,7 @@ void add_case(surface::Sheet& sheet, const Case& c, const Stencils& stencils, co
     const Surface& s = sheet.surface;
     std::vector<Place> places(s.vertices.size());
     parallel::for_chunks(places.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            places[v] = place(stencils, v, c, options.tangent ? &normal[v] : nullptr);
+        for (std::size_t v = begin; v < end; ++v) places[v] = place(stencils, v, c, normal[v], options.tangent);
     });
     const auto area = areas(s);
     Tally unknown, out, all;

@@ -47,20 +47,21 @@ TEST(Csv, SeparatorsAndDecimalCommas) {
         EXPECT_EQ(s.points[0].x, 1.5) << text;
         EXPECT_EQ(s.cases[0].principals[0][0], 3) << text;
         EXPECT_TRUE(std::isinf(s.cases[0].principals[0][1])) << text;
-        EXPECT_EQ(s.cases[0].tensors[0], (Tensor{3, 0, 0, 0, 0, 0})) << text;
+        EXPECT_EQ(s.cases[0].directions[0], (Vec3{3, 0, 0})) << text;
     }
 }
 
 TEST(Csv, PrincipalsGoWithTheDirection) {
     const auto s = csv("x,y,z,s1x,s1y,s1z,s1,s2,s3\n0,0,0,0,0,-2,-1,-3,-5\n");
     EXPECT_EQ(s.cases[0].principals[0], (Principal{-1, -3, -5}));
-    EXPECT_EQ(s.cases[0].tensors[0], (Tensor{-4, -4, -1, 0, 0, 0}));
+    EXPECT_EQ(s.cases[0].directions[0], (Vec3{0, 0, -2}));
+    EXPECT_EQ(about(s.cases[0].directions[0], s.cases[0].principals[0]), (Tensor{-4, -4, -1, 0, 0, 0}));
 }
 
 TEST(Csv, ColumnsByOption) {
     const auto s = csv("9 9 1 2 3 0 4 0\n", "-,-,x,y,z,vx,vy,vz");
     EXPECT_EQ(s.points[0], (Vec3{1, 2, 3}));
-    EXPECT_EQ(s.cases[0].tensors[0], (Tensor{0, 4, 0, 0, 0, 0}));
+    EXPECT_EQ(s.cases[0].directions[0], (Vec3{0, 4, 0}));
     EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,z,strain"), "strain"));
     EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,x"), "twice"));
     EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,z"), "sxx"));
@@ -92,7 +93,7 @@ TEST(Csv, SamplesAtOnePlaceAreAveraged) {
     Notes notes;
     const auto s = csv("1 0 0 3 0 0\n0 0 0 1 0 0\n1 0 0 -5 0 0\n", "", &notes);
     ASSERT_EQ(s.points.size(), 2U);
-    EXPECT_EQ(s.cases[0].tensors[1][0], 4); // whatever the signs
+    EXPECT_EQ(std::abs(s.cases[0].directions[1].x), 1); // whatever the signs
     EXPECT_EQ(s.cases[0].principals[1][0], 4);
     ASSERT_EQ(notes.size(), 1U);
 }

@@ -30,7 +30,7 @@ surface::Sheet put(const Samples& samples, const Options& options, Notes& notes,
 Samples even(const Tensor& t) {
     Samples out;
     out.points = square(4, 4).vertices;
-    out.cases.push_back({"X", std::vector<Tensor>(out.points.size(), t), {}});
+    out.cases.push_back({"X", std::vector<Tensor>(out.points.size(), t), {}, {}});
     return out;
 }
 
@@ -87,17 +87,16 @@ TEST(Fields, PrincipalStressesOfTensors) {
 
 TEST(Fields, SignsOfVectorsDoNotMatter) {
     Samples plus, minus;
+    plus.cases.push_back({"X", {}, {}, {}}), minus.cases.push_back({"X", {}, {}, {}});
     Dice dice;
     for (double y = 0; y <= 4; y += 0.7)
         for (double x = 0; x <= 4; x += 0.7) {
             const double angle = 0.3 * x;
             const Vec3 d{std::cos(angle), std::sin(angle), 0};
             plus.points.push_back({x, y, 0});
-            if (plus.cases.empty()) plus.cases.push_back({"X", {}, {}});
             plus.cases[0].principals.push_back({1, kInfinity, kInfinity});
-            plus.cases[0].tensors.push_back(about(d, plus.cases[0].principals.back()));
-            if (minus.cases.empty()) minus.cases.push_back({"X", {}, {}});
-            minus.cases[0].tensors.push_back(about(dice() < 0.5 ? -1.0 * d : d, plus.cases[0].principals.back()));
+            plus.cases[0].directions.push_back(d);
+            minus.cases[0].directions.push_back(dice() < 0.5 ? -1.0 * d : d);
         }
     minus.points = plus.points, minus.cases[0].principals = plus.cases[0].principals;
     Notes notes;
