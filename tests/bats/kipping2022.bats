@@ -87,7 +87,7 @@ facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
     geodesic plate.off --source boundary > s
     for o in '--spacing 0' '--spacing -1' '--spacing nan' '--spacing 1e9' '--spacing 1e-9' '--savgol-window 4' \
         '--savgol-window 0' '--savgol-window 3 --savgol-degree 3' '--resample -1' '--resample nan' '--t-dist -1' \
-        '--n-thresh -1' '--plane 1,2,3' '--method other' '--lift -1' '--resample 1e-9'; do
+        '--n-thresh -1' '--plane 1,2,3' '--lift -1' '--resample 1e-9' '--resample 1e9'; do
         # shellcheck disable=SC2086
         expect 2 baseline geo-fiso s $o
         complaint surfpath
