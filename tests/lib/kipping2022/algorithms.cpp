@@ -100,6 +100,18 @@ TEST(ortheo, both_sides_of_a_seed_curve_inside) {
     EXPECT_EQ(out.strokes.size(), 42U);
 }
 
+// Lines grow in the middle only, where the seed curve is; what is beside them is said.
+TEST(ortheo, notes_what_lies_beside_its_lines) {
+    surface::Sheet sheet = measured(rectangle(20, 10), "plane:0,1,0,0");
+    EXPECT_TRUE(plan(sheet, options("ortheo")).notes.empty());
+    std::erase_if(sheet.sources.segments, [](const surface::Segment& s) { return std::max(s.a.x, s.b.x) > 10; });
+    const auto out = plan(sheet, options("ortheo"));
+    EXPECT_EQ(out.strokes.size(), 10U);
+    double bare = 0;
+    for (const auto& note : out.notes) bare += note.amount;
+    EXPECT_NEAR(bare, 9 * (20 - 10), 9 * 0.5); // the last line is at 9, and counts for 1 more
+}
+
 // Across a ring: the number of lines follows its circumference, but for what halves or doubles at once.
 TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     const auto lines = [](double from, double to, const char* rim) {
