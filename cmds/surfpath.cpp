@@ -52,7 +52,7 @@ cli::Spec spec(Options& o) {
              Option{"savgol-degree", &o.paper.degree, "", "of its polynomials, below the window"}.at_least(0).at_most(
                  9),
              Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
-             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: spacing / 2"}.at_least(
+             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 spacing"}.at_least(
                  0),
              Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 spacing"}.at_least(
                  0),
