@@ -23,7 +23,7 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
         for (const auto& line : side_rows(s, closed, field, sides, side, o.spacing))
             raw.push_back({curve::line(line), sign * line.level});
     }
-    return boustrophedon(s, rows(s, raw, o.spacing / 2), {o.spacing, o.least_radius});
+    return boustrophedon(s, rows(s, raw, o.spacing / 2, 2 * o.least_radius), {o.spacing, o.least_radius});
 }
 
 } // namespace filum::surfpath

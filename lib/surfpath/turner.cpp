@@ -157,7 +157,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
 // What a tight turn is as bad as, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 5 + 20 * (1 - part);
+    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
 }
 
 } // namespace filum::surfpath
