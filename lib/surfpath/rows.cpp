@@ -176,15 +176,14 @@ class Hugger {
 Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest) {
     Rows out;
     Cutter cutter(s, margin);
-    for (std::uint32_t source = 0; source < lines.size(); ++source) {
-        const Raw& raw = lines[source];
+    for (const Raw& raw : lines) {
         const auto ways = curve::ways(raw.line);
         const auto kept = cutter.kept(raw.line, ways, 1);
         if (raw.line.closed && kept.size() == 1 && kept[0].second - kept[0].first >= ways.back()) {
             if (ways.back() < shortest)
                 out.dropped += ways.back();
             else
-                out.rows.push_back({raw.line, raw.level, {}, {}, source});
+                out.rows.push_back({raw.line, raw.level, {}, {}});
             continue;
         }
         for (Line& line : Hugger(s, cutter, raw.line, ways, margin).stretches()) {
@@ -192,7 +191,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
                 out.dropped += l;
                 continue;
             }
-            Row row{std::move(line), raw.level, {}, {}, source};
+            Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
             row.end = cutter.port(row.line.places.back().point);
             out.rows.push_back(std::move(row));

@@ -22,7 +22,6 @@ struct Row {
     Line line;        // threaded; open, or closed if it meets no rim
     double level = 0; // mm: by which rows are ordered
     Port begin, end;  // of an open line
-    std::uint32_t source = 0; // the line that it is a part of
 };
 
 // Lines of one family, `spacing` apart, that still run up to the rims.

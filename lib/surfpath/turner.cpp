@@ -118,9 +118,12 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
 }
 
-// Whether a hole parts a line in these two ends.
+// Whether one line ends at a hole in `a` and goes on beyond it in `b`.
 bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
-    return a % 2 == 1 && b == a + 1 && rows_.rows[a / 2].source == rows_.rows[b / 2].source;
+    if (a / 2 == b / 2 || rows_.rows[a / 2].level != rows_.rows[b / 2].level) return false;
+    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    const Vec3 u = tangent(a), v = tangent(b), d = inwards(b)[0] - inwards(a)[0];
+    return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
 
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
