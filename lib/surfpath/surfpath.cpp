@@ -1,11 +1,13 @@
 #include "surfpath/surfpath.hpp"
 
 #include "base/error.hpp"
+#include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
 
 namespace filum::surfpath {
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
+    if (options.algorithm == "fexa") return fexa(sheet, options);
     if (options.algorithm == "fina") return fina(sheet, options);
     throw Error(Exit::usage, "cannot plan by '" + options.algorithm + "' yet");
 }
