@@ -137,7 +137,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
-    const FlatTurn t = turn({first, second, bound}, o_.least_radius);
+    const FlatTurn t = turn({first, second, bound}, 1.04 * o_.least_radius);
     if (t.points.empty()) return out;
     out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
     out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
