@@ -4,6 +4,7 @@
 #include "geodesic/isolines.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/seed_side.hpp"
+#include "surfpath/winding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +114,9 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         for (double& level : at) level = spread.height(level);
         for (const auto& line : geodesic::isolines(s, above, at)) raw.push_back({curve::line(line), sign * line.level});
     }
-    return boustrophedon(s, rows(s, raw, o.spacing / 2, 2 * o.least_radius), {o.spacing, o.least_radius});
+    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    wind(s, all, o.spacing, true);
+    return boustrophedon(s, all, {o.spacing, o.least_radius});
 }
 
 } // namespace filum::surfpath

@@ -3,11 +3,13 @@
 #include "base/error.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
+#include "surfpath/geo_spiral.hpp"
 
 namespace filum::surfpath {
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
     if (options.algorithm == "fexa") return fexa(sheet, options);
+    if (options.algorithm == "geo-spiral") return geo_spiral(sheet, options);
     if (options.algorithm == "fina") return fina(sheet, options);
     throw Error(Exit::usage, "cannot plan by '" + options.algorithm + "' yet");
 }
