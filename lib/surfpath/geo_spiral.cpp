@@ -13,7 +13,7 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kFirst = 0.625; // of the least radius: that of the first lap
+constexpr double kFirst = 0.42; // of the least radius: that of the first lap
 
 bool is_point(const surface::Sources& sources) {
     if (sources.vertices.size() + sources.segments.size() != 1) return false;

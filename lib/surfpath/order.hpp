@@ -13,6 +13,11 @@ struct Link {
     double cost = 0;
 };
 
+// The rows in an order in which few that were taken have links to others that were not: from the one with the fewest
+// links on, always the one among those linked to what is taken after which these are least; then what is not linked to
+// them.  Ties: the least number.
+std::vector<std::uint32_t> sweep(std::uint32_t rows, std::span<const Link> links);
+
 // A row as it is passed.
 struct Visit {
     std::uint32_t row = 0;

@@ -1,5 +1,6 @@
 #include "surfpath/rows.hpp"
 
+#include "curve/ease.hpp"
 #include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
@@ -63,11 +64,6 @@ class Cutter {
             in = then;
         }
         if (in) out.emplace_back(begin, ways.back());
-        // Of a closed line the first and the last stretch are one, over its first point.
-        if (line.closed && out.size() > 1 && out.front().first == 0 && out.back().second == ways.back()) {
-            out.front().first = out.back().first - ways.back();
-            out.pop_back();
-        }
         return out;
     }
 
@@ -85,6 +81,14 @@ class Cutter {
             }
         }
         return out;
+    }
+
+    // Where the line is nearest to a rim, mm along it.
+    [[nodiscard]] double tightest(const Line& line, std::span<const double> ways) const {
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < line.size(); ++i)
+            if (room(line.places[i]) < room(line.places[best])) best = i;
+        return ways[best];
     }
 
     // What leads along a ring from one place to another that is `way` mm off along a line; empty if that is a detour.
@@ -171,6 +175,15 @@ class Hugger {
     double margin_;
 };
 
+std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
+                            double margin) {
+    if (!line.closed) return Hugger(s, cutter, line, ways, margin).stretches();
+    // Opened where it is nearest to a rim.
+    const double at = cutter.tightest(line, ways);
+    const Line open = curve::part(line, ways, at, at + ways.back());
+    return Hugger(s, cutter, open, curve::ways(open), margin).stretches();
+}
+
 } // namespace
 
 Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest) {
@@ -186,7 +199,8 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
                 out.rows.push_back({raw.line, raw.level, {}, {}});
             continue;
         }
-        for (Line& line : Hugger(s, cutter, raw.line, ways, margin).stretches()) {
+        for (Line& line : stretches(s, cutter, raw.line, ways, margin)) {
+            line = curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
             if (const double l = curve::length(line); l < shortest) {
                 out.dropped += l;
                 continue;

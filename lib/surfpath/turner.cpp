@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kRunUp = 4;    // radii of a row that may be rounded where it goes over into a way along the rim
 constexpr double kCorridor = 2; // radii
+constexpr double kBulb = 40; // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kTurning = 0.25; // mm
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -80,9 +82,25 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     auto eased = curve::ease(surface_, curve::threaded(surface_, line),
                              {.radius = o_.least_radius, .corridor = kCorridor * o_.least_radius});
-    out.radius = eased.too_tight > 0 ? 0 : o_.least_radius;
     out.line = std::move(eased.line);
+    out.radius = tightest(out.line);
     return out;
+}
+
+// The least radius of the line's turning along the surface, as it shows over twice kTurning.
+double Turner::tightest(const Line& line) const {
+    const auto w = curve::ways(line);
+    const auto n = static_cast<std::size_t>(w.back() / kTurning);
+    double most = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+        const double at = kTurning * static_cast<double>(i);
+        const Place here = curve::at(line, w, at);
+        const Vec3 a = here.point - curve::at(line, w, at - kTurning).point;
+        const Vec3 b = curve::at(line, w, at + kTurning).point - here.point;
+        const Vec3 m = curve::normal_at(surface_, normals_, here);
+        most = std::max(most, std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))));
+    }
+    return most > 0 ? std::min(kTurning / most, w.back()) : w.back();
 }
 
 const Port& Turner::port(std::uint32_t end) const {
@@ -153,7 +171,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     laid.line.places.back() = end;
     out.line = std::move(laid.line);
     out.radius = t.radius;
-    out.cost = t.length - out.from_trim - out.to_trim + tightness(t.radius);
+    out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));
     return out;
 }
 
