@@ -2,11 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "criteria/area.hpp"
 #include "criteria/curvature.hpp"
 #include "criteria/load.hpp"
+#include "criteria/plies.hpp"
 #include "criteria/strands.hpp"
-#include "geodesic/query.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -105,16 +104,16 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
 }
 
-void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
+void area(const Plies& plies, Figures& out) {
     const std::string g = "area";
-    double laid = 0;
-    for (const Chain& c : job.fibres.chains)
-        for (std::size_t i = 0; i < c.width.size(); ++i) laid += c.width[i] * (c.along[i + 1] - c.along[i]);
-    const double fill = share(laid, a.surface), coverage = share(a.covered, a.surface), d = job.options.spacing;
-    out.push_back({g, "surface", a.surface, 2, "mm2"});
-    out.push_back({g, "paper: share within d of points",
-                   paper_area_fraction(job.ground, job.fibres, d, job.options.step, job.threads), 4});
+    const Area& a = plies.area;
+    const double fill = share(plies.laid, a.surface), coverage = share(a.covered, a.surface);
+    const auto n = static_cast<double>(plies.count);
+    out.push_back({g, "surface", a.surface / n, 2, "mm2"});
+    if (plies.count > 1) out.push_back({g, "plies", std::uint64_t{plies.count}});
+    out.push_back({g, "paper: share within d of points", plies.paper / n, 4});
     out.push_back({g, "coverage", coverage, 4});
+    if (plies.count > 1) out.push_back({g, "coverage of the worst ply", plies.least, 4});
     out.push_back({g, "fill ratio", fill, 4});
     out.push_back({g, "overlap", fill - coverage, 4});
     out.push_back({g, "largest void beyond beads", a.void_radius, 3, "mm"});
@@ -125,9 +124,9 @@ void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
         out.push_back({g, "coverage within d of a rim", share(a.strip_covered, a.strip), 4});
         out.push_back({g, "coverage elsewhere", share(a.covered - a.strip_covered, a.surface - a.strip), 4});
     }
-    if (below.beside > 0) out.push_back({g, "path beside the surface", below.beside, 2, "mm"});
-    if (below.aloft > 0) out.push_back({g, "path above the surface", below.aloft, 2, "mm"});
-    if (below.lost > 0) out.push_back({g, "path across gaps of the surface", below.lost, 2, "mm"});
+    if (plies.beside > 0) out.push_back({g, "path beside the surface", plies.beside, 2, "mm"});
+    if (plies.aloft > 0) out.push_back({g, "path above the surface", plies.aloft, 2, "mm"});
+    if (plies.lost > 0) out.push_back({g, "path across gaps of the surface", plies.lost, 2, "mm"});
 }
 
 void spacing(const Job& job, Figures& out) {
@@ -188,22 +187,6 @@ void off_surface(const Feet& feet, const std::vector<Sample>& samples, Figures& 
     out.push_back({"off the surface", "max", quantile(off, 1), 4, "mm"});
 }
 
-surface::Sheet distances(const Job& job, const PathField& field) {
-    const Surface& coarse = job.ground.finer.surface;
-    Finer fine = finer(coarse, job.options.spacing / 4, 1'500'000);
-    surface::Field out{"path-distance", std::vector<double>(fine.surface.vertices.size(), INFINITY)};
-    std::vector<std::uint32_t> in(fine.surface.vertices.size());
-    for (std::uint32_t t = 0; t < fine.parent.size(); ++t)
-        for (const std::uint32_t v : fine.surface.triangles[t]) in[v] = fine.parent[t];
-    parallel::for_chunks(in.size(), 1024, job.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            for (const auto& c : field.classes)
-                out.values[v] =
-                    std::min(out.values[v], geodesic::distance_at(coarse, c.field, in[v], fine.surface.vertices[v]));
-    });
-    return {std::move(fine.surface), {std::move(out)}, {}, {}};
-}
-
 // Options that nothing sensible, or nothing in sensible time, could be measured by.
 void check(const Options& o, double width, double length) {
     const auto mm = [](double v) { return shortest_text(v) + " mm"; };
@@ -233,19 +216,15 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
     check(options, width, length(fibres));
     const Job job(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, job.ground, threads);
-    std::vector<Weighted> off;
-    for (const Sample& s : job.samples) off.push_back({s.off, s.length});
-    const Shadow below = shadow(fibres, job.ground, quantile(off, 0.5), options.spacing / 2, threads);
-    const PathField field = path_field(job.ground, below);
-    const Area areas = measure_area(job.ground, field, options.spacing, threads);
-    continuity(fibres, areas.surface, out.figures);
+    auto plies = measure_plies(fibres, job.ground, job.samples, {options.spacing, distance}, threads);
+    continuity(fibres, plies.area.surface, out.figures);
     out.figures.push_back({"continuity", "retraced", retraced(job.samples, threads), 1, "mm"});
     curvature(job, touch, out.figures);
-    area(job, areas, below, out.figures);
+    area(plies, out.figures);
     spacing(job, out.figures);
     load(job, out.figures);
     off_surface(touch, job.samples, out.figures);
-    if (distance) out.distance = distances(job, field);
+    out.distance = std::move(plies.distance);
     return out;
 }
 

@@ -91,6 +91,7 @@ class Search {
         double nearest[2] = {kFar, kFar};
         cells_.near(s.at, [&](std::uint32_t k) {
             const Sample& o = samples_[k];
+            if (o.layer != s.layer) return;
             const double nominal = (s.width + o.width) / 2 * spread_;
             if (o.hairpin || dot(s.normal, o.normal) <= 0 || std::abs(dot(s.tangent, o.tangent)) < kParallel) return;
             if (o.chain == s.chain && std::abs(o.along - s.along) < kBetween * nominal) return;
@@ -109,8 +110,8 @@ class Search {
         const Sample& s = samples_[i];
         bool found = false;
         cells_.near(s.at, [&](std::uint32_t k) {
-            if (found || k >= i) return;
             const Sample& o = samples_[k];
+            if (found || k >= i || o.layer != s.layer) return;
             if (dot(s.normal, o.normal) <= 0 || std::abs(dot(s.tangent, o.tangent)) < kSameWay) return;
             if (o.chain == s.chain && std::abs(o.along - s.along) < kSameBetween * s.width) return;
             const Vec3 d = o.b - o.a;
