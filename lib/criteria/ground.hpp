@@ -39,6 +39,7 @@ struct Sample {
     double along = 0;     // mm from the chain's start to the middle
     double length = 0;    // mm
     double width = 0;     // mm, of the bead
+    bool turning = false; // in or near a turn, see Bends; set by whoever has them
     bool hairpin = false; //
     Vec3 at{}, a{}, b{};  // its middle and its ends, on the path
     Vec3 tangent{};       // unit, from end to end

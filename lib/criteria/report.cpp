@@ -58,12 +58,25 @@ void continuity(const Fibres& fibres, double area, Figures& out) {
     if (fibres.jumps > 0) out.push_back({g, "unmarked jumps", std::uint64_t{fibres.jumps}});
 }
 
-void curvature(const Job& job, const Feet& feet, Figures& out) {
+std::vector<Bends> bend(const Job& job, const Feet& feet) {
     const auto& chains = job.fibres.chains;
-    std::vector<Bends> bent(chains.size());
+    std::vector<Bends> out(chains.size());
     parallel::for_chunks(chains.size(), 1, job.threads, [&](std::size_t k, std::size_t) {
-        bent[k] = bends(chains[k], feet.normals[k], job.options.step);
+        out[k] = bends(chains[k], feet.normals[k], job.options.step);
     });
+    return out;
+}
+
+void mark_turns(const std::vector<Bends>& bent, std::vector<Sample>& samples) {
+    for (Sample& s : samples) {
+        const auto& around = bent[s.chain].around;
+        const auto it = std::lower_bound(around.begin(), around.end(), s.along,
+                                         [](const Bends::Range& r, double along) { return r.to < along; });
+        s.turning = it != around.end() && it->from <= s.along;
+    }
+}
+
+void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
     const double limit = kBeyond * job.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
     double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0, total_plain = 0, most_plain = 0;
@@ -129,17 +142,20 @@ void area(const Plies& plies, Figures& out) {
     if (plies.lost > 0) out.push_back({g, "path across gaps of the surface", plies.lost, 2, "mm"});
 }
 
-void spacing(const Job& job, Figures& out) {
-    const std::string g = "spacing";
+void spacing(const Job& job, bool turns, Figures& out) {
+    const std::string g = turns ? "spacing" : "spacing outside turns";
     std::vector<Weighted> signed_error, error;
-    for (const Gap& gap : gaps(job.samples, job.spread, job.threads)) {
+    for (const Gap& gap : gaps(job.samples, job.spread, turns, job.threads)) {
         signed_error.push_back({gap.error, gap.length});
         error.push_back({std::abs(gap.error), gap.length});
     }
     double sides = 0, found = 0;
-    for (const Sample& s : job.samples) sides += s.hairpin ? 0 : 2 * s.length;
+    for (const Sample& s : job.samples) sides += s.hairpin || (s.turning && !turns) ? 0 : 2 * s.length;
     for (const Weighted& w : error) found += w.weight;
-    out.push_back({g, "d", job.options.spacing, 4, "mm"});
+    if (turns)
+        out.push_back({g, "d", job.options.spacing, 4, "mm"});
+    else
+        out.push_back({g, "share of the path", share(sides / 2, length(job.fibres)), 4});
     out.push_back({g, "sides with a neighbour", share(found, sides), 4});
     for (const int p : {1, 50, 99})
         out.push_back({g, "gap / d - 1, p" + std::to_string(p), quantile(signed_error, p / 100.0), 4});
@@ -214,14 +230,17 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
     }
     if (options.step == 0) options.step = options.spacing / 4;
     check(options, width, length(fibres));
-    const Job job(fibres, sheet, options, width, threads);
+    Job job(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, job.ground, threads);
+    const auto bent = bend(job, touch);
+    mark_turns(bent, job.samples);
     auto plies = measure_plies(fibres, job.ground, job.samples, {options.spacing, distance}, threads);
     continuity(fibres, plies.area.surface, out.figures);
     out.figures.push_back({"continuity", "retraced", retraced(job.samples, threads), 1, "mm"});
-    curvature(job, touch, out.figures);
+    curvature(job, bent, out.figures);
     area(plies, out.figures);
-    spacing(job, out.figures);
+    spacing(job, true, out.figures);
+    spacing(job, false, out.figures);
     load(job, out.figures);
     off_surface(touch, job.samples, out.figures);
     out.distance = std::move(plies.distance);
