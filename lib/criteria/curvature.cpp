@@ -123,6 +123,12 @@ Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
         const int now = wide > kTurn ? 1 : wide < -kTurn ? -1 : 0;
         if (now != 0 && now != turned) ++out.turns;
         turned = now;
+        if (now == 0) continue;
+        const Bends::Range near{s - kWithin * step, s + kWithin * step};
+        if (out.around.empty() || near.from > out.around.back().to)
+            out.around.push_back(near);
+        else
+            out.around.back().to = near.to;
     }
     return out;
 }

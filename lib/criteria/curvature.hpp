@@ -24,6 +24,10 @@ struct Bend {
 struct Bends {
     std::vector<Bend> places; // every quarter of a step or so
     std::size_t turns = 0;    // of more than 90 degrees to one side within 16 steps
+    struct Range {
+        double from, to; // mm along the chain
+    };
+    std::vector<Range> around; // 8 steps around wherever such a turn is under way; ascending, apart
 };
 
 // Geodesic: at each point of the chain the polyline turns by an angle in the tangent plane.  It is taken as spread

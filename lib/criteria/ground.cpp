@@ -122,7 +122,8 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
         for (std::size_t i = 0; i < n; ++i) {
             Sample s{.chain = k, .along = (static_cast<double>(i) + 0.5) * length, .length = length, .a = a};
             s.at = point_at(c, s.along, stretch);
-            s.width = c.width[stretch], s.hairpin = c.role[stretch] == toolpath::Role::hairpin;
+            s.layer = c.layer[stretch], s.width = c.width[stretch],
+            s.hairpin = c.role[stretch] == toolpath::Role::hairpin;
             const Vec3 here = c.points[stretch + 1] - c.points[stretch];
             axes.push_back(axis_at(c, stretch, (s.along - c.along[stretch]) / norm(here)));
             s.b = i + 1 == n ? c.points.back() : point_at(c, static_cast<double>(i + 1) * length, stretch);
@@ -160,13 +161,14 @@ Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
     return out;
 }
 
-Shadow shadow(const Fibres& fibres, const Ground& ground, double level, double step, int threads) {
+Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& options, int threads) {
     std::vector<Shadow> parts(fibres.chains.size());
     parallel::for_chunks(parts.size(), 1, threads, [&](std::size_t k, std::size_t) {
         const Chain& c = fibres.chains[k];
-        Laying laying(ground, level, parts[k]);
+        Laying laying(ground, options.level, parts[k]);
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i) {
-            const auto n = static_cast<std::size_t>(std::ceil((c.along[i + 1] - c.along[i]) / step));
+            if (c.layer[i] != options.layer) continue;
+            const auto n = static_cast<std::size_t>(std::ceil((c.along[i + 1] - c.along[i]) / options.step));
             for (std::size_t j = 0; j < n; ++j)
                 laying.stretch(c, i, static_cast<double>(j) / static_cast<double>(n),
                                static_cast<double>(j + 1) / static_cast<double>(n));

@@ -73,6 +73,17 @@ value() { # of the figure named $1 in the TSV on standard input
     peek --json plate.voids | grep -q path-distance
 }
 
+@test "stresses on the surface tell how well the path follows them" {
+    { echo x,y,z,s1x,s1y,s1z
+      for y in 0 5 10; do for x in 0 5 10; do echo "$x,$y,0,4,3,0"; done; done; } > stress.csv
+    stressfield --stress stress.csv --case pull --reach 1 plate.surface > loaded.surface
+    metrics --surface loaded.surface --format tsv lines.toolpath > m.tsv
+    [ "$(value 'load cases' < m.tsv)" -eq 1 ]
+    [ "$(value '|t . d1|' < m.tsv)" = 0.8000 ]
+    [ "$(value 'along the surface, at random' < m.tsv)" = 0.6366 ]
+    [ "$(value 'share within 15 degrees' < m.tsv)" = 0.0000 ]
+}
+
 @test "it measures from a pipe" {
     metrics --surface plate.surface < lines.toolpath > a
     metrics --surface plate.surface lines.toolpath > b
