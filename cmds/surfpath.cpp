@@ -58,8 +58,9 @@ cli::Spec spec(Options& o) {
                  0),
              Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
                  0)},
-        .examples = {{"geodesic part.stl --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
-                      "one path over a surface"}},
+        .examples =
+            {{"geodesic part.stl --cut 0,0,1,2 --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
+              "one path over a surface"}},
         .see_also = {"geodesic", "metrics", "render"},
         .arguments = "[ALGORITHM] [INPUT]",
         .leading = "algorithm"};
