@@ -59,7 +59,7 @@ cli::Spec spec(Options& o) {
              Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
                  0)},
         .examples =
-            {{"geodesic part.stl --cut 0,0,1,2 --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
+            {{"geodesic part.stl --cut 0,0,1,0.5 --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
               "one path over a surface"}},
         .see_also = {"geodesic", "metrics", "render"},
         .arguments = "[ALGORITHM] [INPUT]",
