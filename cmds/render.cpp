@@ -43,7 +43,7 @@ cli::Spec spec(render::Options& o) {
                   "towards the camera; auto: face for surfaces, else iso"},
                  {"views", &o.views, "VIEW,...", "several of these in one picture"},
                  Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
-                 {"by", &o.by, "FIELD", "the field that colours the surface"},
+                 {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
                  {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
                  Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}.numbers(4),
                  {"voids", &o.voids, "", "marks where no bead covers the surface"},
@@ -71,7 +71,7 @@ cli::Spec spec(render::Options& o) {
                          {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
                           "--output distance.png",
                           "distances on a surface"}},
-            .see_also = {"metrics", "peek"}};
+            .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
 }
 
 // Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.

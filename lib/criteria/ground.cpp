@@ -11,12 +11,24 @@ namespace {
 
 constexpr std::size_t kGrain = 256; // samples per piece of work
 constexpr int kHalvings = 6;        // of a stretch whose ends no straight line on the surface joins
+constexpr double kPoint = 1e-9;     // mm: shorter segments are points
+constexpr double kOnRim = 1e-6;     // weight of a corner: what counts as on the side across
+constexpr double kBeside = 0.05;    // of the bead: farther beside a rim is not on the surface
 constexpr double kInside = -1e-9;   // weight of a corner: what counts as in the triangle
 
-curve::Place nearest(const curve::Locator& locator, const Vec3& p, const Vec3& axis) {
-    if (axis == Vec3{}) return locator.nearest(p);
+curve::Place nearest(const curve::Locator& locator, const Vec3& p, const Vec3& axis, double farther) {
+    const curve::Place any = locator.nearest(p);
+    if (axis == Vec3{}) return any;
     const curve::Place facing = locator.nearest(p, axis);
-    return facing.triangle == curve::kNone ? locator.nearest(p) : facing;
+    const bool near = facing.triangle != curve::kNone && distance(p, facing.point) <= distance(p, any.point) + farther;
+    return near ? facing : any;
+}
+
+bool on_rim(const Surface& s, const curve::Place& at) {
+    const auto w = curve::barycentric(s, at);
+    for (std::uint32_t k = 0; k < 3; ++k)
+        if (w[k] < kOnRim && s.twin[3 * at.triangle + (k + 1) % 3] == curve::kNone) return true;
+    return false;
 }
 
 Vec3 axis_at(const Chain& c, std::size_t stretch, double t) {
@@ -36,11 +48,16 @@ class Laying {
 
     void stretch(const Chain& c, std::size_t i, double from, double to, int halvings = 0) {
         const curve::Place a = place(c, i, from), b = place(c, i, to);
+        const bool a_off = beside(c, i, from, a), b_off = beside(c, i, to, b);
+        if (a_off && b_off) {
+            out_.beside += (to - from) * (c.along[i + 1] - c.along[i]);
+            return;
+        }
         const curve::Line way = a.triangle == b.triangle ? curve::Line{{a, b}, false} : curve::join(surface_, a, b);
         const std::size_t n = way.places.size();
         const bool whole = n > 2 || a.triangle == b.triangle || inside(surface_, {a.triangle, b.point}) ||
                            inside(surface_, {b.triangle, a.point});
-        if (!whole && halvings < kHalvings) {
+        if ((!whole || a_off != b_off) && halvings < kHalvings) {
             stretch(c, i, from, (from + to) / 2, halvings + 1);
             return stretch(c, i, (from + to) / 2, to, halvings + 1);
         }
@@ -57,10 +74,17 @@ class Laying {
 
   private:
     [[nodiscard]] curve::Place place(const Chain& c, std::size_t i, double t) const {
-        return ground_.fine_foot(c.points[i] + t * (c.points[i + 1] - c.points[i]), axis_at(c, i, t));
+        return ground_.fine_foot(at(c, i, t), axis_at(c, i, t));
+    }
+    static Vec3 at(const Chain& c, std::size_t i, double t) {
+        return c.points[i] + t * (c.points[i + 1] - c.points[i]);
+    }
+    [[nodiscard]] bool beside(const Chain& c, std::size_t i, double t, const curve::Place& foot) const {
+        const Vec3 off = at(c, i, t) - foot.point, n = surface::normal(surface_, foot.triangle);
+        return norm(off - dot(off, n) * n) > kBeside * c.width[i] && on_rim(surface_, foot);
     }
     void add(const Chain& c, std::size_t i, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
-        out_.segments.push_back({triangle, a, b});
+        out_.segments.push_back({triangle, a, distance(a, b) > kPoint ? b : a});
         out_.width.push_back(c.width[i]);
     }
 
@@ -73,10 +97,12 @@ class Laying {
 
 Ground::Ground(const Surface& s, double edge)
     : surface(s), finer(criteria::finer(s, edge)), normals_(curve::vertex_normals(s)), locator_(s),
-      fine_locator_(finer.surface) {}
+      fine_locator_(finer.surface), farther_(2 * edge) {}
 
-curve::Place Ground::foot(const Vec3& p, const Vec3& axis) const { return nearest(locator_, p, axis); }
-curve::Place Ground::fine_foot(const Vec3& p, const Vec3& axis) const { return nearest(fine_locator_, p, axis); }
+curve::Place Ground::foot(const Vec3& p, const Vec3& axis) const { return nearest(locator_, p, axis, farther_); }
+curve::Place Ground::fine_foot(const Vec3& p, const Vec3& axis) const {
+    return nearest(fine_locator_, p, axis, farther_);
+}
 Vec3 Ground::normal(const curve::Place& place) const { return curve::normal_at(surface, normals_, place); }
 
 std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double step, int threads) {
@@ -145,7 +171,7 @@ Shadow shadow(const Fibres& fibres, const Ground& ground, double step, int threa
     for (const Shadow& p : parts) {
         out.segments.insert(out.segments.end(), p.segments.begin(), p.segments.end());
         out.width.insert(out.width.end(), p.width.begin(), p.width.end());
-        out.lost += p.lost;
+        out.lost += p.lost, out.beside += p.beside;
     }
     return out;
 }

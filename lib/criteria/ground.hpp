@@ -18,8 +18,8 @@ class Ground {
     const Surface& surface;
     Finer finer;
 
-    // The place of the given surface (or of the finer one) nearest to `p`, among triangles that face as `axis` if that
-    // is not (0, 0, 0) and there are any.
+    // The place of the given surface (or of the finer one) nearest to `p`; if `axis` is not (0, 0, 0), among triangles
+    // that face its way, unless those are more than two `edge` farther off: so a thin wall's skins are told apart.
     [[nodiscard]] curve::Place foot(const Vec3& p, const Vec3& axis) const;
     [[nodiscard]] curve::Place fine_foot(const Vec3& p, const Vec3& axis) const;
 
@@ -29,6 +29,7 @@ class Ground {
   private:
     std::vector<Vec3> normals_;
     curve::Locator locator_, fine_locator_;
+    double farther_; // mm
 };
 
 // A short stretch of a chain, and the surface at its middle.
@@ -61,6 +62,7 @@ struct Shadow {
     std::vector<surface::Segment> segments;
     std::vector<double> width; // mm, per segment
     double lost = 0;           // mm of path that no way on the surface follows: across gaps
+    double beside = 0;         // mm of path past a rim, by more than a twentieth of the bead: it has no shadow
 };
 Shadow shadow(const Fibres& fibres, const Ground& ground, double step, int threads);
 

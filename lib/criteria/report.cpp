@@ -19,6 +19,8 @@ namespace {
 
 using figures::Figures;
 
+constexpr double kWidest = 20;       // bead widths: how far apart strands may be
+constexpr double kMostSamples = 2e7; //
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 std::string place(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
@@ -96,7 +98,7 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
 }
 
-void area(const Job& job, const Area& a, double lost, Figures& out) {
+void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
     const std::string g = "area";
     double laid = 0;
     for (const Chain& c : job.fibres.chains)
@@ -116,7 +118,8 @@ void area(const Job& job, const Area& a, double lost, Figures& out) {
         out.push_back({g, "coverage within d of a rim", share(a.strip_covered, a.strip), 4});
         out.push_back({g, "coverage elsewhere", share(a.covered - a.strip_covered, a.surface - a.strip), 4});
     }
-    if (lost > 0) out.push_back({g, "path across gaps of the surface", lost, 2, "mm"});
+    if (below.beside > 0) out.push_back({g, "path beside the surface", below.beside, 2, "mm"});
+    if (below.lost > 0) out.push_back({g, "path across gaps of the surface", below.lost, 2, "mm"});
 }
 
 void spacing(const Job& job, Figures& out) {
@@ -192,6 +195,20 @@ surface::Sheet distances(const Job& job, const PathField& field) {
     return {std::move(fine.surface), {std::move(out)}, {}, {}};
 }
 
+// Options that nothing sensible, or nothing in sensible time, could be measured by.
+void check(const Options& o, double width, double length) {
+    const auto mm = [](double v) { return shortest_text(v) + " mm"; };
+    if (o.spacing > kWidest * width || o.spacing * kWidest < width)
+        throw Error(Exit::usage, "cannot take strands of beads " + mm(width) + " wide as " + mm(o.spacing) +
+                                     " apart; give a --spacing nearer to that");
+    if (o.step > o.spacing)
+        throw Error(Exit::usage, "cannot sample every " + mm(o.step) + " where strands are " + mm(o.spacing) +
+                                     " apart; give a smaller --step");
+    if (length / o.step > kMostSamples)
+        throw Error(Exit::usage, "cannot sample " + mm(length) + " of path every " + mm(o.step) +
+                                     ": too many samples; give a greater --step");
+}
+
 } // namespace
 
 Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Options& given, bool distance, int threads) {
@@ -204,9 +221,7 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
         return out;
     }
     if (options.step == 0) options.step = options.spacing / 4;
-    if (options.step > options.spacing)
-        throw Error(Exit::usage, "cannot sample every " + fixed_text(options.step, 4) + " mm where strands are " +
-                                     fixed_text(options.spacing, 4) + " mm apart; give a smaller --step");
+    check(options, width, length(fibres));
     const Job job(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, job.ground, threads);
     const Shadow below = shadow(fibres, job.ground, options.spacing / 2, threads);
@@ -215,7 +230,7 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
     continuity(fibres, areas.surface, out.figures);
     out.figures.push_back({"continuity", "retraced", retraced(job.samples, threads), 1, "mm"});
     curvature(job, touch, out.figures);
-    area(job, areas, below.lost, out.figures);
+    area(job, areas, below, out.figures);
     spacing(job, out.figures);
     load(job, out.figures);
     off_surface(touch, job.samples, out.figures);

@@ -23,7 +23,8 @@ struct Measured {
 // Measures the fibres on the surface of `sheet`, and how well they follow the load cases that it carries.
 // docs/surface-metrics.md defines each figure.  `distance`: also gives the surface in triangles with sides of at most
 // d / 4 and the field "path-distance", mm from the path's centre line, exact at every vertex.
-// Same result for any `threads`.  Throws Error(usage) if the step is longer than d.
+// Same result for any `threads`.  Throws Error(usage) if d is more than 20 times
+// the bead width or less than a 20th of it, and if the step is longer than d or gives more than 20 million samples.
 Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Options& options, bool distance, int threads);
 
 } // namespace filum::criteria

@@ -1,7 +1,10 @@
 #include "kipping2022/kipping2022.hpp"
 
 #include "base/error.hpp"
+#include "kipping2022/ortheo.hpp"
+#include "kipping2022/rings.hpp"
 #include "kipping2022/rows.hpp"
+#include "kipping2022/spiral.hpp"
 
 #include <cmath>
 
@@ -12,7 +15,11 @@ namespace {
 surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
     if (o.algorithm == "fina") return fina(sheet, o);
     if (o.algorithm == "fexa") return fexa(sheet, o);
-    throw Error(Exit::usage, "cannot plan by '" + o.algorithm + "' yet");
+    if (o.algorithm == "ortheo") return ortheo(sheet, o);
+    if (o.algorithm == "geo-fiso") return geo_fiso(sheet, o);
+    if (o.algorithm == "geo-contour") return geo_contour(sheet, o);
+    if (o.algorithm == "geo-spiral") return geo_spiral(sheet, o);
+    throw Error(Exit::usage, "cannot plan by '" + o.algorithm + "'; see --help for the algorithms");
 }
 
 } // namespace

@@ -41,21 +41,6 @@ Vec3 direction(const Surface& s, const Plane& plane) {
     return norm(way) > 0 ? 1 / norm(way) * way : Vec3{1, 0, 0};
 }
 
-// Distances with the sign of the side.
-std::vector<double> signed_distances(const Surface& s, std::span<const double> phi, const Plane& plane,
-                                     double spacing) {
-    std::vector<double> out = surface::sides(s, plane);
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
-        const std::uint32_t a = s.tail(h), b = s.head(h);
-        if (out[a] * out[b] < 0 && std::min(phi[a], phi[b]) > spacing + 2 * distance(s.vertices[a], s.vertices[b]) &&
-            std::isfinite(phi[a]))
-            throw Error(Exit::usage, "cannot tell the sides by the --plane: it meets the surface where the distance is "
-                                     "not 0; give the plane of the seed curve");
-    }
-    for (std::size_t v = 0; v < out.size(); ++v) out[v] = out[v] < 0 ? -phi[v] : phi[v];
-    return out;
-}
-
 // The pieces of a level in the order of `axis`, each running along it.
 void arrange(std::vector<Contour>& level, const Vec3& axis) {
     for (Contour& c : level)
@@ -132,7 +117,11 @@ Plan rows(const Surface& s, std::vector<double> values, const Plane& plane, cons
 Plan fina(const surface::Sheet& sheet, const Options& o) {
     const auto& phi = distances(sheet, kNeed);
     const Plane plane = seed_plane(sheet, o);
-    return rows(sheet.surface, signed_distances(sheet.surface, phi, plane, o.spacing), plane, o);
+    const auto values = signed_distances(sheet.surface, phi, plane, o.spacing);
+    if (!values)
+        throw Error(Exit::usage, "cannot tell the sides of the seed curve by its plane: it meets the surface where the "
+                                 "distance is not 0 as well; give a --plane that does not");
+    return rows(sheet.surface, *values, plane, o);
 }
 
 Plan fexa(const surface::Sheet& sheet, const Options& o) {

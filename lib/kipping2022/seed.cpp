@@ -73,6 +73,18 @@ std::optional<surface::Plane> plane_of(const Surface& s, const surface::Sources&
     return plane;
 }
 
+std::optional<std::vector<double>> signed_distances(const Surface& s, std::span<const double> phi,
+                                                    const surface::Plane& plane, double spacing) {
+    std::vector<double> out = surface::sides(s, plane);
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const std::uint32_t a = s.tail(h), b = s.head(h);
+        const double near = spacing + 2 * distance(s.vertices[a], s.vertices[b]);
+        if (out[a] * out[b] < 0 && std::isfinite(phi[a]) && std::min(phi[a], phi[b]) > near) return {};
+    }
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] = out[v] < 0 ? -phi[v] : phi[v];
+    return out;
+}
+
 std::vector<SeedLine> seed_lines(const surface::Sources& sources) {
     const Points points = ends(sources);
     const Ends all(points);

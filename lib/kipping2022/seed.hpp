@@ -12,6 +12,11 @@ namespace filum::kipping2022 {
 // they lie in none, or in a point.
 std::optional<surface::Plane> plane_of(const Surface& s, const surface::Sources& sources);
 
+// The distances with the sign of the side of the plane.  None if the plane meets the surface where they are beyond
+// what `spacing` and the size of the triangles account for: it does not follow the seed curve there.
+std::optional<std::vector<double>> signed_distances(const Surface& s, std::span<const double> phi,
+                                                    const surface::Plane& plane, double spacing);
+
 // The sources' segments as polylines: each begins at the first segment that is not in one yet.
 struct SeedLine {
     bool closed = false;

@@ -49,7 +49,7 @@ struct Canvas {
     std::vector<Sight> sight;
 
     Canvas(const Scene& s, const DrapeView& v, const Plan& p)
-        : scene(s), view(v), plan(p), fine(std::max(1, static_cast<int>(std::ceil(std::sqrt(v.samples))))),
+        : scene(s), view(v), plan(p), fine(std::clamp(static_cast<int>(std::ceil(std::sqrt(v.samples))), 1, 16)),
           raster(s.sheet->surface, p, fine), image(p.width, p.height),
           sight(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height)) {}
     [[nodiscard]] Sight& at(int x, int y) {
@@ -65,7 +65,7 @@ struct Canvas {
 
 void paint_band(Canvas& c, const Paint& paint, int band) {
     const Sights sights = c.raster.band(band);
-    const int top = band * Raster::kBand, f = c.fine;
+    const int top = band * c.raster.rows(), f = c.fine;
     for (int y = 0; y < sights.rows / f; ++y) {
         for (int x = 0; x < c.plan.width; ++x) {
             Rgb sum;
@@ -97,8 +97,11 @@ void draw_arrows(Canvas& c, const surface::Field& field) {
             const auto v = t[share.x >= share.y && share.x >= share.z ? 0 : (share.y >= share.z ? 1 : 2)];
             const Vec3 d = (0.45 * step / longest) * field.vector(v);
             const Vec2 along{dot(d, c.plan.right), -dot(d, c.plan.up)}, at{x + 0.5, y + 0.5};
+            const Rgb under = c.image.get(x, y);
+            const bool dark = 0.2126F * under.r + 0.7152F * under.g + 0.0722F * under.b < 0.14F;
+            const Rgb ink = dark ? Rgb{0.85F, 0.85F, 0.85F} : oklch(0.22, 0.03, 260);
             if (std::isfinite(along.x) && std::isfinite(along.y))
-                draw_line(c.image, at - along, at + along, std::max(1.0, step / 10.0), oklch(0.22, 0.03, 260), 0.9);
+                draw_line(c.image, at - along, at + along, std::max(1.0, step / 10.0), ink, 0.9);
         }
     }
 }
@@ -146,7 +149,7 @@ std::string end_text(double v, bool more) {
     return fixed_text(v, size >= 100 ? 0 : (size >= 10 ? 1 : (size >= 1 ? 2 : 4))) + (more ? "..." : "");
 }
 
-void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid) {
+void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, double bare) {
     Key key(c.image);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
@@ -156,9 +159,9 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid) {
         const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
         key.ramp(show.by + " " + end_text(s.lo, s.below), end_text(s.hi, s.above) + unit);
     }
-    if (!c.scene.spans.empty()) add_legend(key, tint);
-    if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * laid.uncovered, 1) + "%");
+    if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * bare, 1) + "%");
     if (show.overlap) key.swatch(overlap_colour(), "overlap");
+    if (!c.scene.spans.empty()) add_legend(key, tint);
 }
 
 // Mean direction that the path's tools come from, or the surface's normal; `otherwise` where they cancel out.
@@ -198,6 +201,7 @@ std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
 
 Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads) {
     const Laid laid = lay(scene, tint);
+    const double bare = view.show.voids ? uncovered(scene.sheet->surface, laid) : 0;
     double width = 0;
     for (const auto& s : scene.spans)
         if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
@@ -210,7 +214,7 @@ Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, i
         if (!view.show.arrows.empty()) draw_arrows(c, find_field(*scene.sheet, view.show.arrows, 3));
         draw_loose(c, laid);
         draw_ends(c, width);
-        draw_key(c, tint, view.show, laid);
+        draw_key(c, tint, view.show, laid, bare);
         return std::move(c.image);
     });
 }

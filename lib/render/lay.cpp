@@ -54,7 +54,26 @@ bool lies_on(const curve::Locator& locator, const Stroke& s, bool against) {
     return true;
 }
 
-// Point k of the samples: as many per area everywhere.  `before`: area of the triangles before each, and of all.
+} // namespace
+
+Laid lay(const Scene& scene, const Tint& tint) {
+    Laid out;
+    auto all = beads(scene, tint);
+    if (all.empty()) return out;
+    const auto& surface = scene.sheet->surface;
+    const curve::Locator locator(surface);
+    double front = 0, back = 0; // mm
+    for (const Stroke& s : all) {
+        const double length = geom::distance(s.a, s.b);
+        const bool on_front = lies_on(locator, s, false), on_back = !on_front && lies_on(locator, s, true);
+        (on_front ? front : back) += on_front || on_back ? length : 0;
+        if (!on_front && !on_back) out.loose.push_back(s), out.loose_length += length;
+    }
+    out.behind = back > front;
+    out.beads = Strokes(std::move(all));
+    return out;
+}
+
 double uncovered(const surface::Surface& s, const Laid& laid) {
     double total = 0;
     std::vector<double> before;
@@ -75,27 +94,6 @@ double uncovered(const surface::Surface& s, const Laid& laid) {
         bare += cover.stroke == nullptr || cover.off * kFat > 1 ? 1 : 0;
     }
     return static_cast<double>(bare) / kSamples;
-}
-
-} // namespace
-
-Laid lay(const Scene& scene, const Tint& tint) {
-    Laid out;
-    auto all = beads(scene, tint);
-    if (all.empty()) return out;
-    const auto& surface = scene.sheet->surface;
-    const curve::Locator locator(surface);
-    double front = 0, back = 0; // mm
-    for (const Stroke& s : all) {
-        const double length = geom::distance(s.a, s.b);
-        const bool on_front = lies_on(locator, s, false), on_back = !on_front && lies_on(locator, s, true);
-        (on_front ? front : back) += on_front || on_back ? length : 0;
-        if (!on_front && !on_back) out.loose.push_back(s), out.loose_length += length;
-    }
-    out.behind = back > front;
-    out.beads = Strokes(std::move(all));
-    out.uncovered = uncovered(surface, out);
-    return out;
 }
 
 } // namespace filum::render

@@ -15,10 +15,13 @@ struct Laid {
                                // many heights as their layer's number, seen from the side that their normals look to
     double loose_length = 0;   // mm
     bool behind = false;       // most of the path lies on the side that the surface does not face
-    double uncovered = 0;      // share of the side with the path farther than half a width from it, by even samples
 };
 
 // Precondition: scene.sheet.
 Laid lay(const Scene& scene, const Tint& tint);
+
+// Share of the side with the path that is farther than half a width from it, by 131072 samples spread evenly over the
+// surface: off by about 0.1 % of it at most.
+double uncovered(const surface::Surface& surface, const Laid& laid);
 
 } // namespace filum::render

@@ -15,6 +15,7 @@ using geom::Vec3;
 
 constexpr double kCrease = 0.8;                 // cosine of the angle from which on an edge looks sharp
 constexpr std::uint32_t kIsoline = 0, kRim = 1; // layers of lines
+constexpr double kSlim = 0.35;                  // of their width, where a field is to be seen between the beads
 constexpr Rgb kBack{0.50F, 0.55F, 0.68F};       // the back is darker, and bluish
 constexpr Rgb kInk{0.020F, 0.022F, 0.030F};
 
@@ -60,6 +61,7 @@ Paint::Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan&
       lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)),
       normal_(curve::vertex_normals(scene.sheet->surface)), lines_({}) {
     if (!show.by.empty()) scale_ = scale_of(find_field(*sheet_, show.by, 0));
+    if (!show.by.empty() && !show.voids) slim_ = kSlim;
     draw_lines();
 }
 
@@ -93,7 +95,7 @@ Rgb Paint::ground(std::uint32_t triangle, Vec3 shares) const {
 
 // A bead's section is round, as far as there are pixels to show it.
 Rgb Paint::on_bead(const Cover& c, Vec3& normal) const {
-    const double pixels = plan_.scale * (c.stroke->half_a + c.stroke->half_b);
+    const double pixels = slim_ * plan_.scale * (c.stroke->half_a + c.stroke->half_b);
     const double strength = std::clamp((pixels - 1.5) / 4, 0.0, 1.0), off2 = c.off * c.off;
     if (c.off > 0) normal = unit(normal + (0.75 * strength * off2) * unit(c.outwards));
     Rgb colour = static_cast<float>(1 - 0.45 * strength * off2 * off2) * from_srgb8(c.stroke->colour);
@@ -116,8 +118,9 @@ Rgb Paint::at(std::uint32_t triangle, Vec3 shares) const {
     const bool on_dark = 0.2126F * colour.r + 0.7152F * colour.g + 0.0722F * colour.b < 0.2F;
     const Cover line = lines_.at(p, flat);
     if (back) colour = colour * kBack;
-    const Cover c = laid_->beads.at(p, facing * flat);
-    if (c.stroke != nullptr && !(back && c.stroke->normal == Vec3{}))
+    Cover c = laid_->beads.at(p, facing * flat);
+    c.off /= slim_;
+    if (c.off <= 1 && c.stroke != nullptr && !(back && c.stroke->normal == Vec3{}))
         colour = on_bead(c, n);
     else if (show_.voids && !back)
         colour = void_colour();

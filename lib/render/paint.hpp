@@ -8,7 +8,7 @@ namespace filum::render {
 
 // What is shown of a surface and the path on it.
 struct Show {
-    std::string by;     // the field that colours the surface; none: it is grey
+    std::string by;     // the field that colours the surface; none: it is grey.  Without `voids` beads are then slim
     std::string arrows; // the field of vectors drawn as strokes
     bool voids = false, overlap = false, centres = true;
     std::vector<double> around = {}; // x, y, z, radius in mm of what the picture is filled with; none: everything
@@ -50,6 +50,7 @@ class Paint {
     Plan plan_;
     geom::Vec3 lamp_;
     Scale scale_;
+    double slim_ = 1;                // share of their width that beads are drawn
     std::vector<geom::Vec3> normal_; // per vertex
     Strokes lines_;                  // rims and isolines
 };

@@ -11,7 +11,7 @@ namespace {
 using geom::Vec3;
 
 constexpr double kMostCells = 1 << 20;  // along an axis: 20 bits each in a key
-constexpr double kMostPieces = 1 << 18; // of strokes, a cell long each: bounds the memory for hair-thin ones
+constexpr double kMostPieces = 1 << 17; // of strokes, a cell long each: bounds the memory for hair-thin ones
 constexpr double kTouch = 0.9;          // of half the width: what two passes share further out is their common border
 constexpr double kNear = 3;             // widths along the path that count as neighbours
 

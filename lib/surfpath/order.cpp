@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <unordered_set>
 
 namespace filum::surfpath {
@@ -29,8 +30,8 @@ struct Choice {
 
 class Beam {
   public:
-    Beam(std::uint32_t rows, std::span<const Link> links, double break_cost, std::size_t kept)
-        : rows_(rows), links_(links), break_(break_cost / 2), kept_(kept), back_(2 * rows), last_(2 * rows, 0) {
+    Beam(std::uint32_t rows, std::span<const Link> links, const Costs& costs, std::size_t kept)
+        : rows_(rows), links_(links), break_(costs.breaks / 2), gap_(costs.gap), kept_(kept), back_(2 * rows), last_(2 * rows, 0) {
         for (std::uint32_t i = 0; i < links.size(); ++i) {
             back_[links[i].to].push_back(i);
             last_[links[i].from] = std::max(last_[links[i].from], links[i].to / 2);
@@ -82,6 +83,9 @@ class Beam {
 
     void extend(const State& s, std::uint32_t parent, std::uint32_t row, std::vector<Choice>& out) const {
         double expired = 0; // cost of those that were not linked in time
+        std::uint32_t waiting[2] = {0, 0}; // ends on either side that lead on, of rows before
+        for (const Open& o : s.open)
+            if (last_[o.end] > row) ++waiting[o.end % 2];
         for (const Open& o : s.open)
             if (last_[o.end] == row) expired += break_;
         const auto try_end = [&](std::uint32_t end, auto&& found) {
@@ -92,7 +96,14 @@ class Beam {
         try_end(2 * row, [&](std::uint32_t a, double cost_a, std::uint32_t from_a) {
             try_end(2 * row + 1, [&](std::uint32_t b, double cost_b, std::uint32_t from_b) {
                 if (a != kNo && b != kNo && (from_a == from_b || find(s, from_a)->mate == from_b)) return;
-                out.push_back({s.cost + expired + cost_a + cost_b, parent, {a, b}});
+                // Nothing leads over the gap behind this row.
+                std::uint32_t over[2] = {waiting[0], waiting[1]};
+                if (a == kNo) over[0] += last_[2 * row] > row;
+                else over[from_a % 2] -= last_[from_a] > row;
+                if (b == kNo) over[1] += last_[2 * row + 1] > row;
+                else over[from_b % 2] -= last_[from_b] > row;
+                const double gaps = gap_ * ((over[0] == 0) + (over[1] == 0));
+                out.push_back({s.cost + expired + gaps + cost_a + cost_b, parent, {a, b}});
             });
         });
     }
@@ -129,7 +140,7 @@ class Beam {
 
     std::uint32_t rows_;
     std::span<const Link> links_;
-    double break_;
+    double break_, gap_;
     std::size_t kept_;
     std::vector<std::vector<std::uint32_t>> back_; // per end: links to rows before
     std::vector<std::uint32_t> last_;              // per end: the last row that it may be linked to
@@ -138,9 +149,9 @@ class Beam {
 
 } // namespace
 
-std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, double break_cost,
+std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
                                       std::size_t kept) {
-    const auto link = Beam(rows, links, break_cost, kept).run();
+    const auto link = Beam(rows, links, costs, kept).run();
     std::vector<std::vector<Visit>> out;
     std::vector<char> seen(rows, 0);
     for (std::uint32_t e = 0; e < 2 * rows; ++e) {

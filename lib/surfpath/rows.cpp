@@ -1,5 +1,6 @@
 #include "surfpath/rows.hpp"
 
+#include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 
@@ -11,6 +12,8 @@ namespace filum::surfpath {
 namespace {
 
 using surface::kNone;
+
+constexpr double kDetour = 1.1; // of the way that is replaced, at most
 
 double longest_edge(const Surface& s) {
     double out = 0;
@@ -80,6 +83,22 @@ class Cutter {
         return out;
     }
 
+    // What leads along a ring from one place to another that is `way` mm off along a line; empty if that is a detour.
+    [[nodiscard]] Line along(const Place& from, const Place& to, double way) const {
+        const Port a = port(from.point), b = port(to.point);
+        if (a.ring != b.ring || a.ring == kNone) return {};
+        const Line& ring = inset_.rings[a.ring];
+        const auto& ways = inset_.ways[a.ring];
+        const double on = b.way - a.way, all = ways.back();
+        const double ahead = ring.closed && on < 0 ? on + all : on, back = ring.closed && on > 0 ? all - on : -on;
+        const bool forward = ahead >= 0 && (back < 0 || ahead <= back);
+        if (!((forward ? ahead : back) < kDetour * way)) return {};
+        if (forward) return curve::part(ring, ways, a.way, a.way + ahead);
+        Line out = curve::part(ring, ways, b.way, b.way + back);
+        curve::reverse(out);
+        return out;
+    }
+
   private:
     [[nodiscard]] double room(const Place& p) const {
         if (inset_.rings.empty() && surface_.rims.empty()) return margin_;
@@ -103,24 +122,48 @@ class Cutter {
     Inset inset_;
 };
 
+// The kept stretches of a line as open lines, those joined that a ring joins without a detour.
+std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
+                            const std::vector<std::pair<double, double>>& kept) {
+    std::vector<Line> out;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        Line now = curve::part(line, ways, kept[i].first, kept[i].second);
+        const double gap = i > 0 ? kept[i].first - kept[i - 1].second : 0;
+        const Line way = i > 0 ? cutter.along(out.back().places.back(), now.places.front(), gap) : Line{};
+        if (way.size() < 2) {
+            out.push_back(std::move(now));
+            continue;
+        }
+        Line whole = std::move(out.back());
+        curve::append(whole, way);
+        curve::append(whole, now);
+        out.back() = curve::threaded(s, whole);
+    }
+    return out;
+}
+
 } // namespace
 
 Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin) {
     Rows out;
     Cutter cutter(s, margin);
-    for (const Raw& raw : lines) {
+    for (std::uint32_t source = 0; source < lines.size(); ++source) {
+        const Raw& raw = lines[source];
         const auto ways = curve::ways(raw.line);
-        for (const auto& [from, to] : cutter.kept(raw.line, ways)) {
-            if (raw.line.closed && to - from >= ways.back()) {
-                out.rows.push_back({raw.line, raw.level, {}, {}});
-            } else if (to - from < margin) {
-                out.dropped += to - from;
-            } else {
-                Row row{curve::part(raw.line, ways, from, to), raw.level, {}, {}};
-                row.begin = cutter.port(row.line.places.front().point);
-                row.end = cutter.port(row.line.places.back().point);
-                out.rows.push_back(std::move(row));
+        const auto kept = cutter.kept(raw.line, ways);
+        if (raw.line.closed && kept.size() == 1 && kept[0].second - kept[0].first >= ways.back()) {
+            out.rows.push_back({raw.line, raw.level, {}, {}, source});
+            continue;
+        }
+        for (Line& line : stretches(s, cutter, raw.line, ways, kept)) {
+            if (const double l = curve::length(line); l < margin) {
+                out.dropped += l;
+                continue;
             }
+            Row row{std::move(line), raw.level, {}, {}, source};
+            row.begin = cutter.port(row.line.places.front().point);
+            row.end = cutter.port(row.line.places.back().point);
+            out.rows.push_back(std::move(row));
         }
     }
     std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });

@@ -108,6 +108,41 @@ TEST(Area, OfAPathThatHovers) {
     EXPECT_NEAR(number(f, "p99", "off the surface"), 0.3, 1e-9);
 }
 
+TEST(Area, OfAPathPastTheRim) {
+    const auto f = measure(plate(10, 10), {span({{-5, 5, 0}, {15, 5, 0}}), span({{0, -0.3, 0}, {10, -0.3, 0}})});
+    EXPECT_NEAR(number(f, "coverage"), 0.1, 2e-3); // but for the half discs of 0.05 mm past the rim
+    EXPECT_NEAR(number(f, "path beside the surface"), 20, 0.15);
+    EXPECT_NEAR(number(f, "max", "off the surface"), 5, 1e-9);
+}
+
+// Rows and windows against a plain count of places: a path of chords over bumps, where fronts bend and meet.
+TEST(Area, OnBumpsAgainstPlaces) {
+    const auto bumps = surfaces::sheet(10, 10, 14, 14, 12, [](Vec2 p) {
+        return Vec3{p.x, p.y, 0.8 * std::sin(1.3 * p.x) * std::sin(1.1 * p.y + p.x)};
+    });
+    const Surface& s = bumps.surface;
+    const Ground ground(s, 1);
+    std::vector<paths::Span> lines;
+    for (int i = 0; i < 6; ++i) lines.push_back(span({{1, 1.5 * i + 0.7, 0.2}, {9, 1.3 * i + 1.4, -0.1}}));
+    const PathField field = path_field(ground, shadow(paths::fibres(lines), ground, 0.1, 1));
+    const Area area = measure_area(ground, field, 1, 1);
+    double covered = 0;
+    const int n = 24;
+    for (std::uint32_t t = 0; t < ground.finer.surface.triangles.size(); ++t) {
+        const auto& [a, b, c] = ground.finer.surface.triangles[t];
+        const auto& v = ground.finer.surface.vertices;
+        const double part = norm(cross(v[b] - v[a], v[c] - v[a])) / 2 / (n * n);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < 2 * (n - i) - 1; ++j) { // the middles of n * n like triangles
+                const double y = (i + (j % 2 == 0 ? 1.0 : 2.0) / 3) / n, x = (j / 2 + (j % 2 == 0 ? 1.0 : 2.0) / 3) / n;
+                const Vec3 p = v[a] + x * (v[b] - v[a]) + y * (v[c] - v[a]);
+                covered += clearance(ground, field, t, p) <= 0 ? part : 0;
+            }
+    }
+    EXPECT_NEAR(area.covered / area.surface, covered / area.surface, 1e-3);
+    EXPECT_GT(area.covered / area.surface, 0.3);
+}
+
 TEST(Finer, IsTheSameSurface) {
     const auto bumpy = surfaces::bumpy_sphere(2, 0.1, 3);
     const Finer f = finer(bumpy, 0.07);

@@ -103,7 +103,7 @@ TEST(Drape, CountsWhatIsUncovered) {
             Scene s;
             s.sheet = square(n), s.spans = lanes(missing);
             const Laid laid = lay(s, tint(s, By::role, nullptr));
-            EXPECT_NEAR(laid.uncovered, missing / 10.0, 0.002);
+            EXPECT_NEAR(uncovered(s.sheet->surface, laid), missing / 10.0, 0.002);
             EXPECT_EQ(laid.loose.size(), 0u);
             EXPECT_FALSE(laid.behind);
         }
@@ -117,7 +117,7 @@ TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
     s.sheet = sheet_of(std::move(m)), s.spans = lanes(0, 0.3);
     EXPECT_LT(decode(draw(s, plain("top"), "class", 1)).share(red), 0.02);
     EXPECT_NEAR(decode(draw(s, plain("bottom"), "class", 1)).share(red), share_of(100), 0.03);
-    EXPECT_NEAR(lay(s, tint(s, By::role, nullptr)).uncovered, 0.5, 0.002);
+    EXPECT_NEAR(uncovered(s.sheet->surface, lay(s, tint(s, By::role, nullptr))), 0.5, 0.002);
 }
 
 TEST(Drape, FollowsThePathToTheBack) {
@@ -126,7 +126,7 @@ TEST(Drape, FollowsThePathToTheBack) {
     const Laid laid = lay(s, tint(s, By::role, nullptr));
     EXPECT_TRUE(laid.behind);
     EXPECT_TRUE(laid.loose.empty());
-    EXPECT_NEAR(laid.uncovered, 0.3, 0.002);
+    EXPECT_NEAR(uncovered(s.sheet->surface, laid), 0.3, 0.002);
     EXPECT_LT(decode(draw(s, plain("top"), "class", 1)).share(red), 0.01);
     EXPECT_NEAR(decode(draw(s, plain("bottom"), "class", 1)).share(red), share_of(30), 0.012);
     EXPECT_EQ(draw(s, plain("bottom"), "class", 1), draw(s, plain("auto"), "class", 1)); // face to face with the path
@@ -219,7 +219,7 @@ TEST(Raster, HasNoHolesAndShowsTheNearest) {
             const Sights sights = raster.band(b);
             for (int y = 0; y < sights.rows; ++y)
                 for (int x = 0; x < sights.columns; ++x) {
-                    const int row = b * Raster::kBand * 2 + y;
+                    const int row = b * raster.rows() * 2 + y;
                     const double far = std::hypot((x + 0.5) / 2 - middle.x, (row + 0.5) / 2 - middle.y) / plan.scale;
                     const Sight& s = sights.at(x, y);
                     if (far > 4.9) {
@@ -346,6 +346,33 @@ TEST(Drape, IsTheSameForAnyThreads) {
     const std::string one = draw(s, o, "class", 1);
     EXPECT_EQ(one, draw(s, o, "class", 2));
     EXPECT_EQ(one, draw(s, o, "class", 8));
+}
+
+TEST(Drape, BearsExtremes) {
+    const auto at = [](double size, Vec3 place) {
+        Scene s;
+        s.sheet = sheet_of({{place, place + Vec3{size, 0, 0}, place + Vec3{0, size, 0}}, {{0, 1, 2}}});
+        s.spans = {lane(place, place + Vec3{size, size, 0})};
+        return s;
+    };
+    Options o = plain("auto");
+    o.size = {64, 48}, o.voids = false, o.overlap = true, o.views = "face,front,1,1,1";
+    for (const double size : {1e-6, 1.0, 1e6})
+        for (const Vec3 place : {Vec3{}, Vec3{1e8, -1e8, 1e8}}) {
+            Scene s = at(size, place);
+            EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+            for (const double width : {1e-6, 1e6}) {
+                s.spans[0].width = {width};
+                EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+            }
+        }
+    Scene s = at(10, {});
+    s.spans = {lane({1, 1, 0}, {1, 1, 0}), lane({1e9, 1e9, 0}, {-1e9, 1e9, 0}), lane({1, 2, 0}, {5, 2, 0}, {})};
+    s.spans[2].normals.clear();
+    s.spans.push_back({toolpath::Role::travel, 0, 0, 0, {{5, 2, 0}, {1e12, 2, 7}}, {}, {}});
+    EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+    o.samples = 4096, o.views = "", o.around = {2, 2, 0, 1e-3};
+    EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
 }
 
 TEST(Drape, RefusesWhatHasNoSurface) {
