@@ -163,6 +163,10 @@ for y in range(11):
         expect 2 stressfield --stress stress.csv $bad s
         complaint stressfield
     done
+    expect 2 stressfield --stress stress.csv --step 1 s
+    complaint stressfield
+    expect 2 stressfield --stress "$FILUM_SOURCE/tests/lib/stressfield/elements.frd" --columns x,y,z s
+    complaint stressfield
 }
 
 # Load adequacy of lines in any direction, by area: the mean of |line . greatest stress|.
