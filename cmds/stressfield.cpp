@@ -68,9 +68,9 @@ cli::Spec spec(Options& o) {
                  .at_least(0)
                  .at_most(1)},
         .examples =
-            {{"printf 'x,y,z,s1x,s1y,s1z\\n0,0,1,5,0,0\\n9,0,1,5,0,0\\n9,9,1,5,0,0\\n0,9,1,5,0,0\\n' > stress.csv; "
-              "geodesic part.stl | stressfield --stress stress.csv --case X --reach 1 | peek",
-              "a part that is pulled with 5 MPa at the corners of its top"}},
+            {{"printf '0 0 1 5 0 0\\n9 0 1 5 0 0\\n9 9 1 5 0 0\\n0 9 1 5 0 0\\n' > stress.csv; geodesic part.stl | "
+              "stressfield --stress stress.csv --case X --reach 1 | peek",
+              "a part that is pulled along x with 5 MPa at the corners of its top"}},
         .see_also = {"geodesic", "peek"}};
 }
 
