@@ -1,6 +1,9 @@
 #include "geodesic/certificate.hpp"
 
 #include "base/number.hpp"
+#include "geodesic/exact.hpp"
+
+#include <limits>
 
 namespace filum::geodesic {
 
@@ -53,6 +56,26 @@ double excess(const Surface& s, std::span<const double> distance) {
         if (!std::isfinite(a) || !std::isfinite(b)) continue;
         out = std::max(out, std::abs(a - b) - geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
     }
+    return out;
+}
+
+DistanceError distance_error(const Surface& s, const Sources& sources, std::span<const double> distance,
+                             std::uint64_t most) {
+    constexpr double kNearest = 0.02; // of the farthest: nearer ones would be divided by next to nothing
+    const auto truth = exact_distances(s, sources, std::numeric_limits<double>::infinity(), most).distance;
+    DistanceError out;
+    for (const double d : truth)
+        if (std::isfinite(d)) out.known = std::max(out.known, d);
+    std::vector<double> errors;
+    for (std::size_t v = 0; v < truth.size(); ++v)
+        if (std::isfinite(truth[v]) && truth[v] > kNearest * out.known)
+            errors.push_back(std::abs(distance[v] - truth[v]) / truth[v]);
+    out.vertices = errors.size();
+    if (errors.empty()) return out;
+    std::sort(errors.begin(), errors.end());
+    for (const double e : errors) out.mean += e / static_cast<double>(errors.size());
+    out.p99 = errors[(errors.size() - 1) * 99 / 100];
+    out.largest = errors.back();
     return out;
 }
 

@@ -84,7 +84,7 @@ void Heat::start(const Sources& sources) {
             start_on(e);
     }
     if (options_.paper) return;
-    const auto near = exact(s, sources, kNear * surface::mean_edge(s)).distance;
+    const auto near = exact_distances(s, sources, kNear * surface::mean_edge(s)).distance;
     for (std::size_t v = 0; v < near.size(); ++v)
         if (std::isfinite(near[v])) pinned_[v] = near[v];
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kMaxLevels = 1e5;
 constexpr std::size_t kExactTriangles = 300'000;
+constexpr std::size_t kSmall = 100'000;      // triangles: up to here memory for all windows is no matter
+constexpr double kOff = 0.05, kFarOff = 0.2; // of the distance: so much at 1 % of the vertices, or at one, is told
 
 // What no place on an edge is farther than.
 double farthest_on_edges(const Surface& s, std::span<const double> distance) {
@@ -69,15 +71,32 @@ void add_signs(const Surface& s, const Sources& sources, std::vector<double>& di
     std::stable_sort(lines.begin(), lines.end(), [](const Isoline& a, const Isoline& b) { return a.level < b.level; });
 }
 
+// What heat gave beside the exact distances, as far as those can be had.
+void compare(const Surface& s, const Sources& sources, std::span<const double> distance, Facts& facts, Notes& notes) {
+    const DistanceError e = distance_error(s, sources, distance);
+    facts.push_back({"", "heat-checked", static_cast<double>(e.vertices), "vertices"});
+    facts.push_back({"", "heat-checked-to", e.known, "mm"});
+    facts.push_back({"", "heat-error-mean", 100 * e.mean, "%"});
+    facts.push_back({"", "heat-error-p99", 100 * e.p99, "%"});
+    facts.push_back({"", "heat-error-max", 100 * e.largest, "%"});
+    if (e.p99 > kOff || e.largest > kFarOff)
+        notes.push_back(
+            {.stage = "", .what = "distance by heat is off by up to", .amount = 100 * e.largest, .unit = "%"});
+}
+
 } // namespace
 
-Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
+Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o, Notes& notes) {
     const Surface& s = sheet.surface;
     const bool by_windows = is_exact(s, o);
     Facts facts{{"", "exact", by_windows ? 1.0 : 0.0, ""}};
     std::vector<double> distance;
     const auto levels = [&] { return levels_up_to(farthest_on_edges(s, distance), o); };
-    if (by_windows) {
+    if (by_windows && o.levels.empty() && o.spacing == 0 && s.triangles.size() > kSmall) {
+        ExactDistances found = exact_distances(s, sources);
+        distance = std::move(found.distance);
+        facts.push_back({"", "windows", static_cast<double>(found.propagated), ""});
+    } else if (by_windows) {
         ExactField field = exact(s, sources);
         distance = field.distance;
         sheet.isolines = isolines(s, field, levels());
@@ -87,6 +106,7 @@ Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
         distance = heat.distance();
         sheet.isolines = isolines(s, distance, levels());
         facts.push_back({"", "heat-time", heat.time(), "mm2"});
+        compare(s, sources, distance, facts, notes);
     }
     const Facts quality = certificate(s, distance);
     facts.insert(facts.end(), quality.begin(), quality.end());
