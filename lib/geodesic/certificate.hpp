@@ -29,10 +29,8 @@ struct DistanceError {
     double mean = 0, p99 = 0, largest = 0; // of the exact distance
 };
 
-// Computes exact distances from the same sources up to `most` windows (about a second for four million), which is as
-// far as they reach: all of a surface of some 100,000 triangles, the surroundings of the sources on finer ones.
-DistanceError distance_error(const Surface& surface, const Sources& sources, std::span<const double> distance,
-                             std::uint64_t most = 4'000'000);
+// `truth` is infinite where it is not known.
+DistanceError distance_error(std::span<const double> truth, std::span<const double> distance);
 
 // These as facts: "reached", "unreached", "farthest-vertex", "excess", "slope-error-mean", "slope-error-p99",
 // "slope-error-below-0.01" ...

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSliver = 1e-5;  // of the mean edge: by how much two sides are longer than the third, at least
 constexpr double kFaded = 1e-290; // heat below it has lost digits
-constexpr double kReach = 360;    // of the square root of the time in the box's diagonal, at most: heat falls by e each
+constexpr double kReach = 420;    // of the square root of the time in the box's diagonal, at most: heat falls by e each
 constexpr int kRaises = 12;
 constexpr double kNear = 16; // mean edges: up to here distances are computed exactly
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

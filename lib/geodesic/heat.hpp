@@ -16,7 +16,7 @@ struct HeatOptions {
 };
 
 // Crane, Weischedel, Wardetzky 2013, on intrinsic edge lengths, which are first all made a little longer where
-// triangles are slivers (Sharp, Crane 2020).  The time is the square of the mean edge, or of 1/360 of the box's
+// triangles are slivers (Sharp, Crane 2020).  The time is the square of the mean edge, or of 1/420 of the box's
 // diagonal if that is greater, and grows by four while heat fades below the smallest numbers on its way.
 class Heat {
   public:
