@@ -1,10 +1,11 @@
 // render - a picture of any stream
-// reads:  Layers, Regions, Paths or Toolpath
-// writes: a PNG picture, or SVG
+// reads:  Layers, Regions, Paths, Toolpath or Surface
+// writes: a PNG picture, SVG or VTP
 // memory: the model
 #include "cli/command.hpp"
 #include "render/draw.hpp"
 #include "wire/planar.hpp"
+#include "wire/surface.hpp"
 
 namespace {
 
@@ -18,10 +19,12 @@ constexpr const char* kDescription =
     "Colours tell where along the program a bead lies (progress), its stroke, its layer, its width, the feed of a "
     "machine, or its class: bead, lift, jog, connector. In a layer, green dots are where a stretch of path begins, red "
     "ones where it ends, orange ones lifts, and thin lines moves without material.\n\n"
-    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. Equal input gives equal "
-    "bytes.";
-
-constexpr double kTop = 4294967295.0; // the largest layer number
+    "A Surface is drawn in parallel projection, as a map with a scale, with its rims, its isolines and the field --by; "
+    "its back is bluish. With --surface a toolpath lies on it: beads as wide as they are on the side that its normals "
+    "look to, later layers over earlier ones, breaks as grey lines, starts green, ends red. --voids shows red what is "
+    "farther than half a width (and 2 % of it) from the middle of every bead, whatever the mesh.\n\n"
+    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. One in .vtp "
+    "writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.";
 
 cli::Spec spec(render::Options& o) {
     using cli::Option;
@@ -29,18 +32,27 @@ cli::Spec spec(render::Options& o) {
             .synopsis = "draw a picture of any stream",
             .description = kDescription,
             .in = cli::reads(stream::Payload::unknown),
-            .out = cli::text("a PNG picture, or SVG"),
+            .out = cli::text("a PNG picture, SVG or VTP"),
             .memory = "the model",
             .options =
                 {Option{"color", &o.color, "",
                         "what colours mean; auto: stroke for Regions, layer for Layers, else progress"}
                      .one_of({"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
-                 {"view", &o.view, "VIEW", "from where: iso, top, front, or X,Y,Z: the direction from part to camera"},
+                 {"view", &o.view, "VIEW",
+                  "from where: iso, top, bottom, front, back, left, right, face (straight onto a surface), or X,Y,Z: "
+                  "towards the camera; auto: face for surfaces, else iso"},
+                 {"views", &o.views, "VIEW,...", "several of these in one picture"},
+                 Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
+                 {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
+                 {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
+                 Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}.numbers(4),
+                 {"voids", &o.voids, "", "marks where no bead covers the surface"},
+                 {"overlap", &o.overlap, "", "marks where passes of one layer cover the surface twice"},
                  Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all, in perspective"}
                      .at_least(-1)
-                     .at_most(kTop),
-                 Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(kTop),
-                 Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(kTop),
+                     .at_most(UINT32_MAX),
+                 Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(UINT32_MAX),
+                 Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(UINT32_MAX),
                  Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines --layer shows"}.not_a_setting(),
                  Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
                  Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.at_least(1).at_most(4096),
@@ -55,16 +67,17 @@ cli::Spec spec(render::Options& o) {
                           "render --regions part.regions --layer 3 --output layer.png",
                           "one layer from above, with voids"},
                          {"slice part.stl | regions | sequence | render --output order.png",
-                          "which regions are printed in one stroke"}},
-            .see_also = {"metrics", "peek"}};
+                          "which regions are printed in one stroke"},
+                         {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
+                          "--output distance.png",
+                          "distances on a surface"}},
+            .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
 }
 
 // Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
 stream::Payload load(const std::string& file, stream::Payload expected, render::Range range, render::Scene& scene,
                      std::size_t& seen) {
     stream::Reader reader(file, expected);
-    if (reader.header().payload == stream::Payload::surface)
-        throw Error(Exit::bad_input, "cannot draw " + reader.name() + ": it carries a Surface; see 'peek'");
     while (auto f = reader.next()) {
         seen += f->tag == stream::tag_of(reader.header().payload) ? 1 : 0;
         if (f->tag == stream::Tag::span)
@@ -75,25 +88,27 @@ stream::Payload load(const std::string& file, stream::Payload expected, render::
             render::add(scene, wire::layer(*f), range);
         else if (f->tag == stream::Tag::region)
             render::add(scene, wire::region(*f), range);
+        else if (f->tag == stream::Tag::surface)
+            render::add(scene, wire::sheet(*f));
     }
     return reader.header().payload;
 }
 
 void run(const render::Options& given, const cli::Io& io) {
     render::Options o = given;
-    o.svg = o.svg || io.output.ends_with(".svg");
+    o.svg = o.svg || io.output.ends_with(".svg"), o.vtp = io.output.ends_with(".vtp");
     render::check(o);
     render::Scene scene;
     std::size_t seen = 0;
     const auto payload = load(io.input, stream::Payload::unknown, o.range(), scene, seen);
-    if (seen > 0 && scene.spans.empty() && scene.outlines.empty())
+    if (seen > 0 && scene.empty())
         throw Error(Exit::usage, "cannot draw layers " + std::to_string(o.range().from) + " to " +
                                      std::to_string(o.range().to) + ": the input has nothing there; see 'peek'");
+    if (!o.surface.empty()) load(o.surface, stream::Payload::surface, o.range(), scene, seen);
     if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene, seen);
-    const char* color = payload == stream::Payload::regions  ? "stroke"
-                        : payload == stream::Payload::layers ? "layer"
-                                                             : "progress";
-    stream::Sink out(io.output, o.svg ? stream::Sink::Content::text : stream::Sink::Content::binary);
+    const bool regions = payload == stream::Payload::regions, layers = payload == stream::Payload::layers;
+    const char* color = regions ? "stroke" : layers ? "layer" : scene.sheet ? "class" : "progress";
+    stream::Sink out(io.output, o.svg || o.vtp ? stream::Sink::Content::text : stream::Sink::Content::binary);
     out.write(render::draw(std::move(scene), o, color, io.threads));
     out.commit();
 }

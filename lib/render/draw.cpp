@@ -2,8 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "render/drape.hpp"
 #include "render/flat.hpp"
 #include "render/perspective.hpp"
+#include "render/vtp.hpp"
 
 namespace filum::render {
 
@@ -18,20 +20,29 @@ By by(const std::string& color) {
     return By::progress;
 }
 
-geom::Vec3 direction(const std::string& view) {
-    if (view == "iso") return {1, -1.5, 0.9};
-    if (view == "top") return {0, 0, 1};
-    if (view == "front") return {0, -1, 0.12};
-    std::vector<double> v;
-    for (std::size_t at = 0; at <= view.size();) {
-        const std::size_t comma = std::min(view.find(',', at), view.size());
-        v.push_back(parse_number(view.substr(at, comma - at), "--view"));
-        at = comma + 1;
-    }
-    if (v.size() == 3 && geom::norm({v[0], v[1], v[2]}) > 1e-100) return {v[0], v[1], v[2]};
-    throw Error(Exit::usage, "cannot use '" + view +
-                                 "' for --view: it must be iso, top, front, or three numbers with commas " +
-                                 "between, not all 0");
+// What needs a surface, or something on it.
+void check_surface(const Scene& scene, const Options& o) {
+    const char* asked = !o.by.empty()       ? "--by"
+                        : !o.arrows.empty() ? "--arrows"
+                        : !o.around.empty() ? "--around"
+                        : o.voids           ? "--voids"
+                        : o.overlap         ? "--overlap"
+                                            : nullptr;
+    if (asked != nullptr && !scene.sheet)
+        throw Error(Exit::usage, std::string("cannot use ") + asked + " without a surface; name it with --surface");
+    if (scene.sheet && scene.spans.empty() && (o.voids || o.overlap))
+        throw Error(Exit::usage, "cannot mark voids or overlap without a toolpath; give the surface with --surface");
+    if (scene.sheet && !scene.outlines.empty())
+        throw Error(Exit::usage, "cannot draw outlines on a surface; leave out --surface");
+    if (scene.sheet && o.flat()) throw Error(Exit::usage, "cannot draw a surface as a layer; leave out --layer");
+}
+
+std::vector<Look> chosen(const Options& o, const std::string& otherwise) {
+    if (!o.views.empty()) return looks(o.views, "views");
+    const auto one = looks(o.view == "auto" ? otherwise : o.view, "view");
+    if (one.size() > 1)
+        throw Error(Exit::usage, "cannot use '" + o.view + "' for --view; for several there is --views");
+    return one;
 }
 
 } // namespace
@@ -42,14 +53,23 @@ Range Options::range() const {
 }
 
 void check(const Options& o) {
-    direction(o.view);
+    chosen(o, "iso");
+    if (!o.around.empty() && !(o.around[3] > 0 && o.around[3] < 1e9))
+        throw Error(Exit::usage,
+                    "cannot show a radius of " + shortest_text(o.around[3]) + " mm; give --around X,Y,Z,R");
+    if (!o.views.empty() && o.flat())
+        throw Error(Exit::usage, "cannot draw a layer from several sides; leave out --views");
     if (o.svg && !o.flat()) throw Error(Exit::usage, "cannot write all layers as SVG; choose one with --layer");
     if (!o.regions.empty() && !o.flat())
         throw Error(Exit::usage, "cannot use --regions without --layer; choose a layer");
 }
 
 std::string draw(Scene scene, const Options& o, const std::string& by_default, int threads) {
-    if (!o.flat() && scene.spans.empty()) fill_outlines(scene);
+    check_surface(scene, o);
+    if (o.vtp && !scene.outlines.empty())
+        throw Error(Exit::usage, "cannot write outlines as VTP; it is for Surface, Paths and Toolpath");
+    if (o.vtp) return vtp(scene);
+    if (!o.flat() && scene.spans.empty() && !scene.sheet) fill_outlines(scene);
     const By color = by(o.color == "auto" ? by_default : o.color);
     machine::Profile profile;
     if (color == By::speed) profile = machine::load_profile(o.machine);
@@ -58,8 +78,13 @@ std::string draw(Scene scene, const Options& o, const std::string& by_default, i
     const FlatView flat{w, h, samples, true, !o.no_centres};
     if (o.svg) return svg(scene, colours, flat);
     if (o.flat()) return encode_png(draw_flat(scene, colours, flat, threads));
-    const View view{w, h, direction(o.view), samples, o.travels, !o.no_table};
-    return encode_png(draw_perspective(scene, colours, view, threads));
+    if (scene.sheet) {
+        const Show show{o.by, o.arrows, o.voids, o.overlap, !o.no_centres, o.around};
+        return encode_png(draw_draped(scene, colours, {w, h, samples, chosen(o, "face"), show}, threads));
+    }
+    return encode_png(contact_sheet(chosen(o, "iso"), w, h, [&](const Look& look, int width, int height) {
+        return draw_perspective(scene, colours, {width, height, look.from, samples, o.travels, !o.no_table}, threads);
+    }));
 }
 
 } // namespace filum::render

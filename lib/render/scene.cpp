@@ -1,5 +1,7 @@
 #include "render/scene.hpp"
 
+#include "base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +57,11 @@ void add(Scene& scene, const polygon::Layer& layer, Range range) {
 void add(Scene& scene, const polygon::Region& region, Range range) {
     if (range.has(region.layer))
         scene.outlines.push_back({region.layer, region.stroke, region.z, region.height, region.loops});
+}
+
+void add(Scene& scene, surface::Sheet sheet) {
+    if (scene.sheet) throw Error(Exit::bad_input, "cannot draw more than one surface; split the stream");
+    scene.sheet = std::move(sheet);
 }
 
 void fill_outlines(Scene& scene) {

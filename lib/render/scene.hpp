@@ -1,10 +1,12 @@
-// What is drawn: any planar stream as spans, and the outlines of layers.
+// What is drawn: any planar stream as spans, the outlines of layers, a surface.
 #pragma once
 
 #include "polygon/region.hpp"
+#include "surface/sheet.hpp"
 #include "toolpath/path.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace filum::render {
@@ -18,7 +20,10 @@ struct Outline {
 struct Scene {
     std::vector<toolpath::Span> spans;
     std::vector<Outline> outlines;
-    bool solid = false; // spans only stand for the outlines' solid: there are no beads
+    bool solid = false;                       // spans only stand for the outlines' solid: there are no beads
+    std::optional<surface::Sheet> sheet = {}; // that the spans lie on, or alone
+
+    [[nodiscard]] bool empty() const { return spans.empty() && outlines.empty() && !sheet; }
 };
 
 // A layer range, both ends included.
@@ -31,6 +36,7 @@ void add(Scene& scene, const toolpath::Span& span, Range range);
 void add(Scene& scene, const toolpath::RegionPaths& paths, Range range); // curves as beads
 void add(Scene& scene, const polygon::Layer& layer, Range range);
 void add(Scene& scene, const polygon::Region& region, Range range);
+void add(Scene& scene, surface::Sheet sheet); // throws Error(bad_input) if there is one already
 
 // Stands for the solid of the outlines: their borders, and lines a layer height apart that fill them, as beads as wide
 // as high.  For pictures in perspective of what has no beads yet.

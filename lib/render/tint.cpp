@@ -14,8 +14,6 @@ using toolpath::Role;
 
 constexpr int kSteps = 1024; // of the ramp
 
-constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel", "hairpin"};
-
 double length(const toolpath::Span& s) {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < s.points.size(); ++i) sum += geom::distance(s.points[i], s.points[i + 1]);
@@ -72,6 +70,11 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     return out;
 }
 
+const char* role_name(Role role) {
+    constexpr const char* kNames[] = {"bead", "lift", "jog", "connector", "travel", "hairpin"};
+    return kNames[static_cast<std::size_t>(role)];
+}
+
 Rgb role_colour(Role role) {
     switch (role) {
     case Role::bead:
@@ -113,37 +116,27 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
     return {};
 }
 
+void add_legend(Key& key, const Tint& tint) {
+    switch (tint.by) {
+    case By::progress:
+        return key.ramp("start", "end");
+    case By::stroke:
+        return key.text(std::to_string(tint.strokes) + (tint.strokes == 1 ? " stroke" : " strokes"));
+    case By::layer:
+        return key.ramp("layer " + fixed_text(tint.lo, 0), fixed_text(tint.hi, 0));
+    case By::width:
+        return key.ramp("width " + fixed_text(tint.lo, 2), fixed_text(tint.hi, 2) + " mm");
+    case By::speed:
+        return key.ramp("speed " + fixed_text(tint.lo, 1), fixed_text(tint.hi, 1) + " mm/s");
+    case By::role:
+        for (std::size_t r = 0; r < tint.roles.size(); ++r)
+            if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));
+    }
+}
+
 void draw_legend(Image& image, const Tint& tint) {
-    const double size = std::clamp(image.height / 70.0, 7.0, 24.0);
-    if (image.width < 30 * size || image.height < 12 * size) return; // no room
-    const Rgb ink = oklch(0.42, 0.02, 260);
-    geom::Vec2 at{1.6 * size, image.height - 1.6 * size};
-    if (tint.by == By::role) {
-        for (std::size_t r = 0; r < tint.roles.size(); ++r) {
-            if (!tint.roles[r]) continue;
-            draw_line(image, {at.x, at.y - size / 2}, {at.x + size, at.y - size / 2}, 0.8 * size,
-                      role_colour(static_cast<Role>(r)));
-            draw_text(image, {at.x + 2 * size, at.y}, size, kRoles[r], ink);
-            at.x += 3.6 * size + text_width(size, kRoles[r]);
-        }
-        return;
-    }
-    if (tint.by == By::stroke) {
-        draw_text(image, at, size, std::to_string(tint.strokes) + (tint.strokes == 1 ? " stroke" : " strokes"), ink);
-        return;
-    }
-    std::string lo = "start", hi = "end";
-    if (tint.by == By::layer) lo = "layer " + fixed_text(tint.lo, 0), hi = fixed_text(tint.hi, 0);
-    if (tint.by == By::width) lo = "width " + fixed_text(tint.lo, 2), hi = fixed_text(tint.hi, 2) + " mm";
-    if (tint.by == By::speed) lo = "speed " + fixed_text(tint.lo, 1), hi = fixed_text(tint.hi, 1) + " mm/s";
-    draw_text(image, at, size, lo, ink);
-    const double x0 = at.x + text_width(size, lo) + 0.6 * size;
-    const int n = static_cast<int>(12 * size);
-    for (int k = 0; k < n; ++k) {
-        const int x = static_cast<int>(x0) + k, y = static_cast<int>(at.y);
-        draw_box(image, x, y - static_cast<int>(size), x + 1, y, ramp((k + 0.5) / n));
-    }
-    draw_text(image, {x0 + n + 0.8 * size, at.y}, size, hi, ink);
+    Key key(image);
+    add_legend(key, tint);
 }
 
 } // namespace filum::render

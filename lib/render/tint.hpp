@@ -3,7 +3,7 @@
 
 #include "machine/profile.hpp"
 #include "render/colour.hpp"
-#include "render/image.hpp"
+#include "render/key.hpp"
 #include "render/scene.hpp"
 
 #include <array>
@@ -32,8 +32,10 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile);
 Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along);
 
 Rgb role_colour(toolpath::Role role);
+const char* role_name(toolpath::Role role);
 
-// Writes what the colours mean into the lower left corner.
+// What the colours mean; alone, in the lower left corner.
+void add_legend(Key& key, const Tint& tint);
 void draw_legend(Image& image, const Tint& tint);
 
 } // namespace filum::render

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "render/camera.hpp"
 #include "render/hidden.hpp"
+#include "render/simplify.hpp"
 
 #include <embree3/rtcore.h>
 
@@ -33,36 +34,6 @@ double width_of(const toolpath::Span& s, std::size_t i, double thread) {
 }
 
 using Kept = std::vector<std::uint32_t>;
-
-// Distance of p from the segment a -> b.
-double off_segment(Vec3 a, Vec3 b, Vec3 p) {
-    const Vec3 d = b - a;
-    const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
-    return norm(p - (a + t * d));
-}
-
-// The points that a picture needs: those left out lie within `tolerance` mm of the line between those kept around them,
-// and so do the widths there.  Greedy; long stretches are cut after kLongest points.
-Kept visible_points(const toolpath::Span& s, double tolerance) {
-    constexpr std::size_t kLongest = 24;
-    Kept out{0};
-    const auto fits = [&](std::size_t a, std::size_t b) {
-        const double l = geom::distance(s.points[a], s.points[b]);
-        for (std::size_t i = a + 1; i < b; ++i) {
-            if (off_segment(s.points[a], s.points[b], s.points[i]) > tolerance) return false;
-            if (s.width.size() <= 1) continue;
-            const double t = l > 0 ? geom::distance(s.points[a], s.points[i]) / l : 0;
-            if (std::abs(s.width[i] - (1 - t) * s.width[a] - t * s.width[b]) > tolerance) return false;
-        }
-        return true;
-    };
-    for (std::size_t i = 1; i < s.points.size(); ++i) {
-        const std::size_t a = out.back();
-        if (i + 1 < s.points.size() && i + 1 - a <= kLongest && fits(a, i + 1)) continue;
-        out.push_back(static_cast<std::uint32_t>(i));
-    }
-    return out;
-}
 
 // Middle of v; `otherwise` if it is empty.
 double median(std::vector<double>& v, double otherwise) {
@@ -113,7 +84,10 @@ void Tubes::State::measure(const Scene& s, bool travels) {
         widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
     }
     width = median(widths, 0.4), height = median(heights, 0.2);
-    stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
+    // On a curved surface beads lie flat in all directions: they are drawn round, about the path.
+    const bool tilted = std::any_of(s.spans.begin(), s.spans.end(), [](const auto& x) { return !x.normals.empty(); });
+    if (tilted) height = width;
+    stretch = width / height, thickness = std::max(width, height) / 2, lift = tilted ? 0 : height / 2;
     Box box;
     for (const auto& span : s.spans)
         for (std::size_t i = 0; drawn(span, travels) && i < span.points.size(); ++i) {

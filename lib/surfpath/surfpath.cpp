@@ -1,10 +1,16 @@
 #include "surfpath/surfpath.hpp"
 
 #include "base/error.hpp"
+#include "surfpath/fina.hpp"
+#include "surfpath/geo_contour.hpp"
+#include "surfpath/geo_fiso.hpp"
 
 namespace filum::surfpath {
 
-Plan plan(const surface::Sheet&, const Options& options) {
+Plan plan(const surface::Sheet& sheet, const Options& options) {
+    if (options.algorithm == "fina") return fina(sheet, options);
+    if (options.algorithm == "geo-contour") return geo_contour(sheet, options);
+    if (options.algorithm == "geo-fiso") return geo_fiso(sheet, options);
     throw Error(Exit::usage, "cannot plan by '" + options.algorithm + "' yet");
 }
 

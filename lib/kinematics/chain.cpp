@@ -1,0 +1,93 @@
+#include "kinematics/chain.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace filum::kinematics {
+
+namespace {
+
+constexpr Vec3 kUp{0, 0, 1};
+
+// `v` turned about the unit vector `axis` (Rodrigues).
+Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
+}
+
+Vec3 turned_by_turn(const Chain& c, const Vec3& v, double turn) { return turned(v, kUp, c.turn_sign * turn); }
+Vec3 turned_by_tilt(const Chain& c, const Vec3& v, double tilt) { return turned(v, c.tilt_axis, tilt); }
+
+bool tilts_tool(const Chain& c) { return c.carrier == Carrier::head_table || c.carrier == Carrier::head_head; }
+
+// The tool axis, in the frame that the turn axis turns, at a tilt of the tool or the part.
+Vec3 axis_before_turn(const Chain& c, double tilt) { return turned_by_tilt(c, kUp, tilts_tool(c) ? tilt : -tilt); }
+
+// By which sign the turn acts on that axis to give it in the part's frame.
+double turn_to_part(const Chain& c) { return c.carrier == Carrier::head_head ? 1 : -1; }
+
+double wrapped(double a) {
+    a = std::remainder(a, 2 * std::numbers::pi);
+    return a <= -std::numbers::pi ? a + 2 * std::numbers::pi : a;
+}
+
+// Where the part's point lies in the machine's frame.
+Vec3 carried(const Chain& c, const Vec3& p, double tilt, double turn) {
+    if (c.carrier == Carrier::head_head || c.carrier == Carrier::none) return p;
+    const Vec3 q = c.turn_point + turned_by_turn(c, p - c.turn_point, turn);
+    return c.carrier == Carrier::head_table ? q : c.tilt_point + turned_by_tilt(c, q - c.tilt_point, tilt);
+}
+
+Vec3 carried_back(const Chain& c, const Vec3& r, double tilt, double turn) {
+    if (c.carrier == Carrier::head_head || c.carrier == Carrier::none) return r;
+    const Vec3 q = c.carrier == Carrier::head_table ? r : c.tilt_point + turned_by_tilt(c, r - c.tilt_point, -tilt);
+    return c.turn_point + turned_by_turn(c, q - c.turn_point, -turn);
+}
+
+// By how much the rotary axes of the head move the tip away from where it is at rest.
+Vec3 swing(const Chain& c, double tilt, double turn) {
+    if (!tilts_tool(c)) return {};
+    const Vec3 tilted = turned_by_tilt(c, c.tip_to_tilt, tilt);
+    if (c.carrier == Carrier::head_table) return c.tip_to_tilt - tilted;
+    return c.tip_to_tilt + c.tilt_to_turn - turned_by_turn(c, tilted + c.tilt_to_turn, turn);
+}
+
+} // namespace
+
+Pose forward(const Chain& c, const Joints& j) {
+    if (c.carrier == Carrier::none) return {j.xyz, kUp};
+    const Vec3 axis = turned_by_turn(c, axis_before_turn(c, j.tilt), turn_to_part(c) * j.turn);
+    return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), axis};
+}
+
+Joints place(const Chain& c, const Vec3& tip, double tilt, double turn) {
+    if (c.carrier == Carrier::none) return {tip, 0, 0};
+    return {carried(c, tip, tilt, turn) - swing(c, tilt, turn), tilt, turn};
+}
+
+std::array<Joints, 2> inverse(const Chain& c, const Pose& pose) {
+    if (c.carrier == Carrier::none) return {Joints{pose.tip, 0, 0}, Joints{pose.tip, 0, 0}};
+    // Tilting brings the upright axis towards -v: so the level part of the axis must come to lie along v or -v.
+    const Vec3 v = cross(kUp, c.tilt_axis);
+    const double level = std::hypot(pose.axis.x, pose.axis.y);
+    const double heading = level > 0 ? std::atan2(pose.axis.y, pose.axis.x) : std::atan2(-v.y, -v.x);
+    std::array<Joints, 2> out;
+    for (int k = 0; k < 2; ++k) {
+        const double side = k == 0 ? -1 : 1; // along -v first: tools tilt by positive angles there
+        const double to = std::atan2(side * v.y, side * v.x);
+        const double turn = wrapped(c.turn_sign * -turn_to_part(c) * (to - heading));
+        const double tilt = std::atan2(-side * level, pose.axis.z) * (tilts_tool(c) ? 1 : -1);
+        out[static_cast<std::size_t>(k)] = place(c, pose.tip, tilt, turn);
+    }
+    return out;
+}
+
+double best_tilt(const Chain& c, const Vec3& axis, double turn) {
+    const Vec3 before = turned_by_turn(c, axis, -turn_to_part(c) * turn);
+    const Vec3 v = cross(kUp, c.tilt_axis);
+    return std::atan2(-dot(before, v), before.z) * (tilts_tool(c) ? 1 : -1);
+}
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
+} // namespace filum::kinematics

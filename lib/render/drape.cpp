@@ -1,0 +1,222 @@
+#include "render/drape.hpp"
+
+#include "base/number.hpp"
+#include "parallel/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::render {
+
+namespace {
+
+using geom::Vec2;
+using geom::Vec3;
+
+const Rgb kPaper = oklch(0.985, 0.003, 250);
+
+// Where a stretch of path without a break begins or ends.
+struct End {
+    Vec3 at, normal; // 0: none
+    bool start = false;
+};
+
+std::vector<End> ends(const Scene& scene) {
+    std::vector<End> out;
+    bool open = false;
+    End last;
+    const auto end = [](const toolpath::Span& s, std::size_t i, bool start) {
+        return End{s.points[i], s.normals.empty() ? Vec3{} : s.normals[i], start};
+    };
+    for (const auto& s : scene.spans) {
+        const bool bead = toolpath::extrudes(s.role);
+        if (open && (!bead || !(s.points.front() == last.at))) out.push_back(last), open = false;
+        if (bead && !open) out.push_back(end(s, 0, true)), open = true;
+        last = end(s, s.points.size() - 1, false);
+    }
+    if (open) out.push_back(last);
+    return out;
+}
+
+// One picture in the making: the surface's, and per pixel what its middle shows.
+struct Canvas {
+    const Scene& scene;
+    const DrapeView& view;
+    Plan plan;
+    int fine; // samples along either side of a pixel
+    Raster raster;
+    Image image;
+    std::vector<Sight> sight;
+
+    Canvas(const Scene& s, const DrapeView& v, const Plan& p)
+        : scene(s), view(v), plan(p), fine(std::clamp(static_cast<int>(std::ceil(std::sqrt(v.samples))), 1, 16)),
+          raster(s.sheet->surface, p, fine), image(p.width, p.height),
+          sight(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height)) {}
+    [[nodiscard]] Sight& at(int x, int y) {
+        return sight[static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.width) + static_cast<std::size_t>(x)];
+    }
+    // True if the surface does not hide what lies at this place (Plan::place); beside the picture nothing is seen.
+    [[nodiscard]] bool seen(Vec3 place, double slack) {
+        if (!(place.x >= 0 && place.y >= 0 && place.x < plan.width && place.y < plan.height)) return false;
+        const Sight& s = at(static_cast<int>(place.x), static_cast<int>(place.y));
+        return s.triangle == surface::kNone || place.z >= s.height - slack;
+    }
+};
+
+void paint_band(Canvas& c, const Paint& paint, int band) {
+    const Sights sights = c.raster.band(band);
+    const int top = band * c.raster.rows(), f = c.fine;
+    for (int y = 0; y < sights.rows / f; ++y) {
+        for (int x = 0; x < c.plan.width; ++x) {
+            Rgb sum;
+            for (int k = 0; k < f * f; ++k) {
+                const int i = x * f + k % f, j = y * f + k / f;
+                const auto t = sights.at(i, j).triangle;
+                sum = sum + (t == surface::kNone ? kPaper : paint.at(t, c.raster.shares(t, i, top * f + j)));
+            }
+            c.at(x, top + y) = sights.at(x * f + f / 2, y * f + f / 2);
+            c.image.set(x, top + y, (1.0F / static_cast<float>(f * f)) * sum);
+        }
+    }
+}
+
+// Lines along the vectors, one per square of pixels, in its middle; the longest vectors fill it.
+void draw_arrows(Canvas& c, const surface::Field& field) {
+    const int step = std::max(8, c.plan.height / 60);
+    double longest = 0;
+    for (std::size_t v = 0; v < field.values.size() / 3; ++v)
+        if (const double l = norm(field.vector(v)); std::isfinite(l)) longest = std::max(longest, l);
+    if (longest == 0) return;
+    for (int y = step / 2; y < c.plan.height; y += step) {
+        for (int x = step / 2; x < c.plan.width; x += step) {
+            const Sight s = c.at(x, y);
+            if (s.triangle == surface::kNone) continue;
+            const auto& t = c.scene.sheet->surface.triangles[s.triangle];
+            // The corner with the largest share: directions without a sign cannot be mixed.
+            const Vec3 share = c.raster.shares(s.triangle, x * c.fine + c.fine / 2, y * c.fine + c.fine / 2);
+            const auto v = t[share.x >= share.y && share.x >= share.z ? 0 : (share.y >= share.z ? 1 : 2)];
+            const Vec3 d = (0.45 * step / longest) * field.vector(v);
+            const Vec2 along{dot(d, c.plan.right), -dot(d, c.plan.up)}, at{x + 0.5, y + 0.5};
+            const Rgb under = c.image.get(x, y);
+            const bool dark = 0.2126F * under.r + 0.7152F * under.g + 0.0722F * under.b < 0.14F;
+            const Rgb ink = dark ? Rgb{0.85F, 0.85F, 0.85F} : oklch(0.22, 0.03, 260);
+            if (std::isfinite(along.x) && std::isfinite(along.y))
+                draw_line(c.image, at - along, at + along, std::max(1.0, step / 10.0), ink, 0.9);
+        }
+    }
+}
+
+// The line from a to b, mm, as far as the surface does not hide it.
+void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
+    const double slack = 2 / c.plan.scale;
+    a = c.plan.place(a), b = c.plan.place(b);
+    const double pieces = std::clamp(std::ceil(geom::distance(a.xy(), b.xy()) / 3), 1.0, 8192.0);
+    for (double k = 0; k < pieces; ++k) {
+        const Vec3 p = a + k / pieces * (b - a), q = a + (k + 1) / pieces * (b - a);
+        if (c.seen(0.5 * (p + q), slack)) draw_line(c.image, p.xy(), q.xy(), width, colour);
+    }
+}
+
+// What does not lie on the surface: beads that should, and moves without material.
+void draw_loose(Canvas& c, const Laid& laid) {
+    const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
+    for (const Stroke& s : laid.loose)
+        draw_in_space(c, s.a, s.b, std::max(thread, c.plan.scale * (s.half_a + s.half_b)), from_srgb8(s.colour));
+    for (const auto& s : c.scene.spans)
+        for (std::size_t i = 0; i + 1 < s.points.size() && !toolpath::extrudes(s.role); ++i)
+            draw_in_space(c, s.points[i], s.points[i + 1], thread, role_colour(toolpath::Role::travel));
+}
+
+void draw_ends(Canvas& c, double width) {
+    const auto all = ends(c.scene);
+    const double most = 0.008 * c.plan.height + 4; // pixels; less where many would hide the path
+    const double crowd = std::sqrt(0.01 * c.plan.width * c.plan.height / static_cast<double>(all.size() + 1));
+    const double size = std::clamp(1.1 * width * c.plan.scale, 4.0, std::max(4.0, std::min(most, crowd)));
+    const double slack = std::max(2 / c.plan.scale, 0.3 * width);
+    for (const bool start : {false, true}) {
+        for (const End& e : all) {
+            const Vec3 p = c.plan.place(e.at);
+            if (e.start != start || dot(e.normal, c.plan.towards) < 0 || !c.seen(p, slack)) continue;
+            draw_line(c.image, p.xy(), p.xy(), size + std::max(2.0, 0.35 * size), {1, 1, 1});
+            draw_line(c.image, p.xy(), p.xy(), size, mark_colour(start ? Mark::Kind::start : Mark::Kind::end));
+        }
+    }
+}
+
+// A number with three or four digits that count, and a sign that there is more beyond.
+std::string end_text(double v, bool more) {
+    const double size = std::abs(v);
+    return fixed_text(v, size >= 100 ? 0 : (size >= 10 ? 1 : (size >= 1 ? 2 : 4))) + (more ? "..." : "");
+}
+
+void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, double bare) {
+    Key key(c.image);
+    if (!show.around.empty()) key.clear(kPaper);
+    key.ruler(c.plan.scale);
+    if (laid.loose_length > 0) key.text("off the surface: " + fixed_text(laid.loose_length, 1) + " mm");
+    if (!show.by.empty()) {
+        const Scale s = scale_of(find_field(*c.scene.sheet, show.by, 0));
+        const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
+        key.ramp(show.by + " " + end_text(s.lo, s.below), end_text(s.hi, s.above) + unit);
+    }
+    if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * bare, 1) + "%");
+    if (show.overlap) key.swatch(overlap_colour(), "overlap");
+    if (!c.scene.spans.empty()) add_legend(key, tint);
+}
+
+// Mean direction that the path's tools come from, or the surface's normal; `otherwise` where they cancel out.
+Vec3 face(const Scene& scene, Vec3 otherwise) {
+    Vec3 sum{};
+    double total = 0;
+    for (const auto& s : scene.spans) {
+        for (std::size_t i = 0; i + 1 < s.points.size() && !s.normals.empty() && toolpath::extrudes(s.role); ++i) {
+            const double l = geom::distance(s.points[i], s.points[i + 1]);
+            sum = sum + l * s.normals[i], total += l;
+        }
+    }
+    const auto& surface = scene.sheet->surface;
+    for (std::uint32_t t = 0; t < surface.triangles.size() && total == 0; ++t) {
+        const auto& c = surface.triangles[t];
+        sum = sum + 0.5 * cross(surface.vertices[c[1]] - surface.vertices[c[0]],
+                                surface.vertices[c[2]] - surface.vertices[c[0]]);
+    }
+    if (total == 0) total = surface::area(surface);
+    return norm(sum) > 0.1 * total ? sum : otherwise;
+}
+
+// Points that the picture is laid out for: everything, or the corners of a box around a place.
+std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
+    if (const auto& a = show.around; !a.empty()) {
+        const double r = a[3] / std::sqrt(3);
+        return {{a[0] - r, a[1] - r, a[2] - r}, {a[0] + r, a[1] - r, a[2] - r}, {a[0] - r, a[1] + r, a[2] - r},
+                {a[0] + r, a[1] + r, a[2] - r}, {a[0] - r, a[1] - r, a[2] + r}, {a[0] + r, a[1] - r, a[2] + r},
+                {a[0] - r, a[1] + r, a[2] + r}, {a[0] + r, a[1] + r, a[2] + r}};
+    }
+    std::vector<Vec3> out = scene.sheet->surface.vertices;
+    for (const auto& s : scene.spans) out.insert(out.end(), s.points.begin(), s.points.end());
+    return out;
+}
+
+} // namespace
+
+Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads) {
+    const Laid laid = lay(scene, tint);
+    const double bare = view.show.voids ? uncovered(scene.sheet->surface, laid) : 0;
+    double width = 0;
+    for (const auto& s : scene.spans)
+        if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
+    const std::vector<Vec3> points = shown_points(scene, view.show);
+    return contact_sheet(view.looks, view.width, view.height, [&](const Look& look, int w, int h) {
+        Canvas c(scene, view, lay_out(points, look.face ? face(scene, look.from) : look.from, w, h));
+        const Paint paint(scene, laid, view.show, c.plan);
+        parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,
+                             [&](std::size_t b, std::size_t) { paint_band(c, paint, static_cast<int>(b)); });
+        if (!view.show.arrows.empty()) draw_arrows(c, find_field(*scene.sheet, view.show.arrows, 3));
+        draw_loose(c, laid);
+        draw_ends(c, width);
+        draw_key(c, tint, view.show, laid, bare);
+        return std::move(c.image);
+    });
+}
+
+} // namespace filum::render

@@ -1,0 +1,123 @@
+#include "surfpath/boustrophedon.hpp"
+
+#include "surfpath/order.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath {
+
+namespace {
+
+constexpr double kBreak = 200; // mm: as bad as a chain that must be led to another
+
+using Chain = std::vector<Visit>;
+
+std::uint32_t entry(const Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
+std::uint32_t leave(const Visit& v) { return entry(v) ^ 1u; }
+
+class Path {
+  public:
+    Path(const Surface& s, const Rows& rows, const Turning& o)
+        : rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.turns()), o_(o) {}
+
+    Plan plan() {
+        auto chains = ordered();
+        for (const Chain& chain : joined(std::move(chains))) lay(chain);
+        out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
+                      {"", "turns", turned_, ""},
+                      {"", "hairpins", hairpins_, ""},
+                      {"", "transits", transited_, "mm"}};
+        if (turned_ > 0) out_.facts.push_back({"", "least-radius", least_, "mm"});
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] std::vector<Chain> ordered() const {
+        std::vector<Link> links;
+        for (const LaidTurn& t : turns_) links.push_back({t.from, t.to, t.cost});
+        return order(static_cast<std::uint32_t>(rows_.rows.size()), links,
+                     {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+    }
+
+    // The chains led into each other, as far as they hang together.
+    [[nodiscard]] std::vector<Chain> joined(std::vector<Chain> chains) const {
+        const std::size_t n = chains.size();
+        const auto end = [&](std::size_t e) {
+            return e % 2 == 0 ? entry(chains[e / 2].front()) : leave(chains[e / 2].back());
+        };
+        std::vector<std::vector<double>> length(2 * n, std::vector<double>(2 * n));
+        for (std::size_t e = 0; e < 2 * n; ++e) {
+            const auto all = transits_.lengths(end(e));
+            for (std::size_t f = 0; f < 2 * n; ++f) length[e][f] = all[end(f)];
+        }
+        std::vector<Chain> out;
+        std::size_t before = 2 * n;
+        for (const Turned& t : tour(length)) {
+            Chain& now = chains[t.chain];
+            const std::size_t in = 2 * t.chain + (t.reversed ? 1 : 0);
+            if (t.reversed) {
+                std::reverse(now.begin(), now.end());
+                for (Visit& v : now) v.reversed = !v.reversed;
+            }
+            if (before < 2 * n && std::isfinite(length[before][in]))
+                out.back().insert(out.back().end(), now.begin(), now.end());
+            else
+                out.push_back(std::move(now));
+            before = in ^ 1u;
+        }
+        return out;
+    }
+
+    // The turn from one end to another, by `forward` false the other way round.
+    LaidTurn turn(std::uint32_t from, std::uint32_t to) {
+        const auto [a, b] = std::minmax(from, to);
+        const auto it = std::lower_bound(turns_.begin(), turns_.end(), std::pair(a, b), [](const LaidTurn& t, auto& k) {
+            return std::pair(t.from, t.to) < k;
+        });
+        const bool known = it != turns_.end() && it->from == a && it->to == b;
+        if (known && it->line.size() > 1) {
+            LaidTurn out = *it;
+            if (from != a) {
+                curve::reverse(out.line);
+                std::swap(out.from, out.to), std::swap(out.from_trim, out.to_trim);
+            }
+            return out;
+        }
+        const auto way = transits_.way(from, to);
+        const auto stretches = known ? std::vector<Line>{transits_.along(from, to)} : way->stretches;
+        for (const Line& l : stretches) transited_ += curve::length(l);
+        return turner_.eased(from, stretches, to);
+    }
+
+    void lay(const Chain& chain) {
+        Stroke stroke;
+        double off = 0;
+        for (std::size_t i = 0; i < chain.size(); ++i) {
+            const bool last = i + 1 == chain.size();
+            LaidTurn next = last ? LaidTurn{} : turn(leave(chain[i]), entry(chain[i + 1]));
+            stroke.pieces.push_back({turner_.stretch(entry(chain[i]), off, next.from_trim), false});
+            if (last) break;
+            off = next.to_trim;
+            const bool hairpin = turner_.hairpin(next.radius);
+            least_ = std::min(least_, next.radius);
+            hairpins_ += hairpin, ++turned_;
+            stroke.pieces.push_back({std::move(next.line), hairpin});
+        }
+        out_.strokes.push_back(std::move(stroke));
+    }
+
+    const Rows& rows_;
+    Transits transits_;
+    Turner turner_;
+    std::vector<LaidTurn> turns_;
+    Turning o_;
+    Plan out_;
+    double least_ = std::numeric_limits<double>::infinity(), turned_ = 0, hairpins_ = 0, transited_ = 0;
+};
+
+} // namespace
+
+Plan boustrophedon(const Surface& s, const Rows& rows, const Turning& o) { return Path(s, rows, o).plan(); }
+
+} // namespace filum::surfpath

@@ -1,0 +1,29 @@
+#include "surfpath/fina.hpp"
+
+#include "base/error.hpp"
+#include "surfpath/boustrophedon.hpp"
+#include "surfpath/capped.hpp"
+#include "surfpath/seed_side.hpp"
+
+#include <cmath>
+
+namespace filum::surfpath {
+
+Plan fina(const surface::Sheet& sheet, const Options& o) {
+    const Surface& s = sheet.surface;
+    if (sheet.sources.segments.empty())
+        throw Error(Exit::bad_input, "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first");
+    // Distances are measured past holes as if there were none: so rows stay straight behind them.
+    const Surface closed = capped(s);
+    const auto field = geodesic::exact(closed, bridged(s, closed, sheet.sources));
+    const SeedSides sides = seed_sides(s, sheet.sources);
+    std::vector<Raw> raw;
+    for (std::uint32_t side = 0; side < sides.count; ++side) {
+        const double sign = side % 2 == 0 ? 1 : -1;
+        for (const auto& line : side_rows(s, closed, field, sides, side, o.spacing))
+            raw.push_back({curve::line(line), sign * line.level});
+    }
+    return boustrophedon(s, rows(s, raw, o.spacing / 2), {o.spacing, o.least_radius});
+}
+
+} // namespace filum::surfpath

@@ -1,0 +1,174 @@
+#include "surfpath/rows.hpp"
+
+#include "curve/walk.hpp"
+#include "geodesic/isolines.hpp"
+#include "geodesic/query.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath {
+
+namespace {
+
+using surface::kNone;
+
+constexpr double kDetour = 1.1; // of the way that is replaced, at most
+
+double longest_edge(const Surface& s) {
+    double out = 0;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
+        out = std::max(out, distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+    return out;
+}
+
+surface::Sources rims(const Surface& s) {
+    surface::Sources out;
+    for (const auto& rim : s.rims)
+        for (const std::uint32_t h : rim.sides)
+            out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+    return out;
+}
+
+// Cuts lines where they come nearer to a rim than the margin.
+class Cutter {
+  public:
+    Cutter(const Surface& s, double margin) : surface_(s), margin_(margin) {
+        if (s.rims.empty()) return;
+        field_ = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
+        const double level[] = {margin};
+        for (const auto& isoline : geodesic::isolines(s, field_, level)) inset_.rings.push_back(curve::line(isoline));
+        for (const Line& ring : inset_.rings) inset_.ways.push_back(curve::ways(ring));
+    }
+
+    [[nodiscard]] Inset& inset() { return inset_; }
+
+    // The stretches of the line that keep the margin, mm along it.
+    [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways) const {
+        std::vector<std::pair<double, double>> out;
+        const std::size_t n = line.size(), stretches = ways.size() - 1;
+        bool in = room(line.places[0]) >= 0;
+        double begin = 0;
+        for (std::size_t i = 0; i < stretches; ++i) {
+            const Place& next = line.places[(i + 1) % n];
+            const bool then = room({line.places[i].triangle, next.point}) >= 0;
+            if (in == then) continue;
+            const double way = ways[i] + crossing(line.places[i], next, in) * (ways[i + 1] - ways[i]);
+            if (in) out.emplace_back(begin, way);
+            else begin = way;
+            in = then;
+        }
+        if (in) out.emplace_back(begin, ways.back());
+        // Of a closed line the first and the last stretch are one, over its first point.
+        if (line.closed && out.size() > 1 && out.front().first == 0 && out.back().second == ways.back()) {
+            out.front().first = out.back().first - ways.back();
+            out.pop_back();
+        }
+        return out;
+    }
+
+    [[nodiscard]] Port port(const Vec3& p) const {
+        Port out;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::uint32_t r = 0; r < inset_.rings.size(); ++r) {
+            const Line& ring = inset_.rings[r];
+            const std::size_t n = ring.size();
+            for (std::size_t i = 0; i + 1 < inset_.ways[r].size(); ++i) {
+                const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
+                const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
+                const double far = distance(p, a + t * d);
+                if (far < least) least = far, out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
+            }
+        }
+        return out;
+    }
+
+    // What leads along a ring from one place to another that is `way` mm off along a line; empty if that is a detour.
+    [[nodiscard]] Line along(const Place& from, const Place& to, double way) const {
+        const Port a = port(from.point), b = port(to.point);
+        if (a.ring != b.ring || a.ring == kNone) return {};
+        const Line& ring = inset_.rings[a.ring];
+        const auto& ways = inset_.ways[a.ring];
+        const double on = b.way - a.way, all = ways.back();
+        const double ahead = ring.closed && on < 0 ? on + all : on, back = ring.closed && on > 0 ? all - on : -on;
+        const bool forward = ahead >= 0 && (back < 0 || ahead <= back);
+        if (!((forward ? ahead : back) < kDetour * way)) return {};
+        if (forward) return curve::part(ring, ways, a.way, a.way + ahead);
+        Line out = curve::part(ring, ways, b.way, b.way + back);
+        curve::reverse(out);
+        return out;
+    }
+
+  private:
+    [[nodiscard]] double room(const Place& p) const {
+        if (inset_.rings.empty() && surface_.rims.empty()) return margin_;
+        return geodesic::distance_at(surface_, field_, p.triangle, p.point) - margin_;
+    }
+
+    // Where the stretch from `a` to `b`, within a's triangle, crosses the margin: part of it.
+    [[nodiscard]] double crossing(const Place& a, const Place& b, bool from_inside) const {
+        double lo = 0, hi = 1;
+        for (int i = 0; i < 30; ++i) {
+            const double mid = (lo + hi) / 2;
+            const bool in = room({a.triangle, a.point + mid * (b.point - a.point)}) >= 0;
+            (in == from_inside ? lo : hi) = mid;
+        }
+        return from_inside ? lo : hi;
+    }
+
+    const Surface& surface_;
+    double margin_;
+    geodesic::ExactField field_;
+    Inset inset_;
+};
+
+// The kept stretches of a line as open lines, those joined that a ring joins without a detour.
+std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
+                            const std::vector<std::pair<double, double>>& kept) {
+    std::vector<Line> out;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        Line now = curve::part(line, ways, kept[i].first, kept[i].second);
+        const double gap = i > 0 ? kept[i].first - kept[i - 1].second : 0;
+        const Line way = i > 0 ? cutter.along(out.back().places.back(), now.places.front(), gap) : Line{};
+        if (way.size() < 2) {
+            out.push_back(std::move(now));
+            continue;
+        }
+        Line whole = std::move(out.back());
+        curve::append(whole, way);
+        curve::append(whole, now);
+        out.back() = curve::threaded(s, whole);
+    }
+    return out;
+}
+
+} // namespace
+
+Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin) {
+    Rows out;
+    Cutter cutter(s, margin);
+    for (std::uint32_t source = 0; source < lines.size(); ++source) {
+        const Raw& raw = lines[source];
+        const auto ways = curve::ways(raw.line);
+        const auto kept = cutter.kept(raw.line, ways);
+        if (raw.line.closed && kept.size() == 1 && kept[0].second - kept[0].first >= ways.back()) {
+            out.rows.push_back({raw.line, raw.level, {}, {}, source});
+            continue;
+        }
+        for (Line& line : stretches(s, cutter, raw.line, ways, kept)) {
+            if (const double l = curve::length(line); l < margin) {
+                out.dropped += l;
+                continue;
+            }
+            Row row{std::move(line), raw.level, {}, {}, source};
+            row.begin = cutter.port(row.line.places.front().point);
+            row.end = cutter.port(row.line.places.back().point);
+            out.rows.push_back(std::move(row));
+        }
+    }
+    std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
+    out.inset = std::move(cutter.inset());
+    return out;
+}
+
+} // namespace filum::surfpath

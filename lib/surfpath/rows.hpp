@@ -1,0 +1,44 @@
+// Rows: the lines of direction-parallel paths, ended where turns may take over.
+#pragma once
+
+#include "surfpath/plan.hpp"
+#include "surface/sheet.hpp"
+
+namespace filum::surfpath {
+
+// Lines half a spacing within the rims, by the rims: how far paths may go.
+struct Inset {
+    std::vector<Line> rings;                // closed, or open where the rim's distance is cut off
+    std::vector<std::vector<double>> ways;  // per ring, as curve::ways
+};
+
+// Where a row ends: on a ring of the inset.
+struct Port {
+    std::uint32_t ring = surface::kNone;
+    double way = 0; // mm along the ring
+};
+
+struct Row {
+    Line line;        // threaded; open, or closed if it meets no rim
+    double level = 0; // mm: by which rows are ordered
+    Port begin, end;  // of an open line
+    std::uint32_t source = 0; // the line that it is a part of
+};
+
+// Lines of one family, `spacing` apart, that still run up to the rims.
+struct Raw {
+    Line line;
+    double level = 0;
+};
+
+struct Rows {
+    std::vector<Row> rows; // by level, then as given
+    Inset inset;
+    double dropped = 0; // mm of rows shorter than half a spacing
+};
+
+// The parts of `lines` that are at least `margin` from every rim, along the surface; exact.  Where a line comes nearer
+// to a rim that it runs along, it follows the inset instead.
+Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin);
+
+} // namespace filum::surfpath

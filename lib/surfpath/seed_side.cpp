@@ -1,0 +1,172 @@
+#include "surfpath/seed_side.hpp"
+
+#include "geodesic/isolines.hpp"
+#include "geodesic/query.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath {
+
+using geom::Vec3;
+using surface::Isoline;
+using surface::kNone;
+using surface::Surface;
+
+namespace {
+
+constexpr double kAlong = 0.35;     // slope of the distance along a rim that runs along the seed, at most: 20 degrees
+constexpr double kStretch = 0.1;    // of the spacing, at most
+constexpr double kUneven = 0.06;    // of the spacing: by how much it may differ on a side
+constexpr double kTolerance = 1e-3; // mm, of lines
+
+// The rim at which the side ends: what runs along the isolines within 1.5 spacings of the farthest such place.
+struct End {
+    surface::Sources rim;
+    double mean = 0, length = 0; // mm: distance, size
+};
+
+End end(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
+        double spacing) {
+    double far = 0;
+    End out;
+    for (int round = 0; round < 2; ++round)
+        for (const auto& rim : s.rims)
+            for (const std::uint32_t h : rim.sides) {
+                const double a = distance[s.tail(h)], b = distance[s.head(h)], c = distance[s.tail(surface::prev(h))];
+                const Vec3 &p = s.vertices[s.tail(h)], &q = s.vertices[s.head(h)];
+                const double l = geom::distance(p, q), mid = (a + b) / 2;
+                if (sides.of[h / 3] != side || !(std::abs(a - b) <= kAlong * l) || !(c < mid)) continue;
+                if (round == 0)
+                    far = std::max(far, mid);
+                else if (mid > far - 1.5 * spacing)
+                    out.rim.segments.push_back({h / 3, p, q}), out.mean += l * mid, out.length += l;
+            }
+    if (out.length > 0) out.mean /= out.length;
+    return out;
+}
+
+std::uint32_t side_of(const Isoline& line, const SeedSides& sides) {
+    std::vector<std::uint32_t> count(sides.count, 0);
+    for (const std::uint32_t t : line.triangles)
+        if (sides.of[t] != kNone) ++count[sides.of[t]];
+    const auto most = std::max_element(count.begin(), count.end());
+    return most == count.end() || *most == 0 ? kNone : static_cast<std::uint32_t>(most - count.begin());
+}
+
+// Distance between seed and end as a share of the way between both, times its mean.
+class Between {
+  public:
+    Between(const Surface& s, const Surface& closed, const geodesic::ExactField& seed, const End& end)
+        : surface_(s), seed_(seed), end_(geodesic::exact(closed, end.rim)), mean_(end.mean) {
+        for (std::size_t v = 0; v < s.vertices.size(); ++v) value_.push_back(share(seed.distance[v], end_.distance[v]));
+    }
+
+    // Whether lines at equal steps of it are about equally far apart on the side.
+    [[nodiscard]] bool even(const SeedSides& sides, std::uint32_t side) const {
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
+            if (sides.of[t] == side)
+                for (const std::uint32_t v : surface_.triangles[t])
+                    if (std::abs(seed_.distance[v] + end_.distance[v] - mean_) > kUneven * mean_) return false;
+        return true;
+    }
+
+    [[nodiscard]] std::vector<Isoline> lines(std::span<const double> levels) const {
+        const geodesic::Inside at = [&](std::uint32_t t, const Vec3& p) { return this->at(t, p); };
+        auto out = geodesic::isolines(
+            surface_, value_, levels,
+            [&](std::uint32_t h, double level, std::vector<double>& x) { cross(h, level, x); }, at);
+        for (Isoline& line : out) geodesic::refine(surface_, line, at, kTolerance);
+        return out;
+    }
+
+  private:
+    [[nodiscard]] double share(double a, double b) const { return a + b > 0 ? mean_ * a / (a + b) : 0; }
+
+    [[nodiscard]] double at(std::uint32_t t, const Vec3& p) const {
+        return share(geodesic::distance_at(surface_, seed_, t, p), geodesic::distance_at(surface_, end_, t, p));
+    }
+
+    // Where an edge passes the level: regula falsi (Illinois).
+    void cross(std::uint32_t h, double level, std::vector<double>& out) const {
+        out.clear();
+        const Vec3 &a = surface_.vertices[surface_.tail(h)], &b = surface_.vertices[surface_.head(h)];
+        double fa = value_[surface_.tail(h)] - level, fb = value_[surface_.head(h)] - level, x0 = 0, x1 = 1, x = 0;
+        if ((fa < 0) == (fb < 0)) return;
+        for (int i = 0, last = 0; i < 20; ++i) {
+            x = x0 + fa / (fa - fb) * (x1 - x0);
+            const double f = at(h / 3, a + x * (b - a)) - level;
+            if (std::abs(f) < kTolerance / 100) break;
+            if ((f < 0) == (fa < 0)) {
+                x0 = x, fa = f;
+                if (last == 1) fb /= 2;
+                last = 1;
+            } else {
+                x1 = x, fb = f;
+                if (last == 2) fa /= 2;
+                last = 2;
+            }
+        }
+        out.push_back(std::clamp(x, 1e-9, 1 - 1e-9) * geom::distance(a, b));
+    }
+
+    const Surface& surface_;
+    const geodesic::ExactField& seed_;
+    geodesic::ExactField end_;
+    double mean_;
+    std::vector<double> value_;
+};
+
+} // namespace
+
+SeedSides seed_sides(const Surface& s, const surface::Sources& seed) {
+    std::vector<char> on_seed(s.triangles.size(), 0);
+    for (const auto& g : seed.segments) on_seed[g.triangle] = 1;
+    SeedSides out{std::vector<std::uint32_t>(s.triangles.size(), kNone), 0};
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t first = 0; first < s.triangles.size(); ++first) {
+        if (on_seed[first] || out.of[first] != kNone) continue;
+        stack.assign(1, first);
+        out.of[first] = out.count;
+        while (!stack.empty()) {
+            const std::uint32_t t = stack.back();
+            stack.pop_back();
+            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+                const std::uint32_t twin = s.twin[h];
+                if (twin == kNone || on_seed[twin / 3] || out.of[twin / 3] != kNone) continue;
+                out.of[twin / 3] = out.count;
+                stack.push_back(twin / 3);
+            }
+        }
+        ++out.count;
+    }
+    return out;
+}
+
+std::vector<Isoline> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
+                               const SeedSides& sides, std::uint32_t side, double spacing) {
+    double tip = 0;
+    for (std::size_t t = 0; t < s.triangles.size(); ++t)
+        if (sides.of[t] == side)
+            for (const std::uint32_t v : s.triangles[t])
+                if (std::isfinite(field.distance[v])) tip = std::max(tip, field.distance[v]);
+    const End rim = end(s, sides, side, field.distance, spacing);
+    const double n = std::max(1.0, std::round(rim.mean / spacing)), step = rim.mean / n;
+    std::vector<Isoline> lines;
+    std::vector<double> levels;
+    const bool ends = rim.length >= 5 * spacing && std::abs(step / spacing - 1) <= kStretch;
+    const double d = ends ? step : spacing;
+    if (ends)
+        if (const Between between(s, closed, field, rim); between.even(sides, side)) {
+            for (double i = 0; i < n; ++i) levels.push_back((i + 0.5) * d);
+            lines = between.lines(levels);
+        }
+    if (levels.empty()) {
+        for (double i = 0; (i + 0.5) * d < tip; ++i) levels.push_back((i + 0.5) * d);
+        lines = geodesic::isolines(s, field, levels);
+    }
+    std::erase_if(lines, [&](const Isoline& l) { return side_of(l, sides) != side; });
+    return lines;
+}
+
+} // namespace filum::surfpath

@@ -1,0 +1,23 @@
+// What lies on either side of a seed curve, and lines along it.
+#pragma once
+
+#include "geodesic/exact.hpp"
+#include "surface/sheet.hpp"
+
+namespace filum::surfpath {
+
+// Triangles that hang together when all that hold seed segments are left out.
+struct SeedSides {
+    std::vector<std::uint32_t> of; // per triangle, kNone on the seed
+    std::uint32_t count = 0;
+};
+SeedSides seed_sides(const surface::Surface& s, const surface::Sources& seed);
+
+// Lines on a side along the seed, `spacing` apart, the first one half a spacing away.  If the side ends in a rim that
+// runs along the seed, within 10 % of `spacing` they lie so that the last one is half a spacing from that rim all
+// along: level sets of the distance from the seed as a share of that from both; else of the distance from the seed.
+// `field` and what else is measured is so on `closed`, which begins with the triangles of `s`.
+std::vector<surface::Isoline> side_rows(const surface::Surface& s, const surface::Surface& closed,
+                                        const geodesic::ExactField& field, const SeedSides& sides, std::uint32_t side, double spacing);
+
+} // namespace filum::surfpath

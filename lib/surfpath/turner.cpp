@@ -1,0 +1,163 @@
+#include "surfpath/turner.hpp"
+
+#include "curve/ease.hpp"
+#include "curve/walk.hpp"
+#include "surfpath/turn.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath {
+
+using curve::Chart;
+
+namespace {
+
+constexpr double kRunUp = 4;    // radii of a row that may be rounded where it goes over into a way along the rim
+constexpr double kCorridor = 2; // radii
+
+// A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
+std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
+    std::vector<Vec2> out;
+    double way = 0;
+    for (std::size_t i = 0; i < line.size() && way <= length; ++i) {
+        const Vec2 p = chart.to(line[i]);
+        out.push_back(flip ? Vec2{p.x, -p.y} : p);
+        if (i + 1 < line.size()) way += distance(line[i], line[i + 1]);
+    }
+    return out;
+}
+
+// The way along a line of the point that lies `way` mm along its drawing.
+double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, double way) {
+    double done = 0;
+    for (std::size_t i = 1; i < drawing.size(); ++i) {
+        const double step = geom::distance(drawing[i - 1], drawing[i]);
+        if (done + step >= way) return ways[i - 1] + (step > 0 ? (way - done) / step : 0) * (ways[i] - ways[i - 1]);
+        done += step;
+    }
+    return ways[drawing.size() - 1];
+}
+
+} // namespace
+
+Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o)
+    : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(curve::vertex_normals(s)) {
+    for (const Row& row : rows.rows) {
+        ways_.push_back(curve::ways(row.line));
+        reversed_.push_back(row.line);
+        curve::reverse(reversed_.back());
+        ways_reversed_.push_back(curve::ways(reversed_.back()));
+    }
+}
+
+std::vector<LaidTurn> Turner::turns() const {
+    std::vector<LaidTurn> out;
+    const auto n = static_cast<std::uint32_t>(2 * rows_.rows.size());
+    for (std::uint32_t a = 0; a < n; ++a)
+        for (std::uint32_t b = a + 1; b < n; ++b) {
+            if (same_line(a, b)) {
+                const double l = curve::length(transits_.along(a, b));
+                if (l > 0) out.push_back({a, b, 0, 0, 0, l, {}});
+            } else if (a / 2 != b / 2 && near(a, b)) {
+                if (auto t = lay(a, b); t.line.size() > 1) out.push_back(std::move(t));
+            }
+        }
+    return out;
+}
+
+Line Turner::stretch(std::uint32_t in, double off_begin, double off_end) const {
+    const auto w = ways_inwards(in);
+    return curve::part(inwards(in), w, off_begin, w.back() - off_end);
+}
+
+LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
+    const double most = kRunUp * o_.least_radius;
+    LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}};
+    Line line = curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
+    curve::reverse(line);
+    for (const Line& l : stretches) curve::append(line, l);
+    curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
+    auto eased = curve::ease(surface_, curve::threaded(surface_, line),
+                             {.radius = o_.least_radius, .corridor = kCorridor * o_.least_radius});
+    out.radius = eased.too_tight > 0 ? 0 : o_.least_radius;
+    out.line = std::move(eased.line);
+    return out;
+}
+
+const Port& Turner::port(std::uint32_t end) const {
+    const Row& row = rows_.rows[end / 2];
+    return end % 2 == 0 ? row.begin : row.end;
+}
+
+const Line& Turner::inwards(std::uint32_t end) const {
+    return end % 2 == 0 ? rows_.rows[end / 2].line : reversed_[end / 2];
+}
+
+std::span<const double> Turner::ways_inwards(std::uint32_t end) const {
+    return end % 2 == 0 ? ways_[end / 2] : ways_reversed_[end / 2];
+}
+
+// Of a row at its end, inwards.
+Vec3 Turner::tangent(std::uint32_t end) const {
+    const Line& l = inwards(end);
+    const auto w = ways_inwards(end);
+    const Vec3 d = curve::at(l, w, std::min(w.back(), 0.5 * o_.spacing)).point - l[0];
+    return 1 / std::max(1e-12, norm(d)) * d;
+}
+
+// Whether two ends lie as those of rows do between which one may turn.
+bool Turner::near(std::uint32_t a, std::uint32_t b) const {
+    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    const Vec3 d = inwards(b)[0] - inwards(a)[0];
+    const double most = std::max(3.2 * o_.least_radius, 2.4 * o_.spacing);
+    if (norm(d) > 3 * most + o_.spacing) return false;
+    const Vec3 u = tangent(a);
+    if (dot(u, tangent(b)) < 0.5) return false;
+    const double w = norm(d - dot(d, u) * u);
+    return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
+}
+
+// Whether a hole parts a line in these two ends.
+bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
+    return a % 2 == 1 && b == a + 1 && rows_.rows[a / 2].source == rows_.rows[b / 2].source;
+}
+
+LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
+    LaidTurn out{a, b, 0, 0, 0, 0, {}};
+    const Place pa = inwards(a).places[0], pb = inwards(b).places[0];
+    const Vec3 sum = curve::normal_at(surface_, normals_, pa) + curve::normal_at(surface_, normals_, pb);
+    if (!(norm(sum) > 0.5)) return out;
+    const Chart flat = curve::chart(pa, 1 / norm(sum) * sum, pb.point - pa.point);
+    const double reach = 6 * o_.least_radius + norm(flat.to(pb.point));
+    const bool flip = dot(tangent(a) + tangent(b), flat.y) > 0; // rows come from below
+    const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
+    const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
+    const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
+    const FlatTurn t = turn({first, second, bound}, o_.least_radius);
+    if (t.points.empty()) return out;
+    out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
+    out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
+    if (out.from_trim > length(a / 2) / 2 || out.to_trim > length(b / 2) / 2) return out;
+    std::vector<Vec2> points = t.points;
+    if (flip)
+        for (Vec2& p : points) p.y = -p.y;
+    const Place begin = curve::at(inwards(a), ways_inwards(a), out.from_trim);
+    const Place end = curve::at(inwards(b), ways_inwards(b), out.to_trim);
+    points.front() = flat.to(begin.point), points.back() = flat.to(end.point);
+    auto laid = curve::lay(surface_, flat, begin, points);
+    if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6) return out;
+    laid.line.places.back() = end;
+    out.line = std::move(laid.line);
+    out.radius = t.radius;
+    out.cost = t.length - out.from_trim - out.to_trim + tightness(t.radius);
+    return out;
+}
+
+// What a tight turn is as bad as, mm.
+double Turner::tightness(double radius) const {
+    const double part = radius / o_.least_radius;
+    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 5 + 20 * (1 - part);
+}
+
+} // namespace filum::surfpath

@@ -1,0 +1,60 @@
+// Turns between rows, laid on the surface.
+#pragma once
+
+#include "surfpath/rows.hpp"
+#include "surfpath/transit.hpp"
+
+namespace filum::surfpath {
+
+struct Turning {
+    double spacing = 1;        // mm, between rows
+    double least_radius = 2.4; // mm, of turns, where there is room
+};
+
+// From one end of a row to that of another; ends are numbered as in order.hpp.
+struct LaidTurn {
+    std::uint32_t from = 0, to = 0;
+    double from_trim = 0, to_trim = 0; // mm: what it replaces of the rows
+    double radius = 0;                 // mm, the least
+    double cost = 0;                   // mm: what it adds to the path, and more for what is tight
+    Line line;                         // from `from` to `to`; none yet for a way round a hole
+};
+
+class Turner {
+  public:
+    // All must outlive it.
+    Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o);
+
+    // The turns worth considering, by their ends; ways round holes among them, which join what is one line.
+    [[nodiscard]] std::vector<LaidTurn> turns() const;
+
+    // The way over `stretches` with its corners rounded; trims more than turns do.
+    [[nodiscard]] LaidTurn eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const;
+
+    // The row from the end `in` to its other end, with these lengths cut off.
+    [[nodiscard]] Line stretch(std::uint32_t in, double off_begin, double off_end) const;
+
+    // Whether a turn is to be declared as tight.
+    [[nodiscard]] bool hairpin(double radius) const { return radius < 0.75 * o_.least_radius; }
+
+  private:
+    [[nodiscard]] const Port& port(std::uint32_t end) const;
+    [[nodiscard]] const Line& inwards(std::uint32_t end) const;
+    [[nodiscard]] std::span<const double> ways_inwards(std::uint32_t end) const;
+    [[nodiscard]] double length(std::uint32_t row) const { return ways_[row].back(); }
+    [[nodiscard]] Vec3 tangent(std::uint32_t end) const;
+    [[nodiscard]] bool near(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] double tightness(double radius) const;
+
+    const Surface& surface_;
+    const Rows& rows_;
+    const Transits& transits_;
+    Turning o_;
+    std::vector<Vec3> normals_;
+    std::vector<Line> reversed_;
+    std::vector<std::vector<double>> ways_, ways_reversed_;
+};
+
+} // namespace filum::surfpath
