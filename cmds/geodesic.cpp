@@ -41,8 +41,12 @@ constexpr const char* kDescription =
     "By default distances are exact: the length of the shortest path on the triangles to the nearest point of the "
     "sources, found by propagating windows; lines are sources as such, not their vertices. Isolines cross edges "
     "where the distance has their level, solved from the windows, and bend between them to 0.001 mm. --method heat "
-    "lets heat flow instead (auto: on more than 300,000 triangles): off by some percent beyond 16 mean edges from "
-    "the sources, with isolines that are straight in every triangle. --paper does it as Kipping et al. 2022, with "
+    "lets heat flow instead (auto: on more than 300,000 triangles, if exact distances would take longer): off by some "
+    "percent beyond 16 mean edges from "
+    "the sources, and more where triangles differ much in size (facts tell how much, beside exact distances as far as "
+    "a "
+    "second of work reaches), with isolines that are straight in every triangle. --paper does it as Kipping et al. "
+    "2022, with "
     "the vertices nearest to lines as sources, for comparison only.\n\n"
     "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
     "taken as linear in every triangle, is from 1: it is where fronts meet, near points and on coarse meshes.";
@@ -99,7 +103,7 @@ void run(const Options& o, const cli::Io& io) {
     Facts facts = surface::facts(m.sheet.surface);
     const auto from = sources(o, m.sheet.surface, self, m.notes, facts);
     if (!from.empty()) {
-        const Facts found = geodesic::measure(m.sheet, from, o.measure);
+        const Facts found = geodesic::measure(m.sheet, from, o.measure, m.notes);
         facts.insert(facts.end(), found.begin(), found.end());
     } else if (!o.measure.levels.empty() || o.measure.spacing > 0 || o.measure.with_sides) {
         throw Error(Exit::usage, "cannot draw isolines, or tell sides, without a source");

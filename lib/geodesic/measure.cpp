@@ -6,12 +6,18 @@
 #include "geodesic/isolines.hpp"
 #include "geodesic/sides.hpp"
 
+#include <limits>
+
 namespace filum::geodesic {
 
 namespace {
 
 constexpr double kMaxLevels = 1e5;
 constexpr std::size_t kExactTriangles = 300'000;
+constexpr std::size_t kTried = 8;             // windows per triangle: what about as much time as heat allows for
+constexpr std::uint64_t kChecked = 4'000'000; // windows
+constexpr std::size_t kSmall = 100'000;       // triangles: up to here memory for all windows is no matter
+constexpr double kOff = 0.05, kFarOff = 0.2;  // of the distance: so much at 1 % of the vertices, or at one, is told
 
 // What no place on an edge is farther than.
 double farthest_on_edges(const Surface& s, std::span<const double> distance) {
@@ -40,11 +46,6 @@ std::vector<double> levels_up_to(double farthest, const Options& o) {
     return out;
 }
 
-bool is_exact(const Surface& s, const Options& o) {
-    if (o.paper && o.method != "heat") throw Error(Exit::usage, "cannot use --paper without --method heat");
-    return o.method == "exact" || (o.method == "auto" && s.triangles.size() <= kExactTriangles);
-}
-
 // By the side of each line's first stretch that has one.
 int side_of(const Surface& s, const Sides& sides, const Isoline& line) {
     for (std::size_t i = 0; i < line.triangles.size(); ++i) {
@@ -69,16 +70,47 @@ void add_signs(const Surface& s, const Sources& sources, std::vector<double>& di
     std::stable_sort(lines.begin(), lines.end(), [](const Isoline& a, const Isoline& b) { return a.level < b.level; });
 }
 
+// What heat gave beside the exact distances, as far as those are known.
+void compare(std::span<const double> truth, std::span<const double> distance, Facts& facts, Notes& notes) {
+    const DistanceError e = distance_error(truth, distance);
+    facts.push_back({"", "heat-checked", static_cast<double>(e.vertices), "vertices"});
+    facts.push_back({"", "heat-checked-to", e.known, "mm"});
+    facts.push_back({"", "heat-error-mean", 100 * e.mean, "%"});
+    facts.push_back({"", "heat-error-p99", 100 * e.p99, "%"});
+    facts.push_back({"", "heat-error-max", 100 * e.largest, "%"});
+    if (e.p99 > kOff || e.largest > kFarOff)
+        notes.push_back(
+            {.stage = "", .what = "distance by heat is off by up to", .amount = 100 * e.largest, .unit = "%"});
+}
+
+bool wants_lines(const Options& o) { return !o.levels.empty() || o.spacing > 0; }
+
+// Exact distances as far as they are worth it: all of them where that is asked for, or cheap; else what can be had in
+// about the time of heat, or in a second to compare with.
+ExactDistances exact_part(const Surface& s, const Sources& sources, const Options& o) {
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    if (o.method == "heat") return exact_distances(s, sources, kAll, kChecked);
+    if (o.method == "auto" && s.triangles.size() > kExactTriangles)
+        return exact_distances(s, sources, kAll, kTried * s.triangles.size());
+    if (wants_lines(o) || s.triangles.size() <= kSmall) return {{}, kAll, 0}; // windows are wanted, or no matter
+    return exact_distances(s, sources);
+}
+
 } // namespace
 
-Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
+Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o, Notes& notes) {
     const Surface& s = sheet.surface;
-    const bool by_windows = is_exact(s, o);
+    if (o.paper && o.method != "heat") throw Error(Exit::usage, "cannot use --paper without --method heat");
+    ExactDistances found = exact_part(s, sources, o);
+    const bool by_windows = o.method != "heat" && !std::isfinite(found.known);
     Facts facts{{"", "exact", by_windows ? 1.0 : 0.0, ""}};
     std::vector<double> distance;
     const auto levels = [&] { return levels_up_to(farthest_on_edges(s, distance), o); };
-    if (by_windows) {
-        ExactField field = exact(s, sources);
+    if (by_windows && !wants_lines(o) && !found.distance.empty()) {
+        distance = std::move(found.distance);
+        facts.push_back({"", "windows", static_cast<double>(found.propagated), ""});
+    } else if (by_windows) {
+        const ExactField field = exact(s, sources);
         distance = field.distance;
         sheet.isolines = isolines(s, field, levels());
         facts.push_back({"", "windows", static_cast<double>(field.propagated), ""});
@@ -87,6 +119,7 @@ Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
         distance = heat.distance();
         sheet.isolines = isolines(s, distance, levels());
         facts.push_back({"", "heat-time", heat.time(), "mm2"});
+        compare(found.distance, distance, facts, notes);
     }
     const Facts quality = certificate(s, distance);
     facts.insert(facts.end(), quality.begin(), quality.end());

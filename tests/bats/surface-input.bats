@@ -195,3 +195,23 @@ END
     geodesic block.off --source plane:0,0,1,0 --signed > s
     points s 'for z, d in zip(p["z"], p["distance"]): assert abs(z - d) < 1e-9, (z, d)'
 }
+
+@test "heat tells how far off it is, and says so if it is far" {
+    geodesic plate.off --source plane:1,0,0,3.3 --method heat > s
+    facts s | grep -q '^heat-checked [0-9]* vertices'
+    facts s | grep -q '^heat-error-p99 .* %'
+    awk 'BEGIN { # a fine plate, and long slivers from one side of it to another
+        n = 60; print "OFF"; print (n + 1) * (n + 1) + 1, 2 * n * n + n, 0
+        for (j = 0; j <= n; ++j) for (i = 0; i <= n; ++i) print i * 0.1, j * 0.1, 0
+        print 100, 40, 0
+        for (j = 0; j < n; ++j) for (i = 0; i < n; ++i) {
+            a = j * (n + 1) + i
+            print 3, a, a + 1, a + n + 2; print 3, a, a + n + 2, a + n + 1
+        }
+        for (j = 0; j < n; ++j) print 3, j * (n + 1) + n, (n + 1) * (n + 1), (j + 1) * (n + 1) + n
+    }' > fan.off
+    expect 0 geodesic fan.off --source vertex:3721 --method heat --output s
+    [[ $err == *'distance by heat is off by up to'* ]]
+    geodesic fan.off --source vertex:3721 --method exact > s
+    ! facts s | grep -q '^heat'
+}

@@ -104,13 +104,14 @@ TEST(Sides, OnAnotherComponentThereAreNone) {
 }
 
 TEST(Sides, SignedDistancesAndLevels) {
+    Notes notes;
     surface::Sheet plate;
     const auto flat = sheet(20, 10, 24, 13, 6);
     plate.surface = flat.surface;
     Options o;
     o.spacing = 1, o.first = 0.5, o.with_sides = true;
     plate.fields.push_back({"distance", std::vector<double>(flat.flat.size(), 7), 1}); // of before
-    measure(plate, from(plate.surface, "plane:1,0,0,8.2"), o);
+    measure(plate, from(plate.surface, "plane:1,0,0,8.2"), o, notes);
     ASSERT_EQ(plate.fields.size(), 1U);
     for (std::size_t v = 0; v < flat.flat.size(); ++v)
         EXPECT_NEAR(plate.fields[0].values[v], flat.flat[v].x - 8.2, 1e-9);
@@ -124,6 +125,7 @@ TEST(Sides, SignedDistancesAndLevels) {
 }
 
 TEST(Sides, ClosedSignedIsolinesKeepTheirTriangles) {
+    Notes notes;
     surface::Sheet plate;
     const auto flat = sheet(20, 20, 21, 21, 7);
     plate.surface = flat.surface;
@@ -132,7 +134,7 @@ TEST(Sides, ClosedSignedIsolinesKeepTheirTriangles) {
     s.segments = surface::trace(plate.surface, square).segments;
     Options o;
     o.levels = {2}, o.with_sides = true;
-    measure(plate, s, o);
+    measure(plate, s, o, notes);
     ASSERT_EQ(plate.isolines.size(), 2U);
     const auto& inner = plate.isolines[0];
     EXPECT_EQ(inner.level, -2);
