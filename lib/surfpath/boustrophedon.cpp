@@ -28,6 +28,12 @@ class Path {
                       {"", "turns", turned_, ""},
                       {"", "hairpins", hairpins_, ""},
                       {"", "transits", transited_, "mm"}};
+        if (rows_.drops > 0)
+            out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
+                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
+        if (out_.strokes.size() > 1)
+            out_.notes.push_back({"", "no way on along rims and rows: cut", static_cast<double>(out_.strokes.size() - 1),
+                                  "cuts", out_.strokes.size() - 1});
         if (turned_ > 0) out_.facts.push_back({"", "least-radius", least_, "mm"});
         return std::move(out_);
     }
