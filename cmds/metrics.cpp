@@ -1,11 +1,8 @@
 // metrics - measures a finished toolpath, or the curves of a fill
 // reads:  Toolpath or Paths
 // writes: text
-// memory: the toolpath at 20 bytes per segment, and the outlines
-#include "cli/command.hpp"
-#include "metrics/pace.hpp"
-#include "metrics/report.hpp"
-#include "wire/planar.hpp"
+// memory: the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows
+#include "survey/survey.hpp"
 
 namespace {
 
@@ -28,17 +25,26 @@ constexpr const char* kDescription =
     "ends: their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with look-ahead.\n\n"
     "--pores is for scaffolds: porosity by extruded volume, by covered area, and 1 - width / spacing of an endless "
     "lattice; strands and their spacing; pore size, the largest circle in each window of a layer and the ones that "
-    "cross it; and throats, the largest balls that fall straight through, or roll between two strands.";
+    "cross it; and throats, the largest balls that fall straight through, or roll between two strands.\n\n"
+    "--surface names a Surface stream that the path lies on; what tells of layers is left out then. It measures the "
+    "four criteria of Kipping et al. 2022 as printed, marked 'paper', and beside them honest ones: cuts and lengths of "
+    "fibre; geodesic and normal curvature, against what the fibre can be bent to; coverage within half a bead's width "
+    "of the path along the surface, swept by rows whose ends are solved from exact distances, overlap, the largest "
+    "void, and the gaps between neighbours; and how well the path follows the stress of every load case in the "
+    "stream. docs/surface-metrics.md defines each figure. --voids writes the surface with the distance from the path, "
+    "for render: what is farther than half a bead is not covered.";
 
-cli::Spec spec(metrics::Options& o) {
+cli::Spec spec(survey::Options& all) {
     using cli::Option;
+    metrics::Options& o = all.plane;
+    criteria::Options& c = all.curved;
     return {
         .name = "metrics",
         .synopsis = "measure a finished toolpath, or the curves of a fill",
         .description = kDescription,
         .in = cli::reads(stream::Payload::unknown),
         .out = cli::text("a table, TSV or JSON"),
-        .memory = "the toolpath at 20 bytes per segment, and the outlines",
+        .memory = "the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows",
         .options =
             {Option{"regions", &o.regions, "FILE", "the Regions stream that should be filled"}.not_a_setting(),
              Option{"format", &o.format, "", "how to write the figures"}.one_of({"table", "tsv", "json"}),
@@ -49,71 +55,28 @@ cli::Spec spec(metrics::Options& o) {
              Option{"turn-samples", &o.turn_samples, "N", "places tested for sharp turns"}.at_least(1).at_most(1e8),
              Option{"machine", &o.machine, "NAME|FILE", "machine profile of the print time"}.not_a_setting(),
              {"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as feeds.bead=40"},
-             Option{"density", &o.density, "G/CM3", "density of the material"}.above(0)},
+             Option{"density", &o.density, "G/CM3", "density of the material"}.above(0),
+             Option{"surface", &all.surface, "FILE", "the Surface stream that the path lies on"}.not_a_setting(),
+             Option{"voids", &all.voids, "FILE", "also the surface with its distances from the path; needs --surface"}
+                 .not_a_setting(),
+             Option{"spacing", &c.spacing, "MM", "between strands on a surface, d; 0: the median bead width"}.at_least(
+                 0),
+             Option{"step", &c.step, "MM", "between samples on a surface; 0: d / 4"}.at_least(0),
+             Option{"max-curvature", &c.max_curvature, "1/MM", "what the fibre can be bent to"}.above(0)},
         .examples =
             {{"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | metrics --regions "
               "part.regions",
               "all figures of a part"},
              {"slice part.stl | regions > part.regions; sequence part.regions | fill | metrics --regions part.regions "
               "--per-region part.tsv --format json",
-              "how well the fill fills, region by region"}},
-        .see_also = {"fill", "link3d", "render"}};
-}
-
-std::vector<polygon::Region> outlines(const std::string& file) {
-    std::vector<polygon::Region> out;
-    if (!file.empty())
-        cli::read_all(file, stream::Payload::regions,
-                      [&](const stream::RawFrame& f) { out.push_back(wire::region(f)); });
-    return out;
-}
-
-void write(const std::string& file, const std::string& text) {
-    stream::Sink out(file, stream::Sink::Content::text);
-    out.write(text);
-    out.commit();
-}
-
-void run(const metrics::Options& given, const cli::Io& io) {
-    metrics::Options options = given;
-    const auto profile = machine::load_profile(options.machine, options.set);
-    if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
-    if (options.pores && options.regions.empty())
-        throw Error(Exit::usage, "cannot measure pores without outlines; name them by --regions");
-    const auto regions = outlines(options.regions);
-    metrics::Input input;
-    metrics::Beads beads;
-    beads.marks = metrics::layer_marks(regions);
-    stream::Reader reader(io.input, stream::Payload::unknown);
-    const auto payload = reader.header().payload;
-    if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
-        throw Error(Exit::bad_input, "cannot measure " + reader.name() + ": it carries " +
-                                         std::string(stream::name(payload)) + ", not Toolpath or Paths");
-    metrics::Pace pace(profile);
-    input.whole_program = payload == stream::Payload::toolpath;
-    while (auto f = reader.next()) {
-        if (f->tag == stream::Tag::note) input.notes.push_back(stream::parse_note(f->body));
-        if (f->tag == stream::Tag::fact) input.facts.push_back(stream::parse_fact(f->body));
-        if (f->tag == stream::Tag::paths) {
-            const auto paths = wire::paths(*f);
-            input.claimed_unplaced += paths.unplaced;
-            metrics::add(beads, paths);
-        } else if (f->tag == stream::Tag::span) {
-            const auto span = wire::span(*f);
-            metrics::add(beads, span);
-            metrics::follow(input.course, span);
-            pace.add(span);
-        }
-    }
-    input.seconds = pace.seconds();
-    const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
-    if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
-    const auto figures = metrics::report(input, beads, regions, layers, options, io.threads);
-    if (!options.per_region.empty()) write(options.per_region, metrics::region_table(layers));
-    if (!options.per_layer.empty()) write(options.per_layer, metrics::layer_table(layers, input.pores));
-    write(io.output, metrics::text(figures, metrics::format_named(options.format)));
+              "how well the fill fills, region by region"},
+             {"geodesic part.stl --source boundary > part.surface; surfpath geo-fiso part.surface --spacing 2 | "
+              "metrics "
+              "--surface part.surface",
+              "how well a path covers a surface"}},
+        .see_also = {"fill", "link3d", "surfpath", "render"}};
 }
 
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<metrics::Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<survey::Options>(argc, argv, spec, survey::run); }

@@ -4,6 +4,7 @@
 // memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
 #include "cli/command.hpp"
 #include "postproc/about.hpp"
+#include "postproc/measure.hpp"
 #include "postproc/program.hpp"
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
@@ -25,6 +26,12 @@ constexpr const char* kDescription =
     "reprapfirmware (filament), linuxcnc (three axes and an extruder axis), cellink-inkredible and bio-x (valves), and "
     "syringe (a plunger). A bead above limits.section, a place off the bed, a feed above motion.max_speed is an error "
     "that names the place or the key; feeds are lowered by themselves to keep limits.flow and motion.max_speed_z.\n\n"
+    "A profile with a section [kinematics] has two rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, open5x-duet, "
+    "klipper-xyzac): the tool follows the normals that the toolpath carries, upright where it has none. The numbers "
+    "are the tip in the part's frame where the controller works out the axes, else where the axes stand, cut so fine "
+    "that the tip keeps to its line; the head of the program says which. Of both ways to stand the one is taken whose "
+    "axes travel least over the stroke; near upright the tool may lean a little, so that the turn axis does not spin. "
+    "Rotary speeds slow the path down, never the reverse. What the axes cannot reach is an error with the place.\n\n"
     "Templates in the profile hold the codes of the start, the end, and each layer; {names} in them stand for "
     "numbers: every name of the profile's [values], and x_min x_max y_min y_max z_min z_max (the part), x_start "
     "y_start z_start (the first stroke), bed_x_min bed_x_max bed_y_min bed_y_max bed_z_max, z_park (10 mm above the "
@@ -78,8 +85,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    postproc::Surveyor surveyor(profile);
-    postproc::Walk measured(profile, [&](auto steps) { surveyor.add(steps); });
+    postproc::Measure measure(profile, o.place == "center" ? postproc::Place::center : postproc::Place::as_is);
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) {
             notes.push_back(stream::parse_note(frame->body));
@@ -89,21 +95,22 @@ void run(const postproc::Options& o, const cli::Io& io) {
             facts.push_back(stream::parse_fact(frame->body));
             continue;
         }
-        measured.add(wire::span(*frame));
+        measure.add(wire::span(*frame));
         spool.add(std::move(*frame));
         progress.step();
     }
-    measured.end();
-    const auto survey = surveyor.end();
-    const auto place = o.place == "center" ? postproc::Place::center : postproc::Place::as_is;
-    const auto shift = postproc::placement(survey, profile.bed, place);
-    postproc::check_limits(survey, profile, shift);
+    while (measure.again()) {
+        while (const auto frame = spool.next()) measure.add(wire::span(*frame));
+        spool.rewind();
+    }
+    const auto survey = measure.end();
 
-    postproc::Program program(profile, survey, shift, [&](std::string_view text) { sink.write(text); });
+    postproc::Program program(profile, survey, measure.program_shift(),
+                              [&](std::string_view text) { sink.write(text); });
     program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    postproc::Walk written(profile, [&](auto steps) { program.add(steps); });
-    while (const auto frame = spool.next()) written.add(wire::span(*frame));
-    written.end();
+    const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program.add(steps); });
+    while (const auto frame = spool.next()) written->add(wire::span(*frame));
+    written->end();
     program.end();
     sink.commit();
 }

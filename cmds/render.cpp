@@ -1,6 +1,6 @@
 // render - a picture of any stream
 // reads:  Layers, Regions, Paths, Toolpath or Surface
-// writes: a PNG picture, or SVG
+// writes: a PNG picture, SVG or VTP
 // memory: the model
 #include "cli/command.hpp"
 #include "render/draw.hpp"
@@ -23,10 +23,8 @@ constexpr const char* kDescription =
     "its back is bluish. With --surface a toolpath lies on it: beads as wide as they are on the side that its normals "
     "look to, later layers over earlier ones, breaks as grey lines, starts green, ends red. --voids shows red what is "
     "farther than half a width (and 2 % of it) from the middle of every bead, whatever the mesh.\n\n"
-    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. Equal input gives equal "
-    "bytes.";
-
-constexpr double kTop = 4294967295.0; // the largest layer number
+    "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. One in .vtp "
+    "writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.";
 
 cli::Spec spec(render::Options& o) {
     using cli::Option;
@@ -34,7 +32,7 @@ cli::Spec spec(render::Options& o) {
             .synopsis = "draw a picture of any stream",
             .description = kDescription,
             .in = cli::reads(stream::Payload::unknown),
-            .out = cli::text("a PNG picture, or SVG"),
+            .out = cli::text("a PNG picture, SVG or VTP"),
             .memory = "the model",
             .options =
                 {Option{"color", &o.color, "",
@@ -45,15 +43,16 @@ cli::Spec spec(render::Options& o) {
                   "towards the camera; auto: face for surfaces, else iso"},
                  {"views", &o.views, "VIEW,...", "several of these in one picture"},
                  Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
-                 {"by", &o.by, "FIELD", "the field that colours the surface"},
+                 {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
                  {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
+                 Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}.numbers(4),
                  {"voids", &o.voids, "", "marks where no bead covers the surface"},
                  {"overlap", &o.overlap, "", "marks where passes of one layer cover the surface twice"},
                  Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all, in perspective"}
                      .at_least(-1)
-                     .at_most(kTop),
-                 Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(kTop),
-                 Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(kTop),
+                     .at_most(UINT32_MAX),
+                 Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(UINT32_MAX),
+                 Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(UINT32_MAX),
                  Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines --layer shows"}.not_a_setting(),
                  Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
                  Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.at_least(1).at_most(4096),
@@ -72,7 +71,7 @@ cli::Spec spec(render::Options& o) {
                          {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
                           "--output distance.png",
                           "distances on a surface"}},
-            .see_also = {"metrics", "peek"}};
+            .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
 }
 
 // Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
@@ -97,7 +96,7 @@ stream::Payload load(const std::string& file, stream::Payload expected, render::
 
 void run(const render::Options& given, const cli::Io& io) {
     render::Options o = given;
-    o.svg = o.svg || io.output.ends_with(".svg");
+    o.svg = o.svg || io.output.ends_with(".svg"), o.vtp = io.output.ends_with(".vtp");
     render::check(o);
     render::Scene scene;
     std::size_t seen = 0;
@@ -109,7 +108,7 @@ void run(const render::Options& given, const cli::Io& io) {
     if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene, seen);
     const bool regions = payload == stream::Payload::regions, layers = payload == stream::Payload::layers;
     const char* color = regions ? "stroke" : layers ? "layer" : scene.sheet ? "class" : "progress";
-    stream::Sink out(io.output, o.svg ? stream::Sink::Content::text : stream::Sink::Content::binary);
+    stream::Sink out(io.output, o.svg || o.vtp ? stream::Sink::Content::text : stream::Sink::Content::binary);
     out.write(render::draw(std::move(scene), o, color, io.threads));
     out.commit();
 }

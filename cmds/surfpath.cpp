@@ -4,6 +4,7 @@
 // memory: the model, and windows of distance
 #include "surfpath/surfpath.hpp"
 #include "cli/command.hpp"
+#include "kipping2022/kipping2022.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -15,9 +16,17 @@ using cli::Option;
 struct Options {
     surfpath::Options plan;
     surfpath::Laying laying;
+    std::vector<double> plane;
+    kipping2022::Options paper;
 };
 
-constexpr const char* kDescription = "Fills a surface with lines as far apart as the bead is wide.";
+constexpr const char* kDescription =
+    "Fills a surface with lines as far apart as the bead is wide.\n\n"
+    "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
+    "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
+    "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
+    "All options from --plane on are for this method only. What the paper does not give: --resample, --savgol-window, "
+    "--savgol-degree, --least-spacing. Smoothing takes the path off the surface.";
 
 cli::Spec spec(Options& o) {
     return {
@@ -27,14 +36,28 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",
-        .options = {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
-                        .one_of({"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
-                    Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of(
-                        {"filum", "kipping2022"}),
-                    Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
-                    Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
-                    Option{"height", &o.laying.height, "MM", "of the bead"}.above(0),
-                    Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}.at_least(0)},
+        .options =
+            {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
+                 .one_of({"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+             Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
+             Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
+             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             Option{"height", &o.laying.height, "MM", "of the bead"}.above(0),
+             Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}.at_least(0),
+             Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}.numbers(4),
+             Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}.at_least(0),
+             Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}
+                 .at_least(1)
+                 .at_most(9999),
+             Option{"savgol-degree", &o.paper.degree, "", "of its polynomials, below the window"}.at_least(0).at_most(
+                 9),
+             Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
+             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: spacing / 2"}.at_least(
+                 0),
+             Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 spacing"}.at_least(
+                 0),
+             Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
+                 0)},
         .examples = {{"geodesic part.stl --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
                       "one path over a surface"}},
         .see_also = {"geodesic", "metrics", "render"},
@@ -42,11 +65,19 @@ cli::Spec spec(Options& o) {
         .leading = "algorithm"};
 }
 
+surfpath::Plan planned(const surface::Sheet& sheet, const Options& o) {
+    if (o.plan.method != "kipping2022") return surfpath::plan(sheet, o.plan);
+    kipping2022::Options paper = o.paper;
+    paper.algorithm = o.plan.algorithm, paper.spacing = o.plan.spacing;
+    if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
+    return kipping2022::plan(sheet, paper);
+}
+
 void run(const Options& o, const cli::Io& io) {
     surface::Sheet sheet;
     auto whole = cli::read_all(io.input, stream::Payload::surface,
                                [&](const stream::RawFrame& frame) { sheet = wire::sheet(frame); });
-    surfpath::Plan plan = surfpath::plan(sheet, o.plan);
+    surfpath::Plan plan = planned(sheet, o);
     surfpath::Laying laying = o.laying;
     laying.width = o.plan.spacing;
     const auto spans = surfpath::spans(sheet.surface, plan, laying);

@@ -123,7 +123,7 @@ void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first,
 
 // A window that comes to an exit; the source is a line's direction if `line`.
 void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line) {
-    if (b1 - b0 <= kNarrow * exit.length) return;
+    if (!(b1 - b0 > kNarrow * exit.length)) return; // or no number: the source lies on the exit's line
     if (line && sy < kGrazing) return;
     if (!line) sy = std::min(sy, 0.0);
     Window w{b0, b1, sx, sy, sigma, kNone, exit.list < surface_.twin.size()};

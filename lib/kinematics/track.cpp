@@ -103,7 +103,7 @@ std::vector<double> taut(std::span<const double> at, std::span<const double> low
     return out;
 }
 
-void loosen(const Chain&, std::span<const Pose> poses, double tolerance, std::vector<double>& turn) {
+void loosen(std::span<const Pose> poses, double tolerance, double before, std::vector<double>& turn) {
     const std::size_t n = poses.size();
     std::vector<double> at(n, 0), low(n), high(n);
     bool any = false;
@@ -113,7 +113,7 @@ void loosen(const Chain&, std::span<const Pose> poses, double tolerance, std::ve
         any = any || p > 0;
         low[i] = turn[i] - p, high[i] = turn[i] + p;
     }
-    if (any) turn = taut(at, low, high, turn[0]);
+    if (any) turn = taut(at, low, high, before);
 }
 
 // Whole turns that bring the track into its limits, if any do.
@@ -131,7 +131,7 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
     Track out;
     if (poses.empty()) return out;
     auto turn = turns(programme(chain, poses, before));
-    loosen(chain, poses, tolerance, turn);
+    loosen(poses, tolerance, before.turn, turn);
     const double shift = unwound(turn, limits);
     out.stuck = poses.size();
     out.joints.reserve(poses.size());

@@ -3,6 +3,7 @@
 
 #include "geom/vec.hpp"
 #include "machine/head.hpp"
+#include "machine/multi_axis.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -91,6 +92,7 @@ struct Profile {
     Feeds feeds;
     Travel travel;
     Motion motion;
+    MultiAxis axes;
     Format format;
     Templates templates;
     std::map<std::string, double> values; // the user's own placeholders: nozzle_temp, bed_temp, ...

@@ -28,11 +28,13 @@
 // All in mm.  Circles are found to 0.002 mm.  (scaffold terms: pore size and throat as in mercury and sphere models)
 #pragma once
 
+#include "figures/figures.hpp"
 #include "metrics/beads.hpp"
-#include "metrics/figures.hpp"
 #include "metrics/layers.hpp"
 
 namespace filum::metrics {
+
+using figures::Figures;
 
 struct LayerPores {
     std::uint32_t layer = 0;

@@ -1,6 +1,7 @@
 #include "metrics/report.hpp"
 
 #include "base/number.hpp"
+#include "figures/said.hpp"
 #include "metrics/directions.hpp"
 
 #include <algorithm>
@@ -184,27 +185,6 @@ void shape(const Beads& beads, const std::vector<polygon::Region>& regions, cons
     }
 }
 
-void said_before(const Notes& notes, const Facts& facts, Figures& out) {
-    for (const Fact& f : facts)
-        out.push_back({"said by the stages before", f.stage + ": " + f.name,
-                       fixed_text(f.value, 4) + (f.unit.empty() ? "" : " " + f.unit)});
-    Notes sums;
-    for (const Note& n : notes) {
-        const auto it = std::find_if(sums.begin(), sums.end(), [&](const Note& s) {
-            return s.stage == n.stage && s.what == n.what && s.unit == n.unit;
-        });
-        if (it == sums.end())
-            sums.push_back(n);
-        else
-            it->amount += n.amount, it->count += n.count;
-    }
-    for (const Note& n : sums)
-        out.push_back(
-            {"said by the stages before", n.stage + ": " + n.what,
-             std::to_string(n.count) + (n.count == 1 ? " case" : " cases") +
-                 (n.unit.empty() || !std::isfinite(n.amount) ? "" : ", " + fixed_text(n.amount, 4) + " " + n.unit)});
-}
-
 std::string share(double part, double area) { return fixed_text(area > 0 ? part / area : 0, 5); }
 
 } // namespace
@@ -221,7 +201,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     shape(beads, regions, w, options, threads, out);
     if (input.whole_program) lengths(input.course, input.seconds, options, out);
     if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
-    said_before(input.notes, input.facts, out);
+    figures::said_before(input.notes, input.facts, out);
     return out;
 }
 

@@ -3,8 +3,8 @@
 
 #include "base/fact.hpp"
 #include "base/note.hpp"
+#include "figures/figures.hpp"
 #include "metrics/course.hpp"
-#include "metrics/figures.hpp"
 #include "metrics/layers.hpp"
 #include "metrics/pores.hpp"
 #include "metrics/turns.hpp"

@@ -40,6 +40,26 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
     }
 }
 
+// Which frame the numbers are in: the same words mean other places on other machines.
+std::vector<std::string> axes(const machine::Profile& profile) {
+    const auto& a = profile.axes;
+    if (!a.active()) return {};
+    const char* carriers[] = {"", "turn axis on tilt axis, both under the part", "tilting head, turning table",
+                              "tilting head on a turning one"};
+    const auto& u = a.chain.tilt_axis;
+    std::string chain = std::string(" axes: X Y Z ") + a.tilt_letter + " (tilt, about " + (u.x + u.y < 0 ? "-" : "") +
+                        (u.x != 0 ? "x" : "y") + ") " + a.turn_letter + " (turn, about " +
+                        (a.chain.turn_sign < 0 ? "-z): " : "z): ") +
+                        carriers[static_cast<std::size_t>(a.chain.carrier)];
+    std::string numbers = a.numbers == machine::Numbers::tip
+                              ? " numbers: X Y Z is the tip in the part's frame; the controller works out the axes"
+                              : " numbers: X Y Z is where the axes stand; the controller must not correct for tilt";
+    std::string feed = a.feed_word == machine::FeedWord::inverse   ? "1 / minutes of the move"
+                       : a.feed_word == machine::FeedWord::seconds ? "seconds of the move"
+                                                                   : "mm/min of X Y Z, degrees/min without";
+    return {chain, numbers, " feed: F is " + feed};
+}
+
 void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
     const double volume = s.volume * e.flow;
@@ -67,6 +87,7 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
                                const Notes& notes, const Facts& facts) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
+    for (auto& line : axes(profile)) lines.push_back(std::move(line));
     pipeline(stages, lines);
     remarks(notes, lines);
     for (const Fact& f : facts) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace filum::postproc {
@@ -43,8 +44,8 @@ Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shi
     : profile_(&profile), survey_(&survey), shift_(shift), out_(std::move(out)),
       line_end_(profile.format.crlf ? "\r\n" : "\n"), values_(placeholders(survey, profile, shift)),
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)), e_scale_(power_of_ten(profile.format.e_decimals)),
-      f_scale_(power_of_ten(profile.format.f_decimals)), e_per_mm3_(profile.extrusion.per_mm3()), x_(kUnknown),
-      y_(kUnknown), z_(kUnknown) {
+      f_scale_(power_of_ten(profile.format.f_decimals)), e_per_mm3_(profile.extrusion.per_mm3()) {
+    at_.fill(kUnknown);
     text_.reserve(kBlock + 1024);
 }
 
@@ -78,12 +79,27 @@ void Program::begin(const std::vector<std::string>& about) {
     // what every later line relies on, whatever the template did
     text_ += "G90";
     end_line();
+    begin_axes();
     if (!counts()) return;
     if (profile_->extrusion.letter == 'E') {
         text_ += profile_->extrusion.relative ? "M83" : "M82";
         end_line();
     }
     if (!profile_->extrusion.relative) reset_extruder();
+}
+
+void Program::begin_axes() {
+    const auto& a = profile_->axes;
+    if (!a.active()) return;
+    if (a.numbers == machine::Numbers::tip) code(a.tcp_on, values_);
+    if (a.feed_word == machine::FeedWord::inverse) code("G93", values_);
+}
+
+void Program::end_axes() {
+    const auto& a = profile_->axes;
+    if (!a.active()) return;
+    if (a.feed_word == machine::FeedWord::inverse) code("G94", values_);
+    if (a.numbers == machine::Numbers::tip) code(a.tcp_off, values_);
 }
 
 void Program::reset_extruder() {
@@ -95,6 +111,7 @@ void Program::reset_extruder() {
 }
 
 void Program::end() {
+    end_axes();
     code(profile_->templates.end, values_);
     comment("end of program, " + std::to_string(lines_) + " moves");
     out_(text_);
@@ -127,27 +144,45 @@ void Program::bead_comments(const Step& step) {
 }
 
 // Appends the code and the words that changed; false, and nothing appended, if none did.  All in units.
-bool Program::words(std::int64_t x, std::int64_t y, std::int64_t z, std::string_view code) {
-    if (x == x_ && y == y_ && z == z_) return false;
+bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code) {
+    if (to == at_) return false;
     text_ += code;
-    const auto word = [this](const char* letter, std::int64_t value, std::int64_t& last) {
-        if (value == last) return;
-        text_ += letter;
-        append_units(text_, value, profile_->format.xyz_decimals);
-        last = value;
-    };
-    word(" X", x, x_);
-    word(" Y", y, y_);
-    word(" Z", z, z_);
+    const char letters[] = {'X', 'Y', 'Z', profile_->axes.tilt_letter, profile_->axes.turn_letter};
+    for (std::size_t k = 0; k < to.size(); ++k) {
+        if (to[k] == at_[k]) continue;
+        text_ += ' ';
+        text_ += letters[k];
+        append_units(text_, to[k], k < 3 ? profile_->format.xyz_decimals : profile_->axes.angle_decimals);
+    }
+    at_ = to;
     return true;
 }
 
-void Program::feed(double mm_per_s) {
-    const auto f = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::nearbyint(mm_per_s * 60 * f_scale_)));
+void Program::feed_units(double value) {
+    const auto f = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::nearbyint(value * f_scale_)));
     if (f == f_) return;
     text_ += " F";
     append_units(text_, f, profile_->format.f_decimals);
     f_ = f;
+}
+
+void Program::feed(double mm_per_s) { feed_units(mm_per_s * 60); }
+
+// Of a machine with rotary axes, in the word that it wants; `way`: what X, Y and Z do, mm.
+void Program::feed(const Step& step, double way) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    const double turned = std::max(std::abs(step.tilt - tilt_), std::abs(step.turn - turn_)) * degrees;
+    tilt_ = step.tilt, turn_ = step.turn;
+    if (!(step.seconds > 0)) return;
+    switch (profile_->axes.feed_word) {
+    case machine::FeedWord::per_minute:
+        return feed_units(60 * (way > 0 ? way : turned) / step.seconds);
+    case machine::FeedWord::inverse:
+        f_ = -1; // each line needs its own
+        return feed_units(60 / step.seconds);
+    case machine::FeedWord::seconds:
+        return feed_units(step.seconds);
+    }
 }
 
 // Appends the extruder word for `units` more.
@@ -163,24 +198,39 @@ void Program::extruder_only(std::int64_t units, double speed) {
     if (units == 0 || !counts()) return;
     text_ += "G1";
     material(units);
-    feed(speed);
+    const double seconds = static_cast<double>(std::abs(units)) / e_scale_ / speed;
+    if (profile_->axes.active() && profile_->axes.feed_word != machine::FeedWord::per_minute) {
+        f_ = -1;
+        feed_units(profile_->axes.feed_word == machine::FeedWord::inverse ? 60 / seconds : seconds);
+    } else {
+        feed(speed);
+    }
     end_line();
 }
 
 void Program::move(const Step& step) {
-    const auto units = [this](double v) { return static_cast<std::int64_t>(std::nearbyint(v * xyz_scale_)); };
-    const std::int64_t x = units(step.to.x + shift_.x), y = units(step.to.y + shift_.y), z = units(step.to.z);
+    const auto units = [](double v, double scale) { return static_cast<std::int64_t>(std::nearbyint(v * scale)); };
+    const bool rotary = profile_->axes.active();
+    const double degrees = 180 / std::numbers::pi * power_of_ten(profile_->axes.angle_decimals);
+    std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
+                                   units(step.to.z, xyz_scale_), at_[3], at_[4]};
+    if (rotary) to[3] = units(step.tilt, degrees), to[4] = units(step.turn, degrees);
+    const bool known = at_[2] != kUnknown;
+    const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
     if (step.act == Act::climb) {
-        if (!words(x_, y_, z, "G1")) return; // x and y stay, known or not
+        if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, "G1")) return; // x and y stay, known or not
     } else if (step.act == Act::travel) {
-        if (!words(x, y, z, profile_->format.travel_code)) return;
+        if (!words(to, rotary && step.seconds > 0 ? "G1" : profile_->format.travel_code)) return;
     } else {
         laid_ += step.volume * e_per_mm3_;
         bead_comments(step);
-        if (!words(x, y, z, "G1")) return; // too short to see: its material goes on with the next
+        if (!words(to, "G1")) return; // too short to see: its material goes on with the next
         if (counts()) material(due());
     }
-    feed(step.feed);
+    if (rotary)
+        feed(step, way);
+    else
+        feed(step.feed);
     end_line();
     ++lines_;
 }

@@ -37,11 +37,15 @@ class Program {
     void end_line();
     void layer(const Step& step);
     void move(const Step& step);
-    bool words(std::int64_t x, std::int64_t y, std::int64_t z, std::string_view code);
+    bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
+    void begin_axes();
+    void end_axes();
     std::int64_t due();
     void material(std::int64_t units);
     void extruder_only(std::int64_t units, double speed);
     void feed(double mm_per_s);
+    void feed(const Step& step, double way);
+    void feed_units(double value);
     void bead_comments(const Step& step);
     void reset_extruder();
     void spill();
@@ -54,10 +58,12 @@ class Program {
     std::string text_, line_end_;
     machine::Values values_;
     double xyz_scale_, e_scale_, f_scale_, e_per_mm3_;
-    std::int64_t x_, y_, z_, f_ = -1; // as last written, in units of the last decimal
-    double laid_ = 0;                 // extruder units of the bead so far, exact
-    std::int64_t laid_units_ = 0;     // the same as written
-    std::int64_t e_ = 0;              // where the controller believes the extruder to be
+    std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
+    std::int64_t f_ = -1;            // likewise
+    double tilt_ = 0, turn_ = 0;     // rad, of the step before
+    double laid_ = 0;                // extruder units of the bead so far, exact
+    std::int64_t laid_units_ = 0;    // the same as written
+    std::int64_t e_ = 0;             // where the controller believes the extruder to be
     Role role_ = Role::travel;
     double width_ = 0, height_ = 0; // as last told to viewers
     std::uint64_t lines_ = 0;       // moves written

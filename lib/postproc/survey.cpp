@@ -37,10 +37,10 @@ void Surveyor::check_section(const Step& step, double length) const {
 }
 
 void Surveyor::visit(const Step& step, bool extruding) {
-    const auto c = coordinates(step.to);
+    const auto c = coordinates(step.to), axes = coordinates(profile_->axes.active() ? step.axes : step.to);
     for (std::size_t k = 0; k < 3; ++k) {
-        if (c[k] < survey_.low[k].value) survey_.low[k] = {c[k], step.to, step.layer};
-        if (c[k] > survey_.high[k].value) survey_.high[k] = {c[k], step.to, step.layer};
+        if (axes[k] < survey_.low[k].value) survey_.low[k] = {axes[k], step.to, step.layer};
+        if (axes[k] > survey_.high[k].value) survey_.high[k] = {axes[k], step.to, step.layer};
         if (!extruding) continue;
         survey_.part_low[k] = std::min(survey_.part_low[k], c[k]);
         survey_.part_high[k] = std::max(survey_.part_high[k], c[k]);
@@ -69,11 +69,15 @@ void Surveyor::add(std::span<const Step> steps) {
         case Act::travel:
         case Act::climb:
         case Act::extrude: {
+            const bool rotary = profile_->axes.active();
             const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
-            const double length = geom::norm(d);
+            const double length = rotary ? step.length : geom::norm(d);
             const bool extruding = step.act == Act::extrude;
-            if (extruding) check_section(step, length);
-            clock_.move(d, step.feed, extruding);
+            if (extruding && step.volume > 0) check_section(step, length);
+            if (rotary)
+                clock_.pause(step.seconds);
+            else
+                clock_.move(d, step.feed, extruding);
             visit(step, extruding);
             (extruding ? survey_.path_len : survey_.travel_len) += length;
             survey_.role_len[static_cast<std::size_t>(extruding ? step.role : Role::travel)] += length;

@@ -17,7 +17,7 @@ struct Extreme {
 };
 
 struct Survey {
-    std::array<Extreme, 3> low, high;              // x, y, z over every point that the nozzle visits
+    std::array<Extreme, 3> low, high;              // x, y, z of the linear axes over every point that the nozzle visits
     std::array<double, 3> part_low{}, part_high{}; // the same over extruding moves only
     Vec3 start;                                    // of the first stroke
     double path_len = 0, travel_len = 0;           // mm

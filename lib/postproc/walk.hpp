@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,21 +35,36 @@ struct Step {
     double feed = 0;              // mm/s
     double volume = 0;            // mm3
     double width = 0, height = 0; // mm, mean of the two ends
+    // On machines with rotary axes, where `to` are the program's numbers: where the axes stand, rad and mm, how far the
+    // tip goes, mm, and how long the move takes, s (0: nobody knows whence it comes).
+    double tilt = 0, turn = 0, length = 0, seconds = 0;
+    Vec3 axes{};
 };
 
 using Steps = std::function<void(std::span<const Step>)>;
 
-// Turns spans, in their order, into steps.  Within a stroke nothing but extruding moves (and layer marks) comes out.
+// Turns spans, in their order, into steps.
+class Walker {
+  public:
+    virtual ~Walker() = default;
+    virtual void add(const toolpath::Span& span) = 0;
+    virtual void end() = 0; // closes the last stroke
+};
+
+// Of three axes: a Walk, whose steps are not placed; of more: a TiltedWalk of what is placed by `shift`.
+std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out);
+
+// Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.
 // A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
 // machine), moves, comes down, primes and opens again; one shorter than the profile's min_length only moves.
 // Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is a
 // whole number of mm/s where it is above one. Throws Error(bad_input) with the place if a span does not begin where the
 // one before ended.
-class Walk {
+class Walk final : public Walker {
   public:
     Walk(const machine::Profile& profile, Steps out);
-    void add(const toolpath::Span& span);
-    void end(); // closes the last stroke
+    void add(const toolpath::Span& span) override;
+    void end() override;
 
   private:
     void put(const Step& step);

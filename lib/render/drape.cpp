@@ -49,7 +49,7 @@ struct Canvas {
     std::vector<Sight> sight;
 
     Canvas(const Scene& s, const DrapeView& v, const Plan& p)
-        : scene(s), view(v), plan(p), fine(std::max(1, static_cast<int>(std::ceil(std::sqrt(v.samples))))),
+        : scene(s), view(v), plan(p), fine(std::clamp(static_cast<int>(std::ceil(std::sqrt(v.samples))), 1, 16)),
           raster(s.sheet->surface, p, fine), image(p.width, p.height),
           sight(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height)) {}
     [[nodiscard]] Sight& at(int x, int y) {
@@ -65,7 +65,7 @@ struct Canvas {
 
 void paint_band(Canvas& c, const Paint& paint, int band) {
     const Sights sights = c.raster.band(band);
-    const int top = band * Raster::kBand, f = c.fine;
+    const int top = band * c.raster.rows(), f = c.fine;
     for (int y = 0; y < sights.rows / f; ++y) {
         for (int x = 0; x < c.plan.width; ++x) {
             Rgb sum;
@@ -97,33 +97,42 @@ void draw_arrows(Canvas& c, const surface::Field& field) {
             const auto v = t[share.x >= share.y && share.x >= share.z ? 0 : (share.y >= share.z ? 1 : 2)];
             const Vec3 d = (0.45 * step / longest) * field.vector(v);
             const Vec2 along{dot(d, c.plan.right), -dot(d, c.plan.up)}, at{x + 0.5, y + 0.5};
+            const Rgb under = c.image.get(x, y);
+            const bool dark = 0.2126F * under.r + 0.7152F * under.g + 0.0722F * under.b < 0.14F;
+            const Rgb ink = dark ? Rgb{0.85F, 0.85F, 0.85F} : oklch(0.22, 0.03, 260);
             if (std::isfinite(along.x) && std::isfinite(along.y))
-                draw_line(c.image, at - along, at + along, std::max(1.0, step / 10.0), oklch(0.22, 0.03, 260), 0.9);
+                draw_line(c.image, at - along, at + along, std::max(1.0, step / 10.0), ink, 0.9);
         }
     }
 }
 
-// Moves without material, where they can be seen.
-void draw_travels(Canvas& c) {
-    const double slack = 2 / c.plan.scale, width = std::clamp(c.plan.height / 500.0, 1.2, 4.0);
-    for (const auto& s : c.scene.spans) {
-        if (toolpath::extrudes(s.role)) continue;
-        for (std::size_t i = 0; i + 1 < s.points.size(); ++i) {
-            const Vec3 a = c.plan.place(s.points[i]), b = c.plan.place(s.points[i + 1]);
-            const double pieces = std::clamp(std::ceil(geom::distance(a.xy(), b.xy()) / 3), 1.0, 8192.0);
-            for (double k = 0; k < pieces; ++k) {
-                const Vec3 p = a + k / pieces * (b - a), q = a + (k + 1) / pieces * (b - a);
-                if (c.seen(0.5 * (p + q), slack))
-                    draw_line(c.image, p.xy(), q.xy(), width, role_colour(toolpath::Role::travel));
-            }
-        }
+// The line from a to b, mm, as far as the surface does not hide it.
+void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
+    const double slack = 2 / c.plan.scale;
+    a = c.plan.place(a), b = c.plan.place(b);
+    const double pieces = std::clamp(std::ceil(geom::distance(a.xy(), b.xy()) / 3), 1.0, 8192.0);
+    for (double k = 0; k < pieces; ++k) {
+        const Vec3 p = a + k / pieces * (b - a), q = a + (k + 1) / pieces * (b - a);
+        if (c.seen(0.5 * (p + q), slack)) draw_line(c.image, p.xy(), q.xy(), width, colour);
     }
+}
+
+// What does not lie on the surface: beads that should, and moves without material.
+void draw_loose(Canvas& c, const Laid& laid) {
+    const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
+    for (const Stroke& s : laid.loose)
+        draw_in_space(c, s.a, s.b, std::max(thread, c.plan.scale * (s.half_a + s.half_b)), from_srgb8(s.colour));
+    for (const auto& s : c.scene.spans)
+        for (std::size_t i = 0; i + 1 < s.points.size() && !toolpath::extrudes(s.role); ++i)
+            draw_in_space(c, s.points[i], s.points[i + 1], thread, role_colour(toolpath::Role::travel));
 }
 
 void draw_ends(Canvas& c, double width) {
-    const double size = std::clamp(1.1 * width * c.plan.scale, 5.0, 0.008 * c.plan.height + 4);
-    const double slack = std::max(2 / c.plan.scale, 0.3 * width);
     const auto all = ends(c.scene);
+    const double most = 0.008 * c.plan.height + 4; // pixels; less where many would hide the path
+    const double crowd = std::sqrt(0.01 * c.plan.width * c.plan.height / static_cast<double>(all.size() + 1));
+    const double size = std::clamp(1.1 * width * c.plan.scale, 4.0, std::max(4.0, std::min(most, crowd)));
+    const double slack = std::max(2 / c.plan.scale, 0.3 * width);
     for (const bool start : {false, true}) {
         for (const End& e : all) {
             const Vec3 p = c.plan.place(e.at);
@@ -140,17 +149,19 @@ std::string end_text(double v, bool more) {
     return fixed_text(v, size >= 100 ? 0 : (size >= 10 ? 1 : (size >= 1 ? 2 : 4))) + (more ? "..." : "");
 }
 
-void draw_key(Canvas& c, const Tint& tint, const Show& show) {
+void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, double bare) {
     Key key(c.image);
+    if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
+    if (laid.loose_length > 0) key.text("off the surface: " + fixed_text(laid.loose_length, 1) + " mm");
     if (!show.by.empty()) {
         const Scale s = scale_of(find_field(*c.scene.sheet, show.by, 0));
         const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
         key.ramp(show.by + " " + end_text(s.lo, s.below), end_text(s.hi, s.above) + unit);
     }
-    if (!c.scene.spans.empty()) add_legend(key, tint);
-    if (show.voids) key.swatch(void_colour(), "void");
+    if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * bare, 1) + "%");
     if (show.overlap) key.swatch(overlap_colour(), "overlap");
+    if (!c.scene.spans.empty()) add_legend(key, tint);
 }
 
 // Mean direction that the path's tools come from, or the surface's normal; `otherwise` where they cancel out.
@@ -173,24 +184,37 @@ Vec3 face(const Scene& scene, Vec3 otherwise) {
     return norm(sum) > 0.1 * total ? sum : otherwise;
 }
 
+// Points that the picture is laid out for: everything, or the corners of a box around a place.
+std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
+    if (const auto& a = show.around; !a.empty()) {
+        const double r = a[3] / std::sqrt(3);
+        return {{a[0] - r, a[1] - r, a[2] - r}, {a[0] + r, a[1] - r, a[2] - r}, {a[0] - r, a[1] + r, a[2] - r},
+                {a[0] + r, a[1] + r, a[2] - r}, {a[0] - r, a[1] - r, a[2] + r}, {a[0] + r, a[1] - r, a[2] + r},
+                {a[0] - r, a[1] + r, a[2] + r}, {a[0] + r, a[1] + r, a[2] + r}};
+    }
+    std::vector<Vec3> out = scene.sheet->surface.vertices;
+    for (const auto& s : scene.spans) out.insert(out.end(), s.points.begin(), s.points.end());
+    return out;
+}
+
 } // namespace
 
 Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, int threads) {
-    const Strokes lines(beads(scene, tint));
+    const Laid laid = lay(scene, tint);
+    const double bare = view.show.voids ? uncovered(scene.sheet->surface, laid) : 0;
     double width = 0;
     for (const auto& s : scene.spans)
         if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
-    std::vector<Vec3> points = scene.sheet->surface.vertices;
-    for (const auto& s : scene.spans) points.insert(points.end(), s.points.begin(), s.points.end());
+    const std::vector<Vec3> points = shown_points(scene, view.show);
     return contact_sheet(view.looks, view.width, view.height, [&](const Look& look, int w, int h) {
         Canvas c(scene, view, lay_out(points, look.face ? face(scene, look.from) : look.from, w, h));
-        const Paint paint(scene, lines, view.show, c.plan);
+        const Paint paint(scene, laid, view.show, c.plan);
         parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,
                              [&](std::size_t b, std::size_t) { paint_band(c, paint, static_cast<int>(b)); });
         if (!view.show.arrows.empty()) draw_arrows(c, find_field(*scene.sheet, view.show.arrows, 3));
-        draw_travels(c);
+        draw_loose(c, laid);
         draw_ends(c, width);
-        draw_key(c, tint, view.show);
+        draw_key(c, tint, view.show, laid, bare);
         return std::move(c.image);
     });
 }

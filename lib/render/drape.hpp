@@ -9,7 +9,7 @@ namespace filum::render {
 
 struct DrapeView {
     int width = 1024, height = 768; // pixels
-    int samples = 4;                // per pixel, both ways together
+    int samples = 4;                // per pixel, both ways together; at most 256 are taken
     std::vector<Look> looks;        // several: side by side
     Show show;
 };

@@ -1,9 +1,11 @@
 #include "render/draw.hpp"
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "render/drape.hpp"
 #include "render/flat.hpp"
 #include "render/perspective.hpp"
+#include "render/vtp.hpp"
 
 namespace filum::render {
 
@@ -20,9 +22,13 @@ By by(const std::string& color) {
 
 // What needs a surface, or something on it.
 void check_surface(const Scene& scene, const Options& o) {
-    const char* asked = !o.by.empty() ? "--by" : (!o.arrows.empty() ? "--arrows" : (o.voids ? "--voids" : "--overlap"));
-    const bool any = !o.by.empty() || !o.arrows.empty() || o.voids || o.overlap;
-    if (any && !scene.sheet)
+    const char* asked = !o.by.empty()       ? "--by"
+                        : !o.arrows.empty() ? "--arrows"
+                        : !o.around.empty() ? "--around"
+                        : o.voids           ? "--voids"
+                        : o.overlap         ? "--overlap"
+                                            : nullptr;
+    if (asked != nullptr && !scene.sheet)
         throw Error(Exit::usage, std::string("cannot use ") + asked + " without a surface; name it with --surface");
     if (scene.sheet && scene.spans.empty() && (o.voids || o.overlap))
         throw Error(Exit::usage, "cannot mark voids or overlap without a toolpath; give the surface with --surface");
@@ -48,6 +54,9 @@ Range Options::range() const {
 
 void check(const Options& o) {
     chosen(o, "iso");
+    if (!o.around.empty() && !(o.around[3] > 0 && o.around[3] < 1e9))
+        throw Error(Exit::usage,
+                    "cannot show a radius of " + shortest_text(o.around[3]) + " mm; give --around X,Y,Z,R");
     if (!o.views.empty() && o.flat())
         throw Error(Exit::usage, "cannot draw a layer from several sides; leave out --views");
     if (o.svg && !o.flat()) throw Error(Exit::usage, "cannot write all layers as SVG; choose one with --layer");
@@ -57,6 +66,9 @@ void check(const Options& o) {
 
 std::string draw(Scene scene, const Options& o, const std::string& by_default, int threads) {
     check_surface(scene, o);
+    if (o.vtp && !scene.outlines.empty())
+        throw Error(Exit::usage, "cannot write outlines as VTP; it is for Surface, Paths and Toolpath");
+    if (o.vtp) return vtp(scene);
     if (!o.flat() && scene.spans.empty() && !scene.sheet) fill_outlines(scene);
     const By color = by(o.color == "auto" ? by_default : o.color);
     machine::Profile profile;
@@ -67,7 +79,7 @@ std::string draw(Scene scene, const Options& o, const std::string& by_default, i
     if (o.svg) return svg(scene, colours, flat);
     if (o.flat()) return encode_png(draw_flat(scene, colours, flat, threads));
     if (scene.sheet) {
-        const Show show{o.by, o.arrows, o.voids, o.overlap, !o.no_centres};
+        const Show show{o.by, o.arrows, o.voids, o.overlap, !o.no_centres, o.around};
         return encode_png(draw_draped(scene, colours, {w, h, samples, chosen(o, "face"), show}, threads));
     }
     return encode_png(contact_sheet(chosen(o, "iso"), w, h, [&](const Look& look, int width, int height) {

@@ -19,7 +19,8 @@ struct Options {
     std::int64_t layer = -1, from_layer = 0, to_layer = UINT32_MAX; // layer -1: all, in perspective
     std::int64_t samples = 4;                                       // per pixel
     std::vector<double> size = {1024, 768};                         // pixels
-    bool svg = false, travels = false, no_centres = false, no_table = false;
+    std::vector<double> around = {}; // x, y, z, radius in mm: what a surface's picture shows
+    bool svg = false, vtp = false, travels = false, no_centres = false, no_table = false;
 
     [[nodiscard]] bool flat() const { return layer >= 0; }
     [[nodiscard]] Range range() const; // of the layers to draw
@@ -28,7 +29,7 @@ struct Options {
 // Throws Error(usage) if the options do not fit together; for a look before anything is read.
 void check(const Options& options);
 
-// A PNG file, or an SVG one if `options.svg`.  `by_default`: what "auto" colours by.
+// A PNG file; an SVG one if `options.svg`, a VTP one if `options.vtp`.  `by_default`: what "auto" colours by.
 std::string draw(Scene scene, const Options& options, const std::string& by_default, int threads);
 
 } // namespace filum::render

@@ -25,6 +25,10 @@ Key::Key(Image& image)
 
 bool Key::room(double width) const { return at_.x + width <= end_; }
 
+void Key::clear(Rgb paper) {
+    if (end_ > 0) draw_box(*image_, 0, static_cast<int>(at_.y - 2.2 * size_), image_->width, image_->height, paper);
+}
+
 void Key::text(const std::string& text) {
     const double wide = text_width(size_, text);
     if (!room(wide)) return;

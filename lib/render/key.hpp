@@ -10,6 +10,7 @@ namespace filum::render {
 class Key {
   public:
     explicit Key(Image& image);
+    void clear(Rgb paper); // makes room where there is a picture: before the first item
     // Each leaves the item out if there is no room for it.
     void text(const std::string& text);
     void swatch(Rgb colour, const std::string& text);

@@ -1,8 +1,8 @@
 #include "render/paint.hpp"
 
 #include "base/error.hpp"
+#include "curve/line.hpp"
 #include "render/camera.hpp"
-#include "render/simplify.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,29 +14,13 @@ namespace {
 using geom::Vec3;
 
 constexpr double kCrease = 0.8;                 // cosine of the angle from which on an edge looks sharp
-constexpr double kSimplify = 0.004;             // of a bead's width
-constexpr double kFat = 1.02;                   // beads a little wider than true, or voids show where they just touch
-constexpr double kMostReach = 8;                // half widths
 constexpr std::uint32_t kIsoline = 0, kRim = 1; // layers of lines
+constexpr double kSlim = 0.35;                  // of their width, where a field is to be seen between the beads
+constexpr Rgb kBack{0.50F, 0.55F, 0.68F};       // the back is darker, and bluish
 constexpr Rgb kInk{0.020F, 0.022F, 0.030F};
 
 Vec3 blend(const std::vector<Vec3>& v, const mesh::Triangle& t, Vec3 shares) {
     return shares.x * v[t[0]] + shares.y * v[t[1]] + shares.z * v[t[2]];
-}
-
-// Means of the triangles around, by their areas.
-std::vector<Vec3> vertex_normals(const surface::Surface& s) {
-    std::vector<Vec3> out(s.vertices.size());
-    for (const auto& t : s.triangles) {
-        const Vec3 n = cross(s.vertices[t[1]] - s.vertices[t[0]], s.vertices[t[2]] - s.vertices[t[0]]);
-        for (const auto v : t) out[v] = out[v] + n;
-    }
-    for (Vec3& n : out) n = unit(n);
-    return out;
-}
-
-Stroke line_on(const surface::Surface& s, Vec3 a, Vec3 b, std::uint32_t triangle, double half, std::uint32_t layer) {
-    return {a, b, surface::normal(s, triangle), half, half, 2 * half, 0, layer, {}};
 }
 
 } // namespace
@@ -72,36 +56,12 @@ Scale scale_of(const surface::Field& field) {
     return {&field, low, high, low > v.front(), high < v.back()};
 }
 
-std::vector<Stroke> beads(const Scene& scene, const Tint& tint) {
-    std::vector<Stroke> out;
-    double before = 0;
-    for (std::size_t k = 0; k < scene.spans.size(); ++k) {
-        const auto& s = scene.spans[k];
-        if (!toolpath::extrudes(s.role)) {
-            before += 1e6; // never neighbours
-            continue;
-        }
-        const auto kept = visible_points(s, kSimplify * s.width_at(0));
-        double along = 0;
-        for (std::size_t m = 0; m + 1 < kept.size(); ++m) {
-            const auto i = kept[m], j = kept[m + 1];
-            const double a = kFat * s.width_at(i) / 2, b = kFat * s.width_at(j) / 2, half = std::max(a, b);
-            const double reach = std::min(half + s.layer * s.height_at(i), kMostReach * half);
-            const Vec3 up = s.normals.empty() ? Vec3{} : unit(s.normals[i] + s.normals[j]);
-            out.push_back(
-                {s.points[i], s.points[j], up, a, b, reach, before + along, s.layer, colour(tint, scene, k, i, along)});
-            for (auto p = i; p < j; ++p) along += geom::distance(s.points[p], s.points[p + 1]);
-        }
-        before += along;
-    }
-    return out;
-}
-
-Paint::Paint(const Scene& scene, const Strokes& beads, const Show& show, const Plan& plan)
-    : sheet_(&*scene.sheet), beads_(&beads), show_(show), plan_(plan),
-      lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)), normal_(vertex_normals(scene.sheet->surface)),
-      lines_({}) {
+Paint::Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan)
+    : sheet_(&*scene.sheet), laid_(&laid), show_(show), plan_(plan),
+      lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)),
+      normal_(curve::vertex_normals(scene.sheet->surface)), lines_({}) {
     if (!show.by.empty()) scale_ = scale_of(find_field(*sheet_, show.by, 0));
+    if (!show.by.empty() && !show.voids) slim_ = kSlim;
     draw_lines();
 }
 
@@ -109,13 +69,17 @@ void Paint::draw_lines() {
     const auto& s = sheet_->surface;
     const double pixel = 1 / plan_.scale;
     std::vector<Stroke> all;
+    const auto add = [&](Vec3 a, Vec3 b, std::uint32_t triangle, double half, std::uint32_t layer) {
+        const Vec3 p = plan_.place(a), q = plan_.place(b);
+        if (std::max(p.x, q.x) < -2 || std::min(p.x, q.x) > plan_.width + 2) return;
+        if (std::max(p.y, q.y) < -2 || std::min(p.y, q.y) > plan_.height + 2) return;
+        all.push_back({a, b, surface::normal(s, triangle), half, half, 2 * half, 0, layer, {}});
+    };
     for (const auto& rim : s.rims)
-        for (const auto h : rim.sides)
-            all.push_back(line_on(s, s.vertices[s.tail(h)], s.vertices[s.head(h)], h / 3, 1.1 * pixel, kRim));
+        for (const auto h : rim.sides) add(s.vertices[s.tail(h)], s.vertices[s.head(h)], h / 3, 1.1 * pixel, kRim);
     for (const auto& line : sheet_->isolines)
         for (std::size_t i = 0; i < line.triangles.size(); ++i)
-            all.push_back(line_on(s, line.points[i], line.points[(i + 1) % line.points.size()], line.triangles[i],
-                                  0.6 * pixel, kIsoline));
+            add(line.points[i], line.points[(i + 1) % line.points.size()], line.triangles[i], 0.6 * pixel, kIsoline);
     lines_ = Strokes(std::move(all));
 }
 
@@ -131,7 +95,7 @@ Rgb Paint::ground(std::uint32_t triangle, Vec3 shares) const {
 
 // A bead's section is round, as far as there are pixels to show it.
 Rgb Paint::on_bead(const Cover& c, Vec3& normal) const {
-    const double pixels = plan_.scale * (c.stroke->half_a + c.stroke->half_b);
+    const double pixels = slim_ * plan_.scale * (c.stroke->half_a + c.stroke->half_b);
     const double strength = std::clamp((pixels - 1.5) / 4, 0.0, 1.0), off2 = c.off * c.off;
     if (c.off > 0) normal = unit(normal + (0.75 * strength * off2) * unit(c.outwards));
     Rgb colour = static_cast<float>(1 - 0.45 * strength * off2 * off2) * from_srgb8(c.stroke->colour);
@@ -144,29 +108,28 @@ Rgb Paint::at(std::uint32_t triangle, Vec3 shares) const {
     const auto& s = sheet_->surface;
     const auto& t = s.triangles[triangle];
     const Vec3 flat = surface::normal(s, triangle), p = blend(s.vertices, t, shares);
-    const bool front = dot(flat, plan_.towards) >= 0;
+    const double facing = dot(flat, plan_.towards) < 0 ? -1 : 1; // the side that is seen
+    const bool back = (facing < 0) != laid_->behind;
     Vec3 n{};
     for (const auto& [v, share] : {std::pair{t[0], shares.x}, {t[1], shares.y}, {t[2], shares.z}})
         n = n + share * (dot(normal_[v], flat) < kCrease ? flat : normal_[v]);
-    n = unit(n);
+    n = facing * unit(n);
     Rgb colour = ground(triangle, shares);
+    const bool on_dark = 0.2126F * colour.r + 0.7152F * colour.g + 0.0722F * colour.b < 0.2F;
     const Cover line = lines_.at(p, flat);
-    if (front) {
-        const Cover c = beads_->at(p, flat);
-        if (c.stroke != nullptr)
-            colour = on_bead(c, n);
-        else if (show_.voids)
-            colour = void_colour();
-    } else {
-        n = -1.0 * n, colour = colour * Rgb{0.50F, 0.55F, 0.68F}; // the back is darker, and bluish
-    }
+    if (back) colour = colour * kBack;
+    Cover c = laid_->beads.at(p, facing * flat);
+    c.off /= slim_;
+    if (c.off <= 1 && c.stroke != nullptr && !(back && c.stroke->normal == Vec3{}))
+        colour = on_bead(c, n);
+    else if (show_.voids && !back)
+        colour = void_colour();
     const auto light = static_cast<float>(0.40 + 0.66 * std::max(0.0, dot(n, lamp_)));
     colour = light * colour;
     if (line.stroke == nullptr) return colour;
     if (line.stroke->layer == kRim) return mix(colour, kInk, 0.85F);
-    if (!beads_->empty()) return colour;
-    const bool dark = 0.2126F * colour.r + 0.7152F * colour.g + 0.0722F * colour.b < 0.16F;
-    return mix(colour, dark ? Rgb{1, 1, 1} : kInk, dark ? 0.6F : 0.7F);
+    if (!laid_->beads.empty()) return colour;
+    return on_dark ? mix(colour, {1, 1, 1}, 0.6F) : mix(colour, kInk, 0.7F);
 }
 
 } // namespace filum::render

@@ -12,6 +12,8 @@ namespace {
 
 using geom::Vec3;
 
+constexpr int kMostSamples = 1 << 22; // of a band, or of a row of pixels if that has more
+
 // Twice the area of a b c in the picture.
 double turn(Vec3 a, Vec3 b, Vec3 c) { return geom::orient(a.xy(), b.xy(), c.xy()); }
 
@@ -43,14 +45,15 @@ Plan lay_out(const std::vector<Vec3>& points, Vec3 from, int width, int height) 
     return plan;
 }
 
-Raster::Raster(const surface::Surface& s, const Plan& plan, int fine) : s_(&s), plan_(plan), fine_(fine) {
+Raster::Raster(const surface::Surface& s, const Plan& plan, int fine)
+    : s_(&s), plan_(plan), fine_(fine), rows_(std::clamp(kMostSamples / (plan.width * fine * fine), 1, 16)) {
     place_.reserve(s.vertices.size());
     for (const Vec3& p : s.vertices) {
         const Vec3 q = plan.place(p);
         place_.push_back({fine * q.x, fine * q.y, q.z});
     }
-    in_band_.resize(static_cast<std::size_t>((plan.height + kBand - 1) / kBand));
-    const double high = kBand * fine, last = static_cast<double>(in_band_.size()) - 1;
+    in_band_.resize(static_cast<std::size_t>((plan.height + rows_ - 1) / rows_));
+    const double high = rows_ * fine, last = static_cast<double>(in_band_.size()) - 1;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         double lo = INFINITY, hi = -INFINITY;
         for (const auto v : s.triangles[t]) lo = std::min(lo, place_[v].y), hi = std::max(hi, place_[v].y);
@@ -64,9 +67,9 @@ Raster::Raster(const surface::Surface& s, const Plan& plan, int fine) : s_(&s), 
 Sights Raster::band(int b) const {
     Sights out;
     out.columns = plan_.width * fine_;
-    out.rows = std::min(kBand, plan_.height - b * kBand) * fine_;
+    out.rows = std::min(rows_, plan_.height - b * rows_) * fine_;
     out.sample.resize(static_cast<std::size_t>(out.columns) * static_cast<std::size_t>(out.rows));
-    for (const auto t : in_band_[static_cast<std::size_t>(b)]) cover(t, b * kBand * fine_, out);
+    for (const auto t : in_band_[static_cast<std::size_t>(b)]) cover(t, b * rows_ * fine_, out);
     return out;
 }
 

@@ -38,12 +38,13 @@ struct Sights {
     }
 };
 
-// A depth buffer by bands of kBand rows of pixels; the nearest triangle counts, the first of equals.
+// A depth buffer by bands of rows of pixels, some 32 MB each at most; the nearest triangle counts, the first of equals.
 class Raster {
   public:
-    static constexpr int kBand = 16; // rows of pixels
+    // `fine`: samples along either side of a pixel.
     Raster(const surface::Surface& s, const Plan& plan, int fine);
     [[nodiscard]] int bands() const { return static_cast<int>(in_band_.size()); }
+    [[nodiscard]] int rows() const { return rows_; } // of pixels, in every band but the last
     [[nodiscard]] Sights band(int b) const;
     // The point of `triangle` that sample (x, y) of the picture shows, as shares of its corners.
     [[nodiscard]] geom::Vec3 shares(std::uint32_t triangle, int x, int y) const;
@@ -52,7 +53,7 @@ class Raster {
     void cover(std::uint32_t triangle, int first_row, Sights& out) const;
     const surface::Surface* s_;
     Plan plan_;
-    int fine_;
+    int fine_, rows_;
     std::vector<geom::Vec3> place_; // of the vertices, in samples
     std::vector<std::vector<std::uint32_t>> in_band_;
 };

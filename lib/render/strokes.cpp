@@ -10,9 +10,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double kMostCells = 1 << 20; // along an axis: 20 bits each in a key
-constexpr double kTouch = 0.9;         // of half the width: what two passes share further out is their common border
-constexpr double kNear = 3;            // widths along the path that count as neighbours
+constexpr double kMostCells = 1 << 20;  // along an axis: 20 bits each in a key
+constexpr double kMostPieces = 1 << 17; // of strokes, a cell long each: bounds the memory for hair-thin ones
+constexpr double kTouch = 0.9;          // of half the width: what two passes share further out is their common border
+constexpr double kNear = 3;             // widths along the path that count as neighbours
 
 std::uint64_t mixed(std::uint64_t v) { // Stafford's variant 13
     v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -34,16 +35,16 @@ double radius(const Stroke& s) { return std::hypot(std::max(s.half_a, s.half_b),
 Strokes::Strokes(std::vector<Stroke> strokes) : strokes_(std::move(strokes)) {
     if (strokes_.empty()) return;
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
-    double widest = 0;
+    double widest = 0, length = 0;
     for (const Stroke& s : strokes_) {
-        widest = std::max(widest, radius(s));
+        widest = std::max(widest, radius(s)), length += geom::distance(s.a, s.b);
         for (const Vec3 p : {s.a, s.b}) {
             lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
             hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
         }
     }
     const double size = std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z}) + 2 * widest;
-    cell_ = std::max({1.5 * widest, size / (kMostCells - 4), 1e-12});
+    cell_ = std::max({1.5 * widest, size / (kMostCells - 4), length / kMostPieces, 1e-12});
     lo_ = lo - Vec3{widest + cell_, widest + cell_, widest + cell_};
     fill();
 }

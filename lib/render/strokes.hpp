@@ -28,7 +28,8 @@ struct Cover {
     bool twice = false;             // by parts of that layer that are no neighbours along the path
 };
 
-// A hash grid of cells as wide as the widest stroke: memory some hundred bytes per width of length.
+// A hash grid of cells a little wider than the widest stroke: memory some hundred bytes per width of length, and no
+// more than some 100 MB for very thin ones.
 class Strokes {
   public:
     explicit Strokes(std::vector<Stroke> strokes);

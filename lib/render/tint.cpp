@@ -14,8 +14,6 @@ using toolpath::Role;
 
 constexpr int kSteps = 1024; // of the ramp
 
-constexpr const char* kRoles[] = {"bead", "lift", "jog", "connector", "travel", "hairpin"};
-
 double length(const toolpath::Span& s) {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < s.points.size(); ++i) sum += geom::distance(s.points[i], s.points[i + 1]);
@@ -70,6 +68,11 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     if (by == By::layer) out.lo = std::min(lo, hi), out.hi = hi;
     if (by == By::width || by == By::speed) amount_range(scene, out);
     return out;
+}
+
+const char* role_name(Role role) {
+    constexpr const char* kNames[] = {"bead", "lift", "jog", "connector", "travel", "hairpin"};
+    return kNames[static_cast<std::size_t>(role)];
 }
 
 Rgb role_colour(Role role) {
@@ -127,7 +130,7 @@ void add_legend(Key& key, const Tint& tint) {
         return key.ramp("speed " + fixed_text(tint.lo, 1), fixed_text(tint.hi, 1) + " mm/s");
     case By::role:
         for (std::size_t r = 0; r < tint.roles.size(); ++r)
-            if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), kRoles[r]);
+            if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));
     }
 }
 

@@ -32,6 +32,7 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile);
 Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along);
 
 Rgb role_colour(toolpath::Role role);
+const char* role_name(toolpath::Role role);
 
 // What the colours mean; alone, in the lower left corner.
 void add_legend(Key& key, const Tint& tint);

@@ -84,7 +84,10 @@ void Tubes::State::measure(const Scene& s, bool travels) {
         widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
     }
     width = median(widths, 0.4), height = median(heights, 0.2);
-    stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
+    // On a curved surface beads lie flat in all directions: they are drawn round, about the path.
+    const bool tilted = std::any_of(s.spans.begin(), s.spans.end(), [](const auto& x) { return !x.normals.empty(); });
+    if (tilted) height = width;
+    stretch = width / height, thickness = std::max(width, height) / 2, lift = tilted ? 0 : height / 2;
     Box box;
     for (const auto& span : s.spans)
         for (std::size_t i = 0; drawn(span, travels) && i < span.points.size(); ++i) {

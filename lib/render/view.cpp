@@ -89,8 +89,8 @@ Image contact_sheet(const std::vector<Look>& looks, int width, int height, const
         const int y0 = j * height / down, y1 = (j + 1) * height / down;
         if (x1 - x0 < 2 || y1 - y0 < 2) continue; // no room
         Image cell = draw(looks[static_cast<std::size_t>(k)], x1 - x0 - 1, y1 - y0 - 1);
-        const double size = std::clamp(cell.height / 50.0, 7.0, 24.0);
-        draw_text(cell, {size, 2 * size}, size, looks[static_cast<std::size_t>(k)].name, oklch(0.42, 0.02, 260));
+        const double size = std::clamp(cell.height / 60.0, 6.0, 24.0);
+        draw_text(cell, {size, 1.8 * size}, size, looks[static_cast<std::size_t>(k)].name, oklch(0.42, 0.02, 260));
         paste(out, cell, x0, y0);
     }
     return out;

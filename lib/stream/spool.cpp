@@ -97,6 +97,14 @@ void Spool::add(RawFrame frame) {
     if (s.buffer.size() >= (std::size_t{1} << 18)) s.drain();
 }
 
+void Spool::rewind() {
+    State& s = *state_;
+    if (!s.reading) return;
+    s.at = 0, s.begin = 0;
+    s.buffer.clear();
+    if (s.fd >= 0 && ::lseek(s.fd, 0, SEEK_SET) != 0) failed("read");
+}
+
 std::optional<RawFrame> Spool::next() {
     State& s = *state_;
     if (!s.reading) {
@@ -106,7 +114,7 @@ std::optional<RawFrame> Spool::next() {
         }
         s.reading = true;
     }
-    if (s.at < s.frames.size()) return std::move(s.frames[s.at++]);
+    if (s.at < s.frames.size()) return s.frames[s.at++];
     if (s.fd < 0) return std::nullopt;
     Head head{};
     if (!s.fill(sizeof head)) {

@@ -22,6 +22,8 @@ class Spool {
     void add(RawFrame frame);
     // Frames in the order they were added; the first call ends the adding.  Throws Error(io).
     std::optional<RawFrame> next();
+    // The next one is the first again.
+    void rewind();
 
   private:
     struct State;

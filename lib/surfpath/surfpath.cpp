@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
+#include "surfpath/geo_contour.hpp"
+#include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
 
 namespace filum::surfpath {
@@ -11,6 +13,8 @@ Plan plan(const surface::Sheet& sheet, const Options& options) {
     if (options.algorithm == "fexa") return fexa(sheet, options);
     if (options.algorithm == "geo-spiral") return geo_spiral(sheet, options);
     if (options.algorithm == "fina") return fina(sheet, options);
+    if (options.algorithm == "geo-contour") return geo_contour(sheet, options);
+    if (options.algorithm == "geo-fiso") return geo_fiso(sheet, options);
     throw Error(Exit::usage, "cannot plan by '" + options.algorithm + "' yet");
 }
 

@@ -16,7 +16,7 @@ absent() {
     if grep "$@"; then return 1; fi
 }
 
-machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syringe"
+machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syringe linuxcnc-xyzac linuxcnc-xyzbc open5x-duet klipper-xyzac"
 
 @test "every machine gives a whole program, silently" {
     for m in $machines; do
@@ -84,7 +84,7 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
 @test "an unknown machine is a usage error that lists the known" {
     run postproc --machine nosuch part.toolpath
     [ "$status" -eq 2 ]
-    [[ "$output" == *"unknown machine 'nosuch'; known are bio-x, cellink-inkredible, klipper, linuxcnc, marlin, reprapfirmware, syringe"* ]]
+    [[ "$output" == *"unknown machine 'nosuch'; known are bio-x, cellink-inkredible, klipper, klipper-xyzac, linuxcnc, linuxcnc-xyzac, linuxcnc-xyzbc, marlin, open5x-duet, reprapfirmware, syringe"* ]]
 }
 
 @test "profiles are found by path and in FILUM_PROFILES" {
@@ -184,4 +184,40 @@ INI
     grep -q 'PROGRAM_END' canon.txt
     # every straight move arrives: a G1 with a coordinate is one STRAIGHT_FEED
     [ "$(grep -c STRAIGHT_FEED canon.txt)" -eq "$(grep -c '^G1 ' part.ngc)" ]
+}
+
+# The interpreter alone knows no tool centre point control: M428 and M429, which switch it, are taken for nothing there.
+@test "LinuxCNC's own interpreter accepts programs of machines with rotary axes, in both forms" {
+    command -v rs274 > /dev/null || skip "rs274 is not installed (Debian: linuxcnc-uspace)"
+    mkdir -p subs
+    for m in 428 429; do printf 'o<m%s> sub\no<m%s> endsub\nM2\n' $m $m > subs/m$m.ngc; done
+    cat > axes.ini <<'INI'
+[EMC]
+VERSION = 1.1
+[DISPLAY]
+PROGRAM_PREFIX = .
+[RS274NGC]
+PARAMETER_FILE = p.var
+SUBROUTINE_PATH = ./subs
+REMAP = M428 modalgroup=10 ngc=m428
+REMAP = M429 modalgroup=10 ngc=m429
+[KINS]
+KINEMATICS = trivkins coordinates=XYZABC
+JOINTS = 6
+[TRAJ]
+COORDINATES = XYZABC
+LINEAR_UNITS = mm
+ANGULAR_UNITS = degree
+[EMCIO]
+TOOL_TABLE = t.tbl
+INI
+    echo 'T1 P1 Z0 D0.4' > t.tbl
+    : > p.var
+    for machine in linuxcnc-xyzac linuxcnc-xyzbc; do
+        for numbers in tip joints; do
+            postproc --machine $machine --set kinematics.numbers=$numbers part.toolpath > part.ngc
+            rs274 -g -i axes.ini -t t.tbl -v p.var part.ngc canon.txt
+            [ "$(grep -c STRAIGHT_FEED canon.txt)" -eq "$(grep -c '^G1 ' part.ngc)" ]
+        done
+    done
 }

@@ -55,6 +55,62 @@ is_png() { [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a 
     grep -q 'stroke-width="0.4"' layer.svg
 }
 
+@test "a surface, a path on it, and several views" {
+    geodesic part.stl --source vertex:0 --spacing 1 -o part.surface
+    for t in 1 2 8; do
+        render --threads $t --size 160,120 --by distance part.surface -o s$t.png 2> err
+        [ ! -s err ]
+        render --threads $t --size 160,120 --surface part.surface --voids --overlap --views iso,back,1,1,1 \
+            part.toolpath -o d$t.png
+    done
+    is_png s1.png
+    is_png d1.png
+    cmp s1.png s2.png
+    cmp s1.png s8.png
+    cmp d1.png d2.png
+    cmp d1.png d8.png
+    render --size 160,120 part.surface -o plain.png
+    ! cmp -s plain.png s1.png
+    render --size 160,120 --around 1,1,0,2 part.surface -o near.png
+    ! cmp -s plain.png near.png
+    render --size 160,120 --views iso,top part.toolpath -o views.png
+    is_png views.png
+}
+
+@test "VTP of a surface and of a path" {
+    geodesic part.stl --source vertex:0 -o part.surface
+    render part.surface -o surface.vtp
+    grep -q 'Name="distance"' surface.vtp
+    render part.toolpath -o path.vtp
+    grep -q 'Name="progress"' path.vtp
+    for f in surface path; do tail -n 1 $f.vtp | grep -q '</VTKFile>'; done
+    run render part.regions -o regions.vtp
+    [ "$status" -eq 2 ]
+    [ ! -e regions.vtp ]
+}
+
+@test "what needs a surface says so" {
+    geodesic part.stl -o bare.surface
+    for o in --voids --overlap "--by distance" "--arrows distance" "--around 0,0,0,1"; do
+        run render $o part.toolpath
+        [ "$status" -eq 2 ]
+        [[ "$output" == *"without a surface; name it with --surface"* ]]
+    done
+    run render --by distance bare.surface
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"no such field"* ]]
+    run render --voids bare.surface
+    [ "$status" -eq 2 ]
+    run render --surface part.regions part.toolpath
+    [ "$status" -eq 3 ]
+    run render --surface bare.surface part.regions
+    [ "$status" -eq 2 ]
+    run render --around 0,0,0,0 bare.surface
+    [ "$status" -eq 2 ]
+    run render --views iso,top --layer 1 part.toolpath
+    [ "$status" -eq 2 ]
+}
+
 @test "what does not fit together is refused" {
     run render --svg part.toolpath
     [ "$status" -eq 2 ]

@@ -6,19 +6,21 @@ namespace filum::metrics {
 
 namespace {
 
-const Figure* find(const Figures& figures, const std::string& name) {
-    for (const Figure& f : figures)
+using figures::Format;
+
+const figures::Figure* find(const Figures& figures, const std::string& name) {
+    for (const figures::Figure& f : figures)
         if (f.name == name) return &f;
     return nullptr;
 }
 
 std::uint64_t count(const Figures& f, const std::string& name) {
-    const Figure* one = find(f, name);
+    const figures::Figure* one = find(f, name);
     return one == nullptr ? 999999 : std::get<std::uint64_t>(one->value);
 }
 
 double number(const Figures& f, const std::string& name) {
-    const Figure* one = find(f, name);
+    const figures::Figure* one = find(f, name);
     return one == nullptr ? NAN : std::get<double>(one->value);
 }
 
@@ -97,23 +99,6 @@ TEST(Report, HoldsFarFromTheOrigin) {
     const auto a = here.figures(), b = there.figures();
     EXPECT_NEAR(number(a, "coverage"), number(b, "coverage"), 1e-6);
     EXPECT_EQ(count(a, "crossings"), count(b, "crossings"));
-}
-
-TEST(Figures, AreWrittenThreeWays) {
-    const Figures f{{"one", "a count", std::uint64_t{7}},
-                    {"one", "a length", 1.5, 2, "mm"},
-                    {"two", "none", INFINITY},
-                    {"two", "text", std::string("say \"hi\"\tthere")},
-                    {"two", "zero", -1e-12, 1}};
-    EXPECT_EQ(text(f, Format::table), "one\n  a count      7\n  a length  1.50 mm\n\ntwo\n  none         -\n  text     "
-                                      " say \"hi\" there\n  zero       0.0\n");
-    EXPECT_EQ(text(f, Format::tsv),
-              "group\tname\tvalue\tunit\none\ta count\t7\t\none\ta length\t1.50\tmm\ntwo\tnone\t-\t\ntwo\ttext\tsay "
-              "\"hi\" there\t\ntwo\tzero\t0.0\t\n");
-    EXPECT_EQ(text(f, Format::json),
-              "{\n  \"one\": {\n    \"a_count\": 7,\n    \"a_length_mm\": 1.50\n  },\n  \"two\": {\n    \"none\": "
-              "null,\n    \"text\": \"say \\\"hi\\\"\\u0009there\",\n    \"zero\": 0.0\n  }\n}\n");
-    EXPECT_EQ(text({}, Format::json), "{}\n");
 }
 
 } // namespace

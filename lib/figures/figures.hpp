@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace filum::metrics {
+namespace filum::figures {
 
 // One line.  Numbers keep a fixed count of decimals; a value that is not finite is written as "-" (JSON: null).
 struct Figure {
@@ -27,4 +27,4 @@ Format format_named(std::string_view name); // table for any other name
 // json: {"group": {"name_unit": value}}, blanks as '_', numbers as numbers.
 std::string text(const Figures& figures, Format format);
 
-} // namespace filum::metrics
+} // namespace filum::figures

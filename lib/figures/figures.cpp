@@ -1,4 +1,4 @@
-#include "metrics/figures.hpp"
+#include "figures/figures.hpp"
 
 #include "base/number.hpp"
 
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace filum::metrics {
+namespace filum::figures {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::string text(const Figures& figures, Format format) {
     return {};
 }
 
-} // namespace filum::metrics
+} // namespace filum::figures

@@ -1,0 +1,102 @@
+// stressfield - stresses of a finite-element program onto a surface
+// reads:  Surface
+// writes: Surface
+// memory: the surface, and the file of stresses twice over
+#include "stressfield/stressfield.hpp"
+#include "cli/command.hpp"
+#include "mesh/read.hpp"
+#include "stream/crc32c.hpp"
+#include "stressfield/read.hpp"
+#include "wire/surface.hpp"
+
+#include <cstdio>
+
+namespace {
+
+using namespace filum;
+using cli::Option;
+
+struct Options {
+    std::string file;
+    stressfield::ReadOptions read{"", "", "all", "mm", "MPa"};
+    stressfield::Options place;
+};
+
+constexpr const char* kDescription =
+    "Reads stresses from the file of --stress and adds fields to the vertices of the surface, which keeps all it has: "
+    "stress.CASE.s1, .s2 and .s3, the principal stresses in MPa, and stress.CASE.d1, the unit vector along which the "
+    "greatest one, s1, pulls. A direction and its opposite are the same: the one is taken whose largest component is "
+    "positive. Without --stress nothing is added.\n\n"
+    "A CSV file has a line per point: x,y,z and the vector of s1, also s1,s2,s3, or the whole tensor; columns are "
+    "known "
+    "by the header's names or by --columns, which lists in order what they are: x,y,z, s1x,s1y,s1z, s1,s2,s3, "
+    "sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is the length of the vector.\n\n"
+    "A vertex takes the mean, by moving least squares, of the samples near it on the surface. Those on the other side "
+    "of a thin wall lie off the surface and do not count; see --reach. A direction is unknown where s1 equals s2, or "
+    "lies below the share of --mask; unknown values are infinite. Where a part is pressed, s1 is about 0 and its "
+    "direction is that of the surface's normal, of no use on it: how much of the surface that is, is said and kept as "
+    "a "
+    "fact. --tangent takes the direction of the greatest stress in the tangent plane instead.";
+
+cli::Spec spec(Options& o) {
+    return {
+        .name = "stressfield",
+        .synopsis = "put stresses onto a surface",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::surface),
+        .out = cli::writes(stream::Payload::surface),
+        .memory = "the surface, and the file of stresses twice over",
+        .options = {Option{"stress", &o.file, "FILE", "the stresses, a CSV file; also packed by gzip"}.not_a_setting(),
+                    {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
+                    {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
+             {"columns", &o.read.columns, "ROLE,...", "what the columns of a CSV are; none: by their names"},
+                    Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
+                    Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
+                        {"MPa", "Pa", "kPa", "GPa", "psi"}),
+                    Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by their spacing"}
+                        .at_least(0),
+                    {"tangent", &o.place.tangent, "", "directions in the tangent plane"},
+                    Option{"mask", &o.place.mask, "SHARE", "no direction where s1 is below this share of its greatest"}
+                        .at_least(0)
+                        .at_most(1)},
+        .examples =
+            {{"printf 'x,y,z,s1x,s1y,s1z\\n0,0,1,5,0,0\\n9,0,1,5,0,0\\n9,9,1,5,0,0\\n0,9,1,5,0,0\\n' > stress.csv; "
+              "geodesic part.stl | stressfield --stress stress.csv --case X --reach 1 | peek",
+              "a part that is pulled with 5 MPa at the corners of its top"}},
+        .see_also = {"geodesic", "peek"}};
+}
+
+void run(const Options& o, const cli::Io& io) {
+    std::vector<surface::Sheet> sheets;
+    const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
+                                            [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
+    if (sheets.size() != 1)
+        throw Error(Exit::bad_input, "cannot use the stream: it holds " + std::to_string(sheets.size()) + " surfaces");
+    cli::Io self = io; // with what identifies the file
+    Notes notes;
+    Facts facts;
+    if (!o.file.empty()) {
+        const mesh::Bytes bytes = mesh::load(o.file);
+        char crc[9];
+        std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
+        self.settings.push_back({"stress_crc32c", crc});
+        const auto samples = stressfield::read(bytes.view(), mesh::spoken_name(o.file), o.read, notes);
+        stressfield::add(sheets[0], samples, o.place, io.threads, notes, facts);
+    }
+    stream::Writer writer(io.output, cli::header(self, stream::Payload::surface, {&before.header}));
+    cli::Report report(io);
+    for (const Note& note : before.notes) writer.write(note);
+    for (const Fact& fact : before.facts) writer.write(fact);
+    for (Note& note : notes) {
+        note.stage = io.program;
+        writer.write(note), report.add(note);
+    }
+    for (const Fact& fact : facts) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
+    writer.write(wire::frame(sheets[0]));
+    writer.close();
+    report.say();
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

@@ -1,0 +1,110 @@
+#include "criteria/curvature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::criteria {
+
+namespace {
+
+constexpr double kTurn = std::numbers::pi / 2; // rad: what counts as a turn,
+constexpr double kWithin = 8;                  // steps each way: if it is made within this
+constexpr double kPlaces = 4;                  // per step
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
+// rad, to the left seen against the normal.
+double turning(const Vec3& before, const Vec3& after, const Vec3& n) {
+    const Vec3 a = before - dot(before, n) * n, b = after - dot(after, n) * n;
+    return std::atan2(dot(cross(a, b), n), dot(a, b));
+}
+
+// The sum of turning up to places of the chain: linear between knots.
+class Sums {
+  public:
+    Sums(const Chain& c, std::span<const Vec3> normals, double step) {
+        add(0, 0);
+        for (std::size_t i = 1; i + 1 < c.points.size(); ++i) {
+            const double a = c.along[i] - c.along[i - 1], b = c.along[i + 1] - c.along[i];
+            add(c.along[i] - std::min(a / 2, step), 0);
+            add(c.along[i] + std::min(b / 2, step),
+                turning(1 / a * (c.points[i] - c.points[i - 1]), 1 / b * (c.points[i + 1] - c.points[i]), normals[i]));
+        }
+        add(c.length(), 0);
+    }
+    [[nodiscard]] double at(double s) const {
+        const auto it = std::upper_bound(at_.begin(), at_.end(), s);
+        if (it == at_.end()) return sum_.back();
+        if (it == at_.begin()) return sum_.front();
+        const auto k = static_cast<std::size_t>(it - at_.begin());
+        return std::lerp(sum_[k - 1], sum_[k], (s - at_[k - 1]) / (at_[k] - at_[k - 1]));
+    }
+
+  private:
+    void add(double s, double angle) {
+        const double before = sum_.empty() ? 0 : sum_.back();
+        at_.push_back(at_.empty() ? s : std::max(s, at_.back()));
+        sum_.push_back(before + angle);
+    }
+    std::vector<double> at_, sum_;
+};
+
+// By how much the normal nods forward from one to the other, per mm of the way.
+double nod(const Vec3& n0, const Vec3& n1, const Vec3& tangent, double way) {
+    const Vec3 change = n1 - n0;
+    const double chord = norm(change);
+    return chord > 0 ? -dot(change, tangent) / chord * 2 * std::asin(std::min(1.0, chord / 2)) / way : 0;
+}
+
+} // namespace
+
+double paper_angle(const Fibres& fibres, double step) {
+    std::vector<double> all;
+    for (const Chain& c : fibres.chains) {
+        const auto p = resampled(c, step);
+        all.insert(all.end(), 2, 0.0);
+        for (std::size_t i = 1; i + 1 < p.size(); ++i) all.push_back(angle(p[i] - p[i - 1], p[i + 1] - p[i]));
+    }
+    if (all.empty()) return 0;
+    const std::size_t n = (all.size() + 99) / 100;
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n - 1), all.end(), std::greater<>());
+    std::sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)); // one order of summing
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum += all[i];
+    return sum / static_cast<double>(n);
+}
+
+Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
+    const Sums sums(c, normals, step);
+    const auto n = static_cast<std::size_t>(std::max(1.0, std::round(kPlaces * c.length() / step)));
+    // Of a short stretch at an end, the outer half tells nothing: no point turns there.
+    const auto outer = [&](double stretch) { return stretch <= 2 * step && c.points.size() > 2 ? stretch / 2 : 0; };
+    const double first = outer(c.along[1]), last = c.length() - outer(c.length() - c.along[c.along.size() - 2]);
+    Bends out;
+    int turned = 0; // -1 or 1 within a turn
+    std::size_t stretch = 0, behind = 0, ahead = 0;
+    const auto normal_at = [&](double s, std::size_t& from) {
+        point_at(c, s, from);
+        const double t = std::clamp((s - c.along[from]) / (c.along[from + 1] - c.along[from]), 0.0, 1.0);
+        const Vec3 v = (1 - t) * normals[from] + t * normals[from + 1];
+        return norm(v) > 0 ? 1 / norm(v) * v : normals[from];
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        const double s = c.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+        point_at(c, s, stretch);
+        const double lo = std::max(first, s - step), hi = std::min(last, s + step);
+        const Vec3 here = c.points[stretch + 1] - c.points[stretch];
+        const double left = (sums.at(hi) - sums.at(lo)) / (hi - lo);
+        const double down = nod(normal_at(lo, behind), normal_at(hi, ahead), 1 / norm(here) * here, hi - lo);
+        out.places.push_back(
+            {c.length() / static_cast<double>(n), left, down, c.role[stretch] == toolpath::Role::hairpin});
+        const double wide = sums.at(s + kWithin * step) - sums.at(s - kWithin * step);
+        const int now = wide > kTurn ? 1 : wide < -kTurn ? -1 : 0;
+        if (now != 0 && now != turned) ++out.turns;
+        turned = now;
+    }
+    return out;
+}
+
+} // namespace filum::criteria

@@ -1,0 +1,229 @@
+#include "postproc/tilted.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "machine/feed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::postproc {
+
+namespace {
+
+using kinematics::Joints;
+using kinematics::Pose;
+
+constexpr double kTouch = 1e-6;        // mm; spans that meet are written from the same number
+constexpr double kApproach = 5;        // mm above its place from where the first stroke is sought
+constexpr int kSweeps = 30;            // over a stroke, until rotary axes can follow
+constexpr std::uint32_t kParts = 4096; // of a move, at most
+constexpr double kDegree = std::numbers::pi / 180;
+
+std::string text(const Vec3& p) {
+    return "x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3);
+}
+
+Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
+    return {span.points[i] + shift, span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i]};
+}
+
+} // namespace
+
+TiltedWalk::TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out)
+    : profile_(&profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)) {}
+
+void TiltedWalk::put(const Step& step) {
+    buffer_.push_back(step);
+    if (buffer_.size() < 1024) return;
+    out_(buffer_);
+    buffer_.clear();
+}
+
+void TiltedWalk::add(const toolpath::Span& span) {
+    const Vec3 from = span.points.front();
+    if (started_ && distance(from, path_) > kTouch)
+        throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
+                                         " begins at " + text(from) + ", " + fixed_text(distance(from, path_), 4) +
+                                         " mm from where the one before ended");
+    if (toolpath::extrudes(span.role))
+        extrude(span);
+    else
+        travel(span);
+    path_ = span.points.back();
+    started_ = true;
+}
+
+void TiltedWalk::end() {
+    finish_stroke();
+    if (!buffer_.empty()) out_(buffer_);
+    buffer_.clear();
+}
+
+void TiltedWalk::go(const Pose& pose, const Leg& leg) {
+    poses_.push_back(pose);
+    legs_.push_back(leg);
+}
+
+// The first stroke is sought along the tool axis, from wherever the start template left the tool.
+void TiltedWalk::approach(const toolpath::Span& first) {
+    const Pose p = pose(first, 0, shift_);
+    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0};
+    go({p.tip + std::max(profile_->travel.lift, kApproach) * p.axis, p.axis}, leg);
+    go(p, leg);
+}
+
+void TiltedWalk::travel(const toolpath::Span& span) {
+    if (!started_) return; // there is nothing to leave
+    finish_stroke();
+    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0};
+    if (!span.normals.empty()) {
+        for (std::size_t i = 0; i < span.points.size(); ++i) go(pose(span, i, shift_), leg);
+        return;
+    }
+    double clear = top_;
+    for (const Vec3& p : span.points) clear = std::max(clear, p.z + shift_.z);
+    clear += profile_->travel.lift;
+    const Vec3 up{0, 0, 1};
+    go(pose(span, 0, shift_), leg);
+    for (const Vec3& p : span.points) go({{p.x + shift_.x, p.y + shift_.y, clear}, up}, leg);
+    go(pose(span, span.points.size() - 1, shift_), leg);
+}
+
+void TiltedWalk::extrude(const toolpath::Span& span) {
+    if (poses_.empty()) approach(span);
+    const auto from = pose(span, 0, shift_);
+    if (kinematics::angle(poses_.back().axis, from.axis) > kTouch) // the tool turns where it stands
+        go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0});
+    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
+        if (distance(span.points[i], span.points[i + 1]) == 0) continue;
+        go(pose(span, i + 1, shift_),
+           {Act::extrude, span.role, span.layer, machine::bead_feed(*profile_, span, i), toolpath::volume(span, i),
+            (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2});
+        top_ = std::max(top_, poses_.back().tip.z);
+    }
+    laid_ = true;
+}
+
+void TiltedWalk::check(const kinematics::Track& track) const {
+    if (track.stuck < poses_.size())
+        throw Error(Exit::failure, "cannot reach " + text(poses_[track.stuck].tip) + " on '" + profile_->name +
+                                       "': " + track.why + "; turn the part, or break the stroke there");
+    if (track.off > profile_->axes.orientation * (1 + 1e-6) + 1e-6)
+        throw Error(Exit::failure, "cannot keep the tool's axis at " + text(poses_[track.off_at].tip) +
+                                       ": it leans by " + fixed_text(track.off / kDegree, 2) +
+                                       " degrees; raise kinematics.orientation_deg");
+}
+
+void TiltedWalk::finish_stroke() {
+    if (poses_.empty()) return;
+    const auto& a = profile_->axes;
+    const auto track = kinematics::track(a.chain, poses_, at_, a.orientation, a.limits);
+    check(track);
+    emit(track.joints, durations(track.joints));
+    at_ = track.joints.back();
+    poses_.clear(), legs_.clear();
+    laid_ = false;
+}
+
+// Per leg; the very first takes none: nobody knows whence it comes.
+std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
+    const auto& a = profile_->axes;
+    std::vector<double> out(j.size(), 0);
+    if (layer_ >= 0) // the axes stand where the last stroke left them
+        out[0] =
+            std::max({distance(at_.xyz, j[0].xyz) / profile_->feeds.travel,
+                      std::abs(j[0].tilt - at_.tilt) / a.tilt_speed, std::abs(j[0].turn - at_.turn) / a.turn_speed});
+    for (std::size_t i = 1; i < j.size(); ++i)
+        out[i] = std::max({distance(poses_[i - 1].tip, poses_[i].tip) / legs_[i].feed,
+                           distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
+                           std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
+                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed});
+    // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
+    const auto ease = [&](std::size_t i, double before, double after, double acceleration) {
+        const double change = std::abs(after / out[i + 1] - before / out[i]);
+        const double can = acceleration * (out[i] + out[i + 1]) / 2;
+        if (change <= can) return;
+        double& slow = std::abs(after) / out[i + 1] > std::abs(before) / out[i] ? out[i + 1] : out[i];
+        slow *= std::min(change / can, 1.3);
+    };
+    for (int sweep = 0; sweep < kSweeps; ++sweep)
+        for (std::size_t i = 1; i + 1 < j.size(); ++i) {
+            if (!(out[i] > 0) || !(out[i + 1] > 0)) continue;
+            ease(i, j[i].tilt - j[i - 1].tilt, j[i + 1].tilt - j[i].tilt, a.tilt_acceleration);
+            ease(i, j[i].turn - j[i - 1].turn, j[i + 1].turn - j[i].turn, a.turn_acceleration);
+        }
+    return out;
+}
+
+void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<double>& seconds) {
+    bool open = false;
+    const auto mark = [&](Act act, std::size_t i, std::size_t at) {
+        const bool tip = profile_->axes.numbers == machine::Numbers::tip;
+        put({.act = act,
+             .role = legs_[i].role,
+             .layer = legs_[i].layer,
+             .to = tip ? poses_[at].tip : joints[at].xyz,
+             .height = legs_[i].height,
+             .axes = joints[at].xyz});
+    };
+    if (layer_ >= 0) mark(Act::retract, 0, 0);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const Leg& leg = legs_[i];
+        if (leg.act == Act::extrude) {
+            if (static_cast<std::int64_t>(leg.layer) != layer_) mark(Act::layer, i, i);
+            if (!open && layer_ >= 0) mark(Act::prime, i, i - 1);
+            if (!open) mark(Act::open, i, i - 1);
+            open = true, layer_ = leg.layer;
+        }
+        move(leg, i, joints, seconds[i]);
+    }
+    if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
+}
+
+void TiltedWalk::move(const Leg& leg, std::size_t i, const std::vector<Joints>& joints, double seconds) {
+    const auto& a = profile_->axes;
+    const Joints &to = joints[i], &from = i > 0 ? joints[i - 1] : to;
+    const Vec3 &tip = poses_[i].tip, &begin = i > 0 ? poses_[i - 1].tip : tip;
+    const auto between = [&](double f) {
+        return kinematics::place(a.chain, begin + f * (tip - begin), from.tilt + f * (to.tilt - from.tilt),
+                                 from.turn + f * (to.turn - from.turn));
+    };
+    std::uint32_t parts = 1;
+    // The tip strays most in the middle of a part; by a quarter when parts are halved.
+    for (; a.numbers == machine::Numbers::joints && i > 0 && parts < kParts; parts *= 2) {
+        double off = 0;
+        for (std::uint32_t k = 0; k < parts; ++k) {
+            const Joints l = between(k / static_cast<double>(parts)), r = between((k + 1.0) / parts);
+            const double middle = (k + 0.5) / parts;
+            const Joints m{0.5 * (l.xyz + r.xyz), (l.tilt + r.tilt) / 2, (l.turn + r.turn) / 2};
+            off = std::max(off, distance(kinematics::forward(a.chain, m).tip, begin + middle * (tip - begin)));
+        }
+        if (off <= a.chord) break;
+    }
+    for (std::uint32_t k = 1; k <= parts; ++k) {
+        const double f = k == parts ? 1 : k / static_cast<double>(parts);
+        const Joints here = k == parts ? to : between(f);
+        put({.act = leg.act,
+             .role = leg.role,
+             .layer = leg.layer,
+             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
+             .feed = leg.feed,
+             .volume = leg.volume / parts,
+             .width = leg.width,
+             .height = leg.height,
+             .tilt = here.tilt,
+             .turn = here.turn,
+             .length = distance(begin, tip) / parts,
+             .seconds = seconds / parts,
+             .axes = here.xyz});
+    }
+}
+
+std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out) {
+    if (profile.axes.active()) return std::make_unique<TiltedWalk>(profile, shift, std::move(out));
+    return std::make_unique<Walk>(profile, std::move(out));
+}
+
+} // namespace filum::postproc

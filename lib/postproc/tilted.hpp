@@ -1,0 +1,56 @@
+// From the spans of a toolpath to the steps of a machine with rotary axes.
+#pragma once
+
+#include "kinematics/track.hpp"
+#include "postproc/walk.hpp"
+
+namespace filum::postproc {
+
+// Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
+// that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
+// joints the axes move straight, so they are cut in equal parts until the tip is off its line by no more than the
+// profile's chord.
+//
+// A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
+// How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
+// its speed faster than it can, so the path slows down, never the reverse.
+// Throws Error(bad_input) if a span does not begin where the one before ended, Error(failure) naming the place that the
+// axes cannot reach, or where the tool would lean off its axis by more than the profile's orientation.
+class TiltedWalk final : public Walker {
+  public:
+    TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out);
+    void add(const toolpath::Span& span) override;
+    void end() override;
+
+  private:
+    struct Leg { // to one pose
+        Act act = Act::travel;
+        Role role = Role::travel;
+        std::uint32_t layer = 0;
+        double feed = 0, volume = 0, width = 0, height = 0;
+    };
+    void approach(const toolpath::Span& first);
+    void travel(const toolpath::Span& span);
+    void extrude(const toolpath::Span& span);
+    void go(const kinematics::Pose& pose, const Leg& leg);
+    void finish_stroke();
+    void check(const kinematics::Track& track) const;
+    void emit(const std::vector<kinematics::Joints>& joints, const std::vector<double>& seconds);
+    void move(const Leg& leg, std::size_t to, const std::vector<kinematics::Joints>& joints, double seconds);
+    [[nodiscard]] std::vector<double> durations(const std::vector<kinematics::Joints>& joints) const;
+    void put(const Step& step);
+
+    const machine::Profile* profile_;
+    Vec3 shift_;
+    Steps out_;
+    std::vector<Step> buffer_;
+    std::vector<kinematics::Pose> poses_; // of the stroke being read
+    std::vector<Leg> legs_;               // legs_[i] leads to poses_[i]
+    kinematics::Joints at_;               // after the last stroke
+    Vec3 path_;                           // end of the span before
+    double top_ = 0;
+    std::int64_t layer_ = -1;
+    bool started_ = false, laid_ = false; // anything; a bead of this stroke
+};
+
+} // namespace filum::postproc

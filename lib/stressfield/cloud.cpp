@@ -1,0 +1,146 @@
+#include "parallel/parallel.hpp"
+#include "stressfield/boxes.hpp"
+#include "stressfield/stencil.hpp"
+#include "stressfield/triangle.hpp"
+
+#include <Eigen/Dense>
+
+namespace filum::stressfield {
+
+namespace {
+
+constexpr std::size_t kNear = 12;   // samples that speak for a vertex
+constexpr double kSteep = 0.7;      // off a vertex's plane per mm along it: 35 degrees
+constexpr double kAlike = 0.5;      // least cosine between normals of one side: 60 degrees
+constexpr double kHole = 2;         // spacings without a sample that are a hole in the data
+constexpr double kRidge = 1e-6;     // keeps slopes along which no samples lie at 0
+constexpr std::size_t kGrain = 512; // vertices or samples of a piece of work
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Near {
+    double distance;
+    std::uint32_t index;
+    friend bool operator<(const Near& a, const Near& b) {
+        return a.distance < b.distance || (a.distance == b.distance && a.index < b.index);
+    }
+};
+
+BoxTree tree_of(const std::vector<Vec3>& points) {
+    std::vector<Box3> boxes(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) boxes[i].add(points[i]);
+    return BoxTree(boxes);
+}
+
+// The `count` nearest to `p` of those that pass, nearest first.
+template <class Pass>
+std::vector<Near> nearest(const BoxTree& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
+                          const Pass& pass) {
+    std::vector<Near> heap;
+    tree.near(p, kInfinity, [&](std::uint32_t i) {
+        const Near n{distance(p, points[i]), i};
+        const bool full = heap.size() == count;
+        if (pass(i) && (!full || n < heap.front())) {
+            if (full) std::pop_heap(heap.begin(), heap.end()), heap.pop_back();
+            heap.push_back(n), std::push_heap(heap.begin(), heap.end());
+        }
+        return heap.size() == count ? heap.front().distance : kInfinity;
+    });
+    std::sort_heap(heap.begin(), heap.end());
+    return heap;
+}
+
+// A sample as the surface sees it.
+struct Foot {
+    bool used = false;
+    Vec3 normal;        // of the surface where it is nearest
+    double off = 0;     // how far from the plane there
+    double reach = 0;   // how far it may be
+    double spacing = 0; // to the third neighbour
+};
+
+std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const BoxTree& tree, double reach,
+                       int threads) {
+    const TriangleTree triangles(s.vertices, s.triangles);
+    std::vector<Foot> out(points.size());
+    parallel::for_chunks(points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Foot& f = out[i];
+            const auto others = nearest(tree, points, points[i], 4, [](std::uint32_t) { return true; });
+            const double next = others.size() > 1 ? others[1].distance : kInfinity;
+            f.reach = reach > 0 ? reach : next / 4;
+            f.spacing = others.back().distance > 0 ? others.back().distance : kInfinity;
+            const auto hit = triangles.nearest(points[i], kInfinity, [](std::uint32_t) { return true; });
+            f.normal = surface::normal(s, hit.triangle);
+            const Vec3 e = points[i] - hit.at;
+            f.off = std::abs(dot(e, f.normal));
+            const double beyond = std::sqrt(std::max(0.0, dot(e, e) - f.off * f.off));
+            f.used = f.off <= f.reach && beyond <= 4 * f.spacing;
+        }
+    });
+    return out;
+}
+
+// Weights of `found` at `p`, by the affine function that fits them best with weights that are infinite at distance 0
+// and 0 from the farthest on.
+std::vector<double> weights(const std::vector<Near>& found, const std::vector<Vec3>& points, const Vec3& p,
+                            const Vec3& normal) {
+    std::vector<double> out(found.size(), 0);
+    const double radius = 1.01 * found.back().distance;
+    if (found.front().distance <= 1e-9 * radius || found.size() == 1) {
+        out.front() = 1;
+        return out;
+    }
+    const Vec3 u = across(normal), v = cross(normal, u);
+    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+    std::vector<Eigen::Vector3d> rows(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const double d = found[k].distance, w = (radius - d) / d;
+        const Vec3 e = (1 / radius) * (points[found[k].index] - p);
+        const Eigen::Vector3d b(1, dot(e, u), dot(e, v));
+        rows[k] = w * w * b;
+        m += rows[k] * b.transpose();
+    }
+    const double ridge = kRidge * m.trace();
+    m(1, 1) += ridge, m(2, 2) += ridge;
+    const Eigen::Vector3d c = m.ldlt().solve(Eigen::Vector3d::UnitX());
+    for (std::size_t k = 0; k < found.size(); ++k) out[k] = rows[k].dot(c);
+    return out;
+}
+
+} // namespace
+
+Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads) {
+    const BoxTree tree = tree_of(points);
+    const auto foot = feet(s, points, tree, reach, threads);
+    const auto normal = normals(s);
+    const std::size_t n = s.vertices.size();
+    std::vector<std::vector<Near>> found(n);
+    std::vector<std::vector<double>> weight(n);
+    Stencils out;
+    out.gap.assign(n, kInfinity);
+    parallel::for_chunks(n, kGrain, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const Vec3 p = s.vertices[v];
+            auto near = nearest(tree, points, p, kNear, [&](std::uint32_t i) {
+                if (!foot[i].used || dot(foot[i].normal, normal[v]) < kAlike) return false;
+                const Vec3 e = points[i] - p;
+                const double off = std::abs(dot(e, normal[v]));
+                return off <= foot[i].reach + kSteep * std::sqrt(dot(e, e) - off * off);
+            });
+            if (near.empty()) continue;
+            out.gap[v] = near.front().distance;
+            if (out.gap[v] > kHole * foot[near.front().index].spacing) continue;
+            weight[v] = weights(near, points, p, normal[v]);
+            found[v] = std::move(near);
+        }
+    });
+    for (std::size_t v = 0; v < n; ++v) {
+        out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
+        for (const Near& f : found[v]) out.sample.push_back(f.index);
+        out.weight.insert(out.weight.end(), weight[v].begin(), weight[v].end());
+    }
+    out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
+    return out;
+}
+
+} // namespace filum::stressfield

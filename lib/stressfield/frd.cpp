@@ -1,0 +1,286 @@
+// The result file of CalculiX (CalculiX GraphiX manual, "Result Format"): records of fixed columns, their kind in the
+// first three or five.  Blocks of nodes (2C), elements (3C) and results (100C), each ended by -3; 9999 ends the file.
+#include "stressfield/formats.hpp"
+#include "stressfield/frd_text.hpp"
+
+#include <cmath>
+
+namespace filum::stressfield {
+
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+const double kNan = std::nan("");
+
+// How an element of the file becomes one of ours.
+struct Kind {
+    Shape shape;
+    std::vector<std::uint8_t> order; // which of its nodes comes next
+};
+
+// By the file's number.  It lists the upright edges of bricks and wedges before the upper ones.
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all = [] {
+        const auto plain = [](Shape shape, std::uint8_t count) {
+            Kind out{shape, {}};
+            for (std::uint8_t k = 0; k < count; ++k) out.order.push_back(k);
+            return out;
+        };
+        return std::vector<Kind>{
+            {},
+            plain(Shape::hex8, 8),
+            plain(Shape::wedge6, 6),
+            plain(Shape::tet4, 4),
+            {Shape::hex20, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15}},
+            {Shape::wedge15, {0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11}},
+            plain(Shape::tet10, 10),
+            plain(Shape::triangle3, 3),
+            plain(Shape::triangle6, 6),
+            plain(Shape::quad4, 4),
+            plain(Shape::quad8, 8),
+            {Shape::tet4, {}}, // beams: of no use, nodes unread
+            {Shape::tet4, {}},
+        };
+    }();
+    return all;
+}
+
+// Numbers of nodes to indices.
+class Numbering {
+  public:
+    void add(long long number) {
+        if (number < 0 || (!numbers_.empty() && number <= numbers_.back())) sorted_ = false;
+        numbers_.push_back(number);
+    }
+    // False if a number comes twice.
+    bool close() {
+        order_.resize(numbers_.size());
+        for (std::uint32_t i = 0; i < order_.size(); ++i) order_[i] = i;
+        if (!sorted_)
+            std::sort(order_.begin(), order_.end(), [&](auto a, auto b) { return numbers_[a] < numbers_[b]; });
+        for (std::size_t i = 1; i < order_.size(); ++i)
+            if (numbers_[order_[i - 1]] == numbers_[order_[i]]) return false;
+        if (order_.empty()) return true;
+        least_ = numbers_[order_.front()];
+        const auto range = static_cast<std::uint64_t>(numbers_[order_.back()] - least_) + 1;
+        if (range > 8 * numbers_.size()) return true;
+        table_.assign(range, kNone);
+        for (const auto i : order_) table_[static_cast<std::size_t>(numbers_[i] - least_)] = i;
+        return true;
+    }
+    [[nodiscard]] std::uint32_t index(long long number) const {
+        if (!table_.empty()) {
+            const auto at = static_cast<std::uint64_t>(number - least_);
+            return at < table_.size() ? table_[at] : kNone;
+        }
+        const auto found = std::lower_bound(order_.begin(), order_.end(), number,
+                                            [&](std::uint32_t i, long long n) { return numbers_[i] < n; });
+        return found != order_.end() && numbers_[*found] == number ? *found : kNone;
+    }
+
+  private:
+    std::vector<long long> numbers_;
+    std::vector<std::uint32_t> order_, table_;
+    long long least_ = 0;
+    bool sorted_ = true;
+};
+
+class Frd {
+  public:
+    Frd(std::string_view bytes, const std::string& name, const std::string& step, Notes& notes)
+        : lines_(bytes), name_(name), notes_(notes), step_(step) {}
+
+    Samples read() {
+        bool ended = false;
+        while (!ended && lines_.next(line_)) {
+            const auto key = columns(line_, 0, 5);
+            if (key == "    2")
+                read_nodes();
+            else if (key == "    3")
+                read_elements();
+            else if (line_.starts_with("    1PSTEP"))
+                note_step();
+            else if (key == "  100")
+                read_result();
+            else if (line_.starts_with(" 9999"))
+                ended = true;
+            else if (!known_to_be_of_no_use(key))
+                fail("it is no record of an FRD file; are its columns moved?");
+        }
+        if (out_.points.empty()) bad(name_, "it has no nodes");
+        if (!ended) notes_.push_back(note("end mark missing: the file may be cut short", 1));
+        if (repeated_ > 0) notes_.push_back(note("earlier result of a step not used", repeated_));
+        if (lost_ > 0) notes_.push_back(note("stress that is not finite taken as unknown", lost_));
+        if (out_.cases.empty()) no_stresses();
+        return std::move(out_);
+    }
+
+  private:
+    // Empty lines, headers and blocks of other kinds.
+    bool known_to_be_of_no_use(std::string_view key) {
+        long long number = 0;
+        return line_.empty() || (key.size() == 5 && whole(key, number)) || line_.starts_with(" -");
+    }
+
+    // In the short form, numbers of nodes have five columns, else ten; in the binary ones none.
+    void use_format(std::string_view field) {
+        long long format = 1;
+        if (!field.empty() && !whole(field, format)) fail("its format is no number");
+        if (format > 1 || format < 0)
+            bad(name_,
+                "it is binary; write it as text: *NODE FILE and *EL FILE instead of *NODE OUTPUT and *EL OUTPUT");
+        id_ = format == 0 ? 5 : 10;
+    }
+
+    // The next line of the block, false at its end.
+    bool in_block(const char* what) {
+        if (!lines_.next(line_)) cut(name_, std::string("it ends inside the ") + what);
+        return !line_.starts_with(" -3");
+    }
+
+    long long id() {
+        long long out = 0;
+        if (!line_.starts_with(" -1") || !whole(columns(line_, 3, id_), out)) fail("it has no number in columns 4 on");
+        return out;
+    }
+
+    void expect(std::string_view field, std::size_t found, const char* what) {
+        long long announced = 0;
+        if (whole(field, announced) && announced != static_cast<long long>(found))
+            bad(name_, "it announces " + std::to_string(announced) + " " + what + " and has " + std::to_string(found));
+    }
+
+    void read_nodes() {
+        if (!out_.points.empty()) fail("it begins a second block of nodes");
+        const std::string_view header = line_;
+        use_format(columns(header, 73, 2));
+        out_.points.reserve(lines_.left() / 150); // of the whole file, results and all
+        while (in_block("nodes")) {
+            numbering_.add(id());
+            double p[3];
+            if (!numbers(line_, 3 + id_, 3, p)) fail("it does not hold three numbers of 12 columns");
+            out_.points.push_back({p[0], p[1], p[2]});
+            if (!std::isfinite(p[0] + p[1] + p[2])) fail("a coordinate is not finite");
+        }
+        expect(columns(header, 24, 12), out_.points.size(), "nodes");
+        if (!numbering_.close()) bad(name_, "two nodes have one number");
+    }
+
+    void read_elements() {
+        const std::string_view header = line_;
+        use_format(columns(header, 73, 2));
+        std::size_t count = 0;
+        bool more = in_block("elements");
+        for (; more; ++count) {
+            id();
+            long long type = 0;
+            if (!whole(columns(line_, 3 + id_, 5), type)) fail("an element has no type");
+            if (type < 1 || static_cast<std::size_t>(type) >= kinds().size())
+                fail("an element is of the unknown type " + std::to_string(type));
+            const Kind& kind = kinds()[static_cast<std::size_t>(type)];
+            found_.clear();
+            while ((more = in_block("elements")) && line_.starts_with(" -2"))
+                for (std::size_t at = 3; at < line_.size(); at += id_) add_node(columns(line_, at, id_));
+            if (!kind.order.empty()) add_element(kind);
+        }
+        expect(columns(header, 24, 12), count, "elements");
+    }
+
+    void add_node(std::string_view field) {
+        long long number = 0;
+        if (!whole(field, number)) fail("the number of a node is none");
+        found_.push_back(numbering_.index(number));
+        if (found_.back() == kNone) fail("an element has the node " + std::to_string(number) + ", which is not there");
+    }
+
+    void add_element(const Kind& kind) {
+        if (found_.size() != kind.order.size())
+            fail("the element before has " + std::to_string(found_.size()) + " nodes, not " +
+                 std::to_string(kind.order.size()));
+        out_.elements.push_back({kind.shape, static_cast<std::uint32_t>(out_.nodes.size())});
+        for (const auto k : kind.order) out_.nodes.push_back(found_[k]);
+    }
+
+    // "1PSTEP", a running number, the increment, the step.
+    void note_step() {
+        long long n = 0;
+        if (whole(columns(line_, 48, 12), n)) current_ = n;
+    }
+
+    void read_result() {
+        use_format(columns(line_, 73, 2));
+        long long step = 0;
+        if (current_ < 0 && whole(columns(line_, 58, 5), step)) current_ = step;
+        const std::string step_name = std::to_string(std::max(0LL, current_));
+        current_ = -1;
+        if (!lines_.next(line_)) cut(name_, "it ends inside a result");
+        if (!line_.starts_with(" -4")) fail("a result does not begin with -4");
+        std::string_view what = columns(line_, 5, 8);
+        what = what.substr(0, what.find(' '));
+        if (what == "STRESS") steps_.push_back(step_name);
+        if (what != "STRESS" || (step_ != "all" && step_ != step_name)) {
+            if (!lines_.seek(" -3")) cut(name_, "it ends inside a result");
+            lines_.next(line_);
+            return;
+        }
+        Case* c = nullptr;
+        for (Case& other : out_.cases)
+            if (other.name == step_name) c = &other, ++repeated_;
+        if (c == nullptr) c = &out_.cases.emplace_back(Case{step_name, {}, {}, {}});
+        read_stresses(*c);
+    }
+
+    void read_stresses(Case& c) {
+        static constexpr std::string_view kNames[] = {"SXX", "SYY", "SZZ", "SXY", "SYZ", "SZX"};
+        c.tensors.assign(out_.points.size(), {kNan, kNan, kNan, kNan, kNan, kNan});
+        std::size_t component = 0;
+        while (in_block("stresses")) {
+            if (line_.starts_with(" -5")) {
+                if (component >= 6 || columns(line_, 5, 3) != kNames[component])
+                    fail("a component of stress is not where SXX SYY SZZ SXY SYZ SZX has it");
+                ++component;
+                continue;
+            }
+            const long long number = id();
+            const std::uint32_t i = numbering_.index(number);
+            if (i == kNone) fail("a result is of the node " + std::to_string(number) + ", which is not there");
+            Tensor& t = c.tensors[i];
+            if (component != 6 || !numbers(line_, 3 + id_, 6, t.data()))
+                fail("it does not hold six numbers of 12 columns");
+            if (!std::isfinite(t[0] + t[1] + t[2] + t[3] + t[4] + t[5])) t[0] = kNan, ++lost_;
+        }
+    }
+
+    [[noreturn]] void no_stresses() const {
+        if (steps_.empty()) bad(name_, "it holds no STRESS; ask for S on *EL FILE");
+        std::string list;
+        for (const auto& s : steps_) list += (list.empty() ? "" : ", ") + s;
+        throw Error(Exit::usage, "cannot use '" + step_ + "' for --step: " + name_ + " has the steps " + list);
+    }
+
+    [[noreturn]] void fail(const std::string& why) const {
+        if (!lines_.ended()) cut(name_, "it ends inside line " + std::to_string(lines_.line()));
+        bad(name_, "line " + std::to_string(lines_.line()) + ": " + why);
+    }
+
+    Lines lines_;
+    const std::string& name_;
+    Notes& notes_;
+    std::string step_;
+    std::string_view line_;
+    Numbering numbering_;
+    std::size_t id_ = 10; // columns of a node's number
+    long long current_ = -1;
+    std::vector<std::uint32_t> found_; // nodes of an element
+    std::vector<std::string> steps_;   // of stresses
+    std::size_t repeated_ = 0, lost_ = 0;
+    Samples out_;
+};
+
+} // namespace
+
+Samples read_frd(std::string_view bytes, const std::string& name, const std::string& step, Notes& notes) {
+    return Frd(bytes, name, step, notes).read();
+}
+
+} // namespace filum::stressfield

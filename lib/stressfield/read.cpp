@@ -1,0 +1,115 @@
+#include "stressfield/read.hpp"
+
+#include "stressfield/formats.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <zlib.h>
+
+namespace filum::stressfield {
+
+namespace {
+
+constexpr std::size_t kMaxFile = std::size_t{1} << 33; // unpacked: a small file can hold terabytes
+constexpr std::size_t kPiece = std::size_t{1} << 30;   // at once
+
+// A file as gzip packs it; may be several, one behind the other.
+std::string gunzip(std::string_view bytes, const std::string& name) {
+    std::string out;
+    z_stream z{};
+    if (inflateInit2(&z, 15 + 16) != Z_OK) throw Error(Exit::failure, "cannot unpack " + name);
+    const std::unique_ptr<z_stream, int (*)(z_stream*)> closer(&z, inflateEnd);
+    std::size_t given = 0, made = 0;
+    for (int state = Z_OK; state != Z_STREAM_END || given < bytes.size() || z.avail_in > 0;) {
+        if (state == Z_STREAM_END) inflateReset(&z);
+        if (z.avail_in == 0) {
+            z.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + given));
+            z.avail_in = static_cast<uInt>(std::min(bytes.size() - given, kPiece));
+            given += z.avail_in;
+        }
+        if (made == out.size()) out.resize(std::max(kPiece / 1024, 2 * out.size()));
+        const std::size_t room = std::min(out.size() - made, kPiece);
+        z.next_out = reinterpret_cast<Bytef*>(out.data() + made);
+        z.avail_out = static_cast<uInt>(room);
+        state = inflate(&z, Z_NO_FLUSH);
+        made += room - z.avail_out;
+        if (state == Z_BUF_ERROR) cut(name, "what gzip packed ends too early");
+        if (state != Z_OK && state != Z_STREAM_END) bad(name, "what gzip packed is damaged");
+        if (made > kMaxFile) bad(name, "it unpacks to more than 8 GiB");
+    }
+    out.resize(made);
+    return out;
+}
+
+struct Factor {
+    const char* unit;
+    double factor;
+};
+constexpr Factor kLengths[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+constexpr Factor kStresses[] = {{"MPa", 1}, {"Pa", 1e-6}, {"kPa", 1e-3}, {"GPa", 1e3}, {"psi", 0.006894757293168361}};
+
+template <std::size_t N>
+double factor(const Factor (&of)[N], const std::string& unit) {
+    for (const auto& f : of)
+        if (unit == f.unit) return f.factor;
+    return 1;
+}
+
+void scale(Samples& samples, double length, double stress) {
+    for (Vec3& p : samples.points) p = length * p;
+    for (Case& c : samples.cases) {
+        for (Tensor& t : c.tensors)
+            for (double& part : t) part *= stress;
+        for (Principal& s : c.principals)
+            for (double& part : s) part *= stress;
+    }
+}
+
+bool proper(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    });
+}
+
+void rename(Samples& samples, const std::string& names, const std::string& file) {
+    if (!names.empty()) {
+        std::vector<std::string> words;
+        for (std::size_t from = 0; from <= names.size();) {
+            const std::size_t end = std::min(names.find(',', from), names.size());
+            words.push_back(names.substr(from, end - from));
+            from = end + 1;
+        }
+        if (words.size() != samples.cases.size())
+            throw Error(Exit::usage, "cannot use '" + names + "' for --case: " + file + " has " +
+                                         std::to_string(samples.cases.size()) + " load cases");
+        for (std::size_t i = 0; i < words.size(); ++i) samples.cases[i].name = words[i];
+    }
+    std::set<std::string> seen;
+    for (Case& c : samples.cases)
+        if (!proper(c.name) || !seen.insert(c.name).second)
+            throw Error(Exit::usage, "cannot name a load case '" + c.name +
+                                         "': names are different and of letters, digits, - and _; give --case");
+}
+
+Samples read_any(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
+    const std::string_view start = bytes.substr(std::min(bytes.find_first_not_of(" \r\n"), bytes.size()));
+    if (start.starts_with("1C") || start.starts_with("1U")) return read_frd(bytes, name, options.step, notes);
+    if (start.starts_with("<")) return read_vtu(bytes, name, options.columns, notes);
+    if (start.starts_with("# vtk")) bad(name, "it is of VTK's old kind of file; save it as .vtu");
+    return read_csv(bytes, name, options.columns, notes);
+}
+
+} // namespace
+
+Samples read(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
+    if (bytes.empty()) throw Error(Exit::truncated, "cannot read " + name + ": it is empty");
+    std::string unpacked;
+    if (bytes.starts_with("\x1f\x8b")) unpacked = gunzip(bytes, name), bytes = unpacked;
+    Samples out = read_any(bytes, name, options, notes);
+    scale(out, factor(kLengths, options.unit), factor(kStresses, options.stress_unit));
+    rename(out, options.names, name);
+    return out;
+}
+
+} // namespace filum::stressfield

@@ -1,0 +1,49 @@
+// The triangle of many that is nearest to a point.
+#pragma once
+
+#include "mesh/mesh.hpp"
+#include "stressfield/boxes.hpp"
+
+#include <span>
+
+namespace filum::stressfield {
+
+using mesh::Triangle;
+
+// A unit vector across the unit vector `n`.
+Vec3 across(const Vec3& n);
+
+// The point of the triangle a b c nearest to `p`, as the weights of its corners.
+std::array<double, 3> nearest_weights(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
+
+struct Hit {
+    std::uint32_t triangle = ~std::uint32_t{0}; // none
+    double distance = std::numeric_limits<double>::infinity();
+    std::array<double, 3> weights{};
+    Vec3 at;
+};
+
+class TriangleTree {
+  public:
+    TriangleTree(std::span<const Vec3> points, std::span<const Triangle> triangles);
+
+    // The nearest to `p` of those within `bound` that pass; the first of equals.
+    template <class Pass>
+    Hit nearest(const Vec3& p, double bound, const Pass& pass) const {
+        Hit out;
+        out.distance = bound;
+        tree_.near(p, bound, [&](std::uint32_t t) {
+            if (pass(t)) improve(out, t, p);
+            return out.distance;
+        });
+        return out;
+    }
+
+  private:
+    void improve(Hit& hit, std::uint32_t triangle, const Vec3& p) const;
+    std::span<const Vec3> points_;
+    std::span<const Triangle> triangles_;
+    BoxTree tree_;
+};
+
+} // namespace filum::stressfield

@@ -1,0 +1,78 @@
+#include "surfpath/ring_path.hpp"
+
+#include "curve/ease.hpp"
+#include "surfpath/rings.hpp"
+#include "surfpath/seam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath {
+
+namespace {
+
+constexpr double kSeam = 25; // spacings: length of a seam, per lane that lanes go over by
+
+// The line in pieces, those that turn tighter than the radius declared.
+std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
+    constexpr double kReach = 0.4; // mm about a place that its turn is measured over
+    if (!(radius > 0)) return {{line, false}};
+    const auto ways = curve::ways(line);
+    const double all = ways.back(), step = 0.1;
+    const auto n = static_cast<std::size_t>(all / step);
+    std::vector<char> tight(n + 1, 0);
+    const auto reach = static_cast<std::size_t>(kReach / step);
+    std::vector<Place> at;
+    for (std::size_t i = 0; i <= n; ++i) at.push_back(curve::at(line, ways, step * static_cast<double>(i)));
+    for (std::size_t i = 2; i + 2 <= n; ++i) {
+        const Vec3 a = at[i].point - at[i - 2].point, b = at[i + 2].point - at[i].point;
+        const Vec3 m = surface::normal(s, at[i].triangle);
+        const double turn = std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m)));
+        if (turn < 2 * step * 1.15 / radius) continue;
+        for (std::size_t k = i - std::min(i, reach); k <= std::min(n, i + reach); ++k) tight[k] = 1;
+    }
+    std::vector<Piece> out;
+    for (std::size_t i = 0; i < n;) {
+        std::size_t j = i + 1;
+        while (j < n && tight[j] == tight[i]) ++j;
+        out.push_back({curve::part(line, ways, step * static_cast<double>(i), j == n ? all : step * static_cast<double>(j)),
+                       tight[i] != 0});
+        i = j;
+    }
+    return out;
+}
+
+} // namespace
+
+Plan ring_path(const surface::Sheet& sheet, const Options& o, int by) {
+    Plan out;
+    const Surface& s = sheet.surface;
+    Rings made = rings(sheet, o, out.facts);
+    const Lanes lanes(s, made.lines, made.spacing);
+    Weave weave(lanes);
+    std::uint32_t start = surface::kNone;
+    for (std::uint32_t l = 0; l < lanes.size(); ++l)
+        if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
+    std::vector<std::uint32_t> merged;
+    if (start != surface::kNone) {
+        const Rungs seam = seam_place(lanes, start, 2 * std::sqrt(o.least_radius * made.spacing * by), kSeam * by * made.spacing);
+        if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
+            shift(weave, lanes, seam, by);
+            merged = seam.lane;
+        }
+        out.facts.push_back({"", "seam-lanes", static_cast<double>(seam.lanes()), ""});
+        if (seam.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, seam), "mm"});
+    }
+    if (merged.empty() && start != surface::kNone) merged = {start};
+    const std::size_t apart = cross_over(weave, lanes, merged, o.least_radius);
+    out.facts.push_back({"", "rings-apart", static_cast<double>(apart), ""});
+    for (auto& course : weave.courses()) {
+        Line line = std::move(course.line);
+        if (o.least_radius > 0)
+            line = curve::ease(s, line, {.radius = o.least_radius, .corridor = 0.25 * made.spacing, .step = 0.15}).line;
+        out.strokes.push_back({pieces(s, line, o.least_radius)});
+    }
+    return out;
+}
+
+} // namespace filum::surfpath

@@ -1,0 +1,242 @@
+#include "surfpath/seam.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace filum::surfpath {
+
+namespace {
+
+constexpr double kSearch = 1;    // spacings between rungs that are tried
+constexpr double kFarthest = 2;  // spacings between neighbouring lanes of a seam
+constexpr double kStep = 0.5;    // spacings between rungs of a ladder
+constexpr int kPoints = 3;       // of a line, per rung
+constexpr double kMargin = 0.5;  // spacings of lane between windows
+constexpr double kApart = 8;     // spacings between lanes that are joined, at most
+
+// From 0 to 1 with the least curvature: two parabolas.
+double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
+
+End first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
+End last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
+
+std::uint32_t cut(Weave& weave, const Rungs& r, std::size_t k) {
+    const double a = r.ways.front()[k], b = r.ways.back()[k];
+    return r.sense[k] > 0 ? weave.cut(r.lane[k], a, b) : weave.cut(r.lane[k], b, a);
+}
+
+// From lane u0 to lane u1 between the rungs v0 and v1.
+std::vector<Vec2> change(const Rungs& r, double u0, double u1, double v0, double v1) {
+    std::vector<Vec2> out;
+    const int n = std::max(2, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
+    for (int i = 0; i <= n; ++i) {
+        const double t = static_cast<double>(i) / n, v = v0 + t * (v1 - v0);
+        out.push_back({u0 + (u1 - u0) * eased(v / r.last()), v});
+    }
+    return out;
+}
+
+std::vector<Vec2> straight(double u, double v0, double v1) {
+    std::vector<Vec2> out;
+    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
+    for (int i = 0; i <= n; ++i) out.push_back({u, v0 + (v1 - v0) * i / n});
+    return out;
+}
+
+} // namespace
+
+Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double wanted) {
+    const double all = lanes.length(start), step = kSearch * lanes.spacing();
+    const auto n = static_cast<std::size_t>(all / step);
+    std::vector<Rung> rungs;
+    for (std::size_t i = 0; i < n; ++i)
+        rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, kFarthest, lanes.size()));
+    // runs of rungs that follow each other, by as many lanes as all have that may be
+    Rungs best;
+    double most = 0;
+    std::vector<std::size_t> counts;
+    for (const auto& r : rungs) counts.push_back(r.places.size());
+    std::sort(counts.begin(), counts.end(), std::greater<>());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    for (const std::size_t count : counts) {
+        if (count < 2 || 1.0 * static_cast<double>(count) <= most) break;
+        auto cropped = rungs;
+        for (auto& r : cropped)
+            if (r.places.size() > count) r.places.resize(count), r.sense.resize(count);
+        for (std::size_t i = 0; i < n;) {
+            if (cropped[i].places.size() < count) {
+                ++i;
+                continue;
+            }
+            std::size_t j = i + 1;
+            while (j < i + n && follows(lanes, cropped[(j - 1) % n], cropped[j % n], step)) ++j;
+            std::vector<Rung> run;
+            for (std::size_t k = i; k < j && k < i + n - 1; ++k) run.push_back(cropped[k % n]);
+            i = j;
+            if (run.size() < 3) continue;
+            // its middle, as long as wanted
+            const auto keep = static_cast<std::size_t>(wanted / step) + 1;
+            if (run.size() > keep) {
+                const std::size_t off = (run.size() - keep) / 2;
+                run = {run.begin() + static_cast<std::ptrdiff_t>(off), run.begin() + static_cast<std::ptrdiff_t>(off + keep)};
+            }
+            const Rungs r = ladder(run, step);
+            const double l = shortest(lanes, r);
+            if (l < least) continue;
+            const double worth = static_cast<double>(count) * (0.7 + 0.3 * std::min(1.0, l / wanted));
+            if (worth > most) most = worth, best = r;
+        }
+    }
+    return best;
+}
+
+void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
+    const std::size_t n = r.lanes(), s = static_cast<std::size_t>(by);
+    std::vector<std::uint32_t> window;
+    for (std::size_t k = 0; k < n; ++k) window.push_back(cut(weave, r, k));
+    for (std::size_t k = 0; k + s < n; ++k)
+        weave.link(first_rung(window[k], r.sense[k]), last_rung(window[k + s], r.sense[k + s]),
+                   drawn(lanes, r, change(r, static_cast<double>(k), static_cast<double>(k + s), 0, r.last())));
+    const double half = r.last() / 2, end = r.last();
+    weave.tail(last_rung(window[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
+    const auto inner = static_cast<double>(n - 1);
+    if (by == 1) {
+        weave.tail(first_rung(window[n - 1], r.sense[n - 1]), drawn(lanes, r, straight(inner, 0, half)));
+        return;
+    }
+    weave.tail(last_rung(window[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
+    std::vector<Vec2> turn;
+    const double deep = 0.5 * lanes.spacing() / r.step;
+    for (int i = 0; i <= 24; ++i) {
+        const double a = std::numbers::pi * i / 24;
+        turn.push_back({inner - 0.5 - 0.5 * std::cos(a), deep * std::sin(a)});
+    }
+    weave.link(first_rung(window[n - 2], r.sense[n - 2]), first_rung(window[n - 1], r.sense[n - 1]),
+               drawn(lanes, r, turn));
+}
+
+namespace {
+
+// A place where two lanes may change over into each other.
+struct Spot {
+    double cost;
+    std::uint32_t a, b;
+    double way, side, gap;
+};
+
+class Crossover {
+  public:
+    Crossover(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
+        : weave_(weave), lanes_(lanes), radius_(radius), root_(lanes.size()) {
+        std::iota(root_.begin(), root_.end(), 0U);
+        for (const auto l : merged) root_[find(l)] = find(merged[0]);
+        for (std::uint32_t l = 0; l < lanes.size(); ++l)
+            if (find(l) == l) ++apart_;
+    }
+
+    std::size_t run() {
+        find_spots();
+        for (const double share : {1.0, 0.5, 0.2})
+            for (const Spot& s : spots_)
+                if (apart_ > 1 && find(s.a) != find(s.b) && join(s, share * radius_)) root_[find(s.a)] = find(s.b), --apart_;
+        return apart_ - 1;
+    }
+
+  private:
+    std::uint32_t find(std::uint32_t l) {
+        while (root_[l] != l) l = root_[l] = root_[root_[l]];
+        return l;
+    }
+
+    void find_spots() {
+        const double d = lanes_.spacing();
+        for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
+            const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.5 * d)));
+            for (std::size_t i = 0; i < n; ++i) {
+                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                for (const double side : {1.0, -1.0}) {
+                    const auto next = lanes_.across(l, way, side, 1.6);
+                    if (next && find(next->lane) != find(l)) add(l, way, side, *next);
+                    if (next || side < 0) continue;
+                }
+            }
+        }
+        if (spots_.empty() || !reachable()) far_spots();
+        std::sort(spots_.begin(), spots_.end(), [](const Spot& a, const Spot& b) {
+            return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
+        });
+    }
+    void far_spots() {
+        const double d = lanes_.spacing();
+        for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
+            const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.5 * d)));
+            for (std::size_t i = 0; i < n; ++i) {
+                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                for (const double side : {1.0, -1.0}) {
+                    if (lanes_.across(l, way, side, 1.6)) continue;
+                    const auto next = lanes_.across(l, way, side, kApart);
+                    if (next && find(next->lane) != find(l)) add(l, way, side, *next);
+                }
+            }
+        }
+    }
+    // Whether the spots would join all.
+    bool reachable() {
+        auto root = root_;
+        std::size_t apart = apart_;
+        for (const Spot& s : spots_)
+            if (find(s.a) != find(s.b)) root_[find(s.a)] = find(s.b), --apart;
+        root_ = std::move(root);
+        return apart <= 1;
+    }
+
+    void add(std::uint32_t l, double way, double side, const LanePlace& next) {
+        const double gap = next.distance / lanes_.spacing();
+        const double bend = std::max(lanes_.curvature(l, way), lanes_.curvature(next.lane, next.way));
+        spots_.push_back({std::abs(gap - 1) + 4 * bend * lanes_.spacing(), l, next.lane, way, side, next.distance});
+    }
+
+    bool join(const Spot& s, double radius) {
+        const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
+        const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (0.25 * d))));
+        const double step = long_ / static_cast<double>(n);
+        if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return false;
+        std::vector<Rung> rungs;
+        for (std::size_t i = 0; i <= n; ++i) {
+            const double way = s.way + step * (static_cast<double>(i) - static_cast<double>(n) / 2);
+            rungs.push_back(rung(lanes_, s.a, way, s.side, std::max(1.7, s.gap / d + 0.7), 2));
+            if (rungs[i].places.size() < 2 || rungs[i].places[1].lane != s.b) return false;
+            if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i], step)) return false;
+        }
+        const Rungs r = ladder(rungs, step);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double a = r.ways.front()[k], b = r.ways.back()[k];
+            if (!(r.sense[k] > 0 ? weave_.free(r.lane[k], a, b, kMargin * d)
+                                 : weave_.free(r.lane[k], b, a, kMargin * d)))
+                return false;
+        }
+        const std::uint32_t w[2] = {cut(weave_, r, 0), cut(weave_, r, 1)};
+        weave_.link(first_rung(w[0], r.sense[0]), last_rung(w[1], r.sense[1]),
+                    drawn(lanes_, r, change(r, 0, 1, 0, r.last())));
+        weave_.link(first_rung(w[1], r.sense[1]), last_rung(w[0], r.sense[0]),
+                    drawn(lanes_, r, change(r, 1, 0, 0, r.last())));
+        return true;
+    }
+
+    Weave& weave_;
+    const Lanes& lanes_;
+    double radius_;
+    std::vector<std::uint32_t> root_;
+    std::size_t apart_ = 0;
+    std::vector<Spot> spots_;
+};
+
+} // namespace
+
+std::size_t cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
+    return Crossover(weave, lanes, merged, radius).run();
+}
+
+} // namespace filum::surfpath

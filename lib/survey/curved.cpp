@@ -1,0 +1,47 @@
+#include "survey/parts.hpp"
+
+#include "figures/said.hpp"
+#include "wire/planar.hpp"
+#include "wire/surface.hpp"
+
+namespace filum::survey {
+
+namespace {
+
+// Options that speak of layers.
+void refuse(const metrics::Options& o) {
+    for (const auto& [name, given] : {std::pair{"--regions", !o.regions.empty()},
+                                      {"--per-region", !o.per_region.empty()},
+                                      {"--per-layer", !o.per_layer.empty()},
+                                      {"--pores", o.pores}})
+        if (given)
+            throw Error(Exit::usage,
+                        "cannot use '" + std::string(name) + "' with --surface: it tells of layers; leave one out");
+}
+
+} // namespace
+
+figures::Figures curved(const Options& options, const cli::Io& io) {
+    refuse(options.plane);
+    surface::Sheet sheet;
+    const auto ground = cli::read_all(options.surface, stream::Payload::surface,
+                                      [&](const stream::RawFrame& f) { sheet = wire::sheet(f); });
+    if (sheet.surface.triangles.empty())
+        throw Error(Exit::bad_input, "cannot measure on '" + options.surface + "': it holds no surface");
+    criteria::Fibres fibres;
+    const auto path = cli::read_all(io.input, stream::Payload::toolpath,
+                                    [&](const stream::RawFrame& f) { criteria::add(fibres, wire::span(f)); });
+    auto found = criteria::measure(fibres, sheet, options.curved, !options.voids.empty(), io.threads);
+    if (!options.voids.empty()) {
+        if (!found.distance) throw Error(Exit::failure, "cannot write '" + options.voids + "': no path is laid");
+        cli::Io out = io;
+        out.output = options.voids;
+        auto header = cli::header(io, stream::Payload::surface, {&ground.header, &path.header});
+        header.expected = 1;
+        cli::write_one(out, header, {}, {}, wire::frame(*found.distance));
+    }
+    figures::said_before(path.notes, path.facts, found.figures);
+    return std::move(found.figures);
+}
+
+} // namespace filum::survey

@@ -1,0 +1,59 @@
+#include "wire/planar.hpp"
+#include "metrics/pace.hpp"
+#include "survey/parts.hpp"
+
+namespace filum::survey {
+
+namespace {
+
+std::vector<polygon::Region> outlines(const std::string& file) {
+    std::vector<polygon::Region> out;
+    if (!file.empty())
+        cli::read_all(file, stream::Payload::regions,
+                      [&](const stream::RawFrame& f) { out.push_back(wire::region(f)); });
+    return out;
+}
+
+} // namespace
+
+figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
+    metrics::Options options = given;
+    const auto profile = machine::load_profile(options.machine, options.set);
+    if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
+    if (options.pores && options.regions.empty())
+        throw Error(Exit::usage, "cannot measure pores without outlines; name them by --regions");
+    const auto regions = outlines(options.regions);
+    metrics::Input input;
+    metrics::Beads beads;
+    beads.marks = metrics::layer_marks(regions);
+    stream::Reader reader(io.input, stream::Payload::unknown);
+    const auto payload = reader.header().payload;
+    if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
+        throw Error(Exit::bad_input, "cannot measure " + reader.name() + ": it carries " +
+                                         std::string(stream::name(payload)) + ", not Toolpath or Paths");
+    metrics::Pace pace(profile);
+    input.whole_program = payload == stream::Payload::toolpath;
+    while (auto f = reader.next()) {
+        if (f->tag == stream::Tag::note) input.notes.push_back(stream::parse_note(f->body));
+        if (f->tag == stream::Tag::fact) input.facts.push_back(stream::parse_fact(f->body));
+        if (f->tag == stream::Tag::paths) {
+            const auto paths = wire::paths(*f);
+            input.claimed_unplaced += paths.unplaced;
+            metrics::add(beads, paths);
+        } else if (f->tag == stream::Tag::span) {
+            const auto span = wire::span(*f);
+            metrics::add(beads, span);
+            metrics::follow(input.course, span);
+            pace.add(span);
+        }
+    }
+    input.seconds = pace.seconds();
+    const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
+    if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
+    auto measured = metrics::report(input, beads, regions, layers, options, io.threads);
+    if (!options.per_region.empty()) write_text(options.per_region, metrics::region_table(layers));
+    if (!options.per_layer.empty()) write_text(options.per_layer, metrics::layer_table(layers, input.pores));
+    return measured;
+}
+
+} // namespace filum::survey

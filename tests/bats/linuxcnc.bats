@@ -1,0 +1,58 @@
+#!/usr/bin/env bats
+# The real controller, simulated: LinuxCNC runs a path on a dome on a trunnion machine, in both forms of program.
+
+load common
+
+machine=$BATS_TEST_DIRNAME/../linuxcnc
+
+# A piece of a sphere of radius 60 beside its pole, 20 mm wide.
+dome() {
+    awk 'BEGIN {
+        n = 24; s = 20
+        printf "OFF\n%d %d 0\n", (n + 1) * (n + 1), 2 * n * n
+        for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) {
+            x = s * (i / n - 0.5); y = s * (j / n - 0.5) + 8
+            printf "%.6f %.6f %.6f\n", x, y, sqrt(3600 - x * x - y * y) - 40
+        }
+        for (j = 0; j < n; j++) for (i = 0; i < n; i++) {
+            a = j * (n + 1) + i
+            printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1
+        }
+    }'
+}
+
+# simulate FORM: runs FORM.ngc in a folder of that name, as a user that LinuxCNC accepts.
+simulate() {
+    mkdir -p "$1/home"
+    cp "$machine"/{machine.ini,sampler.hal,drive.py} "$1"
+    cp -r "$subs" "$1/subs"
+    cp "$1.ngc" "$1/program.ngc"
+    echo 'T1 P1 Z0 D0.4 ;nozzle' > "$1/tool.tbl"
+    local as=()
+    if [ "$(id -u)" -eq 0 ]; then
+        chmod -R a+rwX "$BATS_TEST_TMPDIR"
+        as=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+    fi
+    (cd "$1" && HOME=$PWD/home RTAPI_FIFO_PATH=$PWD/home/.rtapi_fifo timeout 150 "${as[@]}" linuxcnc -r machine.ini) \
+        > "$1.log" 2>&1 || true
+    [ -s "$1/done" ] || { cat "$1.log"; false; }
+}
+
+@test "a surface path runs alike as tip numbers and as joints" {
+    command -v linuxcnc > /dev/null || skip "LinuxCNC is not installed (Debian: linuxcnc-uspace)"
+    [ -z "${FILUM_SANITIZED:-}" ] || skip "the same programs as without sanitizers"
+    subs=$(find /usr/share/doc/linuxcnc -type d -path '*table-rotary-tilting/remap_subs' 2> /dev/null | head -n 1)
+    [ -n "$subs" ] || skip "LinuxCNC came without its examples, which hold M428 and M429"
+    cd "$BATS_TEST_TMPDIR"
+    chmod a+rx "$BATS_RUN_TMPDIR" "$(dirname "$BATS_TEST_TMPDIR")" . 2> /dev/null || true
+    dome > dome.off
+    geodesic dome.off --source plane:0,1,0,8 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > dome.toolpath
+    for form in tip joints; do
+        postproc --machine linuxcnc-xyzac --set "kinematics.numbers=$form,tolerance=0.005,extrusion.kind=valve,\
+extrusion.on=M62 P0,extrusion.off=M63 P0,feeds.bead=15,feeds.first_layer=15,kinematics.tilt_point_y=20,\
+kinematics.tilt_point_z=10,kinematics.turn_speed_deg=60,kinematics.tilt_speed_deg=40" dome.toolpath > $form.ngc
+        simulate $form
+    done
+    "$machine/compare.py" tip/samples.txt joints/samples.txt | tee result
+    awk '{ exit !($1 <= 0.02 && $3 <= 0.05) }' result
+}

@@ -1,0 +1,116 @@
+#!/usr/bin/env bats
+# Stresses onto surfaces, from the outside.
+# shellcheck disable=SC2154
+
+load common
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || exit 1
+    # a square of 10 mm, and 11 x 11 samples on it that pull along x, more and more towards y = 10
+    printf 'OFF\n4 2 0\n0 0 0  10 0 0  10 10 0  0 10 0\n3 0 1 2\n3 0 2 3\n' > square.off
+    python3 -c '
+print("x,y,z,s1x,s1y,s1z,s1,s2,s3")
+for y in range(11):
+    for x in range(11):
+        print(x, y, 0, -1, 0, 0, 1 + y, 0.5, -2, sep=",")' > stress.csv
+    geodesic square.off --source vertex:0 > s
+}
+
+facts() { peek "$1" | sed -n "s/^fact *$2: //p"; }
+# columns FILE FIELD...: their values per vertex
+columns() {
+    peek --json "$1" | python3 -c '
+import json, sys
+p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
+for name in sys.argv[1:]:
+    print(name, *("inf" if v is None else round(float(v), 6) for v in p[name]))' "${@:2}"
+}
+
+@test "fields of a load case join what the surface has" {
+    stressfield --stress stress.csv --case X s > t
+    [[ $(columns t distance stress.X.s1 stress.X.s2 stress.X.s3) == \
+        $'distance 0.0 10.0 14.142136 10.0\nstress.X.s1 1.0 1.0 11.0 11.0\nstress.X.s2 0.5 0.5 0.5 0.5\nstress.X.s3 -2.0 -2.0 -2.0 -2.0' ]]
+    peek --text t | grep -q 'stress.X.d1'
+    facts t stressfield | grep -qx 'stress.X.greatest 11 MPa'
+    facts t stressfield | grep -qx 'stress.X.unknown 0 vertices'
+    facts t geodesic | grep -qx 'reached 4 vertices'
+    geodesic square.off --source vertex:0 | stressfield --stress stress.csv --case X | cmp - t
+    gzip -n stress.csv
+    stressfield --stress stress.csv.gz --case X s > u
+    [[ $(columns t stress.X.s1) == $(columns u stress.X.s1) ]]
+}
+
+@test "several load cases, one after the other" {
+    stressfield --stress stress.csv --case X s | stressfield --stress stress.csv --stress-unit kPa --case Y > t
+    [[ $(columns t stress.X.s1 stress.Y.s1) == $'stress.X.s1 1.0 1.0 11.0 11.0\nstress.Y.s1 0.001 0.001 0.011 0.011' ]]
+    expect 2 stressfield --stress stress.csv --case X t
+    complaint stressfield
+    [[ $err == *"'X'"* ]]
+}
+
+@test "without stresses the surface goes on as it is" {
+    stressfield s > t
+    [[ $(peek --json s | grep -A 30 '"kind": "surface"') == $(peek --json t | grep -A 30 '"kind": "surface"') ]]
+}
+
+@test "where the greatest stress leans out of the surface is said" {
+    python3 -c '
+print("x,y,z,sxx,syy,szz,sxy,syz,szx")
+for y in range(11):
+    for x in range(11):
+        print(x, y, 0, -5, -1, 0, 0, 0, 0, sep=",")' > pressed.csv
+    expect 0 stressfield --stress pressed.csv --case X s --output t
+    [[ $err == 'stressfield: greatest stress of case X points out of the surface: 4 cases, 100 % of its area at '* ]]
+    facts t stressfield | grep -qx 'stress.X.out-of-surface 1'
+    expect 0 stressfield --stress pressed.csv --case X --tangent s --output t
+    [[ -z $err ]]
+}
+
+@test "far away, or in another unit: said" {
+    python3 -c '
+for y in range(11):
+    for x in range(11):
+        print(x / 1000, y / 1000, 0, 1, 0, 0)' > metres.csv
+    expect 0 stressfield --stress metres.csv --case X s --output t
+    [[ $err == 'stressfield: vertex without stress of case X: 3 cases, 66.6667 mm2 at 10,10' ]]
+    [[ $(columns t stress.X.s1) == 'stress.X.s1 1.0 inf inf inf' ]]
+    expect 0 stressfield --stress metres.csv --unit m s --output t
+    [[ -z $err ]]
+    sed 's/ 0 1 0 0/ 9 1 0 0/' metres.csv > far.csv
+    expect 3 stressfield --stress far.csv s
+    complaint stressfield
+    [[ $err == *--unit* ]]
+}
+
+@test "bad files: each its own word" {
+    : > empty.csv
+    expect 4 stressfield --stress empty.csv s
+    complaint stressfield
+    head -c 300 stress.csv > cut.csv
+    expect 4 stressfield --stress cut.csv s
+    complaint stressfield
+    sed '5s/,[^,]*$//' stress.csv > short.csv
+    expect 3 stressfield --stress short.csv s
+    complaint stressfield
+    [[ $err == *'line 5'* ]]
+    sed 's/$/\r/' stress.csv > dos.csv
+    stressfield --stress dos.csv --case X s > dos
+    stressfield --stress stress.csv --case X s > unix
+    [[ $(columns dos stress.X.s1) == $(columns unix stress.X.s1) ]]
+    sed '5s/.*/0,4,0,nan,0,0,1,1,1/' stress.csv > nan.csv
+    expect 0 stressfield --stress nan.csv --case X s --output t
+    [[ $err == 'stressfield: sample that is not finite left out: 1 case' ]]
+    expect 3 stressfield --stress square.off s
+    complaint stressfield
+    expect 5 stressfield --stress no-such-file s
+    complaint stressfield
+}
+
+@test "options that make no sense are usage errors" {
+    for bad in '--case a,b' '--case a.b' '--columns x,y' '--columns x,y,z,what' '--mask 2' '--mask -1' '--mask nan' '--reach -1' \
+        '--unit mile' '--stress-unit bar'; do
+        # shellcheck disable=SC2086
+        expect 2 stressfield --stress stress.csv $bad s
+        complaint stressfield
+    done
+}

@@ -1,0 +1,224 @@
+// Programs of machines with rotary axes, read back and driven by forward kinematics, follow the toolpath.
+#include "postproc/about.hpp"
+#include "postproc/measure.hpp"
+#include "postproc/program.hpp"
+
+#include "base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <numbers>
+#include <sstream>
+
+using namespace filum;
+using geom::Vec3;
+using toolpath::Role;
+using toolpath::Span;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Rows over a dome of radius 60, the tool upright to it, joined by travels that rise along the normals.
+std::vector<Span> dome(int rows, double most) {
+    std::vector<Span> out;
+    const auto at = [&](double x, double y) {
+        const double r = 60, z = std::sqrt(r * r - x * x - y * y);
+        return std::pair{Vec3{x, y, z - 40}, Vec3{x / r, y / r, z / r}};
+    };
+    for (int j = 0; j < rows; ++j) {
+        Span s{Role::bead, static_cast<std::uint32_t>(j), 0, 0, {}, {1.0}, {0.2}, {}};
+        for (int i = 0; i <= 60; ++i) {
+            const auto [p, n] = at(most * (i / 30.0 - 1), 3.0 * (j - (rows - 1) / 2.0));
+            s.points.push_back(p), s.normals.push_back(n);
+        }
+        if (!out.empty()) {
+            const Vec3 a = out.back().points.back(), na = out.back().normals.back();
+            const Vec3 b = s.points.front(), nb = s.normals.front();
+            out.push_back({Role::travel, s.stroke, 0, 0, {a, a + 5 * na, b + 5 * nb, b}, {}, {}, {na, na, nb, nb}});
+        }
+        out.push_back(std::move(s));
+    }
+    return out;
+}
+
+machine::Profile profile(const std::string& kinematics) {
+    return machine::parse_profile("name = \"test\"\n[bed]\nx = [-300, 300]\ny = [-300, 300]\nz = [-300, 400]\n"
+                                  "[extrusion]\nkind = \"filament\"\ndiameter = 1.75\non = \"M7\"\noff = \"M9\"\n"
+                                  "[feeds]\nbead = 20\nfirst_layer = 20\n[kinematics]\n" +
+                                      kinematics + "[format]\nxyz_decimals = 4\nf_decimals = 3\n",
+                                  "test.toml");
+}
+
+std::string program(const machine::Profile& p, const std::vector<Span>& spans, postproc::Place place,
+                    geom::Vec2* shift = nullptr, double* seconds = nullptr) {
+    postproc::Measure measure(p, place);
+    for (const Span& s : spans) measure.add(s);
+    while (measure.again())
+        for (const Span& s : spans) measure.add(s);
+    const auto survey = measure.end();
+    if (shift) *shift = measure.walk_shift();
+    if (seconds) *seconds = survey.seconds;
+    std::string out;
+    postproc::Program program(p, survey, measure.program_shift(), [&](std::string_view text) { out += text; });
+    program.begin(postproc::about(p, survey, {}, {}, {}));
+    const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { program.add(steps); });
+    for (const Span& s : spans) walk->add(s);
+    walk->end();
+    program.end();
+    return out;
+}
+
+struct Line {
+    std::map<char, double> words; // of axes: as they stand behind it
+    bool laying = false, rapid = false, moved = false;
+};
+
+// Lines with G0 or G1, with the axes that they leave out filled in.
+std::vector<Line> read(const std::string& text) {
+    std::vector<Line> out;
+    std::istringstream in(text);
+    std::string line, word;
+    Line now;
+    while (std::getline(in, line)) {
+        line = line.substr(0, line.find(';'));
+        if (line == "M7" || line == "M9") now.laying = line == "M7";
+        if (line.rfind("G0 ", 0) != 0 && line.rfind("G1 ", 0) != 0) continue;
+        now.rapid = line[1] == '0';
+        now.words.erase('F'), now.words.erase('E');
+        now.moved = false;
+        std::istringstream words(line);
+        while (words >> word)
+            if (word[0] != 'G') {
+                now.words[word[0]] = std::stod(word.substr(1));
+                now.moved = now.moved || (word[0] != 'F' && word[0] != 'E');
+            }
+        if (now.moved) out.push_back(now);
+    }
+    return out;
+}
+
+kinematics::Joints joints(const machine::MultiAxis& a, const Line& l) {
+    const double degree = kPi / 180;
+    return {{l.words.at('X'), l.words.at('Y'), l.words.at('Z')},
+            l.words.at(a.tilt_letter) * degree,
+            l.words.at(a.turn_letter) * degree};
+}
+
+double to_line(const Vec3& p, const std::vector<Span>& spans, const Vec3& shift) {
+    double least = 1e9;
+    for (const Span& s : spans) {
+        if (s.role == Role::travel) continue;
+        for (std::size_t i = 0; i + 1 < s.points.size(); ++i) {
+            const Vec3 a = s.points[i] + shift, d = s.points[i + 1] - s.points[i];
+            const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
+            least = std::min(least, distance(p, a + t * d));
+        }
+    }
+    return least;
+}
+
+const char* const kMachines[] = {
+    "carrier = \"table-table\"\ntilt_letter = \"A\"\ntilt_about = \"x\"\ntilt_point_y = 5\ntilt_point_z = -20\n"
+    "turn_point_x = 3\n",
+    "carrier = \"table-table\"\ntilt_letter = \"B\"\ntilt_about = \"-y\"\nturn_reversed = true\n",
+    "carrier = \"head-table\"\ntilt_letter = \"B\"\ntip_to_tilt_z = 100\ntip_to_tilt_x = 2\n",
+    "carrier = \"head-head\"\ntilt_letter = \"B\"\ntip_to_tilt_z = 80\ntilt_to_turn_x = 4\n",
+};
+
+} // namespace
+
+// Numbers are the joints: wherever the axes are on their straight way, the tip lies on a bead.
+TEST(tilted, joints_bring_the_tip_along_the_beads) {
+    const auto spans = dome(4, 35);
+    for (const char* machine : kMachines) {
+        const auto p = profile(std::string(machine) + "orientation_deg = 1\n");
+        geom::Vec2 shift;
+        const auto lines = read(program(p, spans, postproc::Place::center, &shift));
+        ASSERT_GT(lines.size(), 240U);
+        double off = 0, lean = 0;
+        std::size_t laid = 0;
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            if (!lines[i].laying) continue;
+            ++laid;
+            const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
+            for (double f = 0.125; f <= 1; f += 0.125) {
+                const kinematics::Joints here{a.xyz + f * (b.xyz - a.xyz), a.tilt + f * (b.tilt - a.tilt),
+                                              a.turn + f * (b.turn - a.turn)};
+                const auto pose = kinematics::forward(p.axes.chain, here);
+                off = std::max(off, to_line(pose.tip, spans, {shift.x, shift.y, 0}));
+                const Vec3 normal = 1.0 / 60 * (pose.tip - Vec3{shift.x, shift.y, -40});
+                lean = std::max(lean, kinematics::angle(pose.axis, normal));
+            }
+        }
+        EXPECT_GE(laid, 240U);
+        EXPECT_LE(off, 0.006) << machine; // chord 0.005, and the last decimal
+        EXPECT_LE(lean, 1.05 * kPi / 180) << machine;
+    }
+}
+
+// Numbers are the tip: X Y Z are the toolpath's own, the rotary words those of the other program.
+TEST(tilted, tip_numbers_are_the_toolpath) {
+    const auto spans = dome(3, 30);
+    const auto p = profile(std::string(kMachines[0]) + "numbers = \"tip\"\ntcp_on = \"M428\"\ntcp_off = \"M429\"\n");
+    const std::string text = program(p, spans, postproc::Place::as_is);
+    EXPECT_LT(text.find("\nM428\n"), text.find("\nG93\n"));
+    EXPECT_LT(text.find("\nG94\n"), text.find("\nM429\n"));
+    EXPECT_NE(text.find("tip in the part's frame"), std::string::npos);
+    std::size_t k = 0;
+    std::vector<Vec3> want;
+    for (const Span& s : spans)
+        if (s.role == Role::bead) want.insert(want.end(), s.points.begin() + 1, s.points.end());
+    for (const Line& l : read(text)) {
+        if (!l.laying) continue;
+        ASSERT_LT(k, want.size());
+        EXPECT_LT(distance({l.words.at('X'), l.words.at('Y'), l.words.at('Z')}, want[k]), 1e-4);
+        ++k;
+    }
+    EXPECT_EQ(k, want.size());
+}
+
+// F says how long each move takes: the tip's feed where the axes can follow, slower where they cannot.
+TEST(tilted, feeds_keep_the_speeds_of_all_axes) {
+    const auto spans = dome(3, 40);
+    const auto p = profile(std::string(kMachines[0]) + "tilt_speed_deg = 20\nturn_speed_deg = 15\n"
+                                                       "turn_acceleration_deg = 300\norientation_deg = 0.5\n");
+    double seconds = 0, sum = 0;
+    const auto lines = read(program(p, spans, postproc::Place::center, nullptr, &seconds));
+    std::size_t slowed = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].rapid) continue;
+        ASSERT_TRUE(lines[i].words.contains('F')); // inverse time needs one on every line
+        const double t = 60 / lines[i].words.at('F');
+        sum += t;
+        const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
+        EXPECT_LE(std::abs(b.tilt - a.tilt) / t, 20.1 * kPi / 180);
+        EXPECT_LE(std::abs(b.turn - a.turn) / t, 15.1 * kPi / 180);
+        const auto from = kinematics::forward(p.axes.chain, a).tip, to = kinematics::forward(p.axes.chain, b).tip;
+        if (!lines[i].laying) continue;
+        EXPECT_LE(distance(from, to) / t, 20.2);
+        slowed += distance(from, to) / t < 15 ? 1 : 0;
+    }
+    EXPECT_GT(slowed, 0U);
+    EXPECT_NEAR(sum, seconds, 0.02 * seconds);
+}
+
+TEST(tilted, what_the_axes_cannot_reach_is_named) {
+    const auto spans = dome(2, 40);
+    const auto refused = [&](const std::string& more, const char* word) {
+        const auto p = profile(std::string(kMachines[0]) + more);
+        try {
+            program(p, spans, postproc::Place::center);
+            ADD_FAILURE() << more;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::failure);
+            EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+        }
+    };
+    refused("tilt_deg = [-20, 20]\n", "tilt axis");
+    refused("turn_deg = [0, 10]\n", "turn axis");
+    EXPECT_THROW(profile("carrier = \"table-table\"\ntilt_letter = \"C\"\n"), Error);
+    EXPECT_THROW(profile("carrier = \"table-table\"\nnumbers = \"tip\"\n"), Error);
+    EXPECT_THROW(profile("carrier = \"table-table\"\ntilt_deg = [3, 3]\n"), Error);
+}

@@ -1,0 +1,396 @@
+// Surfaces and paths on them: true to scale, voids where no bead is, whatever the mesh.
+#include "render/drape.hpp"
+
+#include "base/error.hpp"
+#include "decoded.hpp"
+#include "render/draw.hpp"
+#include "render/sampling.hpp"
+#include "render/view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace filum::render {
+
+namespace {
+
+using geom::Vec3;
+
+// [0, 10] x [0, 10] at height z in n x n squares, facing up or down.
+void add_square(mesh::Mesh& m, std::uint32_t n, double z = 0, bool up = true) {
+    const auto first = static_cast<std::uint32_t>(m.vertices.size());
+    for (std::uint32_t j = 0; j <= n; ++j)
+        for (std::uint32_t i = 0; i <= n; ++i) m.vertices.push_back({10.0 * i / n, 10.0 * j / n, z});
+    const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + j * (n + 1) + i; };
+    for (std::uint32_t j = 0; j < n; ++j)
+        for (std::uint32_t i = 0; i < n; ++i)
+            for (mesh::Triangle t : {mesh::Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
+                                     mesh::Triangle{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}) {
+                if (!up) std::swap(t[1], t[2]);
+                m.triangles.push_back(t);
+            }
+}
+
+surface::Sheet sheet_of(mesh::Mesh m) {
+    Notes notes;
+    return {surface::connect(std::move(m), notes), {}, {}};
+}
+
+surface::Sheet square(std::uint32_t n = 1) {
+    mesh::Mesh m;
+    add_square(m, n);
+    return sheet_of(std::move(m));
+}
+
+surface::Sheet sphere(double r) {
+    mesh::Mesh m;
+    constexpr std::uint32_t kAround = 60, kUp = 30;
+    for (std::uint32_t j = 0; j <= kUp; ++j)
+        for (std::uint32_t i = 0; i < kAround; ++i) {
+            const double a = 2 * std::numbers::pi * i / kAround, b = std::numbers::pi * (1.0 * j / kUp - 0.5);
+            m.vertices.push_back({r * std::cos(b) * std::cos(a), r * std::cos(b) * std::sin(a), r * std::sin(b)});
+        }
+    const auto at = [](std::uint32_t i, std::uint32_t j) {
+        return j == 0 ? 0 : j == kUp ? kUp * kAround : j * kAround + i % kAround;
+    };
+    for (std::uint32_t j = 0; j < kUp; ++j)
+        for (std::uint32_t i = 0; i < kAround; ++i) {
+            if (j > 0) m.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+            if (j + 1 < kUp) m.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return sheet_of(std::move(m));
+}
+
+toolpath::Span lane(Vec3 a, Vec3 b, Vec3 normal = {0, 0, 1}, std::uint32_t layer = 0) {
+    return {toolpath::Role::bead, 0, layer, 0, {a, b}, {1.0}, {0.2}, {normal, normal}};
+}
+
+// Lanes of 1 mm that fill the square but for the first `missing`, `z` above it.
+std::vector<toolpath::Span> lanes(int missing, double z = 0, Vec3 normal = {0, 0, 1}) {
+    std::vector<toolpath::Span> out;
+    for (int k = missing; k < 10; ++k) out.push_back(lane({0, k + 0.5, z}, {10, k + 0.5, z}, normal));
+    return out;
+}
+
+Options plain(const char* view = "top") {
+    Options o;
+    o.view = view, o.size = {300, 300}, o.no_centres = true, o.voids = true;
+    return o;
+}
+
+// Share of such a picture of the square that `mm2` of it take.
+double share_of(double mm2) {
+    const double scale = std::min(300 * 0.92, 300 * 0.86) / 10;
+    return mm2 * scale * scale / 90000;
+}
+
+TEST(Drape, ShowsVoidsOfTheirSizeOnAnyMesh) {
+    for (const std::uint32_t n : {1U, 20U}) {
+        for (const int missing : {0, 2, 5}) {
+            Scene s;
+            s.sheet = square(n), s.spans = lanes(missing);
+            const Decoded d = decode(draw(s, plain(), "class", 1));
+            EXPECT_NEAR(d.share(red), share_of(10.0 * missing), 0.012) << n << " " << missing;
+        }
+    }
+}
+
+TEST(Drape, CountsWhatIsUncovered) {
+    for (const std::uint32_t n : {1U, 20U}) {
+        for (const int missing : {0, 2, 5}) {
+            Scene s;
+            s.sheet = square(n), s.spans = lanes(missing);
+            const Laid laid = lay(s, tint(s, By::role, nullptr));
+            EXPECT_NEAR(uncovered(s.sheet->surface, laid), missing / 10.0, 0.002);
+            EXPECT_EQ(laid.loose.size(), 0u);
+            EXPECT_FALSE(laid.behind);
+        }
+    }
+}
+
+TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
+    Scene s;
+    mesh::Mesh m;
+    add_square(m, 4, 0, false), add_square(m, 4, 0.3, true);
+    s.sheet = sheet_of(std::move(m)), s.spans = lanes(0, 0.3);
+    EXPECT_LT(decode(draw(s, plain("top"), "class", 1)).share(red), 0.02);
+    EXPECT_NEAR(decode(draw(s, plain("bottom"), "class", 1)).share(red), share_of(100), 0.03);
+    EXPECT_NEAR(uncovered(s.sheet->surface, lay(s, tint(s, By::role, nullptr))), 0.5, 0.002);
+}
+
+TEST(Drape, FollowsThePathToTheBack) {
+    Scene s;
+    s.sheet = square(3), s.spans = lanes(3, 0, {0, 0, -1});
+    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    EXPECT_TRUE(laid.behind);
+    EXPECT_TRUE(laid.loose.empty());
+    EXPECT_NEAR(uncovered(s.sheet->surface, laid), 0.3, 0.002);
+    EXPECT_LT(decode(draw(s, plain("top"), "class", 1)).share(red), 0.01);
+    EXPECT_NEAR(decode(draw(s, plain("bottom"), "class", 1)).share(red), share_of(30), 0.012);
+    EXPECT_EQ(draw(s, plain("bottom"), "class", 1), draw(s, plain("auto"), "class", 1)); // face to face with the path
+}
+
+TEST(Drape, ShowsBeadsThatDoNotLieOnTheSurface) {
+    Scene s;
+    s.sheet = square(), s.spans = {lane({1, 5, 4}, {9, 5, 4}), lane({1, 2, 0.4}, {9, 2, 0.4})};
+    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    EXPECT_NEAR(laid.loose_length, 8, 1e-9);
+    const auto blue = [](Srgb8 c) { return c.b > c.r + 40; };
+    const double seen = decode(draw(s, plain("front"), "class", 1)).share(blue);
+    s.spans.erase(s.spans.begin());
+    EXPECT_GT(seen, decode(draw(s, plain("front"), "class", 1)).share(blue) + 0.02);
+}
+
+TEST(Drape, PutsLaterLayersOnTop) {
+    Scene s;
+    s.sheet = square(), s.spans = lanes(0);
+    for (int k = 0; k < 10; ++k)
+        s.spans.push_back(lane({k + 0.5, 0, 0.2}, {k + 0.5, 10, 0.2}, {0, 0, 1}, 1)), s.spans.back().stroke = 1;
+    const auto alone = [&](int from, int to) {
+        Scene part = s;
+        part.spans.assign(s.spans.begin() + from, s.spans.begin() + to);
+        Options o = plain();
+        o.color = "stroke", o.around = {5, 5, 0, 4};
+        return decode(draw(part, o, "class", 1)).at(150, 120);
+    };
+    const Srgb8 both = alone(0, 20), lower = alone(0, 10), upper = alone(10, 20);
+    EXPECT_EQ(hex(from_srgb8(both)), hex(from_srgb8(upper)));
+    EXPECT_NE(hex(from_srgb8(both)), hex(from_srgb8(lower)));
+}
+
+TEST(Drape, MarksOverlapButNoTurns) {
+    const auto dark = [](Srgb8 c) { return c.r < 70 && c.g < 100 && c.b < 150; };
+    Options o = plain();
+    o.overlap = true, o.size = {400, 400};
+    Scene s;
+    s.sheet = square();
+    toolpath::Span turn = lane({1, 2, 0}, {8, 2, 0});
+    turn.points.push_back({8, 3, 0}), turn.points.push_back({1, 3, 0}), turn.normals.assign(4, {0, 0, 1});
+    s.spans = {turn};
+    EXPECT_LT(decode(draw(s, o, "class", 1)).share(dark), 0.01);
+    turn.points[2].y = turn.points[3].y = 2.5;
+    s.spans = {turn};
+    // 0.42 mm wide, up to where the turn is 3 widths away along the path.
+    EXPECT_NEAR(decode(draw(s, o, "class", 1)).share(dark), share_of(0.42 * 5.75), 0.002);
+}
+
+TEST(Strokes, FindWhatASearchOfAllFinds) {
+    std::vector<Stroke> all;
+    auto random = [k = 0U]() mutable { return hash(++k) * 0x1p-32; };
+    const auto point = [&] { return Vec3{20 * random(), 20 * random(), 4 * random()}; };
+    for (std::uint32_t k = 0; k < 300; ++k) {
+        Stroke s;
+        s.a = point(), s.b = k % 5 == 0 ? s.a : s.a + 0.2 * (point() - Vec3{10, 10, 2});
+        s.half_a = s.half_b = 0.3 + random(), s.reach = 0.4, s.layer = k % 3;
+        all.push_back(s);
+    }
+    const Strokes strokes(all);
+    int covered = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const Vec3 p = point();
+        std::uint32_t layer = 0;
+        double least = INFINITY;
+        for (const Stroke& s : all) {
+            const Vec3 d = s.b - s.a;
+            const double t = dot(d, d) > 0 ? std::clamp(dot(p - s.a, d) / dot(d, d), 0.0, 1.0) : 0;
+            const double off = geom::distance(p, s.a + t * d) / s.half_a;
+            if (off > 1 || (least <= 1 && s.layer < layer)) continue;
+            if (least > 1 || s.layer > layer || off < least) least = off, layer = s.layer;
+        }
+        const Cover c = strokes.at(p, {0, 0, 1});
+        ASSERT_EQ(c.stroke != nullptr, least <= 1) << k;
+        if (c.stroke == nullptr) continue;
+        ++covered;
+        EXPECT_NEAR(c.off, least, 1e-9);
+        EXPECT_EQ(c.stroke->layer, layer);
+    }
+    EXPECT_GT(covered, 300);
+}
+
+TEST(Raster, HasNoHolesAndShowsTheNearest) {
+    const auto sheet = sphere(5);
+    for (const Vec3 from : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0.3, -2, 0.7}}) {
+        const Plan plan = lay_out(sheet.surface.vertices, from, 160, 160);
+        const Raster raster(sheet.surface, plan, 2);
+        const Vec3 middle = plan.place({0, 0, 0});
+        for (int b = 0; b < raster.bands(); ++b) {
+            const Sights sights = raster.band(b);
+            for (int y = 0; y < sights.rows; ++y)
+                for (int x = 0; x < sights.columns; ++x) {
+                    const int row = b * raster.rows() * 2 + y;
+                    const double far = std::hypot((x + 0.5) / 2 - middle.x, (row + 0.5) / 2 - middle.y) / plan.scale;
+                    const Sight& s = sights.at(x, y);
+                    if (far > 4.9) {
+                        if (far > 5.01) {
+                            ASSERT_EQ(s.triangle, surface::kNone);
+                        }
+                        continue;
+                    }
+                    ASSERT_NE(s.triangle, surface::kNone);
+                    ASSERT_NEAR(s.height - middle.z, std::sqrt(25 - far * far), 0.1);
+                    const Vec3 share = raster.shares(s.triangle, x, row);
+                    const auto& t = sheet.surface.triangles[s.triangle];
+                    const Vec3 p = share.x * sheet.surface.vertices[t[0]] + share.y * sheet.surface.vertices[t[1]] +
+                                   share.z * sheet.surface.vertices[t[2]];
+                    ASSERT_NEAR(plan.place(p).x, (x + 0.5) / 2, 1e-9);
+                    ASSERT_NEAR(plan.place(p).z, s.height, 1e-5);
+                }
+        }
+    }
+}
+
+TEST(Drape, ColoursByAFieldAndSaysWhichThereAre) {
+    Scene s;
+    s.sheet = square(10);
+    surface::Field x{"x", {}, 1}, across{"dir", {}, 3};
+    for (const Vec3& v : s.sheet->surface.vertices) {
+        x.values.push_back(v.x);
+        across.values.insert(across.values.end(), {1, 0, 0});
+    }
+    s.sheet->fields = {x, across};
+    Options o = plain();
+    o.voids = false, o.by = "x";
+    const Decoded d = decode(draw(s, o, "class", 1));
+    EXPECT_GT(d.at(240, 140).g, d.at(60, 140).g + 60); // blue to yellow
+    for (const auto& [by, arrows] : {std::pair{"y", ""}, {"", "x"}, {"x", "y"}}) {
+        o.by = by, o.arrows = arrows;
+        try {
+            draw(s, o, "class", 1);
+            FAIL();
+        } catch (const Error& e) {
+            EXPECT_NE(std::string(e.what()).find("it has "), std::string::npos) << e.what();
+        }
+    }
+}
+
+TEST(Drape, DrawsVectorsAlongTheirDirection) {
+    const auto runs = [](Vec3 v) { // dark pixels followed by dark ones: to the right, and downwards
+        Scene s;
+        s.sheet = square(4);
+        surface::Field f{"dir", {}, 3};
+        for (std::size_t k = 0; k < s.sheet->surface.vertices.size(); ++k)
+            f.values.insert(f.values.end(), {v.x, v.y, v.z});
+        s.sheet->fields = {f};
+        Options o = plain();
+        o.voids = false, o.arrows = "dir", o.around = {5, 5, 0, 3};
+        const Decoded d = decode(draw(s, o, "class", 1));
+        std::pair<int, int> out;
+        for (unsigned y = 10; y < 250; ++y)
+            for (unsigned x = 10; x < 290; ++x) {
+                if (d.at(x, y).r > 110) continue;
+                out.first += d.at(x + 1, y).r <= 110 ? 1 : 0, out.second += d.at(x, y + 1).r <= 110 ? 1 : 0;
+            }
+        return out;
+    };
+    const auto along_x = runs({1, 0, 0}), along_y = runs({0, 2, 0}), none = runs({0, 0, 0});
+    EXPECT_GT(along_x.first, 3 * along_x.second + 100);
+    EXPECT_GT(along_y.second, 3 * along_y.first + 100);
+    EXPECT_EQ(none.first + none.second, 0);
+}
+
+TEST(Scale, LeavesOutPeaksAndWhatIsUnknown) {
+    surface::Field f{"s", {INFINITY, 1e6, -1e6}, 1};
+    for (int k = 0; k <= 1000; ++k) f.values.push_back(k);
+    const Scale s = scale_of(f);
+    EXPECT_NEAR(s.lo, 10, 2);
+    EXPECT_NEAR(s.hi, 990, 2);
+    EXPECT_TRUE(s.below && s.above);
+    f.values.erase(f.values.begin(), f.values.begin() + 3);
+    EXPECT_EQ(scale_of(f).lo, 0);
+    EXPECT_EQ(scale_of(f).hi, 1000);
+    EXPECT_FALSE(scale_of(f).below || scale_of(f).above);
+    f.values.assign(5, INFINITY);
+    EXPECT_EQ(scale_of(f).hi, scale_of(f).lo);
+}
+
+TEST(Looks, AreNamesAndDirections) {
+    const auto all = looks("iso,1,-2,0.5,back", "views");
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[1].from, (Vec3{1, -2, 0.5}));
+    EXPECT_EQ(all[2].name, "back");
+    for (const char* bad : {"", "iso,", "1,2", "iso,1,2", "0,0,0", "up", "nan,0,1", "1,2,x"})
+        EXPECT_THROW(looks(bad, "views"), Error) << bad;
+}
+
+TEST(ContactSheet, HasEveryViewOnce) {
+    for (const int n : {2, 4, 7}) {
+        int drawn = 0;
+        const Image sheet = contact_sheet(std::vector<Look>(static_cast<std::size_t>(n), Look{"", {0, 0, 1}}), 320, 240,
+                                          [&](const Look&, int w, int h) {
+                                              Image cell(w, h);
+                                              draw_box(cell, 0, 0, w, h, {0.1F * static_cast<float>(++drawn), 0, 0});
+                                              return cell;
+                                          });
+        EXPECT_EQ(drawn, n);
+        std::vector<bool> seen(static_cast<std::size_t>(n));
+        for (int y = 0; y < 240; ++y)
+            for (int x = 0; x < 320; ++x)
+                for (int k = 0; k < n; ++k)
+                    if (to_srgb8({0.1F * static_cast<float>(k + 1), 0, 0}).r == to_srgb8(sheet.get(x, y)).r)
+                        seen[static_cast<std::size_t>(k)] = true;
+        EXPECT_EQ(std::count(seen.begin(), seen.end(), true), n);
+    }
+}
+
+TEST(Drape, IsTheSameForAnyThreads) {
+    Scene s;
+    s.sheet = sphere(5);
+    for (int k = 0; k < 30; ++k) {
+        const double z = 0.3 * k - 4.5, r = std::sqrt(25 - z * z);
+        s.spans.push_back(lane({r, 0, z}, {0, r, z}, {r / 7, r / 7, z / 5}));
+    }
+    Options o = plain("auto");
+    o.views = "face,iso,-1,2,0.3", o.overlap = true;
+    const std::string one = draw(s, o, "class", 1);
+    EXPECT_EQ(one, draw(s, o, "class", 2));
+    EXPECT_EQ(one, draw(s, o, "class", 8));
+}
+
+TEST(Drape, BearsExtremes) {
+    const auto at = [](double size, Vec3 place) {
+        Scene s;
+        s.sheet = sheet_of({{place, place + Vec3{size, 0, 0}, place + Vec3{0, size, 0}}, {{0, 1, 2}}});
+        s.spans = {lane(place, place + Vec3{size, size, 0})};
+        return s;
+    };
+    Options o = plain("auto");
+    o.size = {64, 48}, o.voids = false, o.overlap = true, o.views = "face,front,1,1,1";
+    for (const double size : {1e-6, 1.0, 1e6})
+        for (const Vec3 place : {Vec3{}, Vec3{1e8, -1e8, 1e8}}) {
+            Scene s = at(size, place);
+            EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+            for (const double width : {1e-6, 1e6}) {
+                s.spans[0].width = {width};
+                EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+            }
+        }
+    Scene s = at(10, {});
+    s.spans = {lane({1, 1, 0}, {1, 1, 0}), lane({1e9, 1e9, 0}, {-1e9, 1e9, 0}), lane({1, 2, 0}, {5, 2, 0}, {})};
+    s.spans[2].normals.clear();
+    s.spans.push_back({toolpath::Role::travel, 0, 0, 0, {{5, 2, 0}, {1e12, 2, 7}}, {}, {}});
+    EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+    o.samples = 4096, o.views = "", o.around = {2, 2, 0, 1e-3};
+    EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+}
+
+TEST(Drape, RefusesWhatHasNoSurface) {
+    Scene s;
+    s.spans = lanes(0);
+    EXPECT_THROW(draw(s, plain(), "class", 1), Error);
+    s.sheet = square();
+    EXPECT_NO_THROW(draw(s, plain(), "class", 1));
+    s.spans.clear();
+    EXPECT_THROW(draw(s, plain(), "class", 1), Error);
+    EXPECT_THROW(add(s, square()), Error);
+    for (const double r : {0.0, -1.0, 1e300}) {
+        Options o;
+        o.around = {0, 0, 0, r};
+        EXPECT_THROW(check(o), Error) << r;
+    }
+}
+
+} // namespace
+
+} // namespace filum::render

@@ -1,0 +1,116 @@
+#include "base/error.hpp"
+#include "stressfield/read.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace filum::stressfield {
+namespace {
+
+const ReadOptions kPlain{"", "", "all", "mm", "MPa"};
+
+Samples csv(const std::string& text, const std::string& columns = "", Notes* notes = nullptr) {
+    Notes own;
+    ReadOptions o = kPlain;
+    o.columns = columns;
+    return read(text, "it", o, notes != nullptr ? *notes : own);
+}
+
+std::string fault(const std::string& text, Exit exit, const std::string& columns = "") {
+    try {
+        csv(text, columns);
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), exit) << e.what();
+        return e.what();
+    }
+    ADD_FAILURE() << "read: " << text;
+    return "";
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(Csv, TensorByHeaderInAnyOrderUnitsAndLineEnds) {
+    const auto s = csv(
+        "\xef\xbb\xbfNode,SYY [MPa],SXX [MPa],SZZ,SXY,SYZ,SXZ,\"X Location (mm)\",Y Location (mm),Z Location (mm)\r\n"
+        "7,2,1,3,4,5,6,10,20,30\r\n");
+    ASSERT_EQ(s.points.size(), 1U);
+    EXPECT_EQ(s.points[0], (Vec3{10, 20, 30}));
+    EXPECT_EQ(s.cases[0].tensors[0], (Tensor{1, 2, 3, 4, 5, 6}));
+    EXPECT_TRUE(s.cases[0].principals.empty());
+}
+
+TEST(Csv, SeparatorsAndDecimalCommas) {
+    for (const std::string text :
+         {"1,5;0;0;3;0;0\n", "1.5\t0\t0\t3\t0\t0\n", "1.5 0  0 3 0 0 \n", "# what\n\n 1.5, 0, 0, 3, 0, 0,\n"}) {
+        const auto s = csv(text);
+        ASSERT_EQ(s.points.size(), 1U) << text;
+        EXPECT_EQ(s.points[0].x, 1.5) << text;
+        EXPECT_EQ(s.cases[0].principals[0][0], 3) << text;
+        EXPECT_TRUE(std::isinf(s.cases[0].principals[0][1])) << text;
+        EXPECT_EQ(s.cases[0].directions[0], (Vec3{3, 0, 0})) << text;
+    }
+}
+
+TEST(Csv, PrincipalsGoWithTheDirection) {
+    const auto s = csv("x,y,z,s1x,s1y,s1z,s1,s2,s3\n0,0,0,0,0,-2,-1,-3,-5\n");
+    EXPECT_EQ(s.cases[0].principals[0], (Principal{-1, -3, -5}));
+    EXPECT_EQ(s.cases[0].directions[0], (Vec3{0, 0, -2}));
+    EXPECT_EQ(about(s.cases[0].directions[0], s.cases[0].principals[0]), (Tensor{-4, -4, -1, 0, 0, 0}));
+}
+
+TEST(Csv, ColumnsByOption) {
+    const auto s = csv("9 9 1 2 3 0 4 0\n", "-,-,x,y,z,vx,vy,vz");
+    EXPECT_EQ(s.points[0], (Vec3{1, 2, 3}));
+    EXPECT_EQ(s.cases[0].directions[0], (Vec3{0, 4, 0}));
+    EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,z,strain"), "strain"));
+    EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,x"), "twice"));
+    EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,z"), "sxx"));
+    EXPECT_TRUE(has(fault("1 2 3 4 5\n", Exit::bad_input, "x,y,z,vx,vy,vz"), "6 columns"));
+}
+
+TEST(Csv, UnitsAndNames) {
+    Notes notes;
+    const auto s = read("1 0 0 3 0 0\n", "it", {"", "pull", "all", "m", "kPa"}, notes);
+    EXPECT_EQ(s.points[0].x, 1000);
+    EXPECT_DOUBLE_EQ(s.cases[0].principals[0][0], 0.003);
+    EXPECT_EQ(s.cases[0].name, "pull");
+    for (const char* name : {"a,b", "a b", "a.b", "/"})
+        EXPECT_THROW(read("1 0 0 3 0 0\n", "it", {"", name, "all", "mm", "MPa"}, notes), Error) << name;
+}
+
+TEST(Csv, WhatIsNotFiniteIsLeftOutAndNoted) {
+    Notes notes;
+    const auto s =
+        csv("x,y,z,s1x,s1y,s1z\n1,0,0,3,0,0\nnan,0,0,3,0,0\n2,0,0,NaN,0,0\n3,0,0,,0,0\n4,0,0,1e999,0,0\n", "", &notes);
+    EXPECT_EQ(s.points.size(), 1U);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].count, 4U);
+    EXPECT_TRUE(has(fault("x,y,z,s1x,s1y,s1z,s1\n0,0,0,nan,0,0,1\n", Exit::bad_input), "no sample"));
+    EXPECT_TRUE(has(fault("nan 0 0 1 0 0\n", Exit::bad_input), "no sample"));
+}
+
+TEST(Csv, SamplesAtOnePlaceAreAveraged) {
+    Notes notes;
+    const auto s = csv("1 0 0 3 0 0\n0 0 0 1 0 0\n1 0 0 -5 0 0\n", "", &notes);
+    ASSERT_EQ(s.points.size(), 2U);
+    EXPECT_EQ(std::abs(s.cases[0].directions[1].x), 1); // whatever the signs
+    EXPECT_EQ(s.cases[0].principals[1][0], 4);
+    ASSERT_EQ(notes.size(), 1U);
+}
+
+TEST(Csv, FaultsAreNamed) {
+    EXPECT_TRUE(has(fault("", Exit::truncated), "empty"));
+    EXPECT_TRUE(has(fault("solid part\nendsolid\n", Exit::bad_input), "no table"));
+    EXPECT_TRUE(has(fault("x,y,z,a,b,c\n1,2,3,4,5,6\n", Exit::bad_input), "--columns"));
+    EXPECT_TRUE(has(fault("1,2,3,4,5,6,7,8,9\n", Exit::bad_input), "--columns"));
+    EXPECT_TRUE(
+        has(fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,4,5\n1,2,3,4,5,6\n", Exit::bad_input), "line 3: it has 5"));
+    EXPECT_TRUE(
+        has(fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,four,5,6\n1,2,3,4,5,6\n", Exit::bad_input), "line 3: 'four'"));
+    EXPECT_TRUE(has(fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,4", Exit::truncated), "ends inside line 3"));
+    EXPECT_TRUE(has(fault("\x1f\x8b\x08", Exit::truncated), "gzip"));
+    EXPECT_TRUE(has(fault("\x1f\x8bnothing of the kind", Exit::bad_input), "gzip"));
+}
+
+} // namespace
+} // namespace filum::stressfield
