@@ -4,6 +4,7 @@
 #include "geodesic/certificate.hpp"
 #include "geodesic/heat.hpp"
 #include "geodesic/isolines.hpp"
+#include "geodesic/sides.hpp"
 
 namespace filum::geodesic {
 
@@ -44,6 +45,30 @@ bool is_exact(const Surface& s, const Options& o) {
     return o.method == "exact" || (o.method == "auto" && s.triangles.size() <= kExactTriangles);
 }
 
+// By the side of each line's first stretch that has one.
+int side_of(const Surface& s, const Sides& sides, const Isoline& line) {
+    for (std::size_t i = 0; i < line.triangles.size(); ++i) {
+        const Vec3 middle = 0.5 * (line.points[i] + line.points[(i + 1) % line.points.size()]);
+        if (const int side = sides.at(s, line.triangles[i], middle); side != 0) return side;
+    }
+    return 1;
+}
+
+void add_signs(const Surface& s, const Sources& sources, std::vector<double>& distance, std::vector<Isoline>& lines) {
+    const Sides found = sides(s, sources);
+    check(found, "--signed");
+    for (std::size_t v = 0; v < distance.size(); ++v)
+        if (found.of[v] < 0 && std::isfinite(distance[v])) distance[v] = -distance[v];
+    for (Isoline& line : lines) {
+        if (side_of(s, found, line) > 0) continue;
+        line.level = -line.level;
+        // The other way round: an open line's stretches turn with its points, a closed one's last joins last and first.
+        std::reverse(line.points.begin(), line.points.end());
+        std::reverse(line.triangles.begin(), line.triangles.end() - (line.closed ? 1 : 0));
+    }
+    std::stable_sort(lines.begin(), lines.end(), [](const Isoline& a, const Isoline& b) { return a.level < b.level; });
+}
+
 } // namespace
 
 Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
@@ -65,7 +90,9 @@ Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
     }
     const Facts quality = certificate(s, distance);
     facts.insert(facts.end(), quality.begin(), quality.end());
+    if (o.with_sides) add_signs(s, sources, distance, sheet.isolines);
     facts.push_back({"", "isolines", static_cast<double>(sheet.isolines.size()), ""});
+    std::erase_if(sheet.fields, [](const surface::Field& f) { return f.name == "distance"; });
     sheet.fields.push_back({"distance", std::move(distance), 1});
     sheet.sources = sources;
     return facts;

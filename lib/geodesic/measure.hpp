@@ -13,10 +13,13 @@ struct Options {
     std::vector<double> levels;  // mm: of isolines
     double spacing = 0;          // mm: isolines also at first, first + spacing, ... up to the farthest place; 0: none
     double first = 0;            // mm; 0: one spacing
+    bool with_sides = false;     // distances and levels are negative on the negative side of the sources
 };
 
-// Appends the field "distance" to the sheet, and its isolines.  Returns what is known of it as facts.
-// Throws Error(usage) for levels that are too many or not positive, and for `paper` without the heat method.
+// Puts the field "distance" into the sheet, in place of one it had, and its isolines.  Returns what is known of it as
+// facts.  With sides, each isoline still has what is less, now less with its sign, to its left.
+// Throws Error(usage) for levels that are too many or not positive, for `paper` without the heat method, and with sides
+// for sources that do not separate the surface.
 Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& options);
 
 } // namespace filum::geodesic
