@@ -58,9 +58,11 @@ cli::Spec spec(Options& o) {
                  0),
              Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
                  0)},
-        .examples =
-            {{"geodesic part.stl --cut 0,0,1,0.5 --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
-              "one path over a surface"}},
+        .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
+                      "one path over a surface, here a part without its top"},
+                     {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "
+                      "--method kipping2022 > part.toolpath",
+                      "rows beside a plane, as the paper lays them"}},
         .see_also = {"geodesic", "metrics", "render"},
         .arguments = "[ALGORITHM] [INPUT]",
         .leading = "algorithm"};

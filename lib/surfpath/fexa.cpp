@@ -112,7 +112,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         const double d = step(rim, o.spacing), end = *std::max_element(way.begin(), way.end());
         std::vector<double> at = levels(end, d > 0 ? d : o.spacing);
         for (double& level : at) level = spread.height(level);
-        for (const auto& line : geodesic::isolines(s, above, at)) raw.push_back({curve::line(line), sign * line.level});
+        add(raw, geodesic::isolines(s, above, at), sign);
     }
     Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
     wind(s, all, o.spacing, true);

@@ -34,7 +34,7 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     const double first = std::max(o.spacing / 2, kFirst * o.least_radius);
     for (double i = 0; first + i * o.spacing < farthest; ++i) levels.push_back(first + i * o.spacing);
     std::vector<Raw> raw;
-    for (const auto& line : geodesic::isolines(s, field, levels)) raw.push_back({curve::line(line), line.level});
+    add(raw, geodesic::isolines(s, field, levels), 1);
     Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
     wind(s, all, o.spacing, false);
     return boustrophedon(s, all, {o.spacing, o.least_radius});

@@ -75,10 +75,12 @@ class Necks {
         if (length > kLongest * spacing_ || length < 0.1 * spacing_) return;
         const Line line = curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
+        const auto ways = curve::ways(line);
+        if (nearest(rings_, curve::at(line, ways, length / 2).point).distance < 0.3 * length) return; // along a ring
         double height = level_;
         for (std::size_t i = 1; i + 1 < line.size(); ++i) {
             const double h = geodesic::distance_at(surface_, field_, line.places[i].triangle, line[i]);
-            if (h > level_ + 0.1 * spacing_) return;
+            if (h > level_ + 0.02 * spacing_) return; // within a ring
             height = std::min(height, h);
         }
         if (height < level_ - kDeepest * spacing_) return;

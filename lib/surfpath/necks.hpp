@@ -10,6 +10,7 @@ namespace filum::surfpath {
 struct Bend {
     std::size_t ring;
     const Corner* corner;
+    std::size_t scale; // of the radii of its batch
     const Bend* over = nullptr;
     Line bridge{};
 };

@@ -78,19 +78,24 @@ class Beam {
         std::vector<Choice> choices;
         const auto& from = layers_.back();
         for (std::uint32_t p = 0; p < from.size(); ++p) extend(from[p], p, row, choices);
-        std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
-            return std::tuple(a.guess, a.parent, a.link[0], a.link[1]) <
+        // A heap, as only the first few are wanted; which come first does not depend on how it is built.
+        const auto behind = [](const Choice& a, const Choice& b) {
+            return std::tuple(a.guess, a.parent, a.link[0], a.link[1]) >
                    std::tuple(b.guess, b.parent, b.link[0], b.link[1]);
-        });
+        };
+        std::make_heap(choices.begin(), choices.end(), behind);
         std::vector<State> next;
         std::unordered_set<std::string> seen;
-        for (const Choice& c : choices) {
+        while (!choices.empty() && next.size() < kept_) {
+            std::pop_heap(choices.begin(), choices.end(), behind);
+            const Choice c = choices.back();
+            choices.pop_back();
             State s = made(from[c.parent], c, row);
             std::string key(reinterpret_cast<const char*>(s.open.data()), s.open.size() * sizeof(Open));
             if (!seen.insert(std::move(key)).second) continue;
             next.push_back(std::move(s));
-            if (next.size() == kept_) break;
         }
+        for (State& s : layers_.back()) s.open = {};
         layers_.push_back(std::move(next));
     }
 

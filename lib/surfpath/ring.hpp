@@ -42,7 +42,8 @@ struct Ring {
         return d < 0 ? d + ways.back() : d;
     }
     [[nodiscard]] bool within(const Corner& c, const Corner& outer) const {
-        const double l = ahead(outer.from, outer.to), a = ahead(outer.from, c.from), b = ahead(outer.from, c.to);
+        const double slack = 0.01, l = ahead(outer.from - slack, outer.to + slack);
+        const double a = ahead(outer.from - slack, c.from), b = ahead(outer.from - slack, c.to);
         return a <= b && b <= l;
     }
 };

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 #include <numeric>
 
 namespace filum::surfpath {
@@ -17,9 +17,12 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kStretch = 0.03;  // of the spacing
+constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;   // of the way to the ridge that a turn of a ring takes, where the ridge is near
 constexpr double kRounder = 1.05;  // least radii: what corners are rounded by, so that little remains to be eased
+constexpr double kScales[] = {1, 0.6, 0.35, 0.2};            // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.6, 4.6, 6, 8, 12, 18}; // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 0.75;          // of the length, may turn tighter by so much on average
 constexpr double kTightest = 0.3;  // spacings: no ring turns tighter
 
 // The sources, and all rims.
@@ -36,11 +39,13 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
     return out;
 }
 
-// The spacing up to `d` for which the farthest place is a whole number of them and a half away, if one is near; else one
-// that is a little less, which wins more of the gaps at corners than it loses.
+// The spacing near `d` for which the farthest place is a whole number of them and a half away; if there is none, one
+// that is a little less than `d`, which wins more of the gaps at corners than it loses.
 double stretched(double farthest, double d) {
-    const double fits = farthest / (std::ceil(farthest / d - 0.5 - 1e-9) + 0.5);
-    return fits >= (1 - kStretch) * d ? std::min(fits, d) : (1 - kStretch / 2) * d;
+    const double n = std::max(0.0, std::floor(farthest / d - 0.5)) + 0.5;
+    for (const double fits : {farthest / n, farthest / (n + 1)})
+        if (fits <= (1 + kWider) * d && fits >= (1 - kNarrower) * d) return fits;
+    return (1 - kNarrower / 2) * d;
 }
 
 // The highest vertex of the triangles that a line runs through; kNone if none is as high as the line.
@@ -85,81 +90,136 @@ void climb(const Surface& s, const std::vector<double>& far, std::vector<Climb>&
     }
 }
 
+class Making {
+  public:
+    Making(const surface::Sheet& sheet, const Options& o)
+        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), far_(field_.distance),
+          least_(kRounder * o.least_radius) {
+        for (const double d : far_)
+            if (std::isfinite(d)) farthest_ = std::max(farthest_, d);
+        for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrower / 2) * o.spacing}) {
+            d_ = d;
+            levels_.clear();
+            for (double l = d / 2; l < farthest_; l += d) levels_.push_back(l);
+            outer_ = geodesic::isolines(s_, field_, levels_);
+            if (d <= o.spacing || one_ridge()) break; // so there is no harm to others
+        }
+    }
+
+    Rings run() {
+        find_batches();
+        find_inner();
+        const Rounding rounding(s_, field_, least_, d_);
+        each([&](Batch& b) { rounding.prepare(b); });
+        const double gain = affordable(rounding);
+        each([&](Batch& b) { rounding.finish(b, gain); });
+        Rings out;
+        out.spacing = d_;
+        for (auto& b : batches_)
+            for (auto& line : b.lines) {
+                out.lines.push_back(std::move(line));
+                out.level.push_back(static_cast<int>(std::lround(b.level / d_ - 0.5)));
+                out.radius.push_back(b.scales[0].radius);
+            }
+        return out;
+    }
+
+  private:
+    // True if no level has two rings, but near its top.
+    [[nodiscard]] bool one_ridge() const {
+        for (std::size_t i = 1; i < outer_.size(); ++i)
+            if (outer_[i].level == outer_[i - 1].level && outer_[i].level < farthest_ - least_) return false;
+        return true;
+    }
+
+    template <class F>
+    void each(const F& f) {
+        parallel::for_chunks(batches_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) f(batches_[i]);
+        });
+    }
+
+    // Rings by level, those within low ridges apart.
+    void find_batches() {
+        std::vector<Climb> climbs;
+        for (const auto& line : outer_) climbs.push_back({line.level, top(s_, far_, line)});
+        climb(s_, far_, climbs);
+        for (const double l : levels_) {
+            Batch high{l, {}, {}};
+            for (const double part : kScales) high.scales.push_back({part * least_});
+            std::vector<std::uint32_t> high_tops;
+            for (std::size_t i = 0; i < outer_.size(); ++i) {
+                if (!outer_[i].closed || outer_[i].level != l || climbs[i].to == kNone) continue;
+                const double rise = far_[climbs[i].to] - l, radius = kOfRidge * rise;
+                if (rise > least_) {
+                    high.outer.push_back(&outer_[i]), high_tops.push_back(climbs[i].to);
+                    continue;
+                }
+                if (radius < kTightest * d_) continue;
+                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.55 * radius}}});
+                tops_.push_back({climbs[i].to});
+            }
+            if (!high.outer.empty()) batches_.push_back(std::move(high)), tops_.push_back(std::move(high_tops));
+        }
+    }
+
+    // What lies a radius within each batch.
+    void find_inner() {
+        std::vector<double> levels;
+        for (const auto& b : batches_)
+            for (const auto& scale : b.scales) levels.push_back(b.level + scale.radius);
+        std::sort(levels.begin(), levels.end());
+        levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+        inner_ = geodesic::isolines(s_, field_, levels);
+        struct Use {
+            std::size_t batch, scale;
+            const Isoline* line;
+        };
+        std::vector<Use> uses;
+        std::vector<Climb> climbs;
+        for (std::size_t b = 0; b < batches_.size(); ++b)
+            for (std::size_t k = 0; k < batches_[b].scales.size(); ++k) {
+                const double level = batches_[b].level + batches_[b].scales[k].radius;
+                auto at = std::lower_bound(inner_.begin(), inner_.end(), level,
+                                           [](const Isoline& l, double x) { return l.level < x; });
+                for (; at != inner_.end() && at->level == level; ++at)
+                    if (at->closed) uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
+            }
+        climb(s_, far_, climbs);
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            const auto& t = tops_[uses[i].batch];
+            if (std::find(t.begin(), t.end(), climbs[i].to) != t.end())
+                batches_[uses[i].batch].scales[uses[i].scale].inner.push_back(uses[i].line);
+        }
+    }
+
+    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much tighter.
+    [[nodiscard]] double affordable(const Rounding& rounding) const {
+        double length = 0;
+        for (const auto& line : outer_) length += curve::length(curve::line(line));
+        const double most = kTightPart * length * kTighter / least_;
+        for (const double gain : kGains) {
+            double tight = 0;
+            for (const auto& b : batches_) tight += rounding.tight(b, gain);
+            if (tight <= most) return gain;
+        }
+        return std::numeric_limits<double>::infinity();
+    }
+
+    const Surface& s_;
+    ExactField field_;
+    const std::vector<double>& far_;
+    double least_, farthest_ = 0, d_ = 0;
+    std::vector<double> levels_;
+    std::vector<Isoline> outer_, inner_;
+    std::vector<Batch> batches_;
+    std::vector<std::vector<std::uint32_t>> tops_; // per batch: where its rings lead up to
+};
+
 } // namespace
 
 Rings rings(const surface::Sheet& sheet, const Options& o, Facts& facts) {
-    const Surface& s = sheet.surface;
-    const auto field = geodesic::exact(s, all_sources(sheet));
-    const auto& far = field.distance;
-    double farthest = 0;
-    for (const double d : far)
-        if (std::isfinite(d)) farthest = std::max(farthest, d);
-    Rings out;
-    out.spacing = stretched(farthest, o.spacing);
-    const double d = out.spacing, least = kRounder * o.least_radius;
-    std::vector<double> levels;
-    for (double l = d / 2; l < farthest; l += d) levels.push_back(l);
-    const auto outer = geodesic::isolines(s, field, levels);
-    std::vector<Climb> climbs;
-    for (const auto& line : outer) climbs.push_back({line.level, top(s, far, line)});
-    climb(s, far, climbs);
-
-    // rings by level, those within low ridges apart
-    std::vector<Batch> batches;
-    std::vector<std::vector<std::uint32_t>> tops; // per batch: where its rings lead up to
-    for (const double l : levels) {
-        Batch high{l, {}, {{least}, {0.6 * least}, {0.35 * least}}};
-        std::vector<std::uint32_t> high_tops;
-        for (std::size_t i = 0; i < outer.size(); ++i) {
-            if (!outer[i].closed || outer[i].level != l || climbs[i].to == kNone) continue;
-            const double rise = far[climbs[i].to] - l, radius = kOfRidge * rise;
-            if (rise > least) {
-                high.outer.push_back(&outer[i]), high_tops.push_back(climbs[i].to);
-                continue;
-            }
-            const double all = curve::length(curve::line(outer[i]));
-            if (radius < kTightest * d || all < kGain * least * 2 * std::numbers::pi * (1 - radius / least)) continue;
-            batches.push_back({l, {&outer[i]}, {{radius}, {0.55 * radius}}});
-            tops.push_back({climbs[i].to});
-        }
-        if (!high.outer.empty()) batches.push_back(std::move(high)), tops.push_back(std::move(high_tops));
-    }
-    std::vector<double> inner_levels;
-    for (const auto& b : batches)
-        for (const auto& scale : b.scales) inner_levels.push_back(b.level + scale.radius);
-    std::sort(inner_levels.begin(), inner_levels.end());
-    inner_levels.erase(std::unique(inner_levels.begin(), inner_levels.end()), inner_levels.end());
-    const auto inner = geodesic::isolines(s, field, inner_levels);
-    struct Use {
-        std::size_t batch, scale;
-        const Isoline* line;
-    };
-    std::vector<Use> uses;
-    climbs.clear();
-    for (std::size_t b = 0; b < batches.size(); ++b)
-        for (std::size_t k = 0; k < batches[b].scales.size(); ++k) {
-            const double level = batches[b].level + batches[b].scales[k].radius;
-            auto at = std::lower_bound(inner.begin(), inner.end(), level,
-                                       [](const Isoline& l, double x) { return l.level < x; });
-            for (; at != inner.end() && at->level == level; ++at)
-                if (at->closed) uses.push_back({b, k, &*at}), climbs.push_back({batches[b].level, top(s, far, *at)});
-        }
-    climb(s, far, climbs);
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const auto& t = tops[uses[i].batch];
-        if (std::find(t.begin(), t.end(), climbs[i].to) != t.end())
-            batches[uses[i].batch].scales[uses[i].scale].inner.push_back(uses[i].line);
-    }
-    const Rounding rounding(s, field, least, d);
-    parallel::for_chunks(batches.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) rounding(batches[i]);
-    });
-    for (auto& b : batches)
-        for (auto& line : b.lines) {
-            out.lines.push_back(std::move(line));
-            out.level.push_back(static_cast<int>(std::lround(b.level / d - 0.5)));
-            out.radius.push_back(b.scales[0].radius);
-        }
+    Rings out = Making(sheet, o).run();
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     facts.push_back({"", "stretch", out.spacing / o.spacing, ""});
     return out;

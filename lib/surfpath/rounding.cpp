@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace filum::surfpath {
 
@@ -36,8 +37,8 @@ class Rounder {
     Rounder(const Surface& s, const ExactField& field, double least, double spacing, double edge)
         : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(edge) {}
 
-    void operator()(Batch& b) const {
-        std::vector<Ring> rings;
+    void prepare(Batch& b) const {
+        auto& rings = b.rings;
         for (const Isoline* line : b.outer) rings.push_back({curve::line(*line), {}});
         for (Ring& r : rings) r.ways = curve::ways(r.line);
         bool more = !rings.empty();
@@ -50,7 +51,20 @@ class Rounder {
                 for (const Corner& c : r.by[k].corners) more |= r.ahead(c.from, c.to) - c.length > kLong * least_;
             }
         }
-        if (!rings.empty()) assemble(rings, b);
+    }
+
+    [[nodiscard]] double tight(const Batch& b, double gain) const {
+        if (!worthwhile(b, gain)) return 0;
+        double out = 0;
+        for (const Bend& c : bends(b, gain))
+            out += c.corner->length * std::max(0.0, 1 / b.scales[c.scale].radius - 1 / least_);
+        for (const Ring& r : b.rings)
+            if (gone(r)) out += all_round(b);
+        return out;
+    }
+
+    void finish(Batch& b, double gain) const {
+        if (!b.rings.empty() && worthwhile(b, gain)) assemble(b, gain);
     }
 
   private:
@@ -117,6 +131,10 @@ class Rounder {
         for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
         if (has_cusp(arc)) return;
         const double l = curve::length(arc);
+        if (rings[a.line].ahead(a.way, b.way) < 0.5 * l) { // all the way round
+            rings[a.line].by.back().instead.push_back(line);
+            return;
+        }
         rings[a.line].by.back().corners.push_back({a.way, b.way, std::move(arc), l});
     }
     // Leaves out arcs that lead across narrow places.
@@ -134,10 +152,18 @@ class Rounder {
 
     // How much tighter than allowed a corner turns, rad.
     [[nodiscard]] double tight(const Corner& c, double radius) const { return c.length * (1 / radius - 1 / least_); }
+    [[nodiscard]] double all_round(const Batch& b) const {
+        return 2 * std::numbers::pi * (1 - b.scales[0].radius / least_);
+    }
+    // True if rings that are rounded by less than the least radius all round are long enough for that.
+    [[nodiscard]] bool worthwhile(const Batch& b, double gain) const {
+        const double price = all_round(b);
+        return !(price > 0) || (!b.rings.empty() && b.rings[0].ways.back() > gain * least_ * price);
+    }
 
     // The corner by this radius, or those within it by the lesser one that gains most.
-    void choose(const Ring& r, const Batch& b, std::size_t k, const Corner& c, std::vector<const Corner*>& out) const {
-        const double worth = -kGain * least_;
+    void choose(const Ring& r, const Batch& b, double gain, std::size_t k, const Corner& c, std::vector<Bend>& out) const {
+        const double worth = -gain * least_;
         double most = c.length + worth * tight(c, b.scales[k].radius);
         std::vector<const Corner*> best;
         std::size_t by = k;
@@ -152,28 +178,34 @@ class Rounder {
                 }
             if (!finer.empty() && now > most) most = now, best = std::move(finer), by = f;
         }
-        if (by == k) out.push_back(&c);
-        for (const Corner* corner : best) choose(r, b, by, *corner, out);
+        if (by == k) out.push_back({0, &c, k, nullptr, {}});
+        for (const Corner* corner : best) choose(r, b, gain, by, *corner, out);
     }
 
+    // True if nothing of the ring itself stays.
+    static bool gone(const Ring& r) { return r.by[0].kept.empty() || !r.by[0].instead.empty(); }
+
     // The corners that are taken, by their places.
-    [[nodiscard]] std::vector<Bend> bends(const std::vector<Ring>& rings, const Batch& b) const {
+    [[nodiscard]] std::vector<Bend> bends(const Batch& b, double gain) const {
         std::vector<Bend> out;
-        for (std::size_t i = 0; i < rings.size(); ++i) {
-            if (rings[i].by[0].kept.empty()) continue;
-            std::vector<const Corner*> corners;
-            for (const Corner& c : rings[i].by[0].corners) choose(rings[i], b, 0, c, corners);
-            std::sort(corners.begin(), corners.end(), [](const auto* x, const auto* y) { return x->from < y->from; });
-            for (const Corner* c : corners) out.push_back({i, c, nullptr, {}});
+        for (std::size_t i = 0; i < b.rings.size(); ++i) {
+            const Ring& r = b.rings[i];
+            if (gone(r)) continue;
+            std::vector<Bend> own;
+            for (const Corner& c : r.by[0].corners) choose(r, b, gain, 0, c, own);
+            std::sort(own.begin(), own.end(),
+                      [](const Bend& x, const Bend& y) { return x.corner->from < y.corner->from; });
+            for (Bend& c : own) c.ring = i, out.push_back(std::move(c));
         }
         return out;
     }
 
-    void assemble(std::vector<Ring>& rings, Batch& b) const {
-        auto bent = bends(rings, b);
+    void assemble(Batch& b, double gain) const {
+        auto& rings = b.rings;
+        auto bent = bends(b, gain);
         bridge_necks(surface_, field_, b.level, spacing_, rings, bent);
         for (std::size_t i = 0; i < rings.size(); ++i) {
-            if (rings[i].by[0].kept.empty())
+            if (gone(rings[i]))
                 for (auto& line : rings[i].by[0].instead) b.lines.push_back(std::move(line));
             else if (std::none_of(bent.begin(), bent.end(), [&](const Bend& c) { return c.ring == i; }))
                 b.lines.push_back(rings[i].line);
@@ -187,7 +219,8 @@ class Rounder {
                 const Ring& r = rings[bent[at].ring];
                 const Corner &c = *bent[at].corner, &next = *bent[to].corner;
                 const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
-                if (rest < r.ways.back() - 1e-6) curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
+                if (rest < r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
+                    curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
                 curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
                 at = bent[to].over ? static_cast<std::size_t>(bent[to].over - bent.data()) : to;
             }
@@ -213,6 +246,12 @@ class Rounder {
 Rounding::Rounding(const Surface& s, const ExactField& field, double least, double spacing)
     : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(longest_edge(s)) {}
 
-void Rounding::operator()(Batch& b) const { Rounder(surface_, field_, least_, spacing_, edge_)(b); }
+void Rounding::prepare(Batch& b) const { Rounder(surface_, field_, least_, spacing_, edge_).prepare(b); }
+double Rounding::tight(const Batch& b, double gain) const {
+    return Rounder(surface_, field_, least_, spacing_, edge_).tight(b, gain);
+}
+void Rounding::finish(Batch& b, double gain) const {
+    Rounder(surface_, field_, least_, spacing_, edge_).finish(b, gain);
+}
 
 } // namespace filum::surfpath

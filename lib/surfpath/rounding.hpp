@@ -3,18 +3,12 @@
 
 #include "curve/line.hpp"
 #include "geodesic/exact.hpp"
+#include "surfpath/ring.hpp"
 
 namespace filum::surfpath {
 
-using curve::Line;
-using curve::Place;
 using geodesic::ExactField;
-using geom::Vec3;
 using surface::Isoline;
-using surface::Surface;
-
-// Least radii of length that a radian of turning too tight is worth.
-inline constexpr double kGain = 3.3;
 
 // One radius to round by: `inner` are the lines as much farther away.
 struct Scale {
@@ -27,7 +21,8 @@ struct Batch {
     double level;
     std::vector<const Isoline*> outer;
     std::vector<Scale> scales; // by falling radii
-    std::vector<Line> lines{};
+    std::vector<Ring> rings{}; // those, and how their corners may be rounded
+    std::vector<Line> lines{}; // what comes of it
 };
 
 // Rounds the corners of rings: where a disc, rolling along inside of one, does not come, but for narrow places that lead
@@ -37,7 +32,13 @@ class Rounding {
   public:
     Rounding(const Surface& surface, const ExactField& field, double least_radius, double spacing);
 
-    void operator()(Batch& batch) const; // finds its lines
+    void prepare(Batch& batch) const; // finds its rings
+
+    // How much tighter than the least radius its lines turn, rad in all, if smaller discs take over where they gain
+    // `gain` least radii of length for each.
+    [[nodiscard]] double tight(const Batch& batch, double gain) const;
+
+    void finish(Batch& batch, double gain) const; // finds its lines
 
   private:
     const Surface& surface_;

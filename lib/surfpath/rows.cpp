@@ -16,6 +16,8 @@ namespace {
 using surface::kNone;
 
 constexpr double kDetour = 1.1; // of the way that is replaced, at most
+constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
+constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
 constexpr double kNear = 0.4;   // of the margin: what lines keep that follow the inset instead
 
 double longest_edge(const Surface& s) {
@@ -107,11 +109,13 @@ class Cutter {
         return out;
     }
 
-  private:
+    // The distance of the nearest rim, mm; some multiple of the margin beyond that.
     [[nodiscard]] double room(const Place& p) const {
-        if (inset_.rings.empty() && surface_.rims.empty()) return margin_;
+        if (surface_.rims.empty()) return std::numeric_limits<double>::infinity();
         return geodesic::distance_at(surface_, field_, p.triangle, p.point);
     }
+
+  private:
 
     // Where the stretch from `a` to `b`, within a's triangle, crosses the margin: part of it.
     template <class Room>
@@ -186,31 +190,44 @@ std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& 
 
 } // namespace
 
+void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
+    for (const auto& isoline : isolines) {
+        to.push_back({curve::line(isoline), sign * isoline.level});
+        if (sign < 0) curve::reverse(to.back().line);
+    }
+}
+
 Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest) {
     Rows out;
     Cutter cutter(s, margin);
+    double all = 0, too_short = 0;
     for (const Raw& raw : lines) {
         const auto ways = curve::ways(raw.line);
-        const auto kept = cutter.kept(raw.line, ways, 1);
-        if (raw.line.closed && kept.size() == 1 && kept[0].second - kept[0].first >= ways.back()) {
-            if (ways.back() < shortest)
-                out.dropped += ways.back();
-            else
-                out.rows.push_back({raw.line, raw.level, {}, {}});
-            continue;
-        }
-        for (Line& line : stretches(s, cutter, raw.line, ways, margin)) {
-            line = curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
-            if (const double l = curve::length(line); l < shortest) {
-                out.dropped += l;
-                continue;
-            }
+        std::vector<Line> parts;
+        if (raw.line.closed && cutter.room(raw.line.places[0]) >= kClosed * margin &&
+            cutter.kept(raw.line, ways, kClosed).size() == 1)
+            parts.push_back(raw.line);
+        else
+            parts = stretches(s, cutter, raw.line, ways, margin);
+        for (Line& line : parts) {
+            if (!line.closed) line = curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
+            const double l = curve::length(line);
+            all += l, too_short += l < shortest ? l : 0;
             Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
             row.end = cutter.port(row.line.places.back().point);
             out.rows.push_back(std::move(row));
         }
     }
+    double longest = 0;
+    const double least = too_short > kMostShort * all ? margin : shortest;
+    std::erase_if(out.rows, [&](const Row& row) {
+        const double l = curve::length(row.line);
+        if (l >= least) return false;
+        out.dropped += l, ++out.drops;
+        if (l > longest) longest = l, out.dropped_at = row.line[row.line.size() / 2];
+        return true;
+    });
     std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
     out.inset = std::move(cutter.inset());
     return out;

@@ -17,6 +17,7 @@ constexpr double kRunUp = 4;    // radii of a row that may be rounded where it g
 constexpr double kCorridor = 2; // radii
 constexpr double kBulb = 40; // mm: what a bulb is as bad as, for the voids beside it
 constexpr double kTurning = 0.25; // mm
+constexpr double kBeside = 0.5;   // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -83,24 +84,43 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     auto eased = curve::ease(surface_, curve::threaded(surface_, line),
                              {.radius = o_.least_radius, .corridor = kCorridor * o_.least_radius});
     out.line = std::move(eased.line);
-    out.radius = tightest(out.line);
+    const auto k = turning(out.line, curve::ways(out.line));
+    out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
     return out;
 }
 
-// The least radius of the line's turning along the surface, as it shows over twice kTurning.
-double Turner::tightest(const Line& line) const {
-    const auto w = curve::ways(line);
-    const auto n = static_cast<std::size_t>(w.back() / kTurning);
-    double most = 0;
-    for (std::size_t i = 1; i < n; ++i) {
-        const double at = kTurning * static_cast<double>(i);
+// Turning of the line along the surface, 1/mm, in steps of kTurning, as it shows over twice that.
+std::vector<double> Turner::turning(const Line& line, std::span<const double> w) const {
+    std::vector<double> out{0};
+    for (double at = kTurning; at + kTurning <= w.back(); at += kTurning) {
         const Place here = curve::at(line, w, at);
         const Vec3 a = here.point - curve::at(line, w, at - kTurning).point;
         const Vec3 b = curve::at(line, w, at + kTurning).point - here.point;
         const Vec3 m = curve::normal_at(surface_, normals_, here);
-        most = std::max(most, std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))));
+        out.push_back(std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))) / kTurning);
     }
-    return most > 0 ? std::min(kTurning / most, w.back()) : w.back();
+    return out;
+}
+
+std::vector<Piece> Turner::pieces(const LaidTurn& turn) const {
+    if (!hairpin(turn.radius)) return {{turn.line, false}};
+    const auto w = curve::ways(turn.line);
+    const auto k = turning(turn.line, w);
+    std::vector<Piece> out;
+    double begin = 0, end = 0; // of what is tight, or joined to it because it is near
+    for (std::size_t i = 0; i < k.size(); ++i) {
+        if (!hairpin(1 / std::max(1e-9, k[i]))) continue;
+        const double from = kTurning * static_cast<double>(i) - kBeside, to = from + 2 * kBeside;
+        if (from > end || end == 0) {
+            if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
+            if (from > end) out.push_back({curve::part(turn.line, w, end, from), false});
+            begin = std::max(0.0, from);
+        }
+        end = std::min(to, w.back());
+    }
+    if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
+    if (end < w.back()) out.push_back({curve::part(turn.line, w, end, w.back()), false});
+    return out;
 }
 
 const Port& Turner::port(std::uint32_t end) const {

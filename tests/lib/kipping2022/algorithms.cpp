@@ -35,8 +35,8 @@ std::size_t crossings(const surfpath::Plan& plan) {
     std::size_t out = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t k = i + 2; k < all.size(); ++k) {
-            const auto &[a, b] = all[i];
-            const auto &[c, d] = all[k];
+            const auto& [a, b] = all[i];
+            const auto& [c, d] = all[k];
             if (orient(a, b, c) * orient(a, b, d) < 0 && orient(c, d, a) * orient(c, d, b) < 0) ++out;
         }
     return out;
@@ -117,7 +117,9 @@ TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     const auto lines = [](double from, double to, const char* rim) {
         return plan(measured(zone(5, from, to), rim), options("ortheo", 0.5));
     };
-    const auto first = [](const surfpath::Plan& p) { return static_cast<double>(p.strokes.size()) - fact(p, "insertions"); };
+    const auto first = [](const surfpath::Plan& p) {
+        return static_cast<double>(p.strokes.size()) - fact(p, "insertions");
+    };
     auto outwards = lines(0.5, 1.2, "boundary:0"); // from 15.06 mm to 29.28 mm
     if (first(outwards) > 31) outwards = lines(0.5, 1.2, "boundary:1");
     EXPECT_EQ(first(outwards), 30); // the 31st is 0.06 mm from the first one and goes nowhere
@@ -127,7 +129,7 @@ TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     if (first(inwards) < 58) inwards = lines(0.25, 1.2, "boundary:1");
     EXPECT_NEAR(first(inwards), 58, 1);
     EXPECT_LE(fact(inwards, "insertions"), 1); // beside the last one
-    EXPECT_GE(fact(inwards, "endings"), 29); // half of them; more where marching drifts
+    EXPECT_GE(fact(inwards, "endings"), 29);   // half of them; more where marching drifts
     EXPECT_LE(fact(inwards, "endings"), 40);
 }
 
