@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace filum::surfpath {
@@ -20,9 +21,10 @@ using surface::kNone;
 constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;   // of the way to the ridge that a turn of a ring takes, where the ridge is near
 constexpr double kRounder = 1.05;  // least radii: what corners are rounded by, so that little remains to be eased
-constexpr double kScales[] = {1, 0.6, 0.35, 0.2};            // of the least radius, that corners are rounded by
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2};            // of the least radius, that corners are rounded by
 constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.6, 4.6, 6, 8, 12, 18}; // least radii of length for a radian of tight turn
-constexpr double kTightPart = 0.01, kTighter = 0.75;          // of the length, may turn tighter by so much on average
+constexpr double kTightPart = 0.01, kTighter = 1;          // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1; // spacings that radii may fall by from one level to the next
 constexpr double kTightest = 0.3;  // spacings: no ring turns tighter
 
 // The sources, and all rims.
@@ -112,7 +114,7 @@ class Making {
         const Rounding rounding(s_, field_, least_, d_);
         each([&](Batch& b) { rounding.prepare(b); });
         const double gain = affordable(rounding);
-        each([&](Batch& b) { rounding.finish(b, gain); });
+        each([&](Batch& b) { rounding.finish(b, gain, floor_.at(b.level)); });
         Rings out;
         out.spacing = d_;
         for (auto& b : batches_)
@@ -193,16 +195,32 @@ class Making {
         }
     }
 
+    // How much too tight all turn, rad; finds the floors.  From one level to the next radii may fall by a spacing, or a
+    // tip would reach over the one outside of it.
+    double tight(const Rounding& rounding, double gain) {
+        double out = 0, before = least_;
+        floor_.clear();
+        for (const double l : levels_) {
+            const double floor = floor_[l] = before - kFall * d_;
+            before = least_;
+            for (const auto& b : batches_) {
+                if (b.level != l) continue;
+                const auto turns = rounding.turns(b, gain, floor);
+                out += turns.tight;
+                before = std::min(before, turns.least);
+            }
+        }
+        return out;
+    }
+
     // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much tighter.
-    [[nodiscard]] double affordable(const Rounding& rounding) const {
+    [[nodiscard]] double affordable(const Rounding& rounding) {
         double length = 0;
         for (const auto& line : outer_) length += curve::length(curve::line(line));
         const double most = kTightPart * length * kTighter / least_;
-        for (const double gain : kGains) {
-            double tight = 0;
-            for (const auto& b : batches_) tight += rounding.tight(b, gain);
-            if (tight <= most) return gain;
-        }
+        for (const double gain : kGains)
+            if (tight(rounding, gain) <= most) return gain;
+        static_cast<void>(tight(rounding, std::numeric_limits<double>::infinity()));
         return std::numeric_limits<double>::infinity();
     }
 
@@ -213,6 +231,7 @@ class Making {
     std::vector<double> levels_;
     std::vector<Isoline> outer_, inner_;
     std::vector<Batch> batches_;
+    std::map<double, double> floor_; // mm: per level, the least radius
     std::vector<std::vector<std::uint32_t>> tops_; // per batch: where its rings lead up to
 };
 

@@ -53,19 +53,24 @@ class Rounder {
         }
     }
 
-    [[nodiscard]] double tight(const Batch& b, double gain) const {
-        if (!worthwhile(b, gain)) return 0;
-        double out = 0;
-        for (const Bend& c : bends(b, gain))
-            out += c.corner->length * std::max(0.0, 1 / b.scales[c.scale].radius - 1 / least_);
+    [[nodiscard]] Rounding::Turns turns(const Batch& b) const {
+        Rounding::Turns out{0, least_};
+        if (!worthwhile(b)) return out;
+        const auto add = [&](double length, double radius) {
+            out.tight += length * std::max(0.0, 1 / radius - 1 / least_);
+            out.least = std::min(out.least, radius);
+        };
+        for (const Bend& c : bends(b)) add(c.corner->length, b.scales[c.scale].radius);
         for (const Ring& r : b.rings)
-            if (gone(r)) out += all_round(b);
+            if (gone(r)) add(2 * std::numbers::pi * b.scales[0].radius, b.scales[0].radius);
         return out;
     }
 
-    void finish(Batch& b, double gain) const {
-        if (!b.rings.empty() && worthwhile(b, gain)) assemble(b, gain);
+    void finish(Batch& b) const {
+        if (!b.rings.empty() && worthwhile(b)) assemble(b);
     }
+
+    double gain = 0, floor = 0;
 
   private:
     // Lines a radius outside of `inner`.
@@ -156,18 +161,18 @@ class Rounder {
         return 2 * std::numbers::pi * (1 - b.scales[0].radius / least_);
     }
     // True if rings that are rounded by less than the least radius all round are long enough for that.
-    [[nodiscard]] bool worthwhile(const Batch& b, double gain) const {
+    [[nodiscard]] bool worthwhile(const Batch& b) const {
         const double price = all_round(b);
-        return !(price > 0) || (!b.rings.empty() && b.rings[0].ways.back() > gain * least_ * price);
+        return !(price > 0) || (!b.rings.empty() && b.scales[0].radius >= floor && b.rings[0].ways.back() > gain * least_ * price);
     }
 
     // The corner by this radius, or those within it by the lesser one that gains most.
-    void choose(const Ring& r, const Batch& b, double gain, std::size_t k, const Corner& c, std::vector<Bend>& out) const {
+    void choose(const Ring& r, const Batch& b, std::size_t k, const Corner& c, std::vector<Bend>& out) const {
         const double worth = -gain * least_;
         double most = c.length + worth * tight(c, b.scales[k].radius);
         std::vector<const Corner*> best;
         std::size_t by = k;
-        for (std::size_t f = k + 1; f < r.by.size(); ++f) {
+        for (std::size_t f = k + 1; f < r.by.size() && b.scales[f].radius >= floor; ++f) {
             std::vector<const Corner*> finer;
             double now = r.ahead(c.from, c.to);
             for (const Corner& corner : r.by[f].corners)
@@ -179,20 +184,20 @@ class Rounder {
             if (!finer.empty() && now > most) most = now, best = std::move(finer), by = f;
         }
         if (by == k) out.push_back({0, &c, k, nullptr, {}});
-        for (const Corner* corner : best) choose(r, b, gain, by, *corner, out);
+        for (const Corner* corner : best) choose(r, b, by, *corner, out);
     }
 
     // True if nothing of the ring itself stays.
     static bool gone(const Ring& r) { return r.by[0].kept.empty() || !r.by[0].instead.empty(); }
 
     // The corners that are taken, by their places.
-    [[nodiscard]] std::vector<Bend> bends(const Batch& b, double gain) const {
+    [[nodiscard]] std::vector<Bend> bends(const Batch& b) const {
         std::vector<Bend> out;
         for (std::size_t i = 0; i < b.rings.size(); ++i) {
             const Ring& r = b.rings[i];
             if (gone(r)) continue;
             std::vector<Bend> own;
-            for (const Corner& c : r.by[0].corners) choose(r, b, gain, 0, c, own);
+            for (const Corner& c : r.by[0].corners) choose(r, b, 0, c, own);
             std::sort(own.begin(), own.end(),
                       [](const Bend& x, const Bend& y) { return x.corner->from < y.corner->from; });
             for (Bend& c : own) c.ring = i, out.push_back(std::move(c));
@@ -200,9 +205,9 @@ class Rounder {
         return out;
     }
 
-    void assemble(Batch& b, double gain) const {
+    void assemble(Batch& b) const {
         auto& rings = b.rings;
-        auto bent = bends(b, gain);
+        auto bent = bends(b);
         bridge_necks(surface_, field_, b.level, spacing_, rings, bent);
         for (std::size_t i = 0; i < rings.size(); ++i) {
             if (gone(rings[i]))
@@ -247,11 +252,15 @@ Rounding::Rounding(const Surface& s, const ExactField& field, double least, doub
     : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(longest_edge(s)) {}
 
 void Rounding::prepare(Batch& b) const { Rounder(surface_, field_, least_, spacing_, edge_).prepare(b); }
-double Rounding::tight(const Batch& b, double gain) const {
-    return Rounder(surface_, field_, least_, spacing_, edge_).tight(b, gain);
+Rounding::Turns Rounding::turns(const Batch& b, double gain, double floor) const {
+    Rounder rounder(surface_, field_, least_, spacing_, edge_);
+    rounder.gain = gain, rounder.floor = floor;
+    return rounder.turns(b);
 }
-void Rounding::finish(Batch& b, double gain) const {
-    Rounder(surface_, field_, least_, spacing_, edge_).finish(b, gain);
+void Rounding::finish(Batch& b, double gain, double floor) const {
+    Rounder rounder(surface_, field_, least_, spacing_, edge_);
+    rounder.gain = gain, rounder.floor = floor;
+    rounder.finish(b);
 }
 
 } // namespace filum::surfpath

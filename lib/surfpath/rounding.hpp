@@ -34,11 +34,15 @@ class Rounding {
 
     void prepare(Batch& batch) const; // finds its rings
 
-    // How much tighter than the least radius its lines turn, rad in all, if smaller discs take over where they gain
-    // `gain` least radii of length for each.
-    [[nodiscard]] double tight(const Batch& batch, double gain) const;
+    // What its lines turn, if smaller discs, but none below `floor` mm, take over where they gain `gain` least radii of
+    // length for each radian that they turn too tight.
+    struct Turns {
+        double tight = 0;  // rad in all, by which they turn tighter than by the least radius
+        double least = 0;  // mm, of radii; the least radius if all keep to it
+    };
+    [[nodiscard]] Turns turns(const Batch& batch, double gain, double floor) const;
 
-    void finish(Batch& batch, double gain) const; // finds its lines
+    void finish(Batch& batch, double gain, double floor) const; // finds its lines
 
   private:
     const Surface& surface_;

@@ -17,6 +17,7 @@ constexpr double kMargin = 0.5;  // spacings of lane between windows
 constexpr double kShare = 0.4;    // of a lane that a seam may take
 constexpr double kRidge = 3;       // spacings between lanes that a line goes along the middle of, at most
 constexpr double kRoom = 1.3;      // and at least
+constexpr double kAhead = 0.6;      // cosine of how far a lane turns beside it
 constexpr double kDrift = 6;       // spacings that it takes to go there
 constexpr double kApart = 8;     // spacings between lanes that are joined, at most
 
@@ -108,10 +109,12 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double w
 static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, double sense) {
     Line out;
     const double d = lanes.spacing(), step = 0.3 * d;
+    const Vec3 begin = lanes.tangent(lane, way);
     for (double on = 0; on < lanes.length(lane) / 2; on += step) {
         const double here = way + sense * on;
         const auto over = lanes.across(lane, here, 1, kRidge);
         if (!over || over->lane != lane || over->distance < kRoom * d) break;
+        if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
         const Line line = curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
         const auto ways = curve::ways(line);
         out.places.push_back(curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kDrift * d))) * ways.back()));
