@@ -57,7 +57,9 @@ class Sheet {
         for (int i = 0; i < kSmooth; ++i) smooth();
     }
 
-    [[nodiscard]] double moved(std::size_t strand, std::size_t spot) const { return knots_[first_[strand] + spot].moved; }
+    [[nodiscard]] double moved(std::size_t strand, std::size_t spot) const {
+        return knots_[first_[strand] + spot].moved;
+    }
 
   private:
     struct Seat {

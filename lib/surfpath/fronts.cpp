@@ -39,11 +39,12 @@ std::vector<std::uint32_t> about(const Surface& s, std::uint32_t triangle) {
     return out;
 }
 
-// Makes the places where samples lead ascend along each front: those that crossed share the mean of their places.  Lines
+// Makes the places where samples lead ascend along each front: those that crossed share the mean of their places. Lines
 // that start out straight from a smooth front do not cross, but on triangles all curvature sits in the vertices, and
 // behind each that bulges the lines that pass it on both sides do.  On closed fronts places run on beyond the first
 // point.
-template <class Sample> void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts) {
+template <class Sample>
+void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts) {
     struct Pool {
         double mean;
         std::size_t first, count;
@@ -56,7 +57,8 @@ template <class Sample> void uncross(std::vector<Sample>& samples, const std::ve
         const std::uint32_t front = samples[i].to->front;
         const double around = fronts[front].line.closed ? fronts[front].length() : 0;
         std::vector<Pool> pools;
-        for (double before = samples[i].to->x; i < samples.size() && samples[i].to && samples[i].to->front == front; ++i) {
+        for (double before = samples[i].to->x; i < samples.size() && samples[i].to && samples[i].to->front == front;
+             ++i) {
             double x = samples[i].to->x;
             if (around > 0) x -= around * std::round((x - before) / around);
             before = x;
@@ -108,8 +110,7 @@ void Fronts::add_level(std::vector<Line> lines) {
     for (Line& line : lines) {
         auto ways = curve::ways(line);
         const auto front = static_cast<std::uint32_t>(level.fronts.size());
-        for (std::uint32_t i = 0; i + 1 < ways.size(); ++i)
-            level.pieces.push_back({line.places[i].triangle, front, i});
+        for (std::uint32_t i = 0; i + 1 < ways.size(); ++i) level.pieces.push_back({line.places[i].triangle, front, i});
         level.fronts.push_back({std::move(line), std::move(ways)});
     }
     std::stable_sort(level.pieces.begin(), level.pieces.end(),
@@ -189,8 +190,8 @@ void Fronts::sample(std::size_t level, double grain) {
 std::optional<Spot> Fronts::onward(std::size_t level, Spot spot) const {
     if (level + 1 >= levels_.size()) return {};
     const auto& samples = levels_[level].onward[spot.front];
-    auto b = std::upper_bound(samples.begin(), samples.end(), spot.x,
-                              [](double x, const Sample& s) { return x < s.x; });
+    auto b =
+        std::upper_bound(samples.begin(), samples.end(), spot.x, [](double x, const Sample& s) { return x < s.x; });
     if (b == samples.begin()) ++b;
     if (b == samples.end()) --b;
     const Sample &lo = *(b - 1), &hi = *b;

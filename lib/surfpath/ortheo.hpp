@@ -12,8 +12,8 @@ namespace filum::surfpath {
 // Fans about the ends of a source curve, point sources and the lee of holes come by the same law.
 //
 // Each line is a stroke of its own, laid alternately there and back.
-// Facts: lines, births, deaths, births-lower-bound, cuts, hairpins.  Notes: what is shorter than it may be, with length.
-// Throws Error(bad_input) if the sheet has no sources, Error(usage) as Fronts does.
+// Facts: lines, births, deaths, births-lower-bound, cuts, hairpins.  Notes: what is shorter than it may be, with
+// length. Throws Error(bad_input) if the sheet has no sources, Error(usage) as Fronts does.
 Plan ortheo(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

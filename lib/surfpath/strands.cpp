@@ -13,13 +13,15 @@ namespace {
 using surface::kNone;
 
 constexpr double kTooNear = 0.35; // spacings
+constexpr double kSame = 1e-9;    // spacings: a tie
+constexpr double kBrief = 3;      // spacings: what would live, or be dead, for less before a rim is not worth it
 constexpr double kParallel = 0.2; // slope against a rim up to which a strand runs along it
 
 struct Alive {
     double x = 0; // mm along its front
     std::uint32_t strand = 0;
-    double before = -1;      // mm from the begin of the front that it was on before, < 0: none
-    double before_end = -1;  // mm from its end
+    double before = -1;     // mm from the begin of the front that it was on before, < 0: none
+    double before_end = -1; // mm from its end
 };
 
 class March {
@@ -93,7 +95,12 @@ class March {
         if (row.empty()) return settle(f, row);
         thin(f, row);
         fill(f, row);
-        for (std::size_t rounds = row.size() + 1; rounds > 0 && balance(f, row); --rounds) {}
+        const std::size_t before = row.size();
+        while (row.size() < 2 * before + 2 && bear(f, row)) {
+        }
+        if (row.size() > before) return; // windows at rims hold fewer gaps: no strand dies for one just born
+        while (reap(f, row)) {
+        }
     }
 
     // The first strands on a front that no other leads to.
@@ -188,47 +195,54 @@ class March {
         }
     }
 
-    // One birth or death where it is needed most; false if nowhere.
-    bool balance(std::uint32_t f, std::vector<Alive>& row) {
-        const auto e = excess(f, row);
+    // The gap about which the sum of the excess, times `sign`, is greatest, if it is above the limit; else -1.
+    [[nodiscard]] std::ptrdiff_t most(const std::vector<double>& e, bool closed, double sign) const {
         const auto n = static_cast<std::ptrdiff_t>(e.size()), h = static_cast<std::ptrdiff_t>(half_);
-        const bool closed = front(f).line.closed;
-        const auto wrap = [&](std::ptrdiff_t j) { return static_cast<std::size_t>(((j % n) + n) % n); };
-        const bool whole = closed && n <= 2 * h + 1; // each gap once
-        double widest = most_ * d_, narrowest = -most_ * d_;
-        std::ptrdiff_t at_widest = -1, at_narrowest = -1;
+        double greatest = most_ * d_;
+        std::ptrdiff_t at = -1;
         for (std::ptrdiff_t i = 0; i < n; ++i) {
             double sum = 0;
-            if (whole)
+            if (closed && n <= 2 * h + 1) // each gap once
                 for (const double v : e) sum += v;
             else
                 for (std::ptrdiff_t j = i - h; j <= i + h; ++j)
-                    if (closed || (j >= 0 && j < n)) sum += e[wrap(j)];
-            if (sum > widest + 1e-9 * d_) widest = sum, at_widest = i;
-            if (sum < narrowest - 1e-9 * d_) narrowest = sum, at_narrowest = i;
+                    if (closed || (j >= 0 && j < n)) sum += e[static_cast<std::size_t>((j + n) % n)];
+            if (sign * sum > greatest + kSame * d_) greatest = sign * sum, at = i;
         }
-        if (at_widest >= 0) {
-            std::size_t best = wrap(at_widest);
-            for (std::ptrdiff_t j = at_widest - h; j <= at_widest + h; ++j)
-                if ((closed || (j >= 0 && j < n)) && e[wrap(j)] > e[best] + 1e-9 * d_) best = wrap(j);
-            insert(f, row, best, law_.group);
-            return true;
-        }
-        return at_narrowest >= 0 && kill_narrowest(row, e, at_narrowest, closed);
+        return at;
     }
 
-    // In the window about gap `at`: the group dies whose gaps, those on both its sides included, are the narrowest.
-    bool kill_narrowest(std::vector<Alive>& row, const std::vector<double>& e, std::ptrdiff_t at, bool closed) {
-        const auto n = static_cast<std::ptrdiff_t>(e.size()), h = static_cast<std::ptrdiff_t>(half_);
+    // A birth where it is needed most; false if nowhere.
+    bool bear(std::uint32_t f, std::vector<Alive>& row) {
+        const auto e = excess(f, row);
+        const bool closed = front(f).line.closed;
+        const auto n = static_cast<std::ptrdiff_t>(e.size()), h = std::min<std::ptrdiff_t>(n, half_);
+        const std::ptrdiff_t at = most(e, closed, 1);
+        if (at < 0) return false;
+        auto best = static_cast<std::size_t>(at);
+        for (std::ptrdiff_t i = at - h; i <= at + h; ++i) {
+            const auto j = static_cast<std::size_t>((i + n) % n);
+            if ((closed || (i >= 0 && i < n)) && e[j] > e[best] + kSame * d_) best = j;
+        }
+        insert(f, row, best, law_.group);
+        return true;
+    }
+
+    // A death likewise: in the window the group dies whose gaps, those on both its sides included, are the narrowest.
+    bool reap(std::uint32_t f, std::vector<Alive>& row) {
+        const auto e = excess(f, row);
+        const bool closed = front(f).line.closed;
+        const auto n = static_cast<std::ptrdiff_t>(e.size()), h = std::min<std::ptrdiff_t>(n, half_);
         const auto g = static_cast<std::ptrdiff_t>(law_.group), size = static_cast<std::ptrdiff_t>(row.size());
-        if (size <= g) return false;
+        const std::ptrdiff_t at = most(e, closed, -1);
+        if (at < 0 || size <= g) return false;
         double least = std::numeric_limits<double>::infinity();
         std::ptrdiff_t best = -1;
         for (std::ptrdiff_t i = at - h; i + g <= at + h; ++i) {
             if (!closed && (i < 0 || i + g >= n)) continue;
             double sum = 0;
-            for (std::ptrdiff_t j = i; j <= i + g; ++j) sum += e[static_cast<std::size_t>(((j % n) + n) % n)];
-            if (sum < least - 1e-9 * d_) least = sum, best = ((i % size) + size) % size;
+            for (std::ptrdiff_t j = i; j <= i + g; ++j) sum += e[static_cast<std::size_t>((j + n) % n)];
+            if (sum < least - kSame * d_) least = sum, best = (i + size) % size;
         }
         if (best < 0) return false;
         const std::uint32_t group = groups_++;
@@ -245,10 +259,7 @@ class March {
             if (!rows[f].empty()) done_ = false;
             for (std::size_t i = 1; i < rows[f].size(); ++i) {
                 const Strand &a = out_.strands[rows[f][i - 1].strand], &b = out_.strands[rows[f][i].strand];
-                if (a.first == level_ || b.first == level_) {
-                    // Room for what was born here had grown before.
-                    continue;
-                }
+                if (a.first == level_ || b.first == level_) continue; // their room had grown before
                 const Spot &sa = a.spots[a.spots.size() - 2], &sb = b.spots[b.spots.size() - 2];
                 if (sa.front != sb.front || sb.x < sa.x) continue;
                 change(root_[rows[f][i - 1].strand], rows[f][i].x - rows[f][i - 1].x - (sb.x - sa.x));
@@ -293,8 +304,25 @@ class March {
     std::map<std::uint32_t, std::vector<double>> changes_;
 };
 
+// Strands that died shortly before a rim go on to it.
+void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, std::size_t& died) {
+    for (Strand& s : strands) {
+        if (s.end != End::law) continue;
+        Strand longer = s;
+        bool rim = false;
+        while (!rim && static_cast<double>(longer.last() - s.last()) * fronts.step() < brief) {
+            const auto to = fronts.onward(longer.last(), longer.spots.back());
+            if (to) longer.spots.push_back(*to);
+            rim = !to;
+        }
+        if (!rim) continue;
+        s = std::move(longer), s.end = End::rim, s.dies_with = kNone;
+        --died;
+    }
+}
+
 // Leaves out what is too short, with its other side if that is too short as well together.
-void drop_short(Strands& all, const Fronts& fronts, double shortest) {
+void drop_short(Strands& all, const Fronts& fronts, double shortest, double brief) {
     const std::size_t n = all.strands.size();
     std::vector<double> length(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -308,11 +336,14 @@ void drop_short(Strands& all, const Fronts& fronts, double shortest) {
     for (std::size_t i = 0; i < n; ++i) {
         const Strand& s = all.strands[i];
         const double whole = length[i] + (s.mate != kNone ? length[s.mate] : 0);
-        if (length[i] > 1e-6 && whole >= shortest) {
+        const double least = s.begin == End::law ? std::max(shortest, brief) : shortest;
+        if (length[i] > 1e-6 && whole >= least) {
             number[i] = static_cast<std::uint32_t>(kept.size());
             kept.push_back(s);
         } else if (length[i] > 1e-6) {
-            all.left_out.push_back(s);
+            all.left_out.push_back({s.last(), s.spots.back(), length[i]});
+            if (s.begin == End::law) --all.born;
+            if (s.end == End::law) --all.died;
         }
     }
     for (Strand& s : kept)
@@ -324,7 +355,8 @@ void drop_short(Strands& all, const Fronts& fronts, double shortest) {
 
 Strands strands(const Fronts& fronts, const Law& law) {
     Strands out = March(fronts, law).run();
-    drop_short(out, fronts, std::max(law.shortest, law.spacing));
+    revive(out.strands, fronts, kBrief * law.spacing, out.died);
+    drop_short(out, fronts, std::max(law.shortest, law.spacing), kBrief * law.spacing);
     make_room(out.strands, fronts, law.spacing);
     return out;
 }

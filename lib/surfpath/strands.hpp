@@ -31,9 +31,14 @@ struct Law {
 struct Strands {
     std::vector<Strand> strands;    // by their first levels, fronts, and places there
     std::size_t born = 0, died = 0; // by the law
-    std::size_t bound = 0;          // what must be born at least: per side of a source floor(growth of width / spacing),
-                                    // summed over stretches where the width grows
-    std::vector<Strand> left_out;   // what was too short
+    std::size_t bound = 0; // what must be born at least: per side of a source floor(growth of width / spacing),
+                           // summed over stretches where the width grows
+    struct Short {
+        std::size_t level;
+        Spot spot;     // its last one
+        double length; // mm
+    };
+    std::vector<Short> left_out; // what was too short
 };
 
 // Strands from the sources on, and wherever there is room for more.
@@ -43,6 +48,7 @@ struct Strands {
 // the narrowest gap.  (Groups of two: 19 gaps, 1.05 spacings.)  So widths and counts agree to within 6 % over any such
 // stretch, while halving each gap when it is 4/3 spacings wide would leave 8 % of the area bare and lay 8 % twice.
 // Gaps of 1.8 spacings (2.6) are filled at once, and of two strands nearer than 0.35 spacings the younger dies.
+// What would die less than 3 spacings before a rim goes on to it, and what lives no longer than that is left out.
 // Then they make room for each other: see make_room().  Ties: the first along the front.
 Strands strands(const Fronts& fronts, const Law& law);
 
