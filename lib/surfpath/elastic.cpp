@@ -13,7 +13,7 @@ constexpr int kSweeps = 400;
 constexpr double kOver = 1.6;  // relaxation
 constexpr double kRest = 1e-4; // spacings: what moves less rests
 constexpr double kLean = 1;    // weight of squared slopes against that of squared strains
-constexpr int kSmooth = 3;
+constexpr int kSmooth = 4;
 
 constexpr std::size_t kNobody = ~std::size_t{0};
 

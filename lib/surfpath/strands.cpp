@@ -195,60 +195,79 @@ class March {
         }
     }
 
-    // The gap about which the sum of the excess, times `sign`, is greatest, if it is above the limit; else -1.
-    [[nodiscard]] std::ptrdiff_t most(const std::vector<double>& e, bool closed, double sign) const {
-        const auto n = static_cast<std::ptrdiff_t>(e.size()), h = static_cast<std::ptrdiff_t>(half_);
-        double greatest = most_ * d_;
-        std::ptrdiff_t at = -1;
-        for (std::ptrdiff_t i = 0; i < n; ++i) {
-            double sum = 0;
-            if (closed && n <= 2 * h + 1) // each gap once
-                for (const double v : e) sum += v;
-            else
-                for (std::ptrdiff_t j = i - h; j <= i + h; ++j)
-                    if (closed || (j >= 0 && j < n)) sum += e[static_cast<std::size_t>((j + n) % n)];
-            if (sign * sum > greatest + kSame * d_) greatest = sign * sum, at = i;
+    // Sums of `sign` times the excess over windows of neighbouring gaps, by the first gap of each; of all gaps if those
+    // are not more than a window holds.
+    struct Windows {
+        std::vector<double> sum;
+        std::size_t gaps = 0, size = 0;
+        bool closed = false;
+
+        // The least sum of those that hold the gap.
+        [[nodiscard]] double least(std::size_t gap) const {
+            if (sum.size() == 1) return sum[0];
+            double out = std::numeric_limits<double>::infinity();
+            for (std::size_t back = 0; back < size; ++back) {
+                if (!closed && back > gap) break;
+                const std::size_t first = (gap + gaps - back) % gaps;
+                if (first < sum.size()) out = std::min(out, sum[first]);
+            }
+            return out;
         }
-        return at;
+    };
+
+    [[nodiscard]] Windows windows(const std::vector<double>& e, bool closed, double sign) const {
+        Windows w{{}, e.size(), std::min(2 * half_ + 1, e.size()), closed};
+        const std::size_t n = w.size == w.gaps ? 1 : closed ? w.gaps : w.gaps - w.size + 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            double sum = 0;
+            for (std::size_t j = i; j < i + w.size; ++j) sum += sign * e[j % w.gaps];
+            w.sum.push_back(sum);
+        }
+        return w;
     }
 
-    // A birth where it is needed most; false if nowhere.
+    // A birth in a window where one is due; not if it made one of another window due to die.  False if nowhere.
     bool bear(std::uint32_t f, std::vector<Alive>& row) {
         const auto e = excess(f, row);
-        const bool closed = front(f).line.closed;
-        const auto n = static_cast<std::ptrdiff_t>(e.size()), h = std::min<std::ptrdiff_t>(n, half_);
-        const std::ptrdiff_t at = most(e, closed, 1);
-        if (at < 0) return false;
-        auto best = static_cast<std::size_t>(at);
-        for (std::ptrdiff_t i = at - h; i <= at + h; ++i) {
-            const auto j = static_cast<std::size_t>((i + n) % n);
-            if ((closed || (i >= 0 && i < n)) && e[j] > e[best] + kSame * d_) best = j;
+        const Windows w = windows(e, front(f).line.closed, 1);
+        const double allowed = (static_cast<double>(law_.group) - most_ + kSame) * d_;
+        for (std::size_t i = 0; i < w.sum.size(); ++i) {
+            if (!(w.sum[i] > most_ * d_)) continue;
+            std::size_t best = e.size();
+            for (std::size_t back = 0; back < w.size; ++back) {
+                const std::size_t j = (i + (w.size / 2 + back) % w.size) % w.gaps; // from the middle on
+                if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + kSame * d_)) best = j;
+            }
+            if (best == e.size()) continue;
+            insert(f, row, best, law_.group);
+            return true;
         }
-        insert(f, row, best, law_.group);
-        return true;
+        return false;
     }
 
-    // A death likewise: in the window the group dies whose gaps, those on both its sides included, are the narrowest.
+    // A death likewise: the group dies whose gaps, those on both its sides included, are the narrowest.
     bool reap(std::uint32_t f, std::vector<Alive>& row) {
         const auto e = excess(f, row);
-        const bool closed = front(f).line.closed;
-        const auto n = static_cast<std::ptrdiff_t>(e.size()), h = std::min<std::ptrdiff_t>(n, half_);
-        const auto g = static_cast<std::ptrdiff_t>(law_.group), size = static_cast<std::ptrdiff_t>(row.size());
-        const std::ptrdiff_t at = most(e, closed, -1);
-        if (at < 0 || size <= g) return false;
-        double least = std::numeric_limits<double>::infinity();
-        std::ptrdiff_t best = -1;
-        for (std::ptrdiff_t i = at - h; i + g <= at + h; ++i) {
-            if (!closed && (i < 0 || i + g >= n)) continue;
-            double sum = 0;
-            for (std::ptrdiff_t j = i; j <= i + g; ++j) sum += e[static_cast<std::size_t>((j + n) % n)];
-            if (sum < least - kSame * d_) least = sum, best = (i + size) % size;
+        const Windows w = windows(e, front(f).line.closed, -1);
+        const std::size_t g = law_.group, size = row.size();
+        if (size <= g) return false;
+        const double allowed = (static_cast<double>(g) - most_ + kSame) * d_;
+        for (std::size_t i = 0; i < w.sum.size(); ++i) {
+            if (!(w.sum[i] > most_ * d_)) continue;
+            double least = std::numeric_limits<double>::infinity();
+            std::size_t best = size;
+            for (std::size_t j = i; j + g < i + w.size; ++j) {
+                double sum = 0, room = std::numeric_limits<double>::infinity();
+                for (std::size_t k = j; k <= j + g; ++k)
+                    sum += e[k % w.gaps], room = std::min(room, w.least(k % w.gaps));
+                if (room >= allowed && sum < least - kSame * d_) least = sum, best = j % size;
+            }
+            if (best == size) continue;
+            const std::uint32_t group = groups_++;
+            for (std::size_t j = 0; j < g; ++j) kill(row, best < row.size() ? best : 0, group);
+            return true;
         }
-        if (best < 0) return false;
-        const std::uint32_t group = groups_++;
-        for (std::ptrdiff_t j = 0; j < g; ++j)
-            kill(row, static_cast<std::size_t>(best) < row.size() ? static_cast<std::size_t>(best) : 0, group);
-        return true;
+        return false;
     }
 
     // ---- how much wider the fronts get
