@@ -64,7 +64,7 @@ inline surface::Sheet measured(Surface s, const char* source) {
     Notes notes;
     surface::Sheet sheet{std::move(s), {}, {}, {}};
     const auto sources = geodesic::choose(sheet.surface, source, notes);
-    geodesic::measure(sheet, sources, {});
+    geodesic::measure(sheet, sources, {}, notes);
     return sheet;
 }
 
