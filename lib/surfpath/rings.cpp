@@ -20,12 +20,13 @@ using surface::kNone;
 constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
 constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
-constexpr double kScales[] = {1, 0.65, 0.4, 0.2};         // of the least radius, that corners are rounded by
-constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.4}; // least radii of length for a radian of tight turn
-constexpr double kTightPart = 0.01, kTighter = 1;         // of the length, may turn tighter by so much on average
-constexpr double kFall = 1.1;                             // spacings that radii may fall by from one level to the next
-constexpr double kMost = 1e4;                             // spacings from the sources to the farthest place
-constexpr double kTightest = 0.3;                         // spacings: no ring turns tighter
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3,
+                             2.6, 2.9, 3.2, 3.5};   // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 0.8; // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1;                       // spacings that radii may fall by from one level to the next
+constexpr double kMost = 1e4;                       // spacings from the sources to the farthest place
+constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
 
 // The sources, and all rims.
 surface::Sources all_sources(const surface::Sheet& sheet) {
