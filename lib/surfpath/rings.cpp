@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace filum::surfpath {
 
@@ -28,14 +29,21 @@ constexpr double kFall = 1.1;                       // spacings that radii may f
 constexpr double kMost = 1e4;                       // spacings from the sources to the farthest place
 constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
 
-// The sources, and all rims.
+// The sources, and all sides of rims that are none yet.
 surface::Sources all_sources(const surface::Sheet& sheet) {
     const Surface& s = sheet.surface;
     surface::Sources out = sheet.sources;
-    out.segments.clear();
-    for (const auto& segment : sheet.sources.segments) out.segments.push_back(segment);
+    const auto key = [](const surface::Segment& g) {
+        return std::tie(g.triangle, g.a.x, g.a.y, g.a.z, g.b.x, g.b.y, g.b.z);
+    };
+    const auto less = [&](const surface::Segment& x, const surface::Segment& y) { return key(x) < key(y); };
+    auto have = out.segments;
+    std::sort(have.begin(), have.end(), less);
     for (const auto& rim : s.rims)
-        for (const auto h : rim.sides) out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+        for (const auto h : rim.sides) {
+            const surface::Segment side{h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]};
+            if (!std::binary_search(have.begin(), have.end(), side, less)) out.segments.push_back(side);
+        }
     if (out.empty())
         throw Error(Exit::bad_input, "cannot lay rings on a closed surface without a source; run geodesic --source "
                                      "vertex:ID (or another) first");
