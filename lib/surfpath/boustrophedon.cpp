@@ -36,8 +36,18 @@ class Path {
     [[nodiscard]] std::vector<Chain> ordered() const {
         std::vector<Link> links;
         for (const LaidTurn& t : turns_) links.push_back({t.from, t.to, t.cost});
-        return order(static_cast<std::uint32_t>(rows_.rows.size()), links,
-                     {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+        const auto n = static_cast<std::uint32_t>(rows_.rows.size());
+        const auto row = sweep(n, links);
+        std::vector<std::uint32_t> number(n);
+        for (std::uint32_t i = 0; i < n; ++i) number[row[i]] = i;
+        for (Link& l : links) {
+            l.from = 2 * number[l.from / 2] + l.from % 2, l.to = 2 * number[l.to / 2] + l.to % 2;
+            if (l.from > l.to) std::swap(l.from, l.to);
+        }
+        auto out = order(n, links, {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+        for (Chain& chain : out)
+            for (Visit& v : chain) v.row = row[v.row];
+        return out;
     }
 
     // The chains led into each other, as far as they hang together.

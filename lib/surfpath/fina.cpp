@@ -4,6 +4,7 @@
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/capped.hpp"
 #include "surfpath/seed_side.hpp"
+#include "surfpath/winding.hpp"
 
 #include <cmath>
 
@@ -23,7 +24,9 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
         for (const auto& line : side_rows(s, closed, field, sides, side, o.spacing))
             raw.push_back({curve::line(line), sign * line.level});
     }
-    return boustrophedon(s, rows(s, raw, o.spacing / 2), {o.spacing, o.least_radius});
+    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    wind(s, all, o.spacing, true);
+    return boustrophedon(s, all, {o.spacing, o.least_radius});
 }
 
 } // namespace filum::surfpath

@@ -22,7 +22,6 @@ struct Row {
     Line line;        // threaded; open, or closed if it meets no rim
     double level = 0; // mm: by which rows are ordered
     Port begin, end;  // of an open line
-    std::uint32_t source = 0; // the line that it is a part of
 };
 
 // Lines of one family, `spacing` apart, that still run up to the rims.
@@ -34,11 +33,12 @@ struct Raw {
 struct Rows {
     std::vector<Row> rows; // by level, then as given
     Inset inset;
-    double dropped = 0; // mm of rows shorter than half a spacing
+    double dropped = 0; // mm of rows that were too short
 };
 
 // The parts of `lines` that are at least `margin` from every rim, along the surface; exact.  Where a line comes nearer
-// to a rim that it runs along, it follows the inset instead.
-Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin);
+// to a rim that it runs along, it follows the inset instead.  What is left of a line and shorter than `shortest` is
+// dropped.
+Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest);
 
 } // namespace filum::surfpath

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kRunUp = 4;    // radii of a row that may be rounded where it goes over into a way along the rim
 constexpr double kCorridor = 2; // radii
+constexpr double kBulb = 40; // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kTurning = 0.25; // mm
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -80,9 +82,25 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     auto eased = curve::ease(surface_, curve::threaded(surface_, line),
                              {.radius = o_.least_radius, .corridor = kCorridor * o_.least_radius});
-    out.radius = eased.too_tight > 0 ? 0 : o_.least_radius;
     out.line = std::move(eased.line);
+    out.radius = tightest(out.line);
     return out;
+}
+
+// The least radius of the line's turning along the surface, as it shows over twice kTurning.
+double Turner::tightest(const Line& line) const {
+    const auto w = curve::ways(line);
+    const auto n = static_cast<std::size_t>(w.back() / kTurning);
+    double most = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+        const double at = kTurning * static_cast<double>(i);
+        const Place here = curve::at(line, w, at);
+        const Vec3 a = here.point - curve::at(line, w, at - kTurning).point;
+        const Vec3 b = curve::at(line, w, at + kTurning).point - here.point;
+        const Vec3 m = curve::normal_at(surface_, normals_, here);
+        most = std::max(most, std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))));
+    }
+    return most > 0 ? std::min(kTurning / most, w.back()) : w.back();
 }
 
 const Port& Turner::port(std::uint32_t end) const {
@@ -118,9 +136,12 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
 }
 
-// Whether a hole parts a line in these two ends.
+// Whether one line ends at a hole in `a` and goes on beyond it in `b`.
 bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
-    return a % 2 == 1 && b == a + 1 && rows_.rows[a / 2].source == rows_.rows[b / 2].source;
+    if (a / 2 == b / 2 || rows_.rows[a / 2].level != rows_.rows[b / 2].level) return false;
+    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    const Vec3 u = tangent(a), v = tangent(b), d = inwards(b)[0] - inwards(a)[0];
+    return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
 
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
@@ -134,7 +155,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
-    const FlatTurn t = turn({first, second, bound}, o_.least_radius);
+    const FlatTurn t = turn({first, second, bound}, 1.04 * o_.least_radius);
     if (t.points.empty()) return out;
     out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
     out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
@@ -150,14 +171,14 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     laid.line.places.back() = end;
     out.line = std::move(laid.line);
     out.radius = t.radius;
-    out.cost = t.length - out.from_trim - out.to_trim + tightness(t.radius);
+    out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));
     return out;
 }
 
 // What a tight turn is as bad as, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 5 + 20 * (1 - part);
+    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
 }
 
 } // namespace filum::surfpath

@@ -47,6 +47,7 @@ class Turner {
     [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] double tightness(double radius) const;
+    [[nodiscard]] double tightest(const Line& line) const;
 
     const Surface& surface_;
     const Rows& rows_;

@@ -114,3 +114,48 @@ for y in range(11):
         complaint stressfield
     done
 }
+
+# Load adequacy of lines in any direction, by area: the mean of |line . greatest stress|.
+adequacy() {
+    peek --json "$1" | python3 -c '
+import json, math, sys
+s = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]
+p, t, case = s["points"], s["triangles"], sys.argv[1]
+x = list(zip(p["x"], p["y"], p["z"]))
+d = list(zip(*(p["stress.%s.d1.%s" % (case, c)] for c in "xyz")))
+cross = lambda a, b: (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+minus = lambda a, b: tuple(i - j for i, j in zip(a, b))
+dot = lambda a, b: sum(i * j for i, j in zip(a, b))
+unit = lambda a: tuple(i / math.sqrt(dot(a, a)) for i in a)
+n = [(0, 0, 0)] * len(x)
+for a, b, c in zip(t["a"], t["b"], t["c"]):
+    m = cross(minus(x[b], x[a]), minus(x[c], x[a]))
+    for v in (a, b, c):
+        n[v] = tuple(i + j for i, j in zip(n[v], m))
+known = [v for v in range(len(x)) if d[v][0] is not None]
+area = [math.sqrt(dot(m, m)) for m in n]
+for k in range(6):
+    total = 0
+    for v in known:
+        u = unit(cross(n[v], (0.123, 0.456, 0.88)))
+        w = cross(unit(n[v]), u)
+        line = [math.cos(k * math.pi / 6) * i + math.sin(k * math.pi / 6) * j for i, j in zip(u, w)]
+        total += area[v] * abs(dot(line, d[v]))
+    print(total / sum(area[v] for v in known))' "$2"
+}
+
+@test "stresses of a bracket read three ways give one load adequacy within 0.001" {
+    bracket=$FILUM_SOURCE/examples/bracket
+    "$bracket/to-vtu" "$bracket/bracket.frd.gz" bracket.vtu X Y
+    for patch in A:Y B:Y C:X D:X E:Y; do
+        case=${patch#*:}
+        geodesic "$bracket/patch_${patch%:*}.ply" > patch
+        stressfield --quiet --mask 0.02 --stress "$bracket/bracket.frd.gz" --case X,Y patch | adequacy - "$case" > frd
+        stressfield --quiet --mask 0.02 --stress bracket.vtu --case X,Y patch | adequacy - "$case" > vtu
+        stressfield --quiet --mask 0.02 --stress "$bracket/stress_$case.csv.gz" --case "$case" patch | adequacy - "$case" > csv
+        paste frd vtu csv | awk -v patch="$patch" '
+            function far(a, b) { return a > b + 0.001 || b > a + 0.001 }
+            $1 < 0.01 || far($1, $2) || far($1, $3) { print patch, $0; bad = 1 }
+            END { exit bad || NR != 6 }'
+    done
+}
