@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kBreak = 200; // mm: as bad as a chain that must be led to another
 
+constexpr double kTight = 20; // mm: what a tight turn costs at least
+constexpr std::size_t kNarrow = 500, kWide = 3000; // states that the search for an order keeps
+
 using Chain = std::vector<Visit>;
 
 std::uint32_t entry(const Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
@@ -50,10 +53,25 @@ class Path {
             l.from = 2 * number[l.from / 2] + l.from % 2, l.to = 2 * number[l.to / 2] + l.to % 2;
             if (l.from > l.to) std::swap(l.from, l.to);
         }
-        auto out = order(n, links, {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+        // Mostly a narrow beam finds a way with good turns only.
+        const Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
+        auto out = order(n, links, costs, kNarrow);
+        if (!good(out, links)) out = order(n, links, costs, kWide);
         for (Chain& chain : out)
             for (Visit& v : chain) v.row = row[v.row];
         return out;
+    }
+
+    // Whether all is one chain without tight turns.
+    [[nodiscard]] static bool good(const std::vector<Chain>& chains, std::span<const Link> links) {
+        if (chains.size() != 1) return false;
+        const Chain& c = chains[0];
+        for (std::size_t i = 1; i < c.size(); ++i) {
+            const auto [a, b] = std::minmax(leave(c[i - 1]), entry(c[i]));
+            for (const Link& l : links)
+                if (l.from == a && l.to == b && l.cost >= kTight) return false;
+        }
+        return true;
     }
 
     // The chains led into each other, as far as they hang together.
@@ -111,7 +129,8 @@ class Path {
         for (std::size_t i = 0; i < chain.size(); ++i) {
             const bool last = i + 1 == chain.size();
             LaidTurn next = last ? LaidTurn{} : turn(leave(chain[i]), entry(chain[i + 1]));
-            stroke.pieces.push_back({turner_.stretch(entry(chain[i]), off, next.from_trim), false});
+            if (Line row = turner_.stretch(entry(chain[i]), off, next.from_trim); row.size() > 1)
+                stroke.pieces.push_back({std::move(row), false});
             if (last) break;
             off = next.to_trim;
             const bool hairpin = turner_.hairpin(next.radius);

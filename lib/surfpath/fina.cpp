@@ -21,7 +21,7 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     std::vector<Raw> raw;
     for (std::uint32_t side = 0; side < sides.count; ++side) {
         const double sign = side % 2 == 0 ? 1 : -1;
-        add(raw, side_rows(s, closed, field, sides, side, o.spacing), sign);
+        add(raw, side_rows(s, closed, field, sides, sheet.sources, side, o.spacing), sign);
     }
     Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
     wind(s, all, o.spacing, true);

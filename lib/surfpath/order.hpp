@@ -33,6 +33,6 @@ struct Costs {
 // `kept` go on (a beam through the frontier states of a Hamiltonian path problem: exact where they never are more).
 // Fast where links join rows whose numbers are near to each other.  Ties: the first link.
 std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
-                                      std::size_t kept = 3000);
+                                      std::size_t kept);
 
 } // namespace filum::surfpath

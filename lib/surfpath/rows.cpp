@@ -39,10 +39,11 @@ surface::Sources rims(const Surface& s) {
 class Cutter {
   public:
     Cutter(const Surface& s, double margin) : surface_(s), margin_(margin) {
+        inset_.margin = margin;
         if (s.rims.empty()) return;
-        field_ = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
+        inset_.field = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
         const double level[] = {margin};
-        for (const auto& isoline : geodesic::isolines(s, field_, level)) inset_.rings.push_back(curve::line(isoline));
+        for (const auto& isoline : geodesic::isolines(s, inset_.field, level)) inset_.rings.push_back(curve::line(isoline));
         for (const Line& ring : inset_.rings) inset_.ways.push_back(curve::ways(ring));
     }
 
@@ -109,11 +110,7 @@ class Cutter {
         return out;
     }
 
-    // The distance of the nearest rim, mm; some multiple of the margin beyond that.
-    [[nodiscard]] double room(const Place& p) const {
-        if (surface_.rims.empty()) return std::numeric_limits<double>::infinity();
-        return geodesic::distance_at(surface_, field_, p.triangle, p.point);
-    }
+    [[nodiscard]] double room(const Place& p) const { return inset_.room(surface_, p); }
 
   private:
 
@@ -131,7 +128,6 @@ class Cutter {
 
     const Surface& surface_;
     double margin_;
-    geodesic::ExactField field_;
     Inset inset_;
 };
 
@@ -190,6 +186,11 @@ std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& 
 
 } // namespace
 
+double Inset::room(const Surface& s, const Place& p) const {
+    if (s.rims.empty()) return std::numeric_limits<double>::infinity();
+    return geodesic::distance_at(s, field, p.triangle, p.point);
+}
+
 void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
     for (const auto& isoline : isolines) {
         to.push_back({curve::line(isoline), sign * isoline.level});
@@ -224,6 +225,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
     std::erase_if(out.rows, [&](const Row& row) {
         const double l = curve::length(row.line);
         if (l >= least) return false;
+        if (l < margin) return true;
         out.dropped += l, ++out.drops;
         if (l > longest) longest = l, out.dropped_at = row.line[row.line.size() / 2];
         return true;

@@ -45,13 +45,48 @@ FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std
 
 namespace {
 
-std::uint32_t side_of(const Isoline& line, const SeedSides& sides) {
-    std::vector<std::uint32_t> count(sides.count, 0);
-    for (const std::uint32_t t : line.triangles)
-        if (sides.of[t] != kNone) ++count[sides.of[t]];
-    const auto most = std::max_element(count.begin(), count.end());
-    return most == count.end() || *most == 0 ? kNone : static_cast<std::uint32_t>(most - count.begin());
-}
+// Which side an isoline lies on.  Of one that runs through triangles of the seed only, that of a corner on the same
+// side of the seed segment there.
+class SideOf {
+  public:
+    SideOf(const Surface& s, const SeedSides& sides, const surface::Sources& seed)
+        : surface_(s), sides_(sides), at_(s.vertices.size(), kNone) {
+        for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+            if (sides.of[t] != kNone)
+                for (const std::uint32_t v : s.triangles[t]) at_[v] = sides.of[t];
+        for (const auto& g : seed.segments)
+            if (g.triangle < s.triangles.size()) seed_.push_back(g);
+        std::stable_sort(seed_.begin(), seed_.end(), by_triangle);
+    }
+
+    [[nodiscard]] std::uint32_t operator()(const Isoline& line) const {
+        std::vector<std::uint32_t> count(sides_.count, 0);
+        for (const std::uint32_t t : line.triangles)
+            if (sides_.of[t] != kNone) ++count[sides_.of[t]];
+        if (std::all_of(count.begin(), count.end(), [](std::uint32_t n) { return n == 0; }))
+            for (std::size_t i = 0; i < line.triangles.size(); ++i)
+                if (const auto side = beside_seed(line.triangles[i], line.points[i]); side != kNone) ++count[side];
+        const auto most = std::max_element(count.begin(), count.end());
+        return most == count.end() || *most == 0 ? kNone : static_cast<std::uint32_t>(most - count.begin());
+    }
+
+  private:
+    static bool by_triangle(const surface::Segment& a, const surface::Segment& b) { return a.triangle < b.triangle; }
+
+    [[nodiscard]] std::uint32_t beside_seed(std::uint32_t t, const Vec3& p) const {
+        const auto g = std::lower_bound(seed_.begin(), seed_.end(), surface::Segment{t, {}, {}}, by_triangle);
+        if (g == seed_.end() || g->triangle != t) return kNone;
+        const Vec3 across = cross(surface::normal(surface_, t), g->b - g->a);
+        for (const std::uint32_t v : surface_.triangles[t])
+            if (at_[v] != kNone && dot(across, surface_.vertices[v] - g->a) * dot(across, p - g->a) > 0) return at_[v];
+        return kNone;
+    }
+
+    const Surface& surface_;
+    const SeedSides& sides_;
+    std::vector<std::uint32_t> at_; // per vertex: of a triangle there
+    std::vector<surface::Segment> seed_;
+};
 
 // Distance between seed and end as a share of the way between both, times its mean.
 class Between {
@@ -154,7 +189,8 @@ SeedSides seed_sides(const Surface& s, const surface::Sources& seed) {
 }
 
 std::vector<Isoline> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
-                               const SeedSides& sides, std::uint32_t side, double spacing) {
+                               const SeedSides& sides, const surface::Sources& seed, std::uint32_t side,
+                               double spacing) {
     double tip = 0;
     for (std::size_t t = 0; t < s.triangles.size(); ++t)
         if (sides.of[t] == side)
@@ -169,7 +205,8 @@ std::vector<Isoline> side_rows(const Surface& s, const Surface& closed, const ge
         const double d = step(rim, spacing);
         lines = geodesic::isolines(s, field, levels(tip, d > 0 ? d : spacing));
     }
-    std::erase_if(lines, [&](const Isoline& l) { return side_of(l, sides) != side; });
+    const SideOf side_of(s, sides, seed);
+    std::erase_if(lines, [&](const Isoline& l) { return side_of(l) != side; });
     return lines;
 }
 

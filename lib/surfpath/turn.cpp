@@ -7,7 +7,7 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kArcStep = 3.0 / 180 * std::numbers::pi;
+constexpr double kArcStep = 1.0 / 180 * std::numbers::pi;
 constexpr double kSmooth = 0.5; // mm to either side of a point: what says where a row leads there
 constexpr double kAllowed = 0.01; // mm beyond the bound
 constexpr int kPushes = 6;
