@@ -136,6 +136,19 @@ void Propagation::cross(std::uint32_t h) {
     }
 }
 
+// Where windows end at a vertex by rounding, from both sides, none may have told it its distance.
+void Propagation::reach_missed() {
+    for (std::uint32_t h = 0; h < surface_.twin.size(); ++h) {
+        double &tail = field_.distance[surface_.tail(h)], &head = field_.distance[surface_.head(h)];
+        if (std::isfinite(tail) && std::isfinite(head)) continue;
+        for (std::uint32_t node = field_.first[h]; node != kNone; node = field_.windows[node].next) {
+            const Window& w = field_.windows[node];
+            tail = std::min(tail, w.at(w.b0) + w.b0);
+            head = std::min(head, w.at(w.b1) + field_.frame[h].length - w.b1);
+        }
+    }
+}
+
 void Propagation::run(double farthest) {
     for (std::uint32_t id = queue_.pop(farthest); id != kNone; id = queue_.pop(farthest)) {
         if (id < surface_.twin.size())
@@ -143,6 +156,7 @@ void Propagation::run(double farthest) {
         else
             leave_vertex(id - static_cast<std::uint32_t>(surface_.twin.size()));
     }
+    reach_missed();
     for (double& d : field_.distance)
         if (d > farthest) d = std::numeric_limits<double>::infinity();
 }
