@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kBreak = 200; // mm: as bad as a chain that must be led to another
 
-constexpr double kTight = 20; // mm: what a tight turn costs at least
-constexpr std::size_t kNarrow = 500, kWide = 3000; // states that the search for an order keeps
+constexpr double kTight = 20;                       // mm: what a tight turn costs at least
+constexpr std::size_t kBeams[] = {500, 3000, 8000}; // states that the search for an order keeps
+constexpr std::size_t kMostWork = 300'000;          // states in all: from where on it is left at what it found
 
 using Chain = std::vector<Visit>;
 
@@ -35,8 +36,8 @@ class Path {
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
                                   rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
         if (out_.strokes.size() > 1)
-            out_.notes.push_back({"", "no way on along rims and rows: cut", static_cast<double>(out_.strokes.size() - 1),
-                                  "cuts", out_.strokes.size() - 1});
+            out_.notes.push_back({"", "no way on along rims and rows: cut",
+                                  static_cast<double>(out_.strokes.size() - 1), "cuts", out_.strokes.size() - 1});
         if (turned_ > 0) out_.facts.push_back({"", "least-radius", least_, "mm"});
         return std::move(out_);
     }
@@ -55,8 +56,11 @@ class Path {
         }
         // Mostly a narrow beam finds a way with good turns only.
         const Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
-        auto out = order(n, links, costs, kNarrow);
-        if (!good(out, links)) out = order(n, links, costs, kWide);
+        std::vector<Chain> out;
+        for (const std::size_t kept : kBeams) {
+            out = order(n, links, costs, kept);
+            if (good(out, links) || kept * n > kMostWork) break;
+        }
         for (Chain& chain : out)
             for (Visit& v : chain) v.row = row[v.row];
         return out;
@@ -67,7 +71,7 @@ class Path {
         if (chains.size() != 1) return false;
         const Chain& c = chains[0];
         for (std::size_t i = 1; i < c.size(); ++i) {
-            const auto [a, b] = std::minmax(leave(c[i - 1]), entry(c[i]));
+            const std::uint32_t out = leave(c[i - 1]), in = entry(c[i]), a = std::min(out, in), b = std::max(out, in);
             for (const Link& l : links)
                 if (l.from == a && l.to == b && l.cost >= kTight) return false;
         }
@@ -105,9 +109,8 @@ class Path {
     // The turn from one end to another, by `forward` false the other way round.
     LaidTurn turn(std::uint32_t from, std::uint32_t to) {
         const auto [a, b] = std::minmax(from, to);
-        const auto it = std::lower_bound(turns_.begin(), turns_.end(), std::pair(a, b), [](const LaidTurn& t, auto& k) {
-            return std::pair(t.from, t.to) < k;
-        });
+        const auto it = std::lower_bound(turns_.begin(), turns_.end(), std::pair(a, b),
+                                         [](const LaidTurn& t, auto& k) { return std::pair(t.from, t.to) < k; });
         const bool known = it != turns_.end() && it->from == a && it->to == b;
         if (known && it->line.size() > 1) {
             LaidTurn out = *it;
