@@ -15,10 +15,10 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kDetour = 1.1; // of the way that is replaced, at most
+constexpr double kDetour = 1.1;    // of the way that is replaced, at most
 constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
 constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
-constexpr double kNear = 0.4;   // of the margin: what lines keep that follow the inset instead
+constexpr double kNear = 0.4;      // of the margin: what lines keep that follow the inset instead
 
 double longest_edge(const Surface& s) {
     double out = 0;
@@ -43,7 +43,8 @@ class Cutter {
         if (s.rims.empty()) return;
         inset_.field = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
         const double level[] = {margin};
-        for (const auto& isoline : geodesic::isolines(s, inset_.field, level)) inset_.rings.push_back(curve::line(isoline));
+        for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
+            inset_.rings.push_back(curve::line(isoline));
         for (const Line& ring : inset_.rings) inset_.ways.push_back(curve::ways(ring));
     }
 
@@ -62,8 +63,10 @@ class Cutter {
             const bool then = room({line.places[i].triangle, next.point}) >= 0;
             if (in == then) continue;
             const double way = ways[i] + crossing(line.places[i], next, in, room) * (ways[i + 1] - ways[i]);
-            if (in) out.emplace_back(begin, way);
-            else begin = way;
+            if (in)
+                out.emplace_back(begin, way);
+            else
+                begin = way;
             in = then;
         }
         if (in) out.emplace_back(begin, ways.back());
@@ -113,7 +116,6 @@ class Cutter {
     [[nodiscard]] double room(const Place& p) const { return inset_.room(surface_, p); }
 
   private:
-
     // Where the stretch from `a` to `b`, within a's triangle, crosses the margin: part of it.
     template <class Room>
     [[nodiscard]] static double crossing(const Place& a, const Place& b, bool from_inside, const Room& room) {

@@ -24,7 +24,7 @@ constexpr double kTolerance = 1e-3; // mm, of lines
 } // namespace
 
 FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
-        double spacing) {
+               double spacing) {
     double far = 0;
     FarRim out;
     for (int round = 0; round < 2; ++round)
@@ -91,8 +91,8 @@ class SideOf {
 // Distance between seed and end as a share of the way between both, times its mean.
 class Between {
   public:
-    Between(const Surface& s, const Surface& closed, const geodesic::ExactField& seed, const FarRim& end)
-        : surface_(s), seed_(seed), end_(geodesic::exact(closed, end.rim)), mean_(end.mean) {
+    Between(const Surface& s, const geodesic::ExactField& seed, const geodesic::ExactField& end, double mean)
+        : surface_(s), seed_(seed), end_(end), mean_(mean) {
         for (std::size_t v = 0; v < s.vertices.size(); ++v) value_.push_back(share(seed.distance[v], end_.distance[v]));
     }
 
@@ -145,8 +145,7 @@ class Between {
     }
 
     const Surface& surface_;
-    const geodesic::ExactField& seed_;
-    geodesic::ExactField end_;
+    const geodesic::ExactField &seed_, &end_;
     double mean_;
     std::vector<double> value_;
 };
@@ -188,26 +187,33 @@ SeedSides seed_sides(const Surface& s, const surface::Sources& seed) {
     return out;
 }
 
-std::vector<Isoline> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
-                               const SeedSides& sides, const surface::Sources& seed, std::uint32_t side,
-                               double spacing) {
-    double tip = 0;
+std::vector<std::vector<Isoline>> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
+                                            const surface::Sources& seed, double spacing) {
+    const SeedSides sides = seed_sides(s, seed);
+    std::vector<double> tip(sides.count, 0);
     for (std::size_t t = 0; t < s.triangles.size(); ++t)
-        if (sides.of[t] == side)
+        if (const std::uint32_t side = sides.of[t]; side != kNone)
             for (const std::uint32_t v : s.triangles[t])
-                if (std::isfinite(field.distance[v])) tip = std::max(tip, field.distance[v]);
-    const FarRim rim = far_rim(s, sides, side, field.distance, spacing);
-    std::vector<Isoline> lines;
-    if (const double d = step(rim, spacing); d > 0)
-        if (const Between between(s, closed, field, rim); between.even(sides, side))
-            lines = between.lines(levels(rim.mean, d));
-    if (lines.empty()) {
-        const double d = step(rim, spacing);
-        lines = geodesic::isolines(s, field, levels(tip, d > 0 ? d : spacing));
+                if (std::isfinite(field.distance[v])) tip[side] = std::max(tip[side], field.distance[v]);
+    std::vector<FarRim> rims;
+    surface::Sources ends; // of all sides: none is nearer to that of another, or its rows would not be even
+    for (std::uint32_t side = 0; side < sides.count; ++side) {
+        rims.push_back(far_rim(s, sides, side, field.distance, spacing));
+        const auto& rim = rims.back().rim.segments;
+        if (step(rims.back(), spacing) > 0) ends.segments.insert(ends.segments.end(), rim.begin(), rim.end());
     }
+    const auto end = ends.empty() ? geodesic::ExactField{} : geodesic::exact(closed, ends);
     const SideOf side_of(s, sides, seed);
-    std::erase_if(lines, [&](const Isoline& l) { return side_of(l) != side; });
-    return lines;
+    std::vector<std::vector<Isoline>> out(sides.count);
+    for (std::uint32_t side = 0; side < sides.count; ++side) {
+        const double d = step(rims[side], spacing);
+        if (d > 0)
+            if (const Between between(s, field, end, rims[side].mean); between.even(sides, side))
+                out[side] = between.lines(levels(rims[side].mean, d));
+        if (out[side].empty()) out[side] = geodesic::isolines(s, field, levels(tip[side], d > 0 ? d : spacing));
+        std::erase_if(out[side], [&](const Isoline& l) { return side_of(l) != side; });
+    }
+    return out;
 }
 
 } // namespace filum::surfpath

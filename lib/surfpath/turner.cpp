@@ -13,14 +13,14 @@ using curve::Chart;
 
 namespace {
 
-constexpr double kRunUp = 4;    // radii of a row that may be rounded where it goes over into a way along the rim
-constexpr double kCorridor = 2; // radii
-constexpr double kWider = 1.07;   // of the least radius: what turns are made with, so that samples of them keep it
-constexpr double kBulb = 40; // mm: what a bulb is as bad as, for the voids beside it
-constexpr double kRoom = 0.94;    // of the margin: what turns keep from rims
+constexpr double kRunUp = 4;       // radii of a row that may be rounded where it goes over into a way along the rim
+constexpr double kCorridor = 2;    // radii
+constexpr double kWider = 1.07;    // of the least radius: what turns are made with, so that samples of them keep it
+constexpr double kBulb = 40;       // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kRoom = 0.94;     // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8; // likewise, of ways along rims
-constexpr double kTurning = 0.25; // mm
-constexpr double kBeside = 0.5;   // mm beside what is tight that are declared with it
+constexpr double kTurning = 0.25;  // mm
+constexpr double kBeside = 0.5;    // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -85,8 +85,8 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     for (const Line& l : stretches) curve::append(line, l);
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = curve::threaded(surface_, line);
-    auto eased = curve::ease(surface_, line,
-                             {.radius = kWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
+    auto eased =
+        curve::ease(surface_, line, {.radius = kWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
     // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;

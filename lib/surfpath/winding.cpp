@@ -166,8 +166,7 @@ void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     for (const auto& chain : chained(std::move(rings), spacing)) wound.push_back(winder.wound(chain, from_rim));
     std::erase_if(rows.rows, [](const Row& row) { return row.line.closed; });
     std::move(wound.begin(), wound.end(), std::back_inserter(rows.rows));
-    std::stable_sort(rows.rows.begin(), rows.rows.end(),
-                     [](const Row& a, const Row& b) { return a.level < b.level; });
+    std::stable_sort(rows.rows.begin(), rows.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
 }
 
 } // namespace filum::surfpath

@@ -1,4 +1,5 @@
 // Paths of rows on surfaces whose answers are known: one stroke, nothing tight, everything covered.
+#include "base/error.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/query.hpp"
 #include "surfpath/fexa.hpp"
@@ -6,7 +7,6 @@
 #include "surfpath/geo_spiral.hpp"
 #include "surfpath/order.hpp"
 #include "surfpath/turn.hpp"
-#include "base/error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // The rectangle [0, a] x [0, b] in cells of about 1 mm, put into space; cells for which `hole` holds are left out.
-surface::Sheet sheet(double a, double b, const std::string& source, const std::function<Vec3(Vec2)>& lift,
-                     const std::function<bool(Vec2)>& hole = [](Vec2) { return false; }) {
+surface::Sheet sheet(
+    double a, double b, const std::string& source, const std::function<Vec3(Vec2)>& lift,
+    const std::function<bool(Vec2)>& hole = [](Vec2) { return false; }) {
     const int n = static_cast<int>(a), m = static_cast<int>(b);
     mesh::Mesh mesh;
     std::vector<std::uint32_t> number(static_cast<std::size_t>((n + 1) * (m + 1)), surface::kNone);
@@ -190,8 +191,9 @@ TEST(Fina, CoversAnLInOneStroke) {
 }
 
 TEST(Fina, CoversASaddle) {
-    const auto s = sheet(40, 40, "plane:1,0,0,0",
-                         [](Vec2 p) { return Vec3{p.x - 20, p.y - 20, ((p.x - 20) * (p.x - 20) - (p.y - 20) * (p.y - 20)) / 80}; });
+    const auto s = sheet(40, 40, "plane:1,0,0,0", [](Vec2 p) {
+        return Vec3{p.x - 20, p.y - 20, ((p.x - 20) * (p.x - 20) - (p.y - 20) * (p.y - 20)) / 80};
+    });
     const Plan plan = fina(s, {.algorithm = "fina"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
@@ -238,9 +240,7 @@ TEST(Fina, IsTheSameEveryTime) {
     }
 }
 
-TEST(Fina, NeedsASeedCurve) {
-    EXPECT_THROW(fina(sheet(10, 10, "vertex:0", flat), {.algorithm = "fina"}), Error);
-}
+TEST(Fina, NeedsASeedCurve) { EXPECT_THROW(fina(sheet(10, 10, "vertex:0", flat), {.algorithm = "fina"}), Error); }
 
 TEST(Fexa, RowsLieAsFarApartOnASlope) {
     // A roof of 60 degrees: planes across the slope must be half a spacing apart.
@@ -285,11 +285,11 @@ TEST(GeoSpiral, NeedsAPoint) {
     EXPECT_THROW(geo_spiral(sheet(10, 10, "plane:1,0,0,5", flat), {.algorithm = "geo-spiral"}), Error);
 }
 
-TEST(Order, RowsThatMayOnlyJumpFiveToSeven) {
+TEST(Order, RowsThatMayOnlyJumpFourToSeven) {
     for (const std::uint32_t n : {33U, 60U}) {
         std::vector<Link> links;
         for (std::uint32_t a = 0; a < n; ++a)
-            for (const std::uint32_t jump : {5U, 6U, 7U})
+            for (const std::uint32_t jump : {4U, 5U, 6U, 7U})
                 if (a + jump < n)
                     for (std::uint32_t side = 0; side < 2; ++side)
                         links.push_back({2 * a + side, 2 * (a + jump) + side, 1.0 * jump});
@@ -300,7 +300,7 @@ TEST(Order, RowsThatMayOnlyJumpFiveToSeven) {
             const Visit &a = chains[0][i - 1], &b = chains[0][i];
             EXPECT_NE(a.reversed, b.reversed); // they meet at the same side
             const auto jump = std::max(a.row, b.row) - std::min(a.row, b.row);
-            EXPECT_TRUE(jump >= 5 && jump <= 7);
+            EXPECT_TRUE(jump >= 4 && jump <= 7);
         }
     }
 }
