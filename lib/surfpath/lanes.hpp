@@ -16,8 +16,8 @@ using surface::Surface;
 // A place on a lane.
 struct LanePlace {
     std::uint32_t lane = 0;
-    double way = 0;       // mm from the lane's first point
-    double distance = 0;  // mm, straight, from where it was asked for
+    double way = 0;      // mm from the lane's first point
+    double distance = 0; // mm, straight, from where it was asked for
 };
 
 class Lanes {

@@ -1,6 +1,7 @@
 #include "surfpath/ring_path.hpp"
 
 #include "curve/ease.hpp"
+#include "curve/walk.hpp"
 #include "surfpath/rings.hpp"
 #include "surfpath/seam.hpp"
 
@@ -11,7 +12,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSeam = 25; // spacings: length of a seam, per lane that lanes go over by
+constexpr double kStep = 0.1;  // least radii: between points of the path
+constexpr double kEase = 1.08; // least radii: so that what remains keeps to it
+constexpr double kSeam = 25;   // spacings: length of a seam, per lane that lanes go over by
 
 // The line in pieces, those that turn tighter than the radius declared.
 std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
@@ -35,11 +38,38 @@ std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
     for (std::size_t i = 0; i < n;) {
         std::size_t j = i + 1;
         while (j < n && tight[j] == tight[i]) ++j;
-        out.push_back({curve::part(line, ways, step * static_cast<double>(i), j == n ? all : step * static_cast<double>(j)),
-                       tight[i] != 0});
+        out.push_back(
+            {curve::part(line, ways, step * static_cast<double>(i), j == n ? all : step * static_cast<double>(j)),
+             tight[i] != 0});
         i = j;
     }
     return out;
+}
+
+// The line with points where it crosses edges only if it would leave the surface by more than 0.004 mm between its own:
+// of two points that are next to nothing apart, each turns by any angle.
+Line slim_threaded(const Surface& s, const Line& line) {
+    constexpr double kOff = 4e-3;
+    Line out;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        out.places.push_back(line.places[i]);
+        const Line way = curve::join(s, line.places[i], line.places[i + 1]);
+        const Vec3 d = line[i + 1] - line[i];
+        for (std::size_t k = 1; k + 1 < way.size(); ++k) {
+            const Vec3 p = way[k] - line[i];
+            const double l = dot(d, d), t = l > 0 ? dot(p, d) / l : 0;
+            if (norm(p - t * d) > kOff) out.places.push_back(way.places[k]);
+        }
+    }
+    out.places.push_back(line.places.back());
+    return out;
+}
+
+// The line eased, with points in equal steps, so that the noise of crossings with edges does not count as curvature.
+Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
+    const auto eased =
+        curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
+    return slim_threaded(s, curve::resampled(eased.line, kStep * radius));
 }
 
 } // namespace
@@ -55,7 +85,8 @@ Plan ring_path(const surface::Sheet& sheet, const Options& o, int by) {
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
     std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
-        const Rungs seam = seam_place(lanes, start, 2 * std::sqrt(o.least_radius * made.spacing * by), kSeam * by * made.spacing);
+        const Rungs seam =
+            seam_place(lanes, start, 2 * std::sqrt(o.least_radius * made.spacing * by), kSeam * by * made.spacing);
         if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
             shift(weave, lanes, seam, by);
             merged = seam.lane;
@@ -68,8 +99,7 @@ Plan ring_path(const surface::Sheet& sheet, const Options& o, int by) {
     out.facts.push_back({"", "rings-apart", static_cast<double>(apart), ""});
     for (auto& course : weave.courses()) {
         Line line = std::move(course.line);
-        if (o.least_radius > 0)
-            line = curve::ease(s, line, {.radius = o.least_radius, .corridor = 0.25 * made.spacing, .step = 0.15}).line;
+        if (o.least_radius > 0) line = gentle(s, line, o.least_radius, made.spacing);
         out.strokes.push_back({pieces(s, line, o.least_radius)});
     }
     return out;

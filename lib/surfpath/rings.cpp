@@ -19,13 +19,14 @@ namespace {
 using surface::kNone;
 
 constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
-constexpr double kOfRidge = 0.9;   // of the way to the ridge that a turn of a ring takes, where the ridge is near
-constexpr double kRounder = 1.05;  // least radii: what corners are rounded by, so that little remains to be eased
-constexpr double kScales[] = {1, 0.65, 0.4, 0.2};            // of the least radius, that corners are rounded by
-constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.6, 4.6, 6, 8, 12, 18}; // least radii of length for a radian of tight turn
-constexpr double kTightPart = 0.01, kTighter = 1;          // of the length, may turn tighter by so much on average
-constexpr double kFall = 1.1; // spacings that radii may fall by from one level to the next
-constexpr double kTightest = 0.3;  // spacings: no ring turns tighter
+constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
+constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1,   1.3, 1.7, 2.2, 2.8, 3.6,
+                             4.6, 6,   8,   12,  18}; // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 1;     // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1;                         // spacings that radii may fall by from one level to the next
+constexpr double kTightest = 0.3;                     // spacings: no ring turns tighter
 
 // The sources, and all rims.
 surface::Sources all_sources(const surface::Sheet& sheet) {
@@ -185,7 +186,8 @@ class Making {
                 auto at = std::lower_bound(inner_.begin(), inner_.end(), level,
                                            [](const Isoline& l, double x) { return l.level < x; });
                 for (; at != inner_.end() && at->level == level; ++at)
-                    if (at->closed) uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
+                    if (at->closed)
+                        uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
             }
         climb(s_, far_, climbs);
         for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -213,7 +215,8 @@ class Making {
         return out;
     }
 
-    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much tighter.
+    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much
+    // tighter.
     [[nodiscard]] double affordable(const Rounding& rounding) {
         double length = 0;
         for (const auto& line : outer_) length += curve::length(curve::line(line));
@@ -231,7 +234,7 @@ class Making {
     std::vector<double> levels_;
     std::vector<Isoline> outer_, inner_;
     std::vector<Batch> batches_;
-    std::map<double, double> floor_; // mm: per level, the least radius
+    std::map<double, double> floor_;               // mm: per level, the least radius
     std::vector<std::vector<std::uint32_t>> tops_; // per batch: where its rings lead up to
 };
 

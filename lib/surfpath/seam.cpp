@@ -9,17 +9,17 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSearch = 1;    // spacings between rungs that are tried
-constexpr double kFarthest = 2;  // spacings between neighbouring lanes of a seam
-constexpr double kStep = 0.5;    // spacings between rungs of a ladder
-constexpr int kPoints = 3;       // of a line, per rung
-constexpr double kMargin = 0.5;  // spacings of lane between windows
-constexpr double kShare = 0.4;    // of a lane that a seam may take
-constexpr double kRidge = 3;       // spacings between lanes that a line goes along the middle of, at most
-constexpr double kRoom = 1.3;      // and at least
-constexpr double kAhead = 0.6;      // cosine of how far a lane turns beside it
-constexpr double kDrift = 6;       // spacings that it takes to go there
-constexpr double kApart = 8;     // spacings between lanes that are joined, at most
+constexpr double kSearch = 1;   // spacings between rungs that are tried
+constexpr double kFarthest = 2; // spacings between neighbouring lanes of a seam
+constexpr double kStep = 0.5;   // spacings between rungs of a ladder
+constexpr int kPoints = 3;      // of a line, per rung
+constexpr double kMargin = 0.5; // spacings of lane between windows
+constexpr double kShare = 0.4;  // of a lane that a seam may take
+constexpr double kRidge = 3;    // spacings between lanes that a line goes along the middle of, at most
+constexpr double kRoom = 1.3;   // and at least
+constexpr double kAhead = 0.6;  // cosine of how far a lane turns beside it
+constexpr double kDrift = 6;    // spacings that it takes to go there
+constexpr double kApart = 8;    // spacings between lanes that are joined, at most
 
 // From 0 to 1 with the least curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
@@ -172,7 +172,8 @@ class Crossover {
         find_spots();
         for (const double share : {1.0, 0.5, 0.2})
             for (const Spot& s : spots_)
-                if (apart_ > 1 && find(s.a) != find(s.b) && join(s, share * radius_)) root_[find(s.a)] = find(s.b), --apart_;
+                if (apart_ > 1 && find(s.a) != find(s.b) && join(s, share * radius_))
+                    root_[find(s.a)] = find(s.b), --apart_;
         return apart_ - 1;
     }
 
