@@ -2,9 +2,8 @@
 
 #include "base/error.hpp"
 #include "curve/walk.hpp"
+#include "surfpath/boustrophedon.hpp"
 #include "surfpath/strands.hpp"
-
-#include <algorithm>
 
 namespace filum::surfpath {
 
@@ -42,27 +41,48 @@ std::vector<Line> lines(const Fronts& fronts, const std::vector<Strand>& strands
     return out;
 }
 
+void fact(Plan& to, const char* name, std::size_t value) {
+    to.facts.push_back({"", name, static_cast<double>(value), ""});
+}
+
 } // namespace
 
 Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     if (sheet.sources.empty())
         throw Error(Exit::bad_input, "cannot lay lines upright on a seed curve without one; run geodesic --source "
                                      "plane:NX,NY,NZ,D first");
-    const Fronts fronts(sheet.surface, sheet.sources, kStep * o.spacing, kGrain * o.spacing);
-    const Strands found = strands(fronts, {o.spacing, 1, 0});
+    const Surface& s = sheet.surface;
+    const Fronts fronts(s, sheet.sources, kStep * o.spacing, kGrain * o.spacing);
+    const bool alone = o.turns == "none";
+    const Strands found = strands(fronts, {o.spacing, o.turns == "hairpin" ? 2U : 1U, o.min_length});
+    auto all = lines(fronts, found.strands);
     Plan out;
-    for (Line& line : lines(fronts, found.strands)) {
-        if (out.strokes.size() % 2 == 1) curve::reverse(line);
-        out.strokes.push_back({{{std::move(line)}}});
+    if (alone) {
+        for (Line& line : all) {
+            if (out.strokes.size() % 2 == 1) curve::reverse(line);
+            out.strokes.push_back({{{std::move(line), false}}});
+        }
+        fact(out, "rows", out.strokes.size());
+    } else {
+        std::vector<Raw> raw;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
+        const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
+        out = boustrophedon(s, rows(s, raw, o.spacing / 2), {o.spacing, radius});
+        if (o.turns == "hairpin") // rows and turns take turns
+            for (Stroke& stroke : out.strokes)
+                for (std::size_t i = 1; i < stroke.pieces.size(); i += 2) stroke.pieces[i].hairpin = true;
     }
-    const auto fact = [&](const char* name, std::size_t v, const char* unit) {
-        out.facts.push_back({"", name, static_cast<double>(v), unit});
-    };
-    fact("lines", out.strokes.size(), "");
-    fact("births", found.born, "");
-    fact("deaths", found.died, "");
-    fact("births-lower-bound", found.bound, "");
-    fact("cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1, "");
+    fact(out, "births", found.born);
+    fact(out, "deaths", found.died);
+    fact(out, "births-lower-bound", found.bound);
+    fact(out, "cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1);
+    for (const Strands::Short& left : found.left_out) {
+        const Vec3 p = fronts.place(left.level, left.spot).point;
+        Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
+        note.x = p.x, note.y = p.y;
+        out.notes.push_back(std::move(note));
+    }
     return out;
 }
 
