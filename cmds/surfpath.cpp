@@ -22,7 +22,13 @@ struct Options {
 };
 
 constexpr const char* kDescription =
-    "Fills a surface with lines as far apart as the bead is wide.\n\n"
+    "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What is "
+    "nearest "
+    "to where `geodesic` measured distances from comes first: fina, rows at equal distances from a line; fexa, rows in "
+    "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
+    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Rows are taken "
+    "some apart, so that turns are wide; those that must be tighter than --least-radius are spans of their own, "
+    "declared as hairpins. What cannot be placed is noted.\n\n"
     "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
     "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
