@@ -22,9 +22,8 @@ struct Options {
 };
 
 constexpr const char* kDescription =
-    "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What is "
-    "nearest "
-    "to where `geodesic` measured distances from comes first: fina, rows at equal distances from a line; fexa, rows in "
+    "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
+    "they follow is where `geodesic` measured from: fina, rows at equal distances from a line; fexa, rows in "
     "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
     "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Rows are taken "
     "some apart, so that turns are wide; those that must be tighter than --least-radius are spans of their own, "
