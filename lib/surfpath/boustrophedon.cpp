@@ -33,6 +33,9 @@ class Path {
                       {"", "turns", turned_, ""},
                       {"", "hairpins", hairpins_, ""},
                       {"", "transits", transited_, "mm"}};
+        if (rows_.rows.empty())
+            out_.notes.push_back(
+                {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
         if (rows_.drops > 0)
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
                                   rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});

@@ -156,11 +156,14 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
-    const double most = std::max(3.2 * o_.least_radius, 2.4 * o_.spacing);
+    const double two = 2 * o_.least_radius;
+    const double most = std::max(std::min(1.6 * two, two + 3.2 * o_.spacing), 2.4 * o_.spacing);
     if (norm(d) > 3 * most + o_.spacing) return false;
     const Vec3 u = tangent(a);
     if (dot(u, tangent(b)) < 0.5) return false;
     const double w = norm(d - dot(d, u) * u);
+    // Of what is too near for an arc only the nearest, for hairpins and bulbs.
+    if (w > 2.5 * o_.spacing && w < 0.75 * two) return false;
     return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
 }
 
