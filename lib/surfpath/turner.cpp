@@ -17,6 +17,7 @@ constexpr double kRunUp = 4;       // radii of a row that may be rounded where i
 constexpr double kCorridor = 2;    // radii
 constexpr double kWider = 1.07;    // of the least radius: what turns are made with, so that samples of them keep it
 constexpr double kBulb = 40;       // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kEasedWider = 1.15; // likewise, of ways along rims
 constexpr double kRoom = 0.94;     // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8; // likewise, of ways along rims
 constexpr double kTurning = 0.25;  // mm
@@ -86,7 +87,7 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = curve::threaded(surface_, line);
     auto eased =
-        curve::ease(surface_, line, {.radius = kWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
+        curve::ease(surface_, line, {.radius = kEasedWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
     // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
