@@ -33,6 +33,9 @@ class Path {
                       {"", "turns", turned_, ""},
                       {"", "hairpins", hairpins_, ""},
                       {"", "transits", transited_, "mm"}};
+        if (rows_.rows.empty())
+            out_.notes.push_back(
+                {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
         if (rows_.drops > 0)
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
                                   rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
@@ -108,12 +111,13 @@ class Path {
         return out;
     }
 
-    // The way along rims and rows, or where there is none, as between spirals, straight across; mm.
+    // The way along rims and rows, or where there is none, as between spirals, straight across, which crosses what lies
+    // there and so counts for more; mm.
     [[nodiscard]] double way_length(std::uint32_t from, std::uint32_t to) const {
         const double l = transits_.length(from, to);
         if (std::isfinite(l)) return l;
         const Line line = across(from, to);
-        return line.size() > 1 ? curve::length(line) : l;
+        return line.size() > 1 ? kBreak + curve::length(line) : l;
     }
 
     // Straight across the surface from one end to another; empty if that does not lead there.

@@ -115,9 +115,10 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         for (double& level : at) level = spread.height(level);
         add(raw, geodesic::isolines(s, above, at), sign);
     }
-    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    const Turning turns = turning(o.spacing, o.least_radius);
+    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
     wind(s, all, o.spacing, true);
-    return boustrophedon(s, all, {o.spacing, o.least_radius});
+    return boustrophedon(s, all, turns);
 }
 
 } // namespace filum::surfpath

@@ -21,9 +21,10 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
         add(raw, side, sign);
         sign = -sign;
     }
-    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    const Turning turns = turning(o.spacing, o.least_radius);
+    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
     wind(s, all, o.spacing, true);
-    return boustrophedon(s, all, {o.spacing, o.least_radius});
+    return boustrophedon(s, all, turns);
 }
 
 } // namespace filum::surfpath

@@ -17,6 +17,7 @@ constexpr double kRunUp = 4;       // radii of a row that may be rounded where i
 constexpr double kCorridor = 2;    // radii
 constexpr double kWider = 1.07;    // of the least radius: what turns are made with, so that samples of them keep it
 constexpr double kBulb = 40;       // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kEasedWider = 1.15; // likewise, of ways along rims
 constexpr double kRoom = 0.94;     // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8; // likewise, of ways along rims
 constexpr double kTurning = 0.25;  // mm
@@ -86,7 +87,7 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = curve::threaded(surface_, line);
     auto eased =
-        curve::ease(surface_, line, {.radius = kWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
+        curve::ease(surface_, line, {.radius = kEasedWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
     // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
@@ -156,11 +157,14 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
-    const double most = std::max(3.2 * o_.least_radius, 2.4 * o_.spacing);
+    const double two = 2 * o_.least_radius;
+    const double most = std::max(std::min(1.6 * two, two + 3.2 * o_.spacing), 2.4 * o_.spacing);
     if (norm(d) > 3 * most + o_.spacing) return false;
     const Vec3 u = tangent(a);
     if (dot(u, tangent(b)) < 0.5) return false;
     const double w = norm(d - dot(d, u) * u);
+    // Of what is too near for an arc only the nearest, for hairpins and bulbs.
+    if (w > 2.5 * o_.spacing && w < 0.75 * two) return false;
     return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
 }
 

@@ -242,6 +242,23 @@ TEST(Fina, IsTheSameEveryTime) {
 
 TEST(Fina, NeedsASeedCurve) { EXPECT_THROW(fina(sheet(10, 10, "vertex:0", flat), {.algorithm = "fina"}), Error); }
 
+TEST(Fina, NotesASurfaceNarrowerThanTheSpacing) {
+    const Plan plan = fina(sheet(20, 4, "plane:0,1,0,2", flat), {.algorithm = "fina", .spacing = 50});
+    EXPECT_TRUE(plan.strokes.empty());
+    ASSERT_EQ(plan.notes.size(), 1U);
+    EXPECT_NEAR(plan.notes[0].amount, 80, 1e-9);
+}
+
+TEST(Fina, AnyRadiusWillDo) {
+    const auto s = sheet(20, 10, "plane:0,1,0,5", flat);
+    for (const double radius : {0.0, 1e-9, 1e6}) {
+        const Plan plan = fina(s, {.algorithm = "fina", .least_radius = radius});
+        ASSERT_EQ(plan.strokes.size(), 1U) << radius;
+        expect_sound(s.surface, plan);
+        EXPECT_GT(covered(s.surface, plan), 0.9) << radius;
+    }
+}
+
 TEST(Fexa, RowsLieAsFarApartOnASlope) {
     // A roof of 60 degrees: planes across the slope must be half a spacing apart.
     const auto s = sheet(40, 40, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x / 2, p.y, p.x * std::sqrt(0.75)}; });
