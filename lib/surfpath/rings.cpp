@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
@@ -21,12 +20,12 @@ using surface::kNone;
 constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
 constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
-constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
-constexpr double kGains[] = {1,   1.3, 1.7, 2.2, 2.8, 3.6,
-                             4.6, 6,   8,   12,  18}; // least radii of length for a radian of tight turn
-constexpr double kTightPart = 0.01, kTighter = 1;     // of the length, may turn tighter by so much on average
-constexpr double kFall = 1.1;                         // spacings that radii may fall by from one level to the next
-constexpr double kTightest = 0.3;                     // spacings: no ring turns tighter
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2};         // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.4}; // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 1;         // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1;                             // spacings that radii may fall by from one level to the next
+constexpr double kMost = 1e4;                             // spacings from the sources to the farthest place
+constexpr double kTightest = 0.3;                         // spacings: no ring turns tighter
 
 // The sources, and all rims.
 surface::Sources all_sources(const surface::Sheet& sheet) {
@@ -100,6 +99,8 @@ class Making {
           least_(kRounder * o.least_radius) {
         for (const double d : far_)
             if (std::isfinite(d)) farthest_ = std::max(farthest_, d);
+        if (farthest_ > kMost * o.spacing)
+            throw Error(Exit::usage, "cannot lay more than 10000 rings inside each other; raise --spacing");
         for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrower / 2) * o.spacing}) {
             d_ = d;
             levels_.clear();
@@ -151,6 +152,7 @@ class Making {
             Batch high{l, {}, {}};
             for (const double part : kScales) high.scales.push_back({part * least_});
             std::vector<std::uint32_t> high_tops;
+            const std::size_t first = batches_.size();
             for (std::size_t i = 0; i < outer_.size(); ++i) {
                 if (!outer_[i].closed || outer_[i].level != l || climbs[i].to == kNone) continue;
                 const double rise = far_[climbs[i].to] - l, radius = kOfRidge * rise;
@@ -159,7 +161,13 @@ class Making {
                     continue;
                 }
                 if (radius < kTightest * d_) continue;
-                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.55 * radius}}});
+                std::size_t own = batches_.size(); // of the rings about the same top
+                while (own > first && tops_[own - 1][0] != climbs[i].to) --own;
+                if (own > first) {
+                    batches_[own - 1].outer.push_back(&outer_[i]);
+                    continue;
+                }
+                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.6 * radius}, {0.35 * radius}, {0.2 * least_}}});
                 tops_.push_back({climbs[i].to});
             }
             if (!high.outer.empty()) batches_.push_back(std::move(high)), tops_.push_back(std::move(high_tops));
@@ -223,8 +231,7 @@ class Making {
         const double most = kTightPart * length * kTighter / least_;
         for (const double gain : kGains)
             if (tight(rounding, gain) <= most) return gain;
-        static_cast<void>(tight(rounding, std::numeric_limits<double>::infinity()));
-        return std::numeric_limits<double>::infinity();
+        return kGains[std::size(kGains) - 1];
     }
 
     const Surface& s_;
@@ -242,6 +249,10 @@ class Making {
 
 Rings rings(const surface::Sheet& sheet, const Options& o, Facts& facts) {
     Rings out = Making(sheet, o).run();
+    if (out.lines.empty())
+        throw Error(Exit::bad_input,
+                    "cannot lay a ring: no vertex is farther than half a spacing from the sources; lower "
+                    "--spacing, or make smaller triangles by geodesic --remesh");
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     facts.push_back({"", "stretch", out.spacing / o.spacing, ""});
     return out;

@@ -163,8 +163,9 @@ class Rounder {
     // True if rings that are rounded by less than the least radius all round are long enough for that.
     [[nodiscard]] bool worthwhile(const Batch& b) const {
         const double price = all_round(b);
-        return !(price > 0) ||
-               (!b.rings.empty() && b.scales[0].radius >= floor && b.rings[0].ways.back() > gain * least_ * price);
+        double length = 0;
+        for (const Ring& r : b.rings) length += r.ways.back();
+        return !(price > 0) || length > gain * least_ * price;
     }
 
     // The corner by this radius, or those within it by the lesser one that gains most.
