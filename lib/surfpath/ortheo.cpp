@@ -68,7 +68,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         for (std::size_t i = 0; i < all.size(); ++i)
             raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
         const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
-        out = boustrophedon(s, rows(s, raw, o.spacing / 2), {o.spacing, radius});
+        out = boustrophedon(s, rows(s, raw, o.spacing / 2, o.spacing / 2), {o.spacing, radius});
         if (o.turns == "hairpin") // rows and turns take turns
             for (Stroke& stroke : out.strokes)
                 for (std::size_t i = 1; i < stroke.pieces.size(); i += 2) stroke.pieces[i].hairpin = true;
