@@ -31,8 +31,11 @@ cli::Spec spec(Options& o) {
         .memory = "one toolpath",
         .options = {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(
             0)},
-        .examples = {{"assemble core.toolpath patch-a.toolpath patch-b.toolpath | postproc > job.gcode",
-                      "a core and two patches as one program"}},
+        .examples =
+            {{"geodesic part.stl --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > a.toolpath; "
+              "surfpath ortheo part.surface --ply 1 --offset 0.2 > b.toolpath; assemble a.toolpath b.toolpath > "
+              "woven.toolpath",
+              "two plies across each other, a woven grid"}},
         .see_also = {"surfpath", "link3d", "postproc"},
         .arguments = "[INPUT...]",
         .many_inputs = true,
