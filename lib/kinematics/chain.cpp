@@ -22,8 +22,10 @@ Vec3 turned_by_tilt(const Chain& c, const Vec3& v, double tilt) { return turned(
 
 bool tilts_tool(const Chain& c) { return c.carrier == Carrier::head_table || c.carrier == Carrier::head_head; }
 
-// The tool axis, in the frame that the turn axis turns, at a tilt of the tool or the part.
-Vec3 axis_before_turn(const Chain& c, double tilt) { return turned_by_tilt(c, kUp, tilts_tool(c) ? tilt : -tilt); }
+// What is along v of the tool at rest, in the frame that the turn axis turns, at a tilt of the tool or the part.
+Vec3 before_turn(const Chain& c, const Vec3& v, double tilt) {
+    return turned_by_tilt(c, v, tilts_tool(c) ? tilt : -tilt);
+}
 
 // By which sign the turn acts on that axis to give it in the part's frame.
 double turn_to_part(const Chain& c) { return c.carrier == Carrier::head_head ? 1 : -1; }
@@ -58,8 +60,14 @@ Vec3 swing(const Chain& c, double tilt, double turn) {
 
 Pose forward(const Chain& c, const Joints& j) {
     if (!rotary(c)) return {j.xyz, kUp};
-    const Vec3 axis = turned_by_turn(c, axis_before_turn(c, j.tilt), turn_to_part(c) * j.turn);
+    const Vec3 axis = turned_by_turn(c, before_turn(c, kUp, j.tilt), turn_to_part(c) * j.turn);
     return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), axis};
+}
+
+Vec3 tool_side(const Chain& c, const Joints& j) {
+    constexpr Vec3 x{1, 0, 0};
+    if (!rotary(c)) return x;
+    return turned_by_turn(c, before_turn(c, x, j.tilt), turn_to_part(c) * j.turn);
 }
 
 Joints place(const Chain& c, const Vec3& tip, double tilt, double turn) {

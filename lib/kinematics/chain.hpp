@@ -42,6 +42,9 @@ struct Joints {
 
 Pose forward(const Chain& chain, const Joints& joints);
 
+// Where what is along x of the tool at rest points to, in the part's frame; across the pose's axis.
+Vec3 tool_side(const Chain& chain, const Joints& joints);
+
 // Where the linear axes stand if the rotary ones stand at `tilt` and `turn` and the tip is at `tip` of the part.
 Joints place(const Chain& chain, const Vec3& tip, double tilt, double turn);
 

@@ -13,6 +13,11 @@ Head head(const HeadChoice& o) {
         h.none = true;
     else if (o.name != "ordinary")
         h = load_profile(o.name).head;
+    return altered(h, o);
+}
+
+Head altered(const Head& from, const HeadChoice& o) {
+    Head h = from;
     if (!o.flat_radius.empty()) h.flat_radius = o.flat_radius[0];
     if (!o.cone_angle_deg.empty()) h.cone_angle = o.cone_angle_deg[0] * std::numbers::pi / 180;
     if (!o.cone_height.empty()) h.cone_height = o.cone_height[0];

@@ -36,6 +36,9 @@ struct HeadChoice {
 // Throws Error like load_profile.
 Head head(const HeadChoice& choice);
 
+// `from` with what the choice has different about it, whatever its name.
+Head altered(const Head& from, const HeadChoice& choice);
+
 // The head, wherever it came from, as names and values of options that give it again.
 struct HeadSetting {
     std::string name, value;

@@ -1,0 +1,74 @@
+#include "collision/beads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::collision {
+
+bool Growth::add(Move move, double width, double height) {
+    const double length = distance(move.from.tip, move.to.tip);
+    if (length == 0 && move.from.axis == move.to.axis && move.from.side == move.to.side) return false;
+    if (width > 0) fresh_ = width + 2 * flat_;
+    while (!ends_.empty() && ends_.front() <= way_ - fresh_) ends_.pop_front();
+    move.before = static_cast<std::uint32_t>(beads.size() - ends_.size());
+    moves.push_back(move);
+    way_ += length;
+    if (width > 0 && length > 0) {
+        beads.push_back(bead(move.from, move.to, width, height, static_cast<std::uint32_t>(beads.size())));
+        ends_.push_back(way_);
+    }
+    return true;
+}
+
+Stance Walk::stance(const toolpath::Span& span, std::size_t i) const {
+    Stance out{span.points[i], {0, 0, 1}, {1, 0, 0}};
+    if (!span.normals.empty()) out.axis = span.normals[i];
+    if (machine_.rotary || !span.normals.empty()) out.side = {};
+    return out;
+}
+
+void Walk::go(const Stance& to, const toolpath::Span& span, double width, double height) {
+    Move move{at_, to, 0, points_, span.layer, span.stroke, !toolpath::extrudes(span.role)};
+    if (move.from.side == Vec3{} || to.side == Vec3{}) move.from.side = move.to.side = {};
+    growth.add(move, width, height);
+    at_ = to;
+}
+
+void Walk::add(const toolpath::Span& span) {
+    const bool lays = toolpath::extrudes(span.role);
+    if (!started_ && lays) at_ = stance(span, 0);
+    started_ = started_ || lays;
+    if (!started_) { // there is nothing to leave yet
+        points_ += static_cast<std::uint32_t>(span.points.size());
+        return;
+    }
+    if (!lays && span.normals.empty()) return travel(span);
+    go(stance(span, 0), span, 0, 0);
+    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
+        ++points_;
+        const bool some = toolpath::volume(span, i) > 0;
+        go(stance(span, i + 1), span, some ? (span.width_at(i) + span.width_at(i + 1)) / 2 : 0,
+           some ? (span.height_at(i) + span.height_at(i + 1)) / 2 : 0);
+        if (some) top_ = std::max({top_, span.points[i].z, span.points[i + 1].z});
+    }
+    ++points_;
+}
+
+void Walk::travel(const toolpath::Span& span) {
+    double length = 0, clear = top_;
+    for (std::size_t i = 0; i < span.points.size(); ++i) {
+        clear = std::max(clear, span.points[i].z);
+        if (i > 0) length += distance(span.points[i - 1], span.points[i]);
+    }
+    clear += machine_.lift;
+    const bool rises = length >= machine_.min_length;
+    go(stance(span, 0), span, 0, 0);
+    for (std::size_t i = 0; i < span.points.size(); ++i, ++points_) {
+        Stance over = stance(span, i);
+        if (rises) over.tip.z = clear;
+        go(over, span, 0, 0);
+    }
+    go(stance(span, span.points.size() - 1), span, 0, 0);
+}
+
+} // namespace filum::collision

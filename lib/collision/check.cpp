@@ -1,0 +1,174 @@
+#include "collision/check.hpp"
+
+#include "parallel/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace filum::collision {
+
+namespace {
+
+constexpr std::size_t kGrain = 2048;  // moves that share what they found
+constexpr std::size_t kSamples = 512; // of all moves, looked at first
+constexpr int kHalvings = 40;
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+
+Vec3 any_across(const Vec3& v) {
+    const Vec3 other = std::abs(v.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 c = cross(v, other);
+    return (1 / norm(c)) * c;
+}
+
+// Unit vectors; even speed along the great circle.
+Vec3 turned(const Vec3& a, const Vec3& b, double share) {
+    const double all = angle(a, b);
+    if (all < 1e-9) return share < 0.5 ? a : b;
+    const Vec3 across = b - dot(a, b) * a;
+    const double l = norm(across);
+    const Vec3 towards = l > 1e-9 ? (1 / l) * across : any_across(a);
+    return std::cos(share * all) * a + std::sin(share * all) * towards;
+}
+
+// How far a whole move goes.
+struct Motion {
+    Vec3 way;
+    double length, angle;
+};
+
+Motion motion(const Move& m) {
+    double turn = angle(m.from.axis, m.to.axis);
+    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += angle(m.from.side, m.to.side);
+    return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
+}
+
+struct Search {
+    const Scene& scene;
+    const Shape shape;
+    const std::vector<Move>& moves;
+    const Options& options;
+
+    // Clearances below this collide: touching does for solid things.
+    [[nodiscard]] double demanded(Against against) const {
+        constexpr double kTouch = 1e-6;
+        return against == Against::beads ? options.margin - options.press : std::max(options.margin, kTouch);
+    }
+
+    [[nodiscard]] Probe probe(const Stance& stance, const Move& m, Against against, double cutoff) const {
+        return {stance, against == Against::beads ? m.before : 1, options.press, cutoff};
+    }
+
+    // One move against one kind of thing.
+    struct Course {
+        std::size_t move;
+        Against against;
+        Motion motion;
+        Place worst;
+        bool found = false;
+    };
+
+    void look(Course& c, double begin, double end, int depth, double& best) const {
+        if (c.found && c.against != Against::beads && c.worst.clearance <= 0) return; // it cannot be worse
+        const Move& m = moves[c.move];
+        const Tree& tree = scene[static_cast<std::size_t>(c.against)];
+        const double middle = (begin + end) / 2, half = (end - begin) / 2;
+        double cutoff = std::max(best, demanded(c.against));
+        if (c.found) cutoff = std::min(cutoff, c.worst.clearance);
+        Probe p = probe(at(m, middle), m, c.against, cutoff);
+        p.shift = half * c.motion.length, p.turn = half * c.motion.angle;
+        p.sink = half * std::abs(dot(c.motion.way, p.stance.axis));
+        const auto near = tree.any(shape, p, options.step);
+        if (near == Tree::Near::nothing) return;
+        if (near == Tree::Near::moving && depth < kHalvings) {
+            look(c, begin, middle, depth + 1, best);
+            look(c, middle, end, depth + 1, best);
+            return;
+        }
+        p.shift = p.turn = p.sink = 0;
+        const auto hit = tree.nearest(shape, p);
+        if (!hit.found) return;
+        c.worst = {c.move, middle, hit.distance, p.stance.tip, hit.piece, c.against};
+        c.found = true;
+        best = std::min(best, hit.distance);
+    }
+
+    // Looks along move i; `best` is the least clearance of each kind so far.
+    void follow(std::size_t i, std::array<double, 4>& best, Found& out) const {
+        const Motion motion = collision::motion(moves[i]);
+        bool collides = false;
+        for (std::size_t k = 0; k < scene.size(); ++k) {
+            if (scene[k].empty()) continue;
+            const auto against = static_cast<Against>(k);
+            Course c{i, against, motion, {}, false};
+            const double before = best[k];
+            look(c, 0, 1, 0, best[k]);
+            if (!c.found) continue;
+            if (c.worst.clearance < before) out.least[k] = c.worst;
+            if (c.worst.clearance >= demanded(against)) continue;
+            out.collisions.push_back(c.worst);
+            collides = true;
+        }
+        out.moves += collides ? 1 : 0;
+    }
+
+    // The least clearance in the middle of some moves, from where to search.
+    [[nodiscard]] Found sample() const {
+        Found out;
+        const std::size_t stride = std::max<std::size_t>(1, moves.size() / kSamples);
+        for (std::size_t i = stride / 2; i < moves.size(); i += stride)
+            for (std::size_t k = 0; k < scene.size(); ++k) {
+                const auto against = static_cast<Against>(k);
+                const double so_far = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
+                const Stance stance = at(moves[i], 0.5);
+                const auto hit = scene[k].nearest(shape, probe(stance, moves[i], against, so_far));
+                if (hit.found) out.least[k] = Place{i, 0.5, hit.distance, stance.tip, hit.piece, against};
+            }
+        return out;
+    }
+};
+
+} // namespace
+
+Stance at(const Move& m, double along) {
+    Stance out;
+    out.tip = m.from.tip + along * (m.to.tip - m.from.tip);
+    out.axis = turned(m.from.axis, m.to.axis, along);
+    out.side = {};
+    if (m.from.side != Vec3{} && m.to.side != Vec3{}) out.side = turned(m.from.side, m.to.side, along);
+    return out;
+}
+
+Found check(const Scene& scene, const machine::Head& head, const std::vector<Move>& moves, const Options& options,
+            int threads) {
+    const Search search{scene, Shape(head), moves, options};
+    Found out = search.sample();
+    std::array<double, 4> seed{};
+    for (std::size_t k = 0; k < seed.size(); ++k)
+        seed[k] = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
+    std::vector<Found> part((moves.size() + kGrain - 1) / kGrain);
+    parallel::for_chunks(moves.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+        auto best = seed;
+        for (std::size_t i = begin; i < end; ++i) search.follow(i, best, part[begin / kGrain]);
+    });
+    for (const Found& f : part) {
+        out.collisions.insert(out.collisions.end(), f.collisions.begin(), f.collisions.end());
+        out.moves += f.moves;
+        for (std::size_t k = 0; k < seed.size(); ++k)
+            if (f.least[k] && (!out.least[k] || f.least[k]->clearance < out.least[k]->clearance))
+                out.least[k] = f.least[k];
+    }
+    return out;
+}
+
+std::vector<Solid> bed(const std::vector<Move>& moves) {
+    constexpr double around = 300;
+    geom::Box2 box;
+    for (const Move& m : moves) box.add(m.from.tip.xy()), box.add(m.to.tip.xy());
+    if (box.empty()) return {};
+    const double x0 = box.lo.x - around, x1 = box.hi.x + around, y0 = box.lo.y - around, y1 = box.hi.y + around;
+    return {{{Vec3{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, 0, 0}};
+}
+
+} // namespace filum::collision

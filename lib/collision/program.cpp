@@ -1,0 +1,294 @@
+#include "collision/program.hpp"
+
+#include "base/error.hpp"
+#include "kinematics/chain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace filum::collision {
+
+namespace {
+
+using kinematics::Joints;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kChord = 0.002, kLean = 0.2 * kDegree, kTurn = 2 * kDegree;
+constexpr double kFarthest = 1e7; // mm, degrees
+constexpr int kHalvings = 16;
+
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+std::string_view trimmed(std::string_view s) {
+    while (!s.empty() && blank(s.front())) s.remove_prefix(1);
+    while (!s.empty() && blank(s.back())) s.remove_suffix(1);
+    return s;
+}
+
+// A line without its comments; those go to `comment`, one after the other.
+struct Line {
+    std::string code, comment;
+    explicit Line(std::string_view text) {
+        bool inside = false;
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const char c = text[i];
+            if (c == ';' && !inside) {
+                comment += text.substr(i + 1);
+                break;
+            }
+            if (c == '(' || c == ')')
+                inside = c == '(';
+            else
+                (inside ? comment : code) += c;
+        }
+        code = trimmed(code);
+    }
+};
+
+// X Y Z, tilt, turn: the numbers of the program.
+using Axes = std::array<double, 5>;
+
+class Reader {
+  public:
+    Reader(const std::string& name, const machine::Profile& profile, const ProgramOptions& options)
+        : name_(name), p_(profile), o_(options), growth_(profile.head.flat_radius), width_(options.width),
+          height_(options.height) {
+        at_.fill(std::numeric_limits<double>::quiet_NaN());
+        at_[3] = at_[4] = 0;
+        tip_ = !p_.axes.active() || (p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty());
+    }
+
+    void line(std::string_view text) {
+        ++number_;
+        const Line line(text);
+        remark(trimmed(line.comment));
+        if (line.code.empty() || line.code == "%") return;
+        if (!special(line.code)) words(line.code);
+    }
+
+    Program finish() {
+        out_.moves = std::move(growth_.moves), out_.beads = std::move(growth_.beads);
+        return std::move(out_);
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error(Exit::bad_input,
+                    "cannot follow the program in " + name_ + ": line " + std::to_string(number_) + " " + why);
+    }
+
+    void remark(std::string_view text) {
+        const auto number = [&](std::string_view key, double& out) {
+            if (!text.starts_with(key)) return;
+            const auto value = trimmed(text.substr(key.size()));
+            double v = 0;
+            if (std::from_chars(value.data(), value.data() + value.size(), v).ec == std::errc{} && v > 0) out = v;
+        };
+        if (!(o_.width > 0)) number("WIDTH:", width_), number("HEIGHT:", height_);
+        double layer = -1;
+        number("LAYER:", layer);
+        if (layer >= 0) layer_ = static_cast<std::uint32_t>(layer);
+    }
+
+    // Lines that the profile itself gives a meaning.
+    bool special(const std::string& code) {
+        const auto is = [&](const std::string& other) { return !other.empty() && code == trimmed(other); };
+        const auto& a = p_.axes;
+        if (is(p_.extrusion.on)) return open_ = true, ++out_.ignored, true;
+        if (is(p_.extrusion.off)) return open_ = false, ++out_.ignored, true;
+        if (!a.active() || a.numbers != machine::Numbers::tip) return false;
+        if (is(a.tcp_on)) return switch_to(true), ++out_.ignored, true;
+        if (is(a.tcp_off)) return switch_to(false), ++out_.ignored, true;
+        return false;
+    }
+
+    // The numbers get another meaning; the tool stays where it is.
+    void switch_to(bool tip) {
+        if (tip == tip_ || !known(at_)) return void(tip_ = tip);
+        const Joints j = joints(at_);
+        const Vec3 now = tip ? kinematics::forward(p_.axes.chain, j).tip : j.xyz;
+        at_[0] = now.x, at_[1] = now.y, at_[2] = now.z;
+        tip_ = tip;
+    }
+
+    static bool known(const Axes& a) { return !std::isnan(a[0]) && !std::isnan(a[1]) && !std::isnan(a[2]); }
+
+    [[nodiscard]] Joints joints(const Axes& a) const {
+        const Vec3 xyz{a[0], a[1], a[2]};
+        if (tip_) return kinematics::place(p_.axes.chain, xyz, a[3] * kDegree, a[4] * kDegree);
+        return {xyz, a[3] * kDegree, a[4] * kDegree};
+    }
+
+    [[nodiscard]] Stance stance(const Axes& a) const {
+        const Joints j = joints(a);
+        const auto pose = kinematics::forward(p_.axes.chain, j);
+        return {(tip_ ? Vec3{a[0], a[1], a[2]} : pose.tip) + o_.shift, pose.axis,
+                kinematics::tool_side(p_.axes.chain, j)};
+    }
+
+    struct Word {
+        char letter;
+        double value;
+    };
+    // Nothing if the line is a command of the controller's own.
+    [[nodiscard]] std::optional<std::vector<Word>> split(const std::string& code) const {
+        std::vector<Word> out;
+        for (std::size_t i = 0; i < code.size();) {
+            if (blank(code[i])) {
+                ++i;
+                continue;
+            }
+            const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(code[i++])));
+            if (letter < 'A' || letter > 'Z') {
+                if (!out.empty() && out.back().letter >= 'X' && out.back().letter <= 'Z') fail("holds what is no word");
+                return std::nullopt;
+            }
+            while (i < code.size() && (blank(code[i]) || code[i] == '+')) ++i;
+            double v = 0;
+            const auto [end, error] = std::from_chars(code.data() + i, code.data() + code.size(), v);
+            if (error != std::errc{} || !(std::abs(v) <= kFarthest)) {
+                if (letter == 'G' || (letter >= 'X' && letter <= 'Z')) fail("holds a word without a proper number");
+                return std::nullopt;
+            }
+            out.push_back({letter, v});
+            i = static_cast<std::size_t>(end - code.data());
+        }
+        return out;
+    }
+
+    // Which of the axes the letter names; none: 5.
+    [[nodiscard]] std::size_t axis(char letter) const {
+        if (letter >= 'X' && letter <= 'Z') return static_cast<std::size_t>(letter - 'X');
+        if (!p_.axes.active()) return 5;
+        return letter == p_.axes.tilt_letter ? 3 : letter == p_.axes.turn_letter ? 4 : 5;
+    }
+
+    void words(const std::string& code) {
+        const auto all = split(code);
+        if (!all) return void(++out_.ignored);
+        Axes to = at_;
+        std::optional<double> extruder;
+        bool moves = false, says_so = false;
+        Other other = Other::none;
+        const bool counts = p_.extrusion.feeding != machine::Feeding::valve;
+        for (const auto& [letter, v] : *all) {
+            const std::size_t k = axis(letter);
+            if (k < to.size())
+                to[k] = v, moves = true;
+            else if (letter == 'G' && (v == 0 || v == 1))
+                mode_ = static_cast<int>(v), says_so = true;
+            else if (letter == 'G')
+                other = std::max(other, g(v));
+            else if (letter == 'M')
+                other = std::max(other, m(v));
+            else if (counts && letter == p_.extrusion.letter)
+                extruder = v;
+        }
+        if (other == Other::offset && moves) fail("moves the zero of an axis with G92");
+        if (other == Other::offset && extruder) extruder_ = *extruder;
+        if (other == Other::home) at_[0] = at_[1] = at_[2] = std::numeric_limits<double>::quiet_NaN();
+        if (moves && (other == Other::none || says_so)) return go(to, extruder);
+        if (other == Other::none && extruder) pushed(*extruder);
+        ++out_.ignored;
+    }
+
+    // What else a line does, which then owns its words: the greatest counts.
+    enum class Other : std::uint8_t { none, command, home, offset };
+
+    Other g(double v) {
+        if (v == 2 || v == 3) fail("is an arc; only straight moves are understood");
+        if (v == 20) fail("asks for inches; only mm are understood");
+        if (v == 91) fail("asks for relative places; only absolute ones are understood");
+        if (v == 53) fail("goes to a place of the machine, which is not known here");
+        if (v == 92) return Other::offset;
+        if (v == 28 || v == 30) return Other::home;
+        const bool modal = (v >= 17 && v <= 21) || (v >= 40 && v <= 49) || (v >= 54 && v <= 64) || v == 80 ||
+                           (v >= 90 && v < 92) || (v >= 93 && v <= 99);
+        return modal ? Other::none : Other::command;
+    }
+
+    Other m(double v) {
+        if (v == 82) relative_ = false;
+        if (v == 83) relative_ = true;
+        return Other::command;
+    }
+
+    // By how much the extruder goes forward.
+    double pushed(double word) {
+        const double by = relative_ ? word : word - extruder_;
+        extruder_ = relative_ ? extruder_ + word : word;
+        return by;
+    }
+
+    void go(const Axes& to, std::optional<double> extruder) {
+        if (mode_ < 0) fail("moves before any G0 or G1");
+        const bool lays = extruder ? pushed(*extruder) > 0 && mode_ == 1 : open_ && mode_ == 1;
+        ++out_.lines;
+        if (!known(at_) || !known(to)) {
+            ++out_.unknown;
+            at_ = to;
+            return;
+        }
+        if (lays && !(width_ > 0 && height_ > 0)) fail("lays a bead of unknown size; give --bead");
+        if (lays && !laid_) ++stroke_;
+        laid_ = lays;
+        part(at_, to, stance(at_), stance(to), lays, 0);
+        at_ = to;
+    }
+
+    // Cut in halves until the straight way from stance to stance is that of the axes.
+    void part(const Axes& a, const Axes& b, const Stance& from, const Stance& to, bool lays, int depth) {
+        Axes middle;
+        for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (a[k] + b[k]) / 2;
+        const bool turns = a[3] != b[3] || a[4] != b[4];
+        if (turns && depth < kHalvings) {
+            const Stance true_middle = stance(middle);
+            const Stance straight = at(Move{from, to, 0, 0, 0, 0, false}, 0.5);
+            const bool near = distance(true_middle.tip, straight.tip) <= kChord &&
+                              kinematics::angle(true_middle.axis, straight.axis) <= kLean &&
+                              kinematics::angle(from.axis, to.axis) + kinematics::angle(from.side, to.side) <= kTurn;
+            if (!near) {
+                part(a, middle, from, true_middle, lays, depth + 1);
+                part(middle, b, true_middle, to, lays, depth + 1);
+                return;
+            }
+        }
+        growth_.add({from, to, 0, static_cast<std::uint32_t>(number_), layer_, stroke_, !lays}, lays ? width_ : 0,
+                    height_);
+    }
+
+    const std::string& name_;
+    const machine::Profile& p_;
+    const ProgramOptions& o_;
+    Program out_;
+    Growth growth_;
+    Axes at_{};
+    double width_, height_, extruder_ = 0;
+    std::uint64_t number_ = 0;
+    std::uint32_t layer_ = 0, stroke_ = 0;
+    int mode_ = -1;
+    bool tip_ = true, open_ = false, laid_ = false;
+    bool relative_ = p_.extrusion.relative;
+};
+
+} // namespace
+
+Program read_program(std::string_view text, const std::string& name, const machine::Profile& profile,
+                     const ProgramOptions& options) {
+    Reader reader(name, profile, options);
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        reader.line(text.substr(0, end));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return reader.finish();
+}
+
+} // namespace filum::collision

@@ -1,0 +1,111 @@
+#include "collision/report.hpp"
+
+#include "base/number.hpp"
+
+namespace filum::collision {
+
+namespace {
+
+const char* name(Against a) { return kAgainstNames[static_cast<std::size_t>(a)]; }
+const char* name(Piece p) { return kPieceNames[static_cast<std::size_t>(p)]; }
+const char* name(Source s) { return s == Source::line ? "line" : "point"; }
+
+std::string text(const Vec3& p) {
+    return "x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3);
+}
+
+std::string where(const Answer& a, const Place& p) {
+    const Move& m = a.moves[p.move];
+    std::string out = text(p.tip) + " (";
+    if (a.source == Source::point)
+        out += "layer " + std::to_string(m.layer) + ", stroke " + std::to_string(m.stroke) + ", ";
+    return out + name(a.source) + " " + std::to_string(m.source) + ")";
+}
+
+const char* clearance_name(Against a) {
+    constexpr std::array<const char*, 4> names{"clearance-beads", "clearance-part", "clearance-fixture",
+                                               "clearance-bed"};
+    return names[static_cast<std::size_t>(a)];
+}
+
+std::size_t sources(const Answer& a) {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < a.moves.size(); ++i) out += i == 0 || a.moves[i].source != a.moves[i - 1].source;
+    return out;
+}
+
+} // namespace
+
+std::size_t colliding(const Answer& a) {
+    std::size_t out = 0;
+    std::int64_t last = -1;
+    for (const Place& p : a.found.collisions) {
+        const std::int64_t source = a.moves[p.move].source;
+        out += source != last;
+        last = source;
+    }
+    return out;
+}
+
+std::string complaint(const Answer& a) {
+    const Place& first = a.found.collisions.front();
+    const Move& m = a.moves[first.move];
+    return "cannot go this way: the head collides at " + std::to_string(colliding(a)) + " of " +
+           std::to_string(sources(a)) + " " + name(a.source) + "s; first the " + name(first.piece) + " meets the " +
+           name(first.against) + (m.travel ? " on a travel" : "") + ", the tip at " + where(a, first) +
+           "; take a slimmer head, or let --strict=false go on";
+}
+
+Notes notes(const Answer& a) {
+    Notes out;
+    for (std::size_t k = 0; k < kAgainstNames.size(); ++k) {
+        Note note;
+        note.what = std::string("head meets the ") + kAgainstNames[k];
+        note.unit = "mm";
+        note.count = 0;
+        for (const Place& p : a.found.collisions) {
+            if (static_cast<std::size_t>(p.against) != k) continue;
+            const double depth = std::max(0.0, a.options.margin - p.clearance);
+            if (note.count++ == 0 || depth > note.amount)
+                note.amount = depth, note.layer = a.moves[p.move].layer, note.x = p.tip.x, note.y = p.tip.y;
+        }
+        if (note.count > 0) out.push_back(note);
+    }
+    return out;
+}
+
+Facts facts(const Answer& a) {
+    Facts out{{"", "moves", static_cast<double>(sources(a)), ""},
+              {"", "colliding-moves", static_cast<double>(colliding(a)), ""},
+              {"", "step", a.options.step, "mm"}};
+    for (const auto& least : a.found.least)
+        if (least) out.push_back({"", clearance_name(least->against), least->clearance, "mm"});
+    return out;
+}
+
+figures::Figures summary(const Answer& a) {
+    figures::Figures out{{"moves", std::string(name(a.source)) + "s", static_cast<std::uint64_t>(sources(a))},
+                         {"moves", "colliding", static_cast<std::uint64_t>(colliding(a))},
+                         {"moves", "step", a.options.step, 3, "mm"}};
+    for (const auto& least : a.found.least) {
+        if (!least) continue;
+        out.push_back({"clearance", name(least->against), least->clearance, 4, "mm"});
+        out.push_back({"clearance", std::string(name(least->against)) + " to", std::string(name(least->piece))});
+        out.push_back({"clearance", std::string(name(least->against)) + " at", where(a, *least)});
+    }
+    return out;
+}
+
+std::string places(const Answer& a) {
+    std::string out = std::string(name(a.source)) + "\tlayer\tstroke\tmove\tmeets\twith\tclearance\tx\ty\tz\n";
+    for (const Place& p : a.found.collisions) {
+        const Move& m = a.moves[p.move];
+        out += std::to_string(m.source) + "\t" + std::to_string(m.layer) + "\t" + std::to_string(m.stroke) + "\t" +
+               (m.travel ? "travel" : "bead") + "\t" + name(p.against) + "\t" + name(p.piece) + "\t" +
+               fixed_text(p.clearance, 4) + "\t" + fixed_text(p.tip.x, 4) + "\t" + fixed_text(p.tip.y, 4) + "\t" +
+               fixed_text(p.tip.z, 4) + "\n";
+    }
+    return out;
+}
+
+} // namespace filum::collision

@@ -1,0 +1,88 @@
+#include "collision/shape.hpp"
+
+#include "collision/gjk.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::collision {
+
+namespace {
+
+constexpr double kTop = 1e5; // mm above the tip, where the head ends
+
+Vec3 farthest(std::span<const Vec3> points, const Vec3& d) {
+    const Vec3* best = points.data();
+    for (const Vec3& p : points)
+        if (dot(p, d) > dot(*best, d)) best = &p;
+    return *best;
+}
+
+// Of two discs about the axis, the point farthest along d.
+struct Disc {
+    double radius, z;
+};
+template <std::size_t N>
+Vec3 farthest(const std::array<Disc, N>& discs, const Vec3& d) {
+    const double across = std::hypot(d.x, d.y);
+    const Disc* best = discs.data();
+    for (const Disc& disc : discs)
+        if (disc.radius * across + disc.z * d.z > best->radius * across + best->z * d.z) best = &disc;
+    const double r = across > 0 ? best->radius / across : 0;
+    return {r * d.x, r * d.y, best->z};
+}
+
+// Distance of the point (r, z) from the triangle-like profile below a line: of the half-plane region
+// { z >= low, r <= radius at z }, where the radius grows from `flat` at z = 0 to `wide` at `height`.
+double to_cone(double r, double z, double flat, double wide, double height) {
+    const auto segment = [&](double r0, double z0, double r1, double z1) {
+        const double dr = r1 - r0, dz = z1 - z0, l2 = dr * dr + dz * dz;
+        const double t = l2 > 0 ? std::clamp(((r - r0) * dr + (z - z0) * dz) / l2, 0.0, 1.0) : 0.0;
+        return std::hypot(r - r0 - t * dr, z - z0 - t * dz);
+    };
+    const bool inside = z >= 0 && (z >= height ? r <= wide : r <= flat + (wide - flat) * z / height);
+    if (inside) return 0;
+    double out = std::min(segment(0, 0, flat, 0), segment(flat, 0, wide, height));
+    if (z > height) out = std::min(out, r - wide);
+    return out;
+}
+
+} // namespace
+
+Shape::Shape(const machine::Head& head)
+    : none_(head.none), flat_(head.flat_radius), wide_(head.cone_radius(head.cone_height)), height_(head.cone_height),
+      half_x_(head.carriage_x / 2), half_y_(head.carriage_y / 2), half_diagonal_(std::hypot(half_x_, half_y_)),
+      gantry_(head.gantry_height) {}
+
+double Shape::at_least(double r, double z) const {
+    const double column = std::hypot(std::max(0.0, r - half_diagonal_), std::max(0.0, height_ - z));
+    return std::min({to_cone(r, z, flat_, wide_, height_), column, std::max(0.0, gantry_ - z)});
+}
+
+Shape::Near Shape::nearest(std::span<const Vec3> corners, bool round, double cutoff) const {
+    Near best{cutoff, Piece::nozzle};
+    const auto take = [&](double d, Piece piece) {
+        if (d < best.distance) best = {d, piece};
+    };
+    double top = corners[0].z;
+    for (const Vec3& p : corners) top = std::max(top, p.z);
+    const auto polygon = [&](const Vec3& d) { return farthest(corners, d); };
+    const auto start = [&](double low) { return corners[0] - Vec3{0, 0, std::clamp(corners[0].z, low, kTop)}; };
+
+    const std::array<Disc, 3> nozzle{Disc{flat_, 0}, {wide_, height_}, {wide_, kTop}};
+    take(gjk_distance(
+             polygon, [&](const Vec3& d) { return farthest(nozzle, d); }, start(0), best.distance),
+         Piece::nozzle);
+    if (best.distance > 0 && height_ - top < best.distance && half_x_ > 0 && half_y_ > 0) {
+        const std::array<Disc, 2> column{Disc{half_diagonal_, height_}, {half_diagonal_, kTop}};
+        const auto box = [&](const Vec3& d) {
+            if (round) return farthest(column, d);
+            return Vec3{d.x < 0 ? -half_x_ : half_x_, d.y < 0 ? -half_y_ : half_y_, d.z < 0 ? height_ : kTop};
+        };
+        take(gjk_distance(polygon, box, start(height_), best.distance), Piece::carriage);
+    }
+    take(std::max(0.0, gantry_ - top), Piece::gantry);
+    return best;
+}
+
+} // namespace filum::collision

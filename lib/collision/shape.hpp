@@ -1,0 +1,60 @@
+// The print head as convex pieces, and how near they come to polygons.
+#pragma once
+
+#include "geom/vec.hpp"
+#include "machine/head.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace filum::collision {
+
+using geom::Vec3;
+
+enum class Piece : std::uint8_t { nozzle, carriage, gantry };
+inline constexpr std::array<const char*, 3> kPieceNames{"nozzle", "carriage", "gantry"};
+
+// Where the tool stands, in the part's frame.
+struct Stance {
+    Vec3 tip;           // mm
+    Vec3 axis{0, 0, 1}; // unit: up the tool
+    Vec3 side{1, 0, 0}; // unit, across the axis: the carriage's x; zero if nobody knows how it is turned
+};
+
+// The corners of a convex polygon.
+struct Corners {
+    std::array<Vec3, 8> point{};
+    std::size_t count = 0;
+    void add(const Vec3& p) { point[count++] = p; }
+    [[nodiscard]] std::span<const Vec3> all() const { return {point.data(), count}; }
+};
+
+// The head of machine::Head in its own frame: the tip at the origin, z up the tool, x along the carriage's x.
+// Nozzle: the convex hull of the flat and the wide end of its cone, which goes on upwards.  Carriage: a box from
+// cone_height upwards, or, where it is not known how that is turned, the round column about it.  Gantry: all above its
+// height.  Upwards all end 100 m above the tip only, as in the planar chain's model (sequence/outline.hpp).
+class Shape {
+  public:
+    explicit Shape(const machine::Head& head);
+
+    struct Near {
+        double distance = 0; // mm
+        Piece piece = Piece::nozzle;
+    };
+    // Distance from the convex polygon `corners` (own frame) to the head, 0 where they meet; `cutoff` if it is no
+    // less.  Exact to 1e-8 of itself.  Ties: the lower piece.
+    [[nodiscard]] Near nearest(std::span<const Vec3> corners, bool round, double cutoff) const;
+
+    // No more than the distance from the head to a point `z` above the tip and `radius` from the axis.
+    [[nodiscard]] double at_least(double radius, double z) const;
+
+    [[nodiscard]] bool none() const { return none_; }
+
+  private:
+    bool none_ = false;
+    double flat_ = 0, wide_ = 0, height_ = 0; // mm: radii of the nozzle's ends, height of the upper one
+    double half_x_ = 0, half_y_ = 0, half_diagonal_ = 0, gantry_ = 0;
+};
+
+} // namespace filum::collision
