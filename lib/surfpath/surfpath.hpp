@@ -20,6 +20,7 @@ struct Options {
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.
 // Throws Error(usage) for options that cannot be followed, Error(bad_input) if the sheet lacks what the algorithm
 // needs: "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
+// What no line comes near is noted (bare.hpp).
 Plan plan(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

@@ -60,6 +60,16 @@ flat_box_stl() {
     done
 }
 
+# disc RADIUS: a flat one, in 48 triangles.
+disc() {
+    awk -v r="$1" 'BEGIN {
+        n = 48
+        printf "OFF\n%d %d 0\n0 0 0\n", n + 1, n
+        for (i = 0; i < n; i++) printf "%.6f %.6f 0\n", r * cos(6.28318530718 * i / n), r * sin(6.28318530718 * i / n)
+        for (i = 0; i < n; i++) printf "3 0 %d %d\n", 1 + i, 1 + (i + 1) % n
+    }'
+}
+
 # Makes part.stl and a stream of every payload in the current folder.
 make_inputs() {
     box_stl > part.stl
@@ -68,7 +78,8 @@ make_inputs() {
     sequence Regions --output sequenced
     fill sequenced --output Paths
     link3d Paths --output Toolpath
-    geodesic part.stl --cut 0,0,1,0.9 --source boundary --spacing 2 --output Surface
+    disc 15 > disc.off
+    geodesic disc.off --source boundary --spacing 2 --output Surface
 }
 
 # fact COMMAND KEY: the rest of that line of the command's contract.
