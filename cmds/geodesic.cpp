@@ -1,18 +1,12 @@
 // geodesic - distances on a surface, and lines of equal distance
-// reads:  a mesh file: STL, OBJ, PLY, OFF or 3MF
+// reads:  a mesh file (STL, OBJ, PLY, OFF or 3MF), or Surface
 // writes: Surface
 // memory: the model, and some hundred bytes per edge for exact distances
-#include "cli/command.hpp"
+#include "cli/head_options.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
 #include "geodesic/measure.hpp"
-#include "mesh/place.hpp"
-#include "mesh/read.hpp"
-#include "stream/crc32c.hpp"
-#include "surface/remesh.hpp"
-#include "wire/surface.hpp"
-
-#include <cstdio>
+#include "model/shape.hpp"
 
 namespace {
 
@@ -21,9 +15,8 @@ using cli::Option;
 
 struct Options {
     mesh::Placement place;
-    std::string source, lines;
-    std::vector<double> cut;
-    double remesh = 0;
+    model::Shaping shape;
+    std::string source, lines, mesh;
     geodesic::Options measure;
 };
 
@@ -32,18 +25,28 @@ constexpr const char* kDescription =
     "one or two triangles, every vertex with one fan of them, all facing one way. What had to be repaired for that "
     "is noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than "
     "two triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
-    "components stay as they are. Then it is cut with --cut and remeshed with --remesh, if asked.\n\n"
+    "components stay as they are. A Surface stream is taken as well, with the fields it has. Then the surface is cut "
+    "by a plane with --cut and by a closed mesh with --cut-mesh, and remeshed with --remesh, if asked; fields go "
+    "along.\n\n"
     "With --source it computes the distance of every vertex from the nearest source along the surface, infinite "
     "where no source is on the same component. Sources, several in quotes with blanks between: vertex:ID, numbered "
     "as in the file from 0, after a cut as in 'peek --text'; point:X,Y,Z, the nearest point of the surface; "
     "boundary, boundary:outer or boundary:N, all rims, the one of each component that spans most, or one; "
     "plane:NX,NY,NZ,D, where the plane NX x + NY y + NZ z = D cuts the surface. --source-lines names a text of "
-    "points, three numbers a line, lines of points apart by an empty line, drawn onto the surface.\n\n"
+    "points, three numbers a line, lines of points apart by an empty line, drawn onto the surface. --source-mesh names "
+    "a mesh, open or closed: sources are the lines where the surface crosses it, and rims that run along it, within a "
+    "twentieth of a mean edge, as where two patches share a border. With --signed, distances are negative on the "
+    "other side of planes and meshes than they face, or to the right of lines seen from the side that the surface "
+    "faces.\n\n"
     "By default distances are exact: the length of the shortest path on the triangles to the nearest point of the "
     "sources, found by propagating windows; lines are sources as such, not their vertices. Isolines cross edges "
     "where the distance has their level, solved from the windows, and bend between them to 0.001 mm. --method heat "
-    "lets heat flow instead (auto: on more than 300,000 triangles): off by some percent beyond 16 mean edges from "
-    "the sources, with isolines that are straight in every triangle. --paper does it as Kipping et al. 2022, with "
+    "lets heat flow instead (auto: on more than 300,000 triangles, if exact distances would take longer): off by some "
+    "percent beyond 16 mean edges from "
+    "the sources, and more where triangles differ much in size (facts tell how much, beside exact distances as far as "
+    "a "
+    "second of work reaches), with isolines that are straight in every triangle. --paper does it as Kipping et al. "
+    "2022, with "
     "the vertices nearest to lines as sources, for comparison only.\n\n"
     "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
     "taken as linear in every triangle, is from 1: it is where fronts meet, near points and on coarse meshes.";
@@ -53,16 +56,16 @@ cli::Spec spec(Options& o) {
         .name = "geodesic",
         .synopsis = "measure distances on a surface",
         .description = kDescription,
-        .in = cli::file("mesh file"),
+        .in = cli::file("mesh file or Surface"),
         .out = cli::writes(stream::Payload::surface),
         .memory = "the model, and some hundred bytes per edge for exact distances",
-        .options =
+        .options = cli::with(
             {{"source", &o.source, "SOURCES", "where distance is 0; none: only make the surface"},
              Option{"source-lines", &o.lines, "FILE", "lines of points where distance is 0 as well; see above"}
                  .not_a_setting(),
-             Option{"cut", &o.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4),
-             Option{"remesh", &o.remesh, "MM", "make all sides about this long, rims and sharp edges kept; 0: do not"}
-                 .at_least(0),
+             Option{"source-mesh", &o.mesh, "FILE", "a mesh, placed as the input's: where it meets the surface"}
+                 .not_a_setting(),
+             {"signed", &o.measure.with_sides, "", "distances are negative on one side of the sources; see above"},
              Option{"method", &o.measure.method, "", "how distances are found"}.one_of({"auto", "exact", "heat"}),
              {"paper", &o.measure.paper, "", "heat as in Kipping et al. 2022: snapped sources, no corrections"},
              {"levels", &o.measure.levels, "MM,...", "isolines at these distances"},
@@ -71,6 +74,7 @@ cli::Spec spec(Options& o) {
              Option{"unit", &o.place.unit, "", "unit of the file; auto guesses from the size, 3MF states its own"}
                  .one_of({"mm", "cm", "m", "in", "um", "auto"}),
              {"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}},
+            model::options(o.shape)),
         .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
                      {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",
                       "lines at 1, 2, 3 ... mm from where a plane cuts a part"},
@@ -78,41 +82,33 @@ cli::Spec spec(Options& o) {
         .see_also = {"slice", "peek"}};
 }
 
-// The file's content; what it is enters the history, its name does not.
-mesh::Bytes load(const std::string& path, const char* setting, cli::Io& self) {
-    mesh::Bytes bytes = mesh::load(path);
-    char crc[9];
-    std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-    self.settings.push_back({setting, crc});
-    return bytes;
+geodesic::Sources sources(const Options& o, const surface::Surface& s, cli::Io& self, Notes& notes, Facts& facts) {
+    auto out = geodesic::choose(s, o.source, notes);
+    if (!o.lines.empty()) {
+        const mesh::Bytes text = model::load(o.lines, "source_lines_crc32c", self);
+        geodesic::add_lines(out, s, geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
+    }
+    if (!o.mesh.empty()) {
+        const auto mesh = model::read_mesh(o.mesh, "source_mesh_crc32c", o.place, self, notes);
+        const Facts met = geodesic::add_mesh(out, s, mesh);
+        facts.insert(facts.end(), met.begin(), met.end());
+    }
+    return out;
 }
 
 void run(const Options& o, const cli::Io& io) {
     cli::Io self = io; // with what identifies the input
-    mesh::File file = mesh::read(load(io.input, "input_crc32c", self).view(), mesh::spoken_name(io.input));
-    Notes notes = std::move(file.notes);
-    mesh::Placement place = o.place;
-    place.on_bed = false;
-    mesh::place(file.mesh, place, file.kind == mesh::Kind::threemf, notes);
-    surface::Sheet sheet{surface::connect(std::move(file.mesh), notes), {}, {}};
-    if (const auto& c = o.cut; !c.empty())
-        sheet.surface = surface::cut(sheet.surface, {{c[0], c[1], c[2]}, c[3]}, notes);
-    if (o.remesh > 0) sheet.surface = surface::remesh(sheet.surface, o.remesh, notes);
-    auto sources = geodesic::choose(sheet.surface, o.source, notes);
-    if (!o.lines.empty()) {
-        const mesh::Bytes text = load(o.lines, "source_lines_crc32c", self);
-        geodesic::add_lines(sources, sheet.surface, geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
-    }
-    Facts facts = surface::facts(sheet.surface);
-    if (!sources.empty()) {
-        const Facts found = geodesic::measure(sheet, sources, o.measure);
+    model::Model m = model::read(o.place, self);
+    model::shape(m, o.shape, o.place, self);
+    Facts facts = surface::facts(m.sheet.surface);
+    const auto from = sources(o, m.sheet.surface, self, m.notes, facts);
+    if (!from.empty()) {
+        const Facts found = geodesic::measure(m.sheet, from, o.measure, m.notes);
         facts.insert(facts.end(), found.begin(), found.end());
-    } else if (!o.measure.levels.empty() || o.measure.spacing > 0) {
-        throw Error(Exit::usage, "cannot draw isolines without a --source");
+    } else if (!o.measure.levels.empty() || o.measure.spacing > 0 || o.measure.with_sides) {
+        throw Error(Exit::usage, "cannot draw isolines, or tell sides, without a source");
     }
-    auto header = cli::header(self, stream::Payload::surface);
-    header.expected = 1;
-    cli::write_one(io, header, std::move(notes), std::move(facts), wire::frame(sheet));
+    model::write(m, facts, self);
 }
 
 } // namespace

@@ -70,11 +70,10 @@ cli::Spec spec(survey::Options& all) {
              {"slice part.stl | regions > part.regions; sequence part.regions | fill | metrics --regions part.regions "
               "--per-region part.tsv --format json",
               "how well the fill fills, region by region"},
-             {"geodesic part.stl --source boundary > part.surface; surfpath geo-fiso part.surface --spacing 2 | "
-              "metrics "
-              "--surface part.surface",
-              "how well a path covers a surface"}},
-        .see_also = {"fill", "link3d", "surfpath", "render"}};
+             {"geodesic part.stl --cut 0,0,1,0.5 --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > "
+              "part.toolpath; metrics --surface part.surface part.toolpath",
+              "how well a path covers a curved surface, and how sharply it bends"}},
+        .see_also = {"fill", "link3d", "surfpath", "stressfield", "render"}};
 }
 
 } // namespace

@@ -31,7 +31,8 @@ constexpr const char* kDescription =
     "are the tip in the part's frame where the controller works out the axes, else where the axes stand, cut so fine "
     "that the tip keeps to its line; the head of the program says which. Of both ways to stand the one is taken whose "
     "axes travel least over the stroke; near upright the tool may lean a little, so that the turn axis does not spin. "
-    "Rotary speeds slow the path down, never the reverse. What the axes cannot reach is an error with the place.\n\n"
+    "Rotary speeds slow the path down, never the reverse. kuka-krl, abb-rapid and ur write tool frames in the "
+    "languages of robots. What the axes cannot reach is an error with the place.\n\n"
     "Templates in the profile hold the codes of the start, the end, and each layer; {names} in them stand for "
     "numbers: every name of the profile's [values], and x_min x_max y_min y_max z_min z_max (the part), x_start "
     "y_start z_start (the first stroke), bed_x_min bed_x_max bed_y_min bed_y_max bed_z_max, z_park (10 mm above the "
@@ -87,14 +88,9 @@ void run(const postproc::Options& o, const cli::Io& io) {
     Facts facts;
     postproc::Measure measure(profile, o.place == "center" ? postproc::Place::center : postproc::Place::as_is);
     while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) {
-            notes.push_back(stream::parse_note(frame->body));
-            continue;
-        }
-        if (frame->tag == stream::Tag::fact) {
-            facts.push_back(stream::parse_fact(frame->body));
-            continue;
-        }
+        if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
+        if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
+        if (frame->tag != stream::Tag::span) continue;
         measure.add(wire::span(*frame));
         spool.add(std::move(*frame));
         progress.step();
@@ -105,13 +101,13 @@ void run(const postproc::Options& o, const cli::Io& io) {
     }
     const auto survey = measure.end();
 
-    postproc::Program program(profile, survey, measure.program_shift(),
-                              [&](std::string_view text) { sink.write(text); });
-    program.begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program.add(steps); });
+    const auto program =
+        postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
+    program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
+    const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
     while (const auto frame = spool.next()) written->add(wire::span(*frame));
     written->end();
-    program.end();
+    program->end();
     sink.commit();
 }
 

@@ -39,8 +39,9 @@ cli::Spec spec(render::Options& o) {
                         "what colours mean; auto: stroke for Regions, layer for Layers, else progress"}
                      .one_of({"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
                  {"view", &o.view, "VIEW",
-                  "from where: iso, top, bottom, front, back, left, right, face (straight onto a surface), or X,Y,Z: "
-                  "towards the camera; auto: face for surfaces, else iso"},
+                  "from where: iso, top, bottom, front, back, left, right, face (straight onto a surface), face-left, "
+                  "-right, -up, -down (50 degrees aside), or X,Y,Z: towards the camera; auto: face for surfaces, else "
+                  "iso"},
                  {"views", &o.views, "VIEW,...", "several of these in one picture"},
                  Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
                  {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},

@@ -26,17 +26,23 @@ constexpr const char* kDescription =
     "Reads stresses from the file of --stress and adds fields to the vertices of the surface, which keeps all it has: "
     "stress.CASE.s1, .s2 and .s3, the principal stresses in MPa, and stress.CASE.d1, the unit vector along which the "
     "greatest one, s1, pulls. A direction and its opposite are the same: the one is taken whose largest component is "
-    "positive. Without --stress nothing is added.\n\n"
-    "A CSV file has a line per point: x,y,z and the vector of s1, also s1,s2,s3, or the whole tensor; columns are "
-    "known "
-    "by the header's names or by --columns, which lists in order what they are: x,y,z, s1x,s1y,s1z, s1,s2,s3, "
-    "sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is the length of the vector.\n\n"
-    "A vertex takes the mean, by moving least squares, of the samples near it on the surface. Those on the other side "
-    "of a thin wall lie off the surface and do not count; see --reach. A direction is unknown where s1 equals s2, or "
-    "lies below the share of --mask; unknown values are infinite. Where a part is pressed, s1 is about 0 and its "
-    "direction is that of the surface's normal, of no use on it: how much of the surface that is, is said and kept as "
-    "a "
-    "fact. --tangent takes the direction of the greatest stress in the tangent plane instead.";
+    "positive. Unknown values are infinite. Without --stress nothing is added.\n\n"
+    "The file, as it is or packed by gzip, is one of three, known by its content. The result of CalculiX as text "
+    "(FRD): "
+    "its STRESS of every step, or of --step, is a load case of the step's number. A VTK grid (VTU) in any encoding but "
+    "LZ4 and LZMA: every array of 6 (xx yy zz xy yz zx) or 9 numbers at the points is a load case of its name, but for "
+    "strains; --columns names others, also of vectors. A table (CSV) with a line per point: x,y,z and the vector of "
+    "s1, "
+    "also s1,s2,s3, or the whole tensor; columns are known by the header's names or by --columns, which lists in order "
+    "what they are: x,y,z, s1x,s1y,s1z, s1,s2,s3, sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is "
+    "the length of the vector.\n\n"
+    "If there are elements, a vertex takes the stress in the element it lies in, else at the nearest place of their "
+    "outer faces that face its way. Of bare points it takes the mean, by moving least squares, of the nearest on the "
+    "surface; those on the other side of a thin wall lie off it and do not count. --reach says how far off is too far. "
+    "A direction is unknown where s1 equals s2, or is below the share of --mask. Where a part is pressed, s1 is about "
+    "0 "
+    "and its direction is the surface's normal, of no use on it: how much of the surface that is, is said and kept as "
+    "a fact. --tangent takes the direction of the greatest stress in the tangent plane instead.";
 
 cli::Spec spec(Options& o) {
     return {
@@ -46,23 +52,25 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::surface),
         .memory = "the surface, and the file of stresses twice over",
-        .options = {Option{"stress", &o.file, "FILE", "the stresses, a CSV file; also packed by gzip"}.not_a_setting(),
-                    {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
-                    {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
-             {"columns", &o.read.columns, "ROLE,...", "what the columns of a CSV are; none: by their names"},
-                    Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
-                    Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
-                        {"MPa", "Pa", "kPa", "GPa", "psi"}),
-                    Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by their spacing"}
-                        .at_least(0),
-                    {"tangent", &o.place.tangent, "", "directions in the tangent plane"},
-                    Option{"mask", &o.place.mask, "SHARE", "no direction where s1 is below this share of its greatest"}
-                        .at_least(0)
-                        .at_most(1)},
+        .options =
+            {Option{"stress", &o.file, "FILE", "the stresses: FRD, VTU or CSV, also packed by gzip"}.not_a_setting(),
+             {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
+             {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
+             {"columns", &o.read.columns, "NAME,...",
+              "what the columns of a CSV are, or arrays of a VTU; none: see above"},
+             Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
+             Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
+                 {"MPa", "Pa", "kPa", "GPa", "psi"}),
+             Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by the spacing there"}
+                 .at_least(0),
+             {"tangent", &o.place.tangent, "", "directions in the tangent plane"},
+             Option{"mask", &o.place.mask, "SHARE", "no direction where s1 is below this share of its greatest"}
+                 .at_least(0)
+                 .at_most(1)},
         .examples =
-            {{"printf 'x,y,z,s1x,s1y,s1z\\n0,0,1,5,0,0\\n9,0,1,5,0,0\\n9,9,1,5,0,0\\n0,9,1,5,0,0\\n' > stress.csv; "
-              "geodesic part.stl | stressfield --stress stress.csv --case X --reach 1 | peek",
-              "a part that is pulled with 5 MPa at the corners of its top"}},
+            {{"printf '0 0 1 5 0 0\\n9 0 1 5 0 0\\n9 9 1 5 0 0\\n0 9 1 5 0 0\\n' > stress.csv; geodesic part.stl | "
+              "stressfield --stress stress.csv --case X --reach 1 | peek",
+              "a part that is pulled along x with 5 MPa at the corners of its top"}},
         .see_also = {"geodesic", "peek"}};
 }
 

@@ -52,14 +52,17 @@ cli::Spec spec(Options& o) {
              Option{"savgol-degree", &o.paper.degree, "", "of its polynomials, below the window"}.at_least(0).at_most(
                  9),
              Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
-             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: spacing / 2"}.at_least(
+             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 spacing"}.at_least(
                  0),
              Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 spacing"}.at_least(
                  0),
              Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
                  0)},
-        .examples = {{"geodesic part.stl --source boundary | surfpath geo-fiso --spacing 2 > part.toolpath",
-                      "one path over a surface"}},
+        .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
+                      "one path over a surface, here a part without its top"},
+                     {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "
+                      "--method kipping2022 > part.toolpath",
+                      "rows beside a plane, as the paper lays them"}},
         .see_also = {"geodesic", "metrics", "render"},
         .arguments = "[ALGORITHM] [INPUT]",
         .leading = "algorithm"};

@@ -198,12 +198,12 @@ Area measure_area(const Ground& ground, const PathField& field, double strip_wid
     return out;
 }
 
-double paper_area_fraction(const Ground& ground, const Fibres& fibres, double d, double step, int threads) {
+double paper_area_fraction(const Ground& ground, std::span<const Sample> samples, double d, int threads) {
     const Surface& s = ground.finer.surface;
     std::vector<Vec3> points;
-    for (const Chain& c : fibres.chains) {
-        const auto more = resampled(c, step);
-        points.insert(points.end(), more.begin(), more.end());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        points.push_back(samples[i].a);
+        if (i + 1 == samples.size() || !(samples[i + 1].a == samples[i].b)) points.push_back(samples[i].b);
     }
     surface::Sources sources;
     sources.segments.resize(points.size());

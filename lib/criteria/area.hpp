@@ -5,6 +5,7 @@
 #include "geodesic/exact.hpp"
 
 #include <limits>
+#include <span>
 
 namespace filum::criteria {
 
@@ -38,8 +39,8 @@ struct Area {
 Area measure_area(const Ground& ground, const PathField& field, double strip_width, int threads);
 
 // The paper's share (Kipping et al. 2022, 4.1.3): 1 - A_u / A_s, where A_u are triangles whose three corners are all
-// farther than `d` from the path.  Its text prints (1 - A_u) / A_s, but says what 0 and 1 mean.  Path points are those
-// every `step` mm; distances are exact, the triangles those of the finer surface.
-double paper_area_fraction(const Ground& ground, const Fibres& fibres, double d, double step, int threads);
+// farther than `d` from the path.  Its text prints (1 - A_u) / A_s, but says what 0 and 1 mean.  Path points are the
+// ends of the samples; distances are exact, the triangles those of the finer surface.
+double paper_area_fraction(const Ground& ground, std::span<const Sample> samples, double d, int threads);
 
 } // namespace filum::criteria

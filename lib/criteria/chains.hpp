@@ -4,6 +4,7 @@
 #include "toolpath/path.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace filum::criteria {
@@ -16,6 +17,7 @@ struct Chain {
     std::vector<double> along;        // mm from the start, per point
     std::vector<Vec3> axes;           // per point: where the tool comes from; (0, 0, 0) where that is not said
     std::vector<toolpath::Role> role; // per stretch
+    std::vector<std::uint32_t> layer; // per stretch: the ply
     std::vector<double> width;        // mm, per stretch: the mean of its ends
 
     [[nodiscard]] double length() const { return along.back(); }

@@ -24,16 +24,23 @@ struct Bend {
 struct Bends {
     std::vector<Bend> places; // every quarter of a step or so
     std::size_t turns = 0;    // of more than 90 degrees to one side within 16 steps
+    struct Range {
+        double from, to; // mm along the chain
+    };
+    std::vector<Range> around; // 8 steps around wherever such a turn is under way; ascending, apart
 };
 
 // Geodesic: at each point of the chain the polyline turns by an angle in the tangent plane.  It is taken as spread
 // evenly over half of the stretches beside the point, but at most `step` mm each way, and the curvature at a place is
-// what lies within `step` mm of it each way, divided by that length (at a chain's ends: by what there is of it, without
-// the outer half of a stretch shorter than 2 steps).  So the figures do not depend on how evenly a curve's points lie
-// if they are not farther apart than 2 steps: a circle of any points has its own radius.  A sharp corner of angle a
-// counts as an arc of curvature a / (2 step). Normal: by how much the surface's normal nods forward over the same
-// stretch (Weingarten), not by the polyline, which on triangles bends at their sides only. `normals`: unit, of the
-// surface, per point of the chain.
+// what lies within `step` mm of it each way, divided by that length; nearer to a chain's ends: what it is a step inside
+// of them, not counting the outer half of a stretch shorter than 2 steps.  So the figures do not depend on how evenly a
+// curve's points lie if they are not farther apart than 2 steps: a circle of any points has its own radius.  A sharp
+// corner of angle a counts as an arc of curvature a / (2 step).  Points within a thousandth of a step are one.
+//
+// Normal: by how much the surface's normal nods forward over the same stretch (Weingarten), not by the polyline, which
+// on triangles bends at their sides only.
+//
+// `normals`: of the surface, unit, per point of the chain.
 Bends bends(const Chain& chain, std::span<const Vec3> normals, double step);
 
 } // namespace filum::criteria

@@ -44,13 +44,14 @@ bool inside(const Surface& s, const curve::Place& place) {
 // Lays one stretch of a chain onto the finer surface.
 class Laying {
   public:
-    Laying(const Ground& ground, Shadow& out) : ground_(ground), surface_(ground.finer.surface), out_(out) {}
+    Laying(const Ground& ground, double level, Shadow& out)
+        : ground_(ground), surface_(ground.finer.surface), level_(level), out_(out) {}
 
     void stretch(const Chain& c, std::size_t i, double from, double to, int halvings = 0) {
         const curve::Place a = place(c, i, from), b = place(c, i, to);
-        const bool a_off = beside(c, i, from, a), b_off = beside(c, i, to, b);
-        if (a_off && b_off) {
-            out_.beside += (to - from) * (c.along[i + 1] - c.along[i]);
+        const Off a_off = off(c, i, from, a), b_off = off(c, i, to, b);
+        if (a_off != Off::no && a_off == b_off) {
+            (a_off == Off::beside ? out_.beside : out_.aloft) += (to - from) * (c.along[i + 1] - c.along[i]);
             return;
         }
         const curve::Line way = a.triangle == b.triangle ? curve::Line{{a, b}, false} : curve::join(surface_, a, b);
@@ -79,9 +80,12 @@ class Laying {
     static Vec3 at(const Chain& c, std::size_t i, double t) {
         return c.points[i] + t * (c.points[i + 1] - c.points[i]);
     }
-    [[nodiscard]] bool beside(const Chain& c, std::size_t i, double t, const curve::Place& foot) const {
-        const Vec3 off = at(c, i, t) - foot.point, n = surface::normal(surface_, foot.triangle);
-        return norm(off - dot(off, n) * n) > kBeside * c.width[i] && on_rim(surface_, foot);
+    // Why a place of the path has no shadow, if it has none.
+    enum class Off : std::uint8_t { no, beside, aloft };
+    [[nodiscard]] Off off(const Chain& c, std::size_t i, double t, const curve::Place& foot) const {
+        const Vec3 way = at(c, i, t) - foot.point, n = surface::normal(surface_, foot.triangle);
+        if (norm(way - dot(way, n) * n) > kBeside * c.width[i] && on_rim(surface_, foot)) return Off::beside;
+        return norm(way) > level_ + c.width[i] / 2 ? Off::aloft : Off::no;
     }
     void add(const Chain& c, std::size_t i, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
         out_.segments.push_back({triangle, a, distance(a, b) > kPoint ? b : a});
@@ -90,6 +94,7 @@ class Laying {
 
     const Ground& ground_;
     const Surface& surface_;
+    double level_; // mm
     Shadow& out_;
 };
 
@@ -117,7 +122,8 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
         for (std::size_t i = 0; i < n; ++i) {
             Sample s{.chain = k, .along = (static_cast<double>(i) + 0.5) * length, .length = length, .a = a};
             s.at = point_at(c, s.along, stretch);
-            s.width = c.width[stretch], s.hairpin = c.role[stretch] == toolpath::Role::hairpin;
+            s.layer = c.layer[stretch], s.width = c.width[stretch],
+            s.hairpin = c.role[stretch] == toolpath::Role::hairpin;
             const Vec3 here = c.points[stretch + 1] - c.points[stretch];
             axes.push_back(axis_at(c, stretch, (s.along - c.along[stretch]) / norm(here)));
             s.b = i + 1 == n ? c.points.back() : point_at(c, static_cast<double>(i + 1) * length, stretch);
@@ -155,13 +161,14 @@ Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
     return out;
 }
 
-Shadow shadow(const Fibres& fibres, const Ground& ground, double step, int threads) {
+Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& options, int threads) {
     std::vector<Shadow> parts(fibres.chains.size());
     parallel::for_chunks(parts.size(), 1, threads, [&](std::size_t k, std::size_t) {
         const Chain& c = fibres.chains[k];
-        Laying laying(ground, parts[k]);
+        Laying laying(ground, options.level, parts[k]);
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i) {
-            const auto n = static_cast<std::size_t>(std::ceil((c.along[i + 1] - c.along[i]) / step));
+            if (c.layer[i] != options.layer) continue;
+            const auto n = static_cast<std::size_t>(std::ceil((c.along[i + 1] - c.along[i]) / options.step));
             for (std::size_t j = 0; j < n; ++j)
                 laying.stretch(c, i, static_cast<double>(j) / static_cast<double>(n),
                                static_cast<double>(j + 1) / static_cast<double>(n));
@@ -171,7 +178,7 @@ Shadow shadow(const Fibres& fibres, const Ground& ground, double step, int threa
     for (const Shadow& p : parts) {
         out.segments.insert(out.segments.end(), p.segments.begin(), p.segments.end());
         out.width.insert(out.width.end(), p.width.begin(), p.width.end());
-        out.lost += p.lost, out.beside += p.beside;
+        out.lost += p.lost, out.beside += p.beside, out.aloft += p.aloft;
     }
     return out;
 }

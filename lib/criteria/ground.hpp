@@ -35,9 +35,11 @@ class Ground {
 // A short stretch of a chain, and the surface at its middle.
 struct Sample {
     std::uint32_t chain = 0;
+    std::uint32_t layer = 0;
     double along = 0;     // mm from the chain's start to the middle
     double length = 0;    // mm
     double width = 0;     // mm, of the bead
+    bool turning = false; // in or near a turn, see Bends; set by whoever has them
     bool hairpin = false; //
     Vec3 at{}, a{}, b{};  // its middle and its ends, on the path
     Vec3 tangent{};       // unit, from end to end
@@ -57,13 +59,21 @@ struct Feet {
 };
 Feet feet(const Fibres& fibres, const Ground& ground, int threads);
 
-// The shadow of a chain on the finer surface: stretches within triangles, each at a place of the path.
+// The shadow of the path on the finer surface: stretches within triangles.  It has none where it lies past a rim by
+// more than a twentieth of the bead, or is farther from the surface than half a bead above `level`.
 struct Shadow {
     std::vector<surface::Segment> segments;
     std::vector<double> width; // mm, per segment
     double lost = 0;           // mm of path that no way on the surface follows: across gaps
-    double beside = 0;         // mm of path past a rim, by more than a twentieth of the bead: it has no shadow
+    double beside = 0;         // mm of path past a rim
+    double aloft = 0;          // mm of path too far from the surface
 };
-Shadow shadow(const Fibres& fibres, const Ground& ground, double step, int threads);
+// Of the stretches of one layer.  `level`: mm, how far the path is meant to be from the surface.  `step`: mm, stretches
+// laid at once.
+struct ShadowOptions {
+    std::uint32_t layer = 0;
+    double level = 0, step = 0.5;
+};
+Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& options, int threads);
 
 } // namespace filum::criteria

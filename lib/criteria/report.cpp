@@ -2,11 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "criteria/area.hpp"
 #include "criteria/curvature.hpp"
 #include "criteria/load.hpp"
+#include "criteria/plies.hpp"
 #include "criteria/strands.hpp"
-#include "geodesic/query.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -21,6 +20,7 @@ using figures::Figures;
 
 constexpr double kWidest = 20;       // bead widths: how far apart strands may be
 constexpr double kMostSamples = 2e7; //
+constexpr double kBeyond = 1.05;     // of the limit of curvature: what points leave uncertain
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 std::string place(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
@@ -58,14 +58,28 @@ void continuity(const Fibres& fibres, double area, Figures& out) {
     if (fibres.jumps > 0) out.push_back({g, "unmarked jumps", std::uint64_t{fibres.jumps}});
 }
 
-void curvature(const Job& job, const Feet& feet, Figures& out) {
+std::vector<Bends> bend(const Job& job, const Feet& feet) {
     const auto& chains = job.fibres.chains;
-    std::vector<Bends> bent(chains.size());
+    std::vector<Bends> out(chains.size());
     parallel::for_chunks(chains.size(), 1, job.threads, [&](std::size_t k, std::size_t) {
-        bent[k] = bends(chains[k], feet.normals[k], job.options.step);
+        out[k] = bends(chains[k], feet.normals[k], job.options.step);
     });
+    return out;
+}
+
+void mark_turns(const std::vector<Bends>& bent, std::vector<Sample>& samples) {
+    for (Sample& s : samples) {
+        const auto& around = bent[s.chain].around;
+        const auto it = std::lower_bound(around.begin(), around.end(), s.along,
+                                         [](const Bends::Range& r, double along) { return r.to < along; });
+        s.turning = it != around.end() && it->from <= s.along;
+    }
+}
+
+void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
+    const double limit = kBeyond * job.options.max_curvature;
     std::vector<Weighted> geodesic, normal, total;
-    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0;
+    double all = 0, sharp = 0, sharp_total = 0, plain = 0, sharp_plain = 0, total_plain = 0, most_plain = 0;
     std::size_t turns = 0;
     for (const Bends& b : bent) {
         turns += b.turns;
@@ -73,10 +87,13 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
             geodesic.push_back({std::abs(p.geodesic), p.length});
             normal.push_back({std::abs(p.normal), p.length});
             total.push_back({p.total(), p.length});
-            const bool over = std::abs(p.geodesic) > job.options.max_curvature;
+            const bool over = std::abs(p.geodesic) > limit;
             all += p.length, sharp += over ? p.length : 0;
-            sharp_total += p.total() > job.options.max_curvature ? p.length : 0;
-            if (!p.hairpin) plain += p.length, sharp_plain += over ? p.length : 0;
+            sharp_total += p.total() > limit ? p.length : 0;
+            if (p.hairpin) continue;
+            plain += p.length, sharp_plain += over ? p.length : 0;
+            total_plain += p.total() > limit ? p.length : 0;
+            most_plain = std::max(most_plain, p.total());
         }
     }
     const std::string g = "curvature";
@@ -90,24 +107,26 @@ void curvature(const Job& job, const Feet& feet, Figures& out) {
     out.push_back({g, "normal p99", quantile(normal, 0.99), 4, "1/mm"});
     out.push_back({g, "normal max", quantile(normal, 1), 4, "1/mm"});
     out.push_back({g, "least radius", 1 / quantile(total, 1), 3, "mm"});
+    out.push_back({g, "least radius outside hairpins", 1 / most_plain, 3, "mm"});
     out.push_back({g, "limit", job.options.max_curvature, 4, "1/mm"});
     out.push_back({g, "share above the limit, geodesic", share(sharp, all), 5});
     out.push_back({g, "share above the limit, geodesic, outside hairpins", share(sharp_plain, plain), 5});
     out.push_back({g, "share above the limit, total", share(sharp_total, all), 5});
+    out.push_back({g, "share above the limit, total, outside hairpins", share(total_plain, plain), 5});
     out.push_back({g, "length of declared hairpins", all - plain, 1, "mm"});
     out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
 }
 
-void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
+void area(const Plies& plies, Figures& out) {
     const std::string g = "area";
-    double laid = 0;
-    for (const Chain& c : job.fibres.chains)
-        for (std::size_t i = 0; i < c.width.size(); ++i) laid += c.width[i] * (c.along[i + 1] - c.along[i]);
-    const double fill = share(laid, a.surface), coverage = share(a.covered, a.surface), d = job.options.spacing;
-    out.push_back({g, "surface", a.surface, 2, "mm2"});
-    out.push_back({g, "paper: share within d of points",
-                   paper_area_fraction(job.ground, job.fibres, d, job.options.step, job.threads), 4});
+    const Area& a = plies.area;
+    const double fill = share(plies.laid, a.surface), coverage = share(a.covered, a.surface);
+    const auto n = static_cast<double>(plies.count);
+    out.push_back({g, "surface", a.surface / n, 2, "mm2"});
+    if (plies.count > 1) out.push_back({g, "plies", std::uint64_t{plies.count}});
+    out.push_back({g, "paper: share within d of points", plies.paper / n, 4});
     out.push_back({g, "coverage", coverage, 4});
+    if (plies.count > 1) out.push_back({g, "coverage of the worst ply", plies.least, 4});
     out.push_back({g, "fill ratio", fill, 4});
     out.push_back({g, "overlap", fill - coverage, 4});
     out.push_back({g, "largest void beyond beads", a.void_radius, 3, "mm"});
@@ -118,21 +137,25 @@ void area(const Job& job, const Area& a, const Shadow& below, Figures& out) {
         out.push_back({g, "coverage within d of a rim", share(a.strip_covered, a.strip), 4});
         out.push_back({g, "coverage elsewhere", share(a.covered - a.strip_covered, a.surface - a.strip), 4});
     }
-    if (below.beside > 0) out.push_back({g, "path beside the surface", below.beside, 2, "mm"});
-    if (below.lost > 0) out.push_back({g, "path across gaps of the surface", below.lost, 2, "mm"});
+    if (plies.beside > 0) out.push_back({g, "path beside the surface", plies.beside, 2, "mm"});
+    if (plies.aloft > 0) out.push_back({g, "path above the surface", plies.aloft, 2, "mm"});
+    if (plies.lost > 0) out.push_back({g, "path across gaps of the surface", plies.lost, 2, "mm"});
 }
 
-void spacing(const Job& job, Figures& out) {
-    const std::string g = "spacing";
+void spacing(const Job& job, bool turns, Figures& out) {
+    const std::string g = turns ? "spacing" : "spacing outside turns";
     std::vector<Weighted> signed_error, error;
-    for (const Gap& gap : gaps(job.samples, job.spread, job.threads)) {
+    for (const Gap& gap : gaps(job.samples, job.spread, turns, job.threads)) {
         signed_error.push_back({gap.error, gap.length});
         error.push_back({std::abs(gap.error), gap.length});
     }
     double sides = 0, found = 0;
-    for (const Sample& s : job.samples) sides += s.hairpin ? 0 : 2 * s.length;
+    for (const Sample& s : job.samples) sides += s.hairpin || (s.turning && !turns) ? 0 : 2 * s.length;
     for (const Weighted& w : error) found += w.weight;
-    out.push_back({g, "d", job.options.spacing, 4, "mm"});
+    if (turns)
+        out.push_back({g, "d", job.options.spacing, 4, "mm"});
+    else
+        out.push_back({g, "share of the path", share(sides / 2, length(job.fibres)), 4});
     out.push_back({g, "sides with a neighbour", share(found, sides), 4});
     for (const int p : {1, 50, 99})
         out.push_back({g, "gap / d - 1, p" + std::to_string(p), quantile(signed_error, p / 100.0), 4});
@@ -175,24 +198,9 @@ void load(const Job& job, Figures& out) {
 void off_surface(const Feet& feet, const std::vector<Sample>& samples, Figures& out) {
     std::vector<Weighted> off = feet.off;
     for (const Sample& s : samples) off.push_back({s.off, s.length});
+    out.push_back({"off the surface", "p50", quantile(off, 0.5), 4, "mm"});
     out.push_back({"off the surface", "p99", quantile(off, 0.99), 4, "mm"});
     out.push_back({"off the surface", "max", quantile(off, 1), 4, "mm"});
-}
-
-surface::Sheet distances(const Job& job, const PathField& field) {
-    const Surface& coarse = job.ground.finer.surface;
-    Finer fine = finer(coarse, job.options.spacing / 4, 1'500'000);
-    surface::Field out{"path-distance", std::vector<double>(fine.surface.vertices.size(), INFINITY)};
-    std::vector<std::uint32_t> in(fine.surface.vertices.size());
-    for (std::uint32_t t = 0; t < fine.parent.size(); ++t)
-        for (const std::uint32_t v : fine.surface.triangles[t]) in[v] = fine.parent[t];
-    parallel::for_chunks(in.size(), 1024, job.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            for (const auto& c : field.classes)
-                out.values[v] =
-                    std::min(out.values[v], geodesic::distance_at(coarse, c.field, in[v], fine.surface.vertices[v]));
-    });
-    return {std::move(fine.surface), {std::move(out)}, {}, {}};
 }
 
 // Options that nothing sensible, or nothing in sensible time, could be measured by.
@@ -222,19 +230,20 @@ Measured measure(const Fibres& fibres, const surface::Sheet& sheet, const Option
     }
     if (options.step == 0) options.step = options.spacing / 4;
     check(options, width, length(fibres));
-    const Job job(fibres, sheet, options, width, threads);
+    Job job(fibres, sheet, options, width, threads);
     const Feet touch = feet(fibres, job.ground, threads);
-    const Shadow below = shadow(fibres, job.ground, options.spacing / 2, threads);
-    const PathField field = path_field(job.ground, below);
-    const Area areas = measure_area(job.ground, field, options.spacing, threads);
-    continuity(fibres, areas.surface, out.figures);
+    const auto bent = bend(job, touch);
+    mark_turns(bent, job.samples);
+    auto plies = measure_plies(fibres, job.ground, job.samples, {options.spacing, distance}, threads);
+    continuity(fibres, plies.area.surface, out.figures);
     out.figures.push_back({"continuity", "retraced", retraced(job.samples, threads), 1, "mm"});
-    curvature(job, touch, out.figures);
-    area(job, areas, below, out.figures);
-    spacing(job, out.figures);
+    curvature(job, bent, out.figures);
+    area(plies, out.figures);
+    spacing(job, true, out.figures);
+    spacing(job, false, out.figures);
     load(job, out.figures);
     off_surface(touch, job.samples, out.figures);
-    if (distance) out.distance = distances(job, field);
+    out.distance = std::move(plies.distance);
     return out;
 }
 

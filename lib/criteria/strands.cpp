@@ -81,18 +81,19 @@ double arc(double chord, const Vec3& n, const Vec3& m) {
 
 class Search {
   public:
-    Search(std::span<const Sample> samples, const Cells& cells, double spread)
-        : samples_(samples), cells_(cells), spread_(spread) {}
+    Search(std::span<const Sample> samples, const Cells& cells, double spread, bool turns)
+        : samples_(samples), cells_(cells), spread_(spread), turns_(turns) {}
 
     void gaps(std::uint32_t i, std::vector<Gap>& out) const {
         const Sample& s = samples_[i];
-        if (s.hairpin) return;
+        if (left_out(s)) return;
         const Vec3 aside = cross(s.normal, s.tangent);
         double nearest[2] = {kFar, kFar};
         cells_.near(s.at, [&](std::uint32_t k) {
             const Sample& o = samples_[k];
+            if (o.layer != s.layer || left_out(o)) return;
             const double nominal = (s.width + o.width) / 2 * spread_;
-            if (o.hairpin || dot(s.normal, o.normal) <= 0 || std::abs(dot(s.tangent, o.tangent)) < kParallel) return;
+            if (dot(s.normal, o.normal) <= 0 || std::abs(dot(s.tangent, o.tangent)) < kParallel) return;
             if (o.chain == s.chain && std::abs(o.along - s.along) < kBetween * nominal) return;
             const double before = dot(o.a - s.at, s.tangent), after = dot(o.b - s.at, s.tangent);
             if ((before < 0) == (after < 0)) return;
@@ -109,8 +110,8 @@ class Search {
         const Sample& s = samples_[i];
         bool found = false;
         cells_.near(s.at, [&](std::uint32_t k) {
-            if (found || k >= i) return;
             const Sample& o = samples_[k];
+            if (found || k >= i || o.layer != s.layer) return;
             if (dot(s.normal, o.normal) <= 0 || std::abs(dot(s.tangent, o.tangent)) < kSameWay) return;
             if (o.chain == s.chain && std::abs(o.along - s.along) < kSameBetween * s.width) return;
             const Vec3 d = o.b - o.a;
@@ -121,17 +122,20 @@ class Search {
     }
 
   private:
+    [[nodiscard]] bool left_out(const Sample& s) const { return s.hairpin || (s.turning && !turns_); }
+
     static constexpr double kFar = std::numeric_limits<double>::infinity();
     std::span<const Sample> samples_;
     const Cells& cells_;
     double spread_;
+    bool turns_;
 };
 
 } // namespace
 
-std::vector<Gap> gaps(std::span<const Sample> samples, double spread, int threads) {
+std::vector<Gap> gaps(std::span<const Sample> samples, double spread, bool turns, int threads) {
     const Cells cells(samples, kNeighbour * spread * widest(samples) * 1.2);
-    const Search search(samples, cells, spread);
+    const Search search(samples, cells, spread, turns);
     std::vector<std::vector<Gap>> parts((samples.size() + kGrain - 1) / kGrain);
     parallel::for_chunks(samples.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) search.gaps(static_cast<std::uint32_t>(i), parts[begin / kGrain]);
@@ -143,7 +147,7 @@ std::vector<Gap> gaps(std::span<const Sample> samples, double spread, int thread
 
 double retraced(std::span<const Sample> samples, int threads) {
     const Cells cells(samples, widest(samples));
-    const Search search(samples, cells, 1);
+    const Search search(samples, cells, 1, true);
     std::vector<char> found(samples.size(), 0);
     parallel::for_chunks(samples.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) found[i] = search.retraced(static_cast<std::uint32_t>(i)) ? 1 : 0;

@@ -56,6 +56,24 @@ double excess(const Surface& s, std::span<const double> distance) {
     return out;
 }
 
+DistanceError distance_error(std::span<const double> truth, std::span<const double> distance) {
+    constexpr double kNearest = 0.02; // of the farthest: nearer ones would be divided by next to nothing
+    DistanceError out;
+    for (const double d : truth)
+        if (std::isfinite(d)) out.known = std::max(out.known, d);
+    std::vector<double> errors;
+    for (std::size_t v = 0; v < truth.size(); ++v)
+        if (std::isfinite(truth[v]) && truth[v] > kNearest * out.known)
+            errors.push_back(std::abs(distance[v] - truth[v]) / truth[v]);
+    out.vertices = errors.size();
+    if (errors.empty()) return out;
+    std::sort(errors.begin(), errors.end());
+    for (const double e : errors) out.mean += e / static_cast<double>(errors.size());
+    out.p99 = errors[(errors.size() - 1) * 99 / 100];
+    out.largest = errors.back();
+    return out;
+}
+
 Facts certificate(const Surface& s, std::span<const double> distance) {
     double farthest = 0, reached = 0;
     for (const double d : distance)

@@ -22,6 +22,16 @@ SlopeError slope_error(const Surface& surface, std::span<const double> distance)
 // By how much any two neighbours differ by more than the edge between them is long, mm: 0 for exact values.
 double excess(const Surface& surface, std::span<const double> distance);
 
+// Distances beside exact ones, where those are known.
+struct DistanceError {
+    std::size_t vertices = 0;              // compared: those farther than a fiftieth of the farthest that is known
+    double known = 0;                      // mm: up to where
+    double mean = 0, p99 = 0, largest = 0; // of the exact distance
+};
+
+// `truth` is infinite where it is not known.
+DistanceError distance_error(std::span<const double> truth, std::span<const double> distance);
+
 // These as facts: "reached", "unreached", "farthest-vertex", "excess", "slope-error-mean", "slope-error-p99",
 // "slope-error-below-0.01" ...
 Facts certificate(const Surface& surface, std::span<const double> distance);

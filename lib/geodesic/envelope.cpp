@@ -28,7 +28,7 @@ std::uint32_t Propagation::fresh() {
     if (field_.windows.size() >= (std::size_t{1} << 31))
         throw Error(Exit::failure, "cannot compute exact distances: the surface needs too many windows; remesh it "
                                    "coarser, or use the heat method");
-    field_.windows.emplace_back();
+    field_.windows.add();
     return static_cast<std::uint32_t>(field_.windows.size() - 1);
 }
 
@@ -68,7 +68,7 @@ void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double na
 
 // Makes the list the lower envelope of itself and `w`.
 void Propagation::insert(Side& exit, const Window& w) {
-    const auto& windows = field_.windows;
+    const Windows& windows = field_.windows;
     const double narrow = kNarrow * exit.length;
     // Windows from different sources may come in another order than they left.
     std::uint32_t before = exit.cursor;
@@ -118,7 +118,14 @@ void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first,
         before = node;
     }
     (before == kNone ? field_.first[exit.list] : field_.windows[before].next) = after;
-    for (; spare != after; spare = field_.windows[spare].next) free_.push_back(spare);
+    while (spare != after) {
+        const std::uint32_t next = field_.windows[spare].next;
+        if (forgets_)
+            field_.windows.drop(spare);
+        else
+            free_.push_back(spare);
+        spare = next;
+    }
 }
 
 // A window that comes to an exit; the source is a line's direction if `line`.
@@ -137,7 +144,8 @@ void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, 
     }
     ++field_.propagated;
     insert(exit, w);
-    if (w.pending) queue_.push(exit.list, std::min(at0, at1));
+    const bool foot = !line && sx > b0 && sx < b1; // nearest there, else at an end
+    if (w.pending) queue_.push(exit.list, foot ? sigma - sy : std::min(at0, at1));
 }
 
 } // namespace filum::geodesic

@@ -45,8 +45,8 @@ geom::Vec2 flatten(const Surface& s, const Frame& f, std::uint32_t h, const Vec3
     return {dot(p - a, x), dot(p - a, up) / f.cy};
 }
 
-Propagation::Propagation(const Surface& s)
-    : surface_(s), slack_(kSlack * surface::mean_edge(s)),
+Propagation::Propagation(const Surface& s, bool forgets)
+    : surface_(s), forgets_(forgets), slack_(kSlack * surface::mean_edge(s)),
       queue_(s.twin.size() + s.vertices.size(), surface::mean_edge(s)) {
     field_.distance.assign(s.vertices.size(), std::numeric_limits<double>::infinity());
     field_.frame = frames(s);
@@ -55,7 +55,6 @@ Propagation::Propagation(const Surface& s)
     for (auto& list : field_.across)
         if (list == kNone) list = lists++;
     field_.first.assign(lists, kNone);
-    field_.windows.reserve(8 * s.twin.size()); // what most surfaces come out with; untouched memory costs nothing
     spreads_ = saddles(s, field_.frame);
 }
 
@@ -113,10 +112,10 @@ void Propagation::cross(std::uint32_t h) {
         const double dx0 = line ? w.sx : w.b0 - w.sx, dx1 = line ? w.sx : w.b1 - w.sx, dy = line ? w.sy : -w.sy;
         if (dy < kGrazing * (line ? 1 : f.length)) continue;
         const double k0 = dx0 * cy - dy * (cx - w.b0), k1 = dx1 * cy - dy * (cx - w.b1);
-        const auto on_left = [&](double b, double dx) {
-            return std::clamp(dy * b / (dy * lx - dx * ly), 0.0, fl.length);
-        };
-        const auto on_right = [&](double k, double dx) { return std::clamp(k / (dy * rx - dx * ry), 0.0, fr.length); };
+        // Of a ray along the side itself no place can be told: all of the side is as good as any.
+        const auto within = [](double x, double length) { return x > 0 ? std::min(x, length) : 0; };
+        const auto on_left = [&](double b, double dx) { return within(dy * b / (dy * lx - dx * ly), fl.length); };
+        const auto on_right = [&](double k, double dx) { return within(k / (dy * rx - dx * ry), fr.length); };
         const bool goes_left = k0<0, goes_right = k1> 0;
         if (goes_left && goes_right)
             reach(top, line ? w.sigma + w.sx * cx + w.sy * cy : w.sigma + length(cx - w.sx, cy - w.sy));
@@ -136,22 +135,58 @@ void Propagation::cross(std::uint32_t h) {
     }
 }
 
-void Propagation::run(double farthest) {
+// Gives back the windows of a list.
+void Propagation::forget(std::uint32_t list) {
+    for (std::uint32_t node = field_.first[list]; node != kNone;) {
+        const std::uint32_t next = field_.windows[node].next;
+        field_.windows.drop(node);
+        node = next;
+    }
+    field_.first[list] = kNone;
+}
+
+// Whatever comes while a row is at work is no nearer than where the row begins, but for half an edge: keys are
+// distances at the ends of windows, which may be nearer between.  An edge is done with when all such is farther than
+// the ways over its ends, since then offer() turns it down.
+double Propagation::run(double farthest, std::uint64_t most) {
+    const double row = surface::mean_edge(surface_);
+    BucketQueue done(forgets_ ? surface_.twin.size() : 0, row);
+    double known = std::numeric_limits<double>::infinity();
     for (std::uint32_t id = queue_.pop(farthest); id != kNone; id = queue_.pop(farthest)) {
-        if (id < surface_.twin.size())
-            cross(id);
-        else
+        if (field_.propagated > most) {
+            known = queue_.begin();
+            break;
+        }
+        if (id >= surface_.twin.size()) {
             leave_vertex(id - static_cast<std::uint32_t>(surface_.twin.size()));
+            continue;
+        }
+        cross(id);
+        if (!forgets_) continue;
+        const double end = std::min(field_.distance[surface_.tail(id)], field_.distance[surface_.head(id)]);
+        if (std::isfinite(end)) done.push(id, end + field_.frame[id].length + row);
+        while ((id = done.pop(queue_.begin())) != kNone) forget(id);
     }
     for (double& d : field_.distance)
-        if (d > farthest) d = std::numeric_limits<double>::infinity();
+        if (d > std::min(farthest, known)) d = std::numeric_limits<double>::infinity();
+    return std::min(known, farthest);
 }
 
 ExactField exact(const Surface& surface, const Sources& sources, double farthest) {
-    Propagation p(surface);
+    Propagation p(surface, false);
     p.add(sources);
-    p.run(farthest);
+    p.run(farthest, std::numeric_limits<std::uint64_t>::max());
     return p.take();
+}
+
+ExactDistances exact_distances(const Surface& surface, const Sources& sources, double farthest, std::uint64_t most) {
+    Propagation p(surface, true);
+    p.add(sources);
+    ExactDistances out;
+    out.known = p.run(farthest, most);
+    ExactField field = p.take();
+    out.distance = std::move(field.distance), out.propagated = field.propagated;
+    return out;
 }
 
 } // namespace filum::geodesic

@@ -28,7 +28,7 @@ struct ExactField {
     // 3 * triangles + i, windows that reach the i-th side of the rims from within.
     std::vector<Frame> frame;          // per half-edge
     std::vector<std::uint32_t> across; // per half-edge: the one whose list holds what leaves the triangle there
-    std::vector<Window> windows;
+    Windows windows;
     std::vector<std::uint32_t> first; // per list: the window with the least b0, kNone if there is none
     std::vector<Segment> segments;    // the sources that are no vertices, by triangle
     std::uint64_t propagated = 0;     // windows in all, those replaced by nearer ones included
@@ -44,5 +44,16 @@ struct ExactField {
 // are good for nothing beyond.
 ExactField exact(const Surface& surface, const Sources& sources,
                  double farthest = std::numeric_limits<double>::infinity());
+
+// Only the distances of the vertices, in a fraction of the memory: windows are given back once nothing that is still
+// to come can be nearer.  Stops also after `most` windows, having found what is nearer than `known` then.
+struct ExactDistances {
+    std::vector<double> distance; // per vertex, as in ExactField
+    double known = 0;             // mm; infinite if all was found
+    std::uint64_t propagated = 0;
+};
+ExactDistances exact_distances(const Surface& surface, const Sources& sources,
+                               double farthest = std::numeric_limits<double>::infinity(),
+                               std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 } // namespace filum::geodesic

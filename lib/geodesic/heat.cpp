@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSliver = 1e-5;  // of the mean edge: by how much two sides are longer than the third, at least
 constexpr double kFaded = 1e-290; // heat below it has lost digits
-constexpr double kReach = 360;    // of the square root of the time in the box's diagonal, at most: heat falls by e each
+constexpr double kReach = 420;    // of the square root of the time in the box's diagonal, at most: heat falls by e each
 constexpr int kRaises = 12;
 constexpr double kNear = 16; // mean edges: up to here distances are computed exactly
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -53,21 +53,24 @@ Heat::Heat(const Surface& s, const Sources& sources, const HeatOptions& options)
     assemble();
     factorise_flow();
     if (options.paper) ground();
-    // Known vertices leave the system, as do components without a source: rows and columns of the identity.
+    std::vector<char> known(s.vertices.size(), 0); // components without a source are, too
+    for (std::size_t v = 0; v < known.size(); ++v)
+        known[v] = reached_[s.component[s.outgoing[v] / 3]] == 0 || !std::isnan(pinned_[v]) ? 1 : 0;
+    potential_ = held(known);
+}
+
+// Of the potential, whose known values leave the system: rows and columns of the identity.
+Factor Heat::held(const std::vector<char>& known) const {
     Sparse a = stiffness_;
-    std::vector<char> known(s.vertices.size(), 0);
-    for (std::size_t v = 0; v < known.size(); ++v) {
-        const bool off = reached_[s.component[s.outgoing[v] / 3]] == 0;
-        known[v] = off || !std::isnan(pinned_[v]) ? 1 : 0;
-    }
     for (int col = 0; col < a.outerSize(); ++col)
         for (Sparse::InnerIterator it(a, col); it; ++it)
             if (known[static_cast<std::size_t>(it.row())] != 0 || known[static_cast<std::size_t>(col)] != 0)
                 it.valueRef() = it.row() == col ? 1 : 0;
-    potential_ = flow_.same_order();
-    if (!potential_.factorise(a))
+    Factor out = flow_.same_order();
+    if (!out.factorise(a))
         throw Error(Exit::failure, "cannot solve for the distances: the surface's matrix is not positive definite; "
                                    "remesh it, or use the exact method");
+    return out;
 }
 
 // Where heat starts, and what is known beforehand.
@@ -84,7 +87,7 @@ void Heat::start(const Sources& sources) {
             start_on(e);
     }
     if (options_.paper) return;
-    const auto near = exact(s, sources, kNear * surface::mean_edge(s)).distance;
+    const auto near = exact_distances(s, sources, kNear * surface::mean_edge(s)).distance;
     for (std::size_t v = 0; v < near.size(); ++v)
         if (std::isfinite(near[v])) pinned_[v] = near[v];
 }
@@ -205,8 +208,7 @@ VectorXd Heat::divergence(const VectorXd& u) const {
     return out;
 }
 
-std::vector<double> Heat::distance() {
-    const Surface& s = surface_;
+VectorXd Heat::flow() {
     VectorXd u = flow_.solve(initial_);
     while (!options_.paper && raised_ < kRaises && faded(u)) {
         time_ *= 4;
@@ -214,7 +216,12 @@ std::vector<double> Heat::distance() {
         factorise_flow();
         u = flow_.solve(initial_);
     }
-    VectorXd right = -divergence(u);
+    return u;
+}
+
+std::vector<double> Heat::distance() {
+    const Surface& s = surface_;
+    VectorXd right = -divergence(flow());
     // known values go to the right side
     const auto value = [&](std::size_t v) { return reached_[s.component[s.outgoing[v] / 3]] == 0 ? 0.0 : pinned_[v]; };
     for (int col = 0; col < stiffness_.outerSize(); ++col)
@@ -228,12 +235,61 @@ std::vector<double> Heat::distance() {
         if (!std::isnan(value(v))) right[static_cast<Eigen::Index>(v)] = value(v);
     VectorXd phi = potential_.solve(right);
     if (options_.paper) shift(phi);
+    return finished(phi);
+}
+
+// Infinite where no source is, and nowhere below 0.
+std::vector<double> Heat::finished(const VectorXd& phi) const {
+    const Surface& s = surface_;
     std::vector<double> out(phi.data(), phi.data() + phi.size());
     for (std::size_t v = 0; v < out.size(); ++v) {
         if (reached_[s.component[s.outgoing[v] / 3]] == 0) out[v] = kInfinity;
         out[v] = std::max(0.0, out[v]);
     }
     return out;
+}
+
+// Shifts each component to what is known around its sources, most of all to the outer part of it, and runs over into
+// it.
+void Heat::fit(VectorXd& phi) const {
+    const Surface& s = surface_;
+    const double inner = kNear / 2 * surface::mean_edge(s);
+    std::vector<double> sum(s.components, 0), weights(s.components, 0);
+    for (std::size_t v = 0; v < pinned_.size(); ++v) {
+        if (std::isnan(pinned_[v])) continue;
+        const std::uint32_t c = s.component[s.outgoing[v] / 3];
+        const double weight = pinned_[v] + 1e-3 * inner;
+        sum[c] += weight * (pinned_[v] - phi[static_cast<Eigen::Index>(v)]), weights[c] += weight;
+    }
+    for (std::size_t v = 0; v < pinned_.size(); ++v) {
+        const std::uint32_t c = s.component[s.outgoing[v] / 3];
+        double& d = phi[static_cast<Eigen::Index>(v)];
+        if (weights[c] > 0) d += sum[c] / weights[c];
+        if (std::isnan(pinned_[v])) continue;
+        const double out = std::clamp(pinned_[v] / inner - 1, 0.0, 1.0);
+        d = (1 - out) * pinned_[v] + out * d;
+    }
+}
+
+std::vector<double> Heat::distance_from(const Sources& sources) {
+    const Surface& s = surface_;
+    start(sources);
+    if (!floating_) {
+        held_.assign(s.vertices.size(), 0);
+        std::vector<char> has(s.components, 0);
+        for (std::size_t v = 0; v < held_.size(); ++v) {
+            char& one = has[s.component[s.outgoing[v] / 3]];
+            held_[v] = one == 0 ? 1 : 0;
+            one = 1;
+        }
+        floating_ = held(held_);
+    }
+    VectorXd right = -divergence(flow());
+    for (std::size_t v = 0; v < held_.size(); ++v)
+        if (held_[v] != 0) right[static_cast<Eigen::Index>(v)] = 0;
+    VectorXd phi = floating_->solve(right);
+    fit(phi);
+    return finished(phi);
 }
 
 } // namespace filum::geodesic

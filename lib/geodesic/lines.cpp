@@ -1,6 +1,7 @@
 #include "geodesic/lines.hpp"
 
 #include "base/error.hpp"
+#include "surface/meet.hpp"
 #include "surface/trace.hpp"
 
 #include <charconv>
@@ -57,6 +58,17 @@ void add_lines(Sources& sources, const Surface& s, const std::vector<std::vector
             notes.push_back(
                 {.stage = "", .what = "source line moved to the surface", .amount = trace.off, .unit = "mm"});
     }
+}
+
+Facts add_mesh(Sources& sources, const Surface& s, const mesh::Mesh& mesh) {
+    const surface::Meeting m = surface::meet(s, mesh);
+    if (m.segments.empty())
+        throw Error(Exit::usage, "cannot use --source-mesh: the mesh does not meet the surface; check that both are "
+                                 "placed alike");
+    sources.segments.insert(sources.segments.end(), m.segments.begin(), m.segments.end());
+    return {{"", "source-mesh-crossing", m.crossing, "mm"},
+            {"", "source-mesh-touching", m.touching, "mm"},
+            {"", "source-mesh-flush", m.flush, "mm2"}};
 }
 
 } // namespace filum::geodesic

@@ -4,6 +4,9 @@
 #include "geodesic/certificate.hpp"
 #include "geodesic/heat.hpp"
 #include "geodesic/isolines.hpp"
+#include "geodesic/sides.hpp"
+
+#include <limits>
 
 namespace filum::geodesic {
 
@@ -11,6 +14,10 @@ namespace {
 
 constexpr double kMaxLevels = 1e5;
 constexpr std::size_t kExactTriangles = 300'000;
+constexpr std::size_t kTried = 8;             // windows per triangle: what about as much time as heat allows for
+constexpr std::uint64_t kChecked = 4'000'000; // windows
+constexpr std::size_t kSmall = 100'000;       // triangles: up to here memory for all windows is no matter
+constexpr double kOff = 0.05, kFarOff = 0.2;  // of the distance: so much at 1 % of the vertices, or at one, is told
 
 // What no place on an edge is farther than.
 double farthest_on_edges(const Surface& s, std::span<const double> distance) {
@@ -39,21 +46,71 @@ std::vector<double> levels_up_to(double farthest, const Options& o) {
     return out;
 }
 
-bool is_exact(const Surface& s, const Options& o) {
-    if (o.paper && o.method != "heat") throw Error(Exit::usage, "cannot use --paper without --method heat");
-    return o.method == "exact" || (o.method == "auto" && s.triangles.size() <= kExactTriangles);
+// By the side of each line's first stretch that has one.
+int side_of(const Surface& s, const Sides& sides, const Isoline& line) {
+    for (std::size_t i = 0; i < line.triangles.size(); ++i) {
+        const Vec3 middle = 0.5 * (line.points[i] + line.points[(i + 1) % line.points.size()]);
+        if (const int side = sides.at(s, line.triangles[i], middle); side != 0) return side;
+    }
+    return 1;
+}
+
+void add_signs(const Surface& s, const Sources& sources, std::vector<double>& distance, std::vector<Isoline>& lines) {
+    const Sides found = sides(s, sources);
+    check(found, "--signed");
+    for (std::size_t v = 0; v < distance.size(); ++v)
+        if (found.of[v] < 0 && std::isfinite(distance[v])) distance[v] = -distance[v];
+    for (Isoline& line : lines) {
+        if (side_of(s, found, line) > 0) continue;
+        line.level = -line.level;
+        // The other way round: an open line's stretches turn with its points, a closed one's last joins last and first.
+        std::reverse(line.points.begin(), line.points.end());
+        std::reverse(line.triangles.begin(), line.triangles.end() - (line.closed ? 1 : 0));
+    }
+    std::stable_sort(lines.begin(), lines.end(), [](const Isoline& a, const Isoline& b) { return a.level < b.level; });
+}
+
+// What heat gave beside the exact distances, as far as those are known.
+void compare(std::span<const double> truth, std::span<const double> distance, Facts& facts, Notes& notes) {
+    const DistanceError e = distance_error(truth, distance);
+    facts.push_back({"", "heat-checked", static_cast<double>(e.vertices), "vertices"});
+    facts.push_back({"", "heat-checked-to", e.known, "mm"});
+    facts.push_back({"", "heat-error-mean", 100 * e.mean, "%"});
+    facts.push_back({"", "heat-error-p99", 100 * e.p99, "%"});
+    facts.push_back({"", "heat-error-max", 100 * e.largest, "%"});
+    if (e.p99 > kOff || e.largest > kFarOff)
+        notes.push_back(
+            {.stage = "", .what = "distance by heat is off by up to", .amount = 100 * e.largest, .unit = "%"});
+}
+
+bool wants_lines(const Options& o) { return !o.levels.empty() || o.spacing > 0; }
+
+// Exact distances as far as they are worth it: all of them where that is asked for, or cheap; else what can be had in
+// about the time of heat, or in a second to compare with.
+ExactDistances exact_part(const Surface& s, const Sources& sources, const Options& o) {
+    constexpr double kAll = std::numeric_limits<double>::infinity();
+    if (o.method == "heat") return exact_distances(s, sources, kAll, kChecked);
+    if (o.method == "auto" && s.triangles.size() > kExactTriangles)
+        return exact_distances(s, sources, kAll, kTried * s.triangles.size());
+    if (wants_lines(o) || s.triangles.size() <= kSmall) return {{}, kAll, 0}; // windows are wanted, or no matter
+    return exact_distances(s, sources);
 }
 
 } // namespace
 
-Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
+Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o, Notes& notes) {
     const Surface& s = sheet.surface;
-    const bool by_windows = is_exact(s, o);
+    if (o.paper && o.method != "heat") throw Error(Exit::usage, "cannot use --paper without --method heat");
+    ExactDistances found = exact_part(s, sources, o);
+    const bool by_windows = o.method != "heat" && !std::isfinite(found.known);
     Facts facts{{"", "exact", by_windows ? 1.0 : 0.0, ""}};
     std::vector<double> distance;
     const auto levels = [&] { return levels_up_to(farthest_on_edges(s, distance), o); };
-    if (by_windows) {
-        ExactField field = exact(s, sources);
+    if (by_windows && !wants_lines(o) && !found.distance.empty()) {
+        distance = std::move(found.distance);
+        facts.push_back({"", "windows", static_cast<double>(found.propagated), ""});
+    } else if (by_windows) {
+        const ExactField field = exact(s, sources);
         distance = field.distance;
         sheet.isolines = isolines(s, field, levels());
         facts.push_back({"", "windows", static_cast<double>(field.propagated), ""});
@@ -62,10 +119,13 @@ Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o) {
         distance = heat.distance();
         sheet.isolines = isolines(s, distance, levels());
         facts.push_back({"", "heat-time", heat.time(), "mm2"});
+        compare(found.distance, distance, facts, notes);
     }
     const Facts quality = certificate(s, distance);
     facts.insert(facts.end(), quality.begin(), quality.end());
+    if (o.with_sides) add_signs(s, sources, distance, sheet.isolines);
     facts.push_back({"", "isolines", static_cast<double>(sheet.isolines.size()), ""});
+    std::erase_if(sheet.fields, [](const surface::Field& f) { return f.name == "distance"; });
     sheet.fields.push_back({"distance", std::move(distance), 1});
     sheet.sources = sources;
     return facts;

@@ -21,6 +21,8 @@ class BucketQueue {
         if (rows_.size() <= row) rows_.resize(row + 1);
         rows_[row].push_back(id);
     }
+    // What the keys of the row that is at work are at least.
+    [[nodiscard]] double begin() const { return row_ * step_; }
     // The next id, or kNone if no other has a key below `end`, but for the width of a row.
     std::uint32_t pop(double end) {
         for (; row_ < rows_.size() && row_ * step_ < end; ++row_, at_ = 0) {
@@ -30,13 +32,13 @@ class BucketQueue {
                 row_of_[id] = kNone;
                 return id;
             }
-            rows_[row_] = {};
+            std::vector<std::uint32_t>().swap(rows_[row_]); // "= {}" would keep the memory
         }
         return kNone;
     }
 
   private:
-    static constexpr std::uint32_t kRows = 1U << 24; // all that is farther shares the last row
+    static constexpr std::uint32_t kRows = 1U << 20; // all that is farther shares the last row
     std::vector<std::vector<std::uint32_t>> rows_;
     std::vector<std::uint32_t> row_of_; // kNone: waits nowhere
     double step_;
@@ -46,10 +48,12 @@ class BucketQueue {
 
 class Propagation {
   public:
-    explicit Propagation(const Surface& surface);
+    // Keeps no windows but those that count for what is still to come, if it `forgets`.
+    Propagation(const Surface& surface, bool forgets);
 
     void add(const Sources& sources);
-    void run(double farthest);
+    // Returns up to where all is found.
+    double run(double farthest, std::uint64_t most);
     ExactField take() { return std::move(field_); }
 
   private:
@@ -76,6 +80,7 @@ class Propagation {
     void insert(Side& exit, const Window& w);
     void rewrite(Side& exit, std::uint32_t before, std::uint32_t first, std::uint32_t after);
     std::uint32_t fresh();
+    void forget(std::uint32_t list);
 
     struct Piece {
         std::uint32_t owner; // index into owners_
@@ -85,6 +90,7 @@ class Propagation {
     void add_overlap(std::uint32_t old, double lo, double hi, double narrow);
 
     const Surface& surface_;
+    bool forgets_;
     ExactField field_;
     std::vector<std::uint32_t> free_;
     std::vector<Window> owners_; // of the pieces: first the new window, then the old ones

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace filum::geodesic {
 
@@ -25,6 +26,30 @@ struct Window {
         const double dx = x - sx;
         return sigma + std::sqrt(dx * dx + sy * sy);
     }
+};
+
+// Windows by number, in blocks that stay where they are, so that growing takes no second copy of all.  Numbers are not
+// given twice: what comes together lies together.
+class Windows {
+  public:
+    [[nodiscard]] std::size_t size() const { return size_; }
+    Window& operator[](std::uint32_t i) { return blocks_[i >> kBits][i & kMask]; }
+    const Window& operator[](std::uint32_t i) const { return blocks_[i >> kBits][i & kMask]; }
+    void add() {
+        if ((size_++ & kMask) != 0) return;
+        blocks_.emplace_back(std::size_t{1} << kBits);
+        used_.push_back(std::size_t{1} << kBits);
+    }
+    // Window i is needed no more; a block without any goes.
+    void drop(std::uint32_t i) {
+        if (--used_[i >> kBits] == 0) std::vector<Window>().swap(blocks_[i >> kBits]);
+    }
+
+  private:
+    static constexpr std::uint32_t kBits = 12, kMask = (1U << kBits) - 1;
+    std::vector<std::vector<Window>> blocks_;
+    std::vector<std::size_t> used_;
+    std::size_t size_ = 0;
 };
 
 // Where the distances of two windows are equal within (lo, hi): at most two places, ascending.

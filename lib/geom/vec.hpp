@@ -40,6 +40,10 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x 
 inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
 inline double distance(Vec3 a, Vec3 b) { return norm(b - a); }
 
+struct Box3 {
+    Vec3 lo, hi;
+};
+
 // Axis-aligned box; empty until something is added.
 struct Box2 {
     Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};

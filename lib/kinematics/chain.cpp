@@ -9,6 +9,8 @@ namespace {
 
 constexpr Vec3 kUp{0, 0, 1};
 
+bool rotary(const Chain& c) { return c.carrier != Carrier::none && c.carrier != Carrier::frame; }
+
 // `v` turned about the unit vector `axis` (Rodrigues).
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -35,13 +37,13 @@ double wrapped(double a) {
 
 // Where the part's point lies in the machine's frame.
 Vec3 carried(const Chain& c, const Vec3& p, double tilt, double turn) {
-    if (c.carrier == Carrier::head_head || c.carrier == Carrier::none) return p;
+    if (c.carrier == Carrier::head_head || !rotary(c)) return p;
     const Vec3 q = c.turn_point + turned_by_turn(c, p - c.turn_point, turn);
     return c.carrier == Carrier::head_table ? q : c.tilt_point + turned_by_tilt(c, q - c.tilt_point, tilt);
 }
 
 Vec3 carried_back(const Chain& c, const Vec3& r, double tilt, double turn) {
-    if (c.carrier == Carrier::head_head || c.carrier == Carrier::none) return r;
+    if (c.carrier == Carrier::head_head || !rotary(c)) return r;
     const Vec3 q = c.carrier == Carrier::head_table ? r : c.tilt_point + turned_by_tilt(c, r - c.tilt_point, -tilt);
     return c.turn_point + turned_by_turn(c, q - c.turn_point, -turn);
 }
@@ -57,24 +59,24 @@ Vec3 swing(const Chain& c, double tilt, double turn) {
 } // namespace
 
 Pose forward(const Chain& c, const Joints& j) {
-    if (c.carrier == Carrier::none) return {j.xyz, kUp};
+    if (!rotary(c)) return {j.xyz, kUp};
     const Vec3 axis = turned_by_turn(c, before_turn(c, kUp, j.tilt), turn_to_part(c) * j.turn);
     return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), axis};
 }
 
 Vec3 tool_side(const Chain& c, const Joints& j) {
     constexpr Vec3 x{1, 0, 0};
-    if (c.carrier == Carrier::none) return x;
+    if (!rotary(c)) return x;
     return turned_by_turn(c, before_turn(c, x, j.tilt), turn_to_part(c) * j.turn);
 }
 
 Joints place(const Chain& c, const Vec3& tip, double tilt, double turn) {
-    if (c.carrier == Carrier::none) return {tip, 0, 0};
+    if (!rotary(c)) return {tip, 0, 0};
     return {carried(c, tip, tilt, turn) - swing(c, tilt, turn), tilt, turn};
 }
 
 std::array<Joints, 2> inverse(const Chain& c, const Pose& pose) {
-    if (c.carrier == Carrier::none) return {Joints{pose.tip, 0, 0}, Joints{pose.tip, 0, 0}};
+    if (!rotary(c)) return {Joints{pose.tip, 0, 0}, Joints{pose.tip, 0, 0}};
     // Tilting brings the upright axis towards -v: so the level part of the axis must come to lie along v or -v.
     const Vec3 v = cross(kUp, c.tilt_axis);
     const double level = std::hypot(pose.axis.x, pose.axis.y);

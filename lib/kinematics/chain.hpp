@@ -16,6 +16,7 @@ enum class Carrier : std::uint8_t {
     table_table, // the part, turned by `turn`, which `tilt` carries (trunnion)
     head_table,  // `turn` the part, `tilt` the tool
     head_head,   // the tool, tilted by `tilt`, which `turn` carries
+    frame,       // a robot that takes tool frames: no axes are worked out, places and tool axes stay as they are
 };
 
 // The tilt axis lies across z, the turn axis along it, at rest.  Positive angles are counter-clockwise seen against the
@@ -48,7 +49,7 @@ Vec3 tool_side(const Chain& chain, const Joints& joints);
 Joints place(const Chain& chain, const Vec3& tip, double tilt, double turn);
 
 // Both ways to stand for a pose, turned by pi from each other; turn within (-pi, pi], tilt within [-pi, pi].  Upright
-// poses leave the turn free: 0 and pi then.  Of three axes both are the pose's tip, its axis is not kept.
+// poses leave the turn free: 0 and pi then.  Of three axes and robots both are the pose's tip; the axis is not kept.
 std::array<Joints, 2> inverse(const Chain& chain, const Pose& pose);
 
 // The tilt that comes nearest to the tool axis `axis` while the turn axis stands at `turn`.

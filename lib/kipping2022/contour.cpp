@@ -54,12 +54,7 @@ class Spirals {
     // Ring by ring inwards, and along the maximum; several lines where that has to be cut.
     std::vector<Points> spiral(const std::vector<std::uint32_t>& rings) {
         const Points ridge = ridge_in(rings.back());
-        std::vector<std::uint32_t> starts(rings.size(), 0);
-        Vec3 inner = ridge.empty() ? nodes_[rings.back()].points()[0] : ridge[0];
-        for (std::size_t i = rings.size(); i-- > 0;) {
-            starts[i] = nodes_[rings[i]].cloud.nearest(inner).index;
-            inner = nodes_[rings[i]].points()[starts[i]];
-        }
+        const std::vector<std::uint32_t> starts = begins(rings, ridge);
         std::vector<Points> out(1);
         for (std::size_t i = 0; i < rings.size(); ++i) {
             const Points& ring = nodes_[rings[i]].points();
@@ -84,7 +79,7 @@ class Spirals {
         const Node& n = nodes_[node];
         for (const std::uint32_t m : n.neighbours)
             if (nodes_[m].contour.level > n.contour.level) return {};
-        const double level = n.contour.level * o_.spacing;
+        const double level = (n.contour.level - kAtLevel) * o_.spacing;
         for (const std::uint32_t v : surface_.triangles[n.contour.triangle])
             if (phi_[v] >= level && seen_[v] == 0) {
                 Points out = maximum(surface_, phi_, level, v, kAtMaximum * o_.spacing, kApart * o_.spacing, seen_);
@@ -92,6 +87,32 @@ class Spirals {
                 return out;
             }
         return {};
+    }
+
+    // Where rings begin: each nearest to the beginning of the one inside.  The innermost one is tried from n_thresh to
+    // n_thresh points, nearest to the maximum first, until all are within reach; else the first with the fewest cuts.
+    [[nodiscard]] std::vector<std::uint32_t> begins(const std::vector<std::uint32_t>& rings,
+                                                    const Points& ridge) const {
+        const Points& inner = nodes_[rings.back()].points();
+        std::vector<std::pair<double, std::uint32_t>> tries;
+        for (std::uint32_t k = 0; k < inner.size(); k += static_cast<std::uint32_t>(std::max<std::int64_t>(1, o_.run)))
+            tries.emplace_back(ridge.empty() ? 0 : distance(inner[k], ridge.front()), k);
+        std::sort(tries.begin(), tries.end());
+        std::vector<std::uint32_t> best;
+        std::size_t fewest = rings.size() + 1;
+        for (const auto& [away, k] : tries) {
+            std::vector<std::uint32_t> starts(rings.size(), k);
+            std::size_t cuts = 0;
+            for (std::size_t i = rings.size() - 1; i-- > 0;) {
+                const auto found = nodes_[rings[i]].cloud.nearest(nodes_[rings[i + 1]].points()[starts[i + 1]]);
+                starts[i] = found.index;
+                if (found.distance > o_.reach) ++cuts;
+            }
+            if (!ridge.empty() && away > o_.reach) ++cuts;
+            if (cuts < fewest) fewest = cuts, best = starts;
+            if (cuts == 0) break;
+        }
+        return best;
     }
 
     [[nodiscard]] const Vec3& inner_start(std::uint32_t node, std::uint32_t start) const {

@@ -42,9 +42,12 @@ std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const dou
     if (farthest / step > kMaxLevels)
         throw Error(Exit::usage, "cannot lay more than 100000 levels; raise --spacing or --d-iso");
     std::vector<double> levels;
-    for (std::uint32_t i = 1; i * step <= farthest; ++i) levels.push_back(i * step);
+    for (std::uint32_t i = 1; (i + kAtLevel) * step <= farthest; ++i) levels.push_back(i * step);
+    std::vector<double> snapped(values.begin(), values.end());
+    for (double& v : snapped)
+        if (const double level = step * std::round(v / step); std::abs(v - level) <= kAtLevel * step) v = level;
     std::vector<std::vector<Contour>> out(levels.size());
-    for (const auto& line : geodesic::isolines(s, values, levels)) {
+    for (const auto& line : geodesic::isolines(s, snapped, levels)) {
         const auto i = static_cast<std::uint32_t>(std::lround(line.level / step));
         Contour piece = contour(line, i);
         const double l = length(piece.points, piece.closed);

@@ -14,6 +14,9 @@ using surface::Surface;
 
 using Points = std::vector<Vec3>;
 
+// Of a step: a value so near a level has it, or lines along rims would come in crumbs.
+inline constexpr double kAtLevel = 1e-6;
+
 double length(std::span<const Vec3> points, bool closed);
 
 // One piece of a level.  What is less lies to its left, seen from the side that the surface faces.
@@ -24,8 +27,8 @@ struct Contour {
     std::uint32_t triangle = 0; // that it begins in
 };
 
-// c_1, c_2, ... of `values` (per vertex; infinite ones have none), levels `step` apart: c_i at index i - 1.  Pieces
-// shorter than `least` mm are left out and noted.
+// c_1, c_2, ... of `values` (per vertex; infinite ones have none), levels `step` apart: c_i at index i - 1, up to the
+// last that is below the greatest value by more than rounding.  Pieces shorter than `least` mm are left out and noted.
 // Throws Error(usage) for more than 100000 levels.
 std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const double> values, double step, double least,
                                            Notes& notes);

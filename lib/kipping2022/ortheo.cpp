@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace filum::kipping2022 {
 
@@ -20,18 +21,17 @@ constexpr double kNoise = 0.01; // of d: of what still does not exceed it
 // The isocontours of one level, to find the closest points on.
 class Level {
   public:
-    Level(const std::vector<Contour>& pieces, double step) : cloud_(all(pieces, step)), reached_(pieces.size(), 0) {}
+    Level(const std::vector<Contour>& pieces, double step) : cloud_(all(pieces, step)), step_(step) {}
 
     struct Found {
         Vec3 point;
         double distance = std::numeric_limits<double>::infinity();
-        std::uint32_t piece = 0;
     };
     [[nodiscard]] Found closest(const Vec3& p, double reach) const {
         const auto near = cloud_.nearest(p, reach);
         if (near.index == surface::kNone) return {};
         const auto& points = cloud_.points();
-        Found out{points[near.index], near.distance, piece_[near.index]};
+        Found out{points[near.index], near.distance};
         for (const std::uint32_t to : {before_[near.index], after_[near.index]}) {
             const Vec3 way = points[to] - points[near.index];
             const double l2 = dot(way, way), f = l2 > 0 ? dot(p - points[near.index], way) / l2 : 0;
@@ -41,8 +41,17 @@ class Level {
         }
         return out;
     }
-    void reach(std::uint32_t piece) { reached_[piece] = 1; }
-    [[nodiscard]] bool reached(std::uint32_t piece) const { return reached_[piece] != 0; }
+    void mark(const Vec3& p) { lines_.push_back(p); }
+
+    // What lies farther than `reach` from every line that comes here.
+    [[nodiscard]] std::optional<Note> bare(double reach) {
+        const Cloud lines(std::move(lines_));
+        const auto far = [&](const Vec3& p) { return lines.nearest(p, reach).index == surface::kNone; };
+        const auto n = std::count_if(cloud_.points().begin(), cloud_.points().end(), far);
+        if (n == 0) return {};
+        return lines_note("isocontours farther than the spacing from every line", static_cast<double>(n) * step_,
+                          *std::find_if(cloud_.points().begin(), cloud_.points().end(), far));
+    }
 
   private:
     Points all(const std::vector<Contour>& pieces, double step) {
@@ -54,16 +63,16 @@ class Level {
                 const bool closed = pieces[k].closed;
                 before_.push_back(first + (i > 0 ? i - 1 : closed ? n - 1 : 0));
                 after_.push_back(first + (i + 1 < n ? i + 1 : closed ? 0 : i));
-                piece_.push_back(k);
             }
             out.insert(out.end(), even.begin(), even.end());
         }
         return out;
     }
 
-    std::vector<std::uint32_t> before_, after_, piece_; // per point
+    std::vector<std::uint32_t> before_, after_; // per point
     Cloud cloud_;
-    std::vector<char> reached_;
+    double step_;
+    Points lines_;
 };
 
 // The lines that grow from one seed line, beside each other.
@@ -85,7 +94,8 @@ class Strands {
         }
     }
 
-    void grow(Level& level) {
+    // Up to the next isocontour; new lines begin there if it is not the last.
+    void grow(Level& level, bool last) {
         std::vector<std::uint32_t> left;
         for (const std::uint32_t j : row_) {
             const auto found = level.closest(lines[j].back(), kFarthest * o_.iso);
@@ -98,12 +108,12 @@ class Strands {
                 ++ended;
                 continue;
             }
-            level.reach(found.piece);
+            level.mark(found.point);
             lines[j].push_back(found.point);
             left.push_back(j);
         }
         row_ = std::move(left);
-        insert(level);
+        if (!last) insert(level);
     }
 
     std::vector<Points> lines; // in the order of their first points
@@ -121,7 +131,7 @@ class Strands {
             if (!std::isfinite(found.distance) || distance(found.point, a) < o_.least_spacing ||
                 distance(found.point, b) < o_.least_spacing)
                 continue;
-            level.reach(found.piece);
+            level.mark(found.point);
             out.push_back(static_cast<std::uint32_t>(lines.size()));
             lines.push_back({found.point});
             ++inserted;
@@ -164,11 +174,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         for (const SeedLine& seed : seeds) all.emplace_back(seed, o);
         for (const auto& pieces : lines) {
             Level level(pieces, o.resample);
-            for (Strands& strands : all) strands.grow(level);
-            for (std::uint32_t k = 0; k < pieces.size(); ++k)
-                if (!level.reached(k))
-                    plan.notes.push_back(lines_note("isocontour that no line crosses",
-                                                    length(pieces[k].points, pieces[k].closed), pieces[k].points[0]));
+            for (Strands& strands : all) strands.grow(level, &pieces == &lines.back());
+            if (const auto note = level.bare(o.spacing)) plan.notes.push_back(*note);
         }
         for (const Strands& strands : all) {
             inserted += strands.inserted, ended += strands.ended;

@@ -9,7 +9,8 @@
 //  - "if the spacing between two chosen points exceeds d": their distance in space, by 1 % and more, or rounding alone
 //    would double lines that lie d apart.  One new line a level and pair, from the isocontour's point closest to the
 //    middle of both, if that is least_spacing away from either.
-//  - "when the spacing decreases enough, segments are ended": below least_spacing, d / 2, the later one of the two.
+//  - "when the spacing decreases enough, segments are ended": below least_spacing, 0.4 d, the later one of the two.  At
+//    d / 2 lines would end and begin again in turn.
 //  - a last isocontour may be up to d_iso away from the rim; what is beyond stays empty.
 #pragma once
 

@@ -13,9 +13,9 @@
 //    them, and comes back there.  Children are tried at every point, by level and place.
 //  - a contour that no such place is found for begins a stroke of its own, at its point nearest to its parent.
 //  - Geo-Contour's components are cut where levels cease to rise, or to fall: what is left runs inwards ring by ring.
-//    Rings of a spiral begin where they are nearest to the beginning of the one inside, the innermost one nearest to
-//    the maximum; each leaves out n_thresh points before its beginning, and the path goes on to the next one's.  Where
-//    that is farther than t_dist, it is cut.
+//    A ring begins where it is nearest to the beginning of the one inside, the innermost one near the maximum, but so
+//    that all of these are within t_dist if it can be; it leaves out n_thresh points before its beginning, and the path
+//    goes on to the next one's.  Where that is farther than t_dist, it is cut.
 //  - "the points that lie at the local maximum are computed with special caution for numerical errors": vertices inside
 //    the innermost ring whose distance is within 0.1 d of the greatest there, d / 4 apart at least, from the one
 //    farthest from their middle to the nearest next one; cut where that is farther than t_dist.

@@ -103,24 +103,34 @@ std::vector<std::uint32_t> roots(const Surface& s, const std::vector<Node>& node
     return out;
 }
 
-// Vertices that have a triangle on a rim lie at a distance of 0, all but for the heat method's errors.
-void check_rims(const Surface& s, const std::vector<double>& phi, double spacing) {
+// Rims are sources: the heat method's distances there are not quite 0, so that those of the sources' ends are not
+// asked.
+void check_rims(const surface::Sheet& sheet, const std::vector<double>& phi, double spacing) {
+    const Surface& s = sheet.surface;
     if (s.rims.empty())
         throw Error(Exit::bad_input,
                     "cannot lay rings on a closed surface: it has no rim to begin at; cut it open with "
                     "geodesic --cut");
+    const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+    Points ends;
+    for (const auto& segment : sheet.sources.segments) ends.push_back(segment.a), ends.push_back(segment.b);
+    for (const std::uint32_t v : sheet.sources.vertices) ends.push_back(s.vertices[v]);
+    std::sort(ends.begin(), ends.end(), less);
     for (const surface::Rim& rim : s.rims)
-        for (const std::uint32_t h : rim.sides)
-            if (std::isfinite(phi[s.tail(h)]) && phi[s.tail(h)] >= spacing)
+        for (const std::uint32_t h : rim.sides) {
+            const std::uint32_t v = s.tail(h);
+            if (phi[v] >= spacing && std::isfinite(phi[v]) &&
+                !std::binary_search(ends.begin(), ends.end(), s.vertices[v], less))
                 throw Error(Exit::usage, "cannot lay rings by a distance that is not from all rims; run geodesic "
                                          "--source boundary first");
+        }
 }
 
 } // namespace
 
 Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Options& o, Notes& notes) {
     const Surface& s = sheet.surface;
-    check_rims(s, phi, o.spacing);
+    check_rims(sheet, phi, o.spacing);
     Tree out;
     for (auto& level : contours(s, phi, o.spacing, o.resample, notes))
         for (Contour& c : level) {

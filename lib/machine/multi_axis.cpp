@@ -72,6 +72,10 @@ void program(Document& doc, MultiAxis& m) {
         doc.fail("kinematics.tcp_on", "programs of tip numbers need the code that tells the controller so");
     doc.number("kinematics.chord", m.chord, {1e-5, 1});
     degrees(doc, "kinematics.orientation_deg", m.orientation, {0, 45});
+    std::string spin = "fixed";
+    doc.choice("kinematics.spin", spin, {"fixed", "follow"});
+    m.spin = spin == "follow" ? Spin::follow : Spin::fixed;
+    doc.number("kinematics.blend", m.blend, {0, 100});
     doc.whole("kinematics.angle_decimals", m.angle_decimals, 2, 8);
 }
 
@@ -79,10 +83,11 @@ void program(Document& doc, MultiAxis& m) {
 
 void read_multi_axis(Document& doc, MultiAxis& m) {
     std::string carrier = "none";
-    doc.choice("kinematics.carrier", carrier, {"none", "table-table", "head-table", "head-head"});
+    doc.choice("kinematics.carrier", carrier, {"none", "table-table", "head-table", "head-head", "frame"});
     m.chain.carrier = carrier == "table-table"  ? Carrier::table_table
                       : carrier == "head-table" ? Carrier::head_table
                       : carrier == "head-head"  ? Carrier::head_head
+                      : carrier == "frame"      ? Carrier::frame
                                                 : Carrier::none;
     letters(doc, m);
     speeds(doc, m);

@@ -23,6 +23,12 @@ enum class FeedWord : std::uint8_t {
     seconds,    // duration, s
 };
 
+// How a robot's tool stands about its own axis: where its x axis points.
+enum class Spin : std::uint8_t {
+    fixed,  // as near to the part's x axis as the tool axis allows
+    follow, // along the path: for nozzles that are not round
+};
+
 struct MultiAxis {
     kinematics::Chain chain;   // Carrier::none: three axes, and nothing of the rest counts
     kinematics::Limits limits; // rad
@@ -34,7 +40,9 @@ struct MultiAxis {
     std::string tcp_on, tcp_off; // codes around what has tip numbers
     double chord = 0.005;        // mm: how far the tip may leave its line between two lines of joints
     double orientation = 0.0349; // rad: how far the tool may lean off its axis near the pole
-    int angle_decimals = 4;      // of rotary words, degrees
+    double blend = 0.5;          // mm: how far before a place a robot may leave its line
+    Spin spin = Spin::fixed;
+    int angle_decimals = 4; // of rotary words, degrees
 
     [[nodiscard]] bool active() const { return chain.carrier != kinematics::Carrier::none; }
 };

@@ -111,12 +111,30 @@ void read_format(Document& doc, Format& f) {
     doc.whole("format.e_decimals", f.e_decimals, 3, 8);
     doc.whole("format.f_decimals", f.f_decimals, 0, 3);
     std::string comments = "semicolon", line_end = "lf";
-    doc.choice("format.comments", comments, {"semicolon", "parentheses"});
-    f.comments = comments == "semicolon" ? CommentStyle::semicolon : CommentStyle::parentheses;
+    std::string dialect = "gcode";
+    doc.choice("format.dialect", dialect, {"gcode", "krl", "rapid", "urscript"});
+    f.dialect = dialect == "krl"        ? Dialect::krl
+                : dialect == "rapid"    ? Dialect::rapid
+                : dialect == "urscript" ? Dialect::urscript
+                                        : Dialect::gcode;
+    doc.choice("format.comments", comments, {"semicolon", "parentheses", "exclamation", "hash"});
+    f.comments = comments == "semicolon"     ? CommentStyle::semicolon
+                 : comments == "parentheses" ? CommentStyle::parentheses
+                 : comments == "exclamation" ? CommentStyle::exclamation
+                                             : CommentStyle::hash;
     doc.choice("format.line_end", line_end, {"lf", "crlf"});
     f.crlf = line_end == "crlf";
     doc.flag("format.viewer_comments", f.viewer_comments);
     doc.choice("format.travel_code", f.travel_code, {"G0", "G1"});
+}
+
+// A robot's language goes with tool frames, and with nothing else.
+void check_robot(const Document& doc, const Profile& p) {
+    const bool frames = p.axes.chain.carrier == kinematics::Carrier::frame;
+    if (frames != (p.format.dialect != Dialect::gcode))
+        doc.fail("format.dialect", "krl, rapid and urscript go with kinematics.carrier \"frame\", and it with them");
+    if (p.format.dialect == Dialect::urscript && p.extrusion.feeding != Feeding::valve)
+        doc.fail("extrusion.kind", "URScript knows no extruder axis: use a valve");
 }
 
 void read_templates(Document& doc, Profile& p) {
@@ -166,6 +184,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");
     read_format(doc, p.format);
+    check_robot(doc, p);
     doc.numbers("values", p.values);
     read_templates(doc, p);
     doc.finish();

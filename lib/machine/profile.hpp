@@ -66,10 +66,18 @@ struct Motion {
     double corner_speed = 5;           // mm/s through a corner of 90 degrees (Klipper's square corner velocity)
 };
 
-enum class CommentStyle : std::uint8_t { semicolon, parentheses };
+enum class CommentStyle : std::uint8_t { semicolon, parentheses, exclamation, hash };
+
+enum class Dialect : std::uint8_t {
+    gcode,
+    krl,      // KUKA
+    rapid,    // ABB
+    urscript, // Universal Robots
+};
 
 struct Format {
     int xyz_decimals = 3, e_decimals = 5, f_decimals = 0;
+    Dialect dialect = Dialect::gcode;
     CommentStyle comments = CommentStyle::semicolon;
     bool viewer_comments = true; // ;TYPE: ;LAYER_CHANGE ;Z: ;HEIGHT: ;WIDTH:
     bool crlf = false;           // line ends

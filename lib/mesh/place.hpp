@@ -19,9 +19,7 @@ struct Placement {
     bool keep_z = false;                     // unless this is set
 };
 
-struct Box3 {
-    Vec3 lo, hi;
-};
+using geom::Box3;
 Box3 bounds(const Mesh& mesh); // precondition: a vertex
 
 inline constexpr double kMaxCoordinate = 1e7; // mm

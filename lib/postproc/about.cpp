@@ -44,6 +44,8 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
 std::vector<std::string> axes(const machine::Profile& profile) {
     const auto& a = profile.axes;
     if (!a.active()) return {};
+    if (a.chain.carrier == kinematics::Carrier::frame)
+        return {" numbers: tool frames in the part's frame, z out of the nozzle; the robot works out its axes"};
     const char* carriers[] = {"", "turn axis on tilt axis, both under the part", "tilting head, turning table",
                               "tilting head on a turning one"};
     const auto& u = a.chain.tilt_axis;

@@ -7,7 +7,8 @@ namespace filum::postproc {
 
 void append_comment(std::string& out, std::string_view text, machine::CommentStyle style) {
     const bool round = style == machine::CommentStyle::parentheses;
-    out += round ? '(' : ';';
+    const char begin[] = {';', '(', '!', '#'};
+    out += begin[static_cast<std::size_t>(style)];
     for (const char c : text) {
         const auto u = static_cast<unsigned char>(c);
         if (u < 0x20 || u == 0x7f)

@@ -1,10 +1,8 @@
 // The text of a machine program.
 #pragma once
 
-#include "machine/template.hpp"
-#include "postproc/survey.hpp"
+#include "postproc/writer.hpp"
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,19 +15,17 @@ struct Options {
     std::string set;                // changes to the profile: "feeds.bead=40,nozzle_temp=230"
 };
 
-using Text = std::function<void(std::string_view)>;
-
 // Writes the program of the steps that `survey` was made of, moved by `shift`.
 //
 // Coordinates are whole multiples of the last decimal; a word is written only if it changed, a move that changes
 // nothing is left out and its material goes into the next one.  The extruder word is the difference of rounded totals,
 // so rounding never adds up and never takes back.  No number has an exponent.  The last line says "end of program".
-class Program {
+class Program final : public Writer {
   public:
     Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
-    void begin(const std::vector<std::string>& about); // `about`: lines for the head of the program, see about.hpp
-    void add(std::span<const Step> steps);
-    void end();
+    void begin(const std::vector<std::string>& about) override;
+    void add(std::span<const Step> steps) override;
+    void end() override;
 
   private:
     void comment(std::string_view text);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace filum::postproc {
@@ -32,7 +33,9 @@ Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
 } // namespace
 
 TiltedWalk::TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out)
-    : profile_(&profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)) {}
+    : profile_(&profile), tip_(profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)) {
+    tip_.motion.max_speed_z = std::numeric_limits<double>::infinity();
+}
 
 void TiltedWalk::put(const Step& step) {
     buffer_.push_back(step);
@@ -99,7 +102,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
         go(pose(span, i + 1, shift_),
-           {Act::extrude, span.role, span.layer, machine::bead_feed(*profile_, span, i), toolpath::volume(span, i),
+           {Act::extrude, span.role, span.layer, machine::bead_feed(tip_, span, i), toolpath::volume(span, i),
             (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2});
         top_ = std::max(top_, poses_.back().tip.z);
     }
@@ -107,10 +110,11 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
 }
 
 void TiltedWalk::check(const kinematics::Track& track) const {
+    const auto& a = profile_->axes;
     if (track.stuck < poses_.size())
         throw Error(Exit::failure, "cannot reach " + text(poses_[track.stuck].tip) + " on '" + profile_->name +
                                        "': " + track.why + "; turn the part, or break the stroke there");
-    if (track.off > profile_->axes.orientation * (1 + 1e-6) + 1e-6)
+    if (a.chain.carrier != kinematics::Carrier::frame && track.off > a.orientation * (1 + 1e-6) + 1e-6)
         throw Error(Exit::failure, "cannot keep the tool's axis at " + text(poses_[track.off_at].tip) +
                                        ": it leans by " + fixed_text(track.off / kDegree, 2) +
                                        " degrees; raise kinematics.orientation_deg");
@@ -121,15 +125,37 @@ void TiltedWalk::finish_stroke() {
     const auto& a = profile_->axes;
     const auto track = kinematics::track(a.chain, poses_, at_, a.orientation, a.limits);
     check(track);
+    head();
     emit(track.joints, durations(track.joints));
     at_ = track.joints.back();
     poses_.clear(), legs_.clear();
     laid_ = false;
 }
 
+// Where a robot's tool points its x axis: along x of the part, or along the path, each as far as it lies across the
+// tool axis; where it hardly does, as before.
+void TiltedWalk::head() {
+    headings_.assign(poses_.size(), heading_);
+    if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return;
+    constexpr double least = 0.05; // of a unit vector's part across
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < poses_.size() ? i + 1 : i;
+        const Vec3 way = poses_[b].tip - poses_[a].tip;
+        const bool follow = profile_->axes.spin == machine::Spin::follow && norm(way) > 0;
+        Vec3 to = follow ? 1 / norm(way) * way : profile_->axes.spin == machine::Spin::fixed ? Vec3{1, 0, 0} : heading_;
+        const Vec3& axis = poses_[i].axis;
+        Vec3 across = to - dot(to, axis) * axis;
+        if (norm(across) < least) across = heading_ - dot(heading_, axis) * axis;
+        if (norm(across) < least)
+            across = std::abs(axis.x) < 0.9 ? Vec3{1, 0, 0} - axis.x * axis : Vec3{0, 1, 0} - axis.y * axis;
+        headings_[i] = heading_ = 1 / norm(across) * across;
+    }
+}
+
 // Per leg; the very first takes none: nobody knows whence it comes.
 std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
     const auto& a = profile_->axes;
+    const bool robot = a.chain.carrier == kinematics::Carrier::frame;
     std::vector<double> out(j.size(), 0);
     if (layer_ >= 0) // the axes stand where the last stroke left them
         out[0] =
@@ -138,8 +164,9 @@ std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
     for (std::size_t i = 1; i < j.size(); ++i)
         out[i] = std::max({distance(poses_[i - 1].tip, poses_[i].tip) / legs_[i].feed,
                            distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
+                           robot ? 0 : std::abs(j[i].xyz.z - j[i - 1].xyz.z) / profile_->motion.max_speed_z,
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
-                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed});
+                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i)});
     // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
     const auto ease = [&](std::size_t i, double before, double after, double acceleration) {
         const double change = std::abs(after / out[i + 1] - before / out[i]);
@@ -155,6 +182,12 @@ std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
             ease(i, j[i].turn - j[i - 1].turn, j[i + 1].turn - j[i].turn, a.turn_acceleration);
         }
     return out;
+}
+
+// How long a robot needs to turn the tool on the way to pose i.
+double TiltedWalk::swing(std::size_t i) const {
+    if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return 0;
+    return kinematics::angle(poses_[i - 1].axis, poses_[i].axis) / profile_->axes.tilt_speed;
 }
 
 void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<double>& seconds) {
@@ -217,7 +250,9 @@ void TiltedWalk::move(const Leg& leg, std::size_t i, const std::vector<Joints>& 
              .turn = here.turn,
              .length = distance(begin, tip) / parts,
              .seconds = seconds / parts,
-             .axes = here.xyz});
+             .axes = here.xyz,
+             .axis = poses_[i].axis,
+             .heading = headings_[i]});
     }
 }
 

@@ -39,13 +39,18 @@ class TiltedWalk final : public Walker {
     void move(const Leg& leg, std::size_t to, const std::vector<kinematics::Joints>& joints, double seconds);
     [[nodiscard]] std::vector<double> durations(const std::vector<kinematics::Joints>& joints) const;
     void put(const Step& step);
+    void head();
+    [[nodiscard]] double swing(std::size_t i) const;
 
     const machine::Profile* profile_;
+    machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
     Vec3 shift_;
     Steps out_;
     std::vector<Step> buffer_;
     std::vector<kinematics::Pose> poses_; // of the stroke being read
     std::vector<Leg> legs_;               // legs_[i] leads to poses_[i]
+    std::vector<Vec3> headings_;          // of robots, per pose: where the tool's x axis points
+    Vec3 heading_{1, 0, 0};               // the last one
     kinematics::Joints at_;               // after the last stroke
     Vec3 path_;                           // end of the span before
     double top_ = 0;

@@ -39,6 +39,7 @@ struct Step {
     // tip goes, mm, and how long the move takes, s (0: nobody knows whence it comes).
     double tilt = 0, turn = 0, length = 0, seconds = 0;
     Vec3 axes{};
+    Vec3 axis{0, 0, 1}, heading{1, 0, 0}; // of a robot: up the tool, and whereto its x axis points; unit
 };
 
 using Steps = std::function<void(std::span<const Step>)>;

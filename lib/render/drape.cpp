@@ -1,7 +1,9 @@
 #include "render/drape.hpp"
 
+#include "base/error.hpp"
 #include "base/number.hpp"
 #include "parallel/parallel.hpp"
+#include "render/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -184,16 +186,32 @@ Vec3 face(const Scene& scene, Vec3 otherwise) {
     return norm(sum) > 0.1 * total ? sum : otherwise;
 }
 
+// The plan of what is seen from there.
+Plan plan_of(const Scene& scene, const Look& look, const std::vector<Vec3>& points, int width, int height) {
+    if (!look.face) return lay_out(points, look.from, upwards(look.from), width, height);
+    const Vec3 normal = unit(face(scene, look.from)), above = upwards(normal), right = unit(cross(above, normal));
+    return lay_out(points, normal + look.aside * right + look.above * cross(normal, right), above, width, height);
+}
+
+// Throws Error(bad_input) if a point lies where pixels are no longer told apart.
+void check_place(const std::vector<Vec3>& points) {
+    constexpr double kFar = 1e10; // mm
+    for (const Vec3& p : points)
+        if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFar)
+            throw Error(Exit::bad_input, "cannot draw what lies 10000 km from the origin; move it near");
+}
+
 // Points that the picture is laid out for: everything, or the corners of a box around a place.
 std::vector<Vec3> shown_points(const Scene& scene, const Show& show) {
+    std::vector<Vec3> out = scene.sheet->surface.vertices;
+    for (const auto& s : scene.spans) out.insert(out.end(), s.points.begin(), s.points.end());
+    check_place(out);
     if (const auto& a = show.around; !a.empty()) {
         const double r = a[3] / std::sqrt(3);
         return {{a[0] - r, a[1] - r, a[2] - r}, {a[0] + r, a[1] - r, a[2] - r}, {a[0] - r, a[1] + r, a[2] - r},
                 {a[0] + r, a[1] + r, a[2] - r}, {a[0] - r, a[1] - r, a[2] + r}, {a[0] + r, a[1] - r, a[2] + r},
                 {a[0] - r, a[1] + r, a[2] + r}, {a[0] + r, a[1] + r, a[2] + r}};
     }
-    std::vector<Vec3> out = scene.sheet->surface.vertices;
-    for (const auto& s : scene.spans) out.insert(out.end(), s.points.begin(), s.points.end());
     return out;
 }
 
@@ -207,7 +225,7 @@ Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, i
         if (toolpath::extrudes(s.role)) width = std::max(width, s.width_at(0));
     const std::vector<Vec3> points = shown_points(scene, view.show);
     return contact_sheet(view.looks, view.width, view.height, [&](const Look& look, int w, int h) {
-        Canvas c(scene, view, lay_out(points, look.face ? face(scene, look.from) : look.from, w, h));
+        Canvas c(scene, view, plan_of(scene, look, points, w, h));
         const Paint paint(scene, laid, view.show, c.plan);
         parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,
                              [&](std::size_t b, std::size_t) { paint_band(c, paint, static_cast<int>(b)); });

@@ -48,7 +48,7 @@ std::vector<Stroke> beads(const Scene& scene, const Tint& tint) {
 bool lies_on(const curve::Locator& locator, const Stroke& s, bool against) {
     const Vec3 n = against ? -1.0 * s.normal : s.normal;
     for (const Vec3 p : {s.a, 0.5 * (s.a + s.b), s.b}) {
-        const auto place = dot(n, n) > 0 ? locator.nearest(p, n) : locator.nearest(p);
+        const auto place = locator.nearest(p, n);
         if (place.triangle == surface::kNone || geom::distance(place.point, p) > s.reach) return false;
     }
     return true;
@@ -63,7 +63,8 @@ Laid lay(const Scene& scene, const Tint& tint) {
     const auto& surface = scene.sheet->surface;
     const curve::Locator locator(surface);
     double front = 0, back = 0; // mm
-    for (const Stroke& s : all) {
+    for (Stroke& s : all) {
+        if (s.normal == Vec3{}) s.normal = surface::normal(surface, locator.nearest(0.5 * (s.a + s.b)).triangle);
         const double length = geom::distance(s.a, s.b);
         const bool on_front = lies_on(locator, s, false), on_back = !on_front && lies_on(locator, s, true);
         (on_front ? front : back) += on_front || on_back ? length : 0;

@@ -17,7 +17,7 @@ struct Laid {
     bool behind = false;       // most of the path lies on the side that the surface does not face
 };
 
-// Precondition: scene.sheet.
+// Spans without normals take those of the triangles nearest to them.  Precondition: scene.sheet.
 Laid lay(const Scene& scene, const Tint& tint);
 
 // Share of the side with the path that is farther than half a width from it, by 131072 samples spread evenly over the

@@ -120,7 +120,7 @@ Rgb Paint::at(std::uint32_t triangle, Vec3 shares) const {
     if (back) colour = colour * kBack;
     Cover c = laid_->beads.at(p, facing * flat);
     c.off /= slim_;
-    if (c.off <= 1 && c.stroke != nullptr && !(back && c.stroke->normal == Vec3{}))
+    if (c.off <= 1 && c.stroke != nullptr)
         colour = on_bead(c, n);
     else if (show_.voids && !back)
         colour = void_colour();

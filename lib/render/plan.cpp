@@ -24,11 +24,12 @@ Vec3 Plan::place(Vec3 p) const {
     return {width / 2.0 + scale * dot(d, right), height / 2.0 - scale * dot(d, up), dot(d, towards)};
 }
 
-Plan lay_out(const std::vector<Vec3>& points, Vec3 from, int width, int height) {
+Vec3 upwards(Vec3 from) { return std::abs(unit(from).z) > 0.9 ? Vec3{0, 1, 0} : Vec3{0, 0, 1}; }
+
+Plan lay_out(const std::vector<Vec3>& points, Vec3 from, Vec3 above, int width, int height) {
     constexpr double kMargin = 0.04, kLegend = 0.06; // of the picture's height
     Plan plan;
     plan.width = width, plan.height = height, plan.towards = unit(from);
-    const Vec3 above = std::abs(plan.towards.z) > 0.9 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     plan.right = unit(cross(above, plan.towards)), plan.up = cross(plan.towards, plan.right);
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
     for (const Vec3& p : points) {

@@ -19,9 +19,12 @@ struct Plan {
     [[nodiscard]] geom::Vec3 place(geom::Vec3 p) const;
 };
 
+// Which way is up where one looks from direction `from`: z, or y where z would be short.
+geom::Vec3 upwards(geom::Vec3 from);
+
 // Looks from direction `from` so that all points fill a picture of that size, but for a margin, wider below, where the
-// legend is.  Up in the picture is z, or y where z would be short.
-Plan lay_out(const std::vector<geom::Vec3>& points, geom::Vec3 from, int width, int height);
+// legend is.  `above`, not along `from`, points up.
+Plan lay_out(const std::vector<geom::Vec3>& points, geom::Vec3 from, geom::Vec3 above, int width, int height);
 
 // What a sample of the picture shows: the triangle, and the point of it.
 struct Sight {

@@ -15,17 +15,31 @@ using geom::Vec3;
 constexpr std::size_t kMostLooks = 64;
 
 const std::vector<Look>& names() {
+    constexpr Vec3 kIso{1, -1.5, 0.9};
+    constexpr double kLean = 1.2; // 50 degrees
     static const std::vector<Look> kNames = {
-        {"iso", {1, -1.5, 0.9}}, {"top", {0, 0, 1}},      {"bottom", {0, 0, -1}},  {"front", {0, -1, 0.12}},
-        {"back", {0, 1, 0.12}},  {"left", {-1, 0, 0.12}}, {"right", {1, 0, 0.12}}, {"face", {1, -1.5, 0.9}, true},
+        {"iso", kIso},
+        {"top", {0, 0, 1}},
+        {"bottom", {0, 0, -1}},
+        {"front", {0, -1, 0.12}},
+        {"back", {0, 1, 0.12}},
+        {"left", {-1, 0, 0.12}},
+        {"right", {1, 0, 0.12}},
+        {"face", kIso, true},
+        {"face-left", kIso, true, -kLean, 0},
+        {"face-right", kIso, true, kLean, 0},
+        {"face-up", kIso, true, 0, kLean},
+        {"face-down", kIso, true, 0, -kLean},
     };
     return kNames;
 }
 
 [[noreturn]] void misused(const std::string& list, const std::string& option) {
-    throw Error(Exit::usage, "cannot use '" + list + "' for --" + option +
-                                 ": it must be iso, top, bottom, front, back, left, right, face, or three numbers " +
-                                 "with commas between, not all 0");
+    throw Error(
+        Exit::usage,
+        "cannot use '" + list + "' for --" + option +
+            ": it must be iso, top, bottom, front, back, left, right, face, face-left, -right, -up, -down, or three " +
+            "numbers with commas between, not all 0");
 }
 
 std::vector<std::string> words(const std::string& list) {

@@ -11,11 +11,13 @@ namespace filum::render {
 
 struct Look {
     std::string name;
-    geom::Vec3 from;   // direction from the part to the camera
-    bool face = false; // instead: straight onto what is shown, along its mean normal
+    geom::Vec3 from;             // direction from the part to the camera
+    bool face = false;           // instead: straight onto what is shown, along its mean normal,
+    double aside = 0, above = 0; // or leaning from there to the picture's right and up: tangents of the angles
 };
 
-// Looks apart by commas: names (iso, top, bottom, front, back, left, right, face) and directions of three numbers.
+// Looks apart by commas: names (iso, top, bottom, front, back, left, right, face, face-left, face-right, face-up,
+// face-down) and directions of three numbers.
 // Throws Error(usage) naming the option --`option`.
 std::vector<Look> looks(const std::string& list, const std::string& option);
 

@@ -33,12 +33,21 @@ Input::Input(const std::string& path) : block_(std::make_unique_for_overwrite<ch
     if (fd_ < 0) throw Error(Exit::io, "cannot open " + name_ + ": " + std::strerror(errno));
 }
 
+Input::Input(std::string_view bytes, std::string name)
+    : name_(std::move(name)), rest_(bytes), block_(std::make_unique_for_overwrite<char[]>(kBlock)) {}
+
 Input::~Input() {
     if (fd_ > STDIN_FILENO) ::close(fd_);
 }
 
 // Reads what is there, at least one byte, behind block_[from].  Returns 0 at the end of the input.
 std::size_t Input::refill(std::size_t from) {
+    if (fd_ < 0) {
+        const std::size_t n = rest_.copy(block_.get() + from, kBlock - from);
+        rest_.remove_prefix(n);
+        filled_ = from + n;
+        return n;
+    }
     for (;;) {
         const ssize_t n = ::read(fd_, block_.get() + from, kBlock - from);
         if (n >= 0) {

@@ -1,4 +1,4 @@
-// Bytes from a file or a pipe, through one block of memory; private to lib/stream.
+// Bytes from a file, a pipe or memory, through one block of memory; private to lib/stream.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,8 @@ class Input {
   public:
     // Opens `path` ("-" or "": standard input).  Throws Error: io; usage if it is a terminal.
     explicit Input(const std::string& path);
+    // Reads `bytes`, which must outlive it.
+    Input(std::string_view bytes, std::string name);
     ~Input();
     Input(const Input&) = delete;
     Input& operator=(const Input&) = delete;
@@ -33,7 +35,8 @@ class Input {
   private:
     std::size_t refill(std::size_t from);
     std::string name_;
-    int fd_ = -1;
+    int fd_ = -1;           // none: reads from memory
+    std::string_view rest_; // of it
     std::unique_ptr<char[]> block_;
     std::size_t at_ = 0, filled_ = 0;
     std::uint64_t offset_ = 0;

@@ -10,6 +10,7 @@ namespace filum::stream {
 namespace {
 
 constexpr std::size_t kMaxPrefix = 30; // three varints
+constexpr std::size_t kMagicSize = 10;     // of the preamble; the rest is the version
 
 // A varint at the front of `bytes`, which loses it.  Longer than ten bytes: `fine` becomes false; cut short: nullopt.
 std::optional<std::uint64_t> take_varint(std::string_view& bytes, bool& fine) {
@@ -36,6 +37,7 @@ struct Reader::State {
     bool ended = false;
 
     explicit State(const std::string& path) : input(path) { be_quiet(); }
+    State(std::string_view bytes, std::string name) : input(bytes, std::move(name)) { be_quiet(); }
 
     [[noreturn]] void bad(const std::string& why) const {
         throw Error(Exit::bad_input, "cannot read " + input.name() + ": " + why);
@@ -51,7 +53,7 @@ struct Reader::State {
         if (head.empty())
             throw Error(Exit::truncated,
                         "cannot read " + input.name() + ": it is empty; did the stage before it fail?");
-        const std::size_t magic = std::min<std::size_t>(head.size(), 10); // the rest is the version
+        const std::size_t magic = std::min(head.size(), kMagicSize);
         if (head.substr(0, magic) != std::string_view(wanted).substr(0, magic)) bad("it is no Filum stream");
         if (head.size() < kPreambleSize) cut("inside its preamble");
         if (head != wanted) bad("its format version is not " + std::to_string(kVersion));
@@ -94,7 +96,16 @@ struct Reader::State {
     }
 };
 
-Reader::Reader(const std::string& path, Payload expected) : state_(std::make_unique<State>(path)) {
+bool is_stream(std::string_view bytes) { return bytes.starts_with(std::string_view(preamble()).substr(0, kMagicSize)); }
+
+Reader::Reader(const std::string& path, Payload expected) : state_(std::make_unique<State>(path)) { open(expected); }
+
+Reader::Reader(std::string_view bytes, std::string name, Payload expected)
+    : state_(std::make_unique<State>(bytes, std::move(name))) {
+    open(expected);
+}
+
+void Reader::open(Payload expected) {
     State& s = *state_;
     s.check_preamble();
     const RawFrame first = s.frame();

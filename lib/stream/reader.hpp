@@ -8,12 +8,17 @@
 
 namespace filum::stream {
 
+// Whether `bytes`, the begin of a file or all of it, are those of a stream, of any version.
+bool is_stream(std::string_view bytes);
+
 class Reader {
   public:
     // Opens `path` ("" or "-": standard input) and reads the preamble and the header frame.
     // Throws Error: io if it cannot be opened or read, truncated if it is empty or ends early, bad_input if it is no
     // Filum stream, has another version, or carries another payload than `expected` (unknown: any will do).
     Reader(const std::string& path, Payload expected);
+    // The same, of a stream in memory, which must outlive it; `name` is for messages.
+    Reader(std::string_view bytes, std::string name, Payload expected);
     ~Reader();
     Reader(Reader&&) noexcept;
     Reader& operator=(Reader&&) noexcept;
@@ -30,6 +35,7 @@ class Reader {
     std::optional<RawFrame> next();
 
   private:
+    void open(Payload expected);
     struct State;
     std::unique_ptr<State> state_;
 };

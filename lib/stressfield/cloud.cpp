@@ -55,7 +55,7 @@ struct Foot {
     Vec3 normal;        // of the surface where it is nearest
     double off = 0;     // how far from the plane there
     double reach = 0;   // how far it may be
-    double spacing = 0; // to the third neighbour
+    double spacing = 0; // to the sixth neighbour
 };
 
 std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const BoxTree& tree, double reach,
@@ -65,7 +65,7 @@ std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const 
     parallel::for_chunks(points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Foot& f = out[i];
-            const auto others = nearest(tree, points, points[i], 4, [](std::uint32_t) { return true; });
+            const auto others = nearest(tree, points, points[i], 7, [](std::uint32_t) { return true; });
             const double next = others.size() > 1 ? others[1].distance : kInfinity;
             f.reach = reach > 0 ? reach : next / 4;
             f.spacing = others.back().distance > 0 ? others.back().distance : kInfinity;

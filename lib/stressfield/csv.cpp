@@ -120,9 +120,9 @@ class Table {
             bad(name_, "there is no " + what + " among " + std::to_string(width_) + " columns; name them by --columns");
         for (const std::size_t c : columns_)
             if (c != kNoColumn && c >= width_)
-                bad(name_, "--columns names " + std::to_string(c + 1) + " columns, line " +
-                               std::to_string(line_number_) + " has " + std::to_string(width_));
-        tensors_ = columns_[kXx] != kNoColumn;
+                bad(name_, std::string(given_ ? "--columns" : "the header") + " names " + std::to_string(c + 1) +
+                               " columns, line " + std::to_string(line_number_) + " has " + std::to_string(width_));
+        tensors_ = has_tensor(columns_);
         out_.cases.push_back({"1", {}, {}, {}});
     }
 

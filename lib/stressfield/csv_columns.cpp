@@ -92,9 +92,11 @@ Columns columns_of_count(std::size_t count) {
     return out;
 }
 
+bool has_tensor(const Columns& c) { return has(c, kXx, 6); }
+
 std::string missing(const Columns& c) {
     if (!has(c, kX, 3)) return "column for x, y and z";
-    if (!has(c, kVx, 3) && !has(c, kXx, 6)) return "set of columns s1x,s1y,s1z or sxx,syy,szz,sxy,syz,szx";
+    if (!has(c, kVx, 3) && !has_tensor(c)) return "set of columns s1x,s1y,s1z or sxx,syy,szz,sxy,syz,szx";
     return "";
 }
 

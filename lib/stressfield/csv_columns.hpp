@@ -25,6 +25,8 @@ Columns columns_of_option(const std::string& words);
 // Without either: position and vector if there are six, and its s1 if seven.  All kNoColumn for any other number.
 Columns columns_of_count(std::size_t count);
 
+bool has_tensor(const Columns& columns);
+
 // "" if they make up positions and either vectors or tensors; else what is missing.
 std::string missing(const Columns& columns);
 

@@ -93,7 +93,7 @@ class Outside {
                 const Hit hit = tree_.nearest(s.vertices[v], kInfinity, [](std::uint32_t) { return true; });
                 if (hit.triangle == surface::kNone || skin_.shell[hit.triangle]) continue;
                 const Vec3 n = normal(hit.triangle);
-                with[v] = dot(n, normals[v]) / norm(n);
+                if (norm(n) > 0) with[v] = dot(n, normals[v]) / norm(n);
             }
         });
         double sum = 0;

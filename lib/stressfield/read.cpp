@@ -94,7 +94,12 @@ void rename(Samples& samples, const std::string& names, const std::string& file)
 
 Samples read_any(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
     const std::string_view start = bytes.substr(std::min(bytes.find_first_not_of(" \r\n"), bytes.size()));
-    if (start.starts_with("1C") || start.starts_with("1U")) return read_frd(bytes, name, options.step, notes);
+    const bool frd = start.starts_with("1C") || start.starts_with("1U");
+    if (frd && !options.columns.empty())
+        throw Error(Exit::usage, "cannot use --columns: " + name + " is an FRD file, whose columns are fixed");
+    if (!frd && options.step != "all")
+        throw Error(Exit::usage, "cannot use --step: " + name + " is no FRD file and has no steps");
+    if (frd) return read_frd(bytes, name, options.step, notes);
     if (start.starts_with("<")) return read_vtu(bytes, name, options.columns, notes);
     if (start.starts_with("# vtk")) bad(name, "it is of VTK's old kind of file; save it as .vtu");
     return read_csv(bytes, name, options.columns, notes);

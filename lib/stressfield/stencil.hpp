@@ -23,7 +23,7 @@ std::vector<Vec3> normals(const Surface& s);
 // distance to the next sample), so that the other side of a thin wall does not mix in; and of these, where the surface
 // itself comes back near, those whose normal is within 60 degrees of the vertex's. The weights are those of
 // interpolating moving least squares (Lancaster & Salkauskas 1981), linear in the tangent plane, over the twelve
-// nearest; a vertex farther from its nearest sample than twice the spacing there (to the third neighbour) has none.
+// nearest; a vertex farther from its nearest sample than twice the spacing there (to the sixth neighbour) has none.
 Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads);
 
 // Of elements: in the element that the vertex lies in, else on the nearest outer face (or shell) that faces as the

@@ -1,7 +1,6 @@
 #include "stressfield/stressfield.hpp"
 
 #include "base/error.hpp"
-#include "base/number.hpp"
 #include "parallel/parallel.hpp"
 #include "stressfield/principal.hpp"
 #include "stressfield/stencil.hpp"
@@ -95,6 +94,18 @@ struct Tally {
     }
 };
 
+// Where the greatest principal stress, if its direction is of use, is nearer to the normal than to the surface.
+Tally leaning(const Surface& s, const std::vector<double>& area, const std::vector<Place>& places,
+              const surface::Field& directions, const std::vector<Vec3>& normal) {
+    Tally out;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        const auto& first = places[v].axes.first;
+        const double lean = first ? std::abs(dot(*first, normal[v])) : 0;
+        if (lean > kOut && std::isfinite(directions.vector(v).x)) out.add(area[v], lean, s.vertices[v]);
+    }
+    return out;
+}
+
 void add_case(surface::Sheet& sheet, const Case& c, const Stencils& stencils, const std::vector<Vec3>& normal,
               const Options& options, int threads, Notes& notes, Facts& facts) {
     const Surface& s = sheet.surface;
@@ -103,7 +114,7 @@ void add_case(surface::Sheet& sheet, const Case& c, const Stencils& stencils, co
         for (std::size_t v = begin; v < end; ++v) places[v] = place(stencils, v, c, normal[v], options.tangent);
     });
     const auto area = areas(s);
-    Tally unknown, out, all;
+    Tally unknown, all;
     double greatest = 0;
     for (std::size_t v = 0; v < places.size(); ++v) {
         all.add(area[v], 0, s.vertices[v]);
@@ -115,13 +126,8 @@ void add_case(surface::Sheet& sheet, const Case& c, const Stencils& stencils, co
     if (unknown.count == places.size())
         throw Error(Exit::bad_input, "cannot use the stresses of case '" + c.name +
                                          "': they give none to any vertex of the surface; check --unit and --reach");
-    const double least = options.mask * greatest;
-    Fields fields = fields_of(c.name, places, least, options.tangent);
-    for (std::size_t v = 0; v < places.size(); ++v) {
-        const auto& first = places[v].axes.first;
-        const double lean = first ? std::abs(dot(*first, normal[v])) : 0;
-        if (lean > kOut && std::isfinite(fields.d.values[3 * v])) out.add(area[v], lean, s.vertices[v]);
-    }
+    Fields fields = fields_of(c.name, places, options.mask * greatest, options.tangent);
+    const Tally out = leaning(s, area, places, fields.d, normal);
     unknown.note(notes, "vertex without stress of case " + c.name, unknown.area, "mm2");
     const double share = out.area / all.area;
     if (!options.tangent)

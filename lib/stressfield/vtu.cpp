@@ -145,7 +145,7 @@ class Vtu {
             const double to = offsets[c];
             if (!(to >= from && to <= static_cast<double>(nodes.size())))
                 bad(name_, "the offsets of its cells are wrong");
-            add_cell(static_cast<int>(types[c]),
+            add_cell(types[c] >= 0 && types[c] <= 255 ? static_cast<int>(types[c]) : 255,
                      std::span(nodes).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from)),
                      first);
             from = to;

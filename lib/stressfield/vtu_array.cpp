@@ -37,7 +37,6 @@ class Reader {
         std::vector<std::uint64_t> sizes;
         if (first > text_.size()) too_short();
         for (std::uint64_t k = 0; k < first; ++k) sizes.push_back(count());
-        if (block > kMostPacked * text_.size()) fail("has a block larger than its data can hold");
         std::string out;
         for (std::uint64_t k = 0; k < first; ++k)
             unpack(take(sizes[k]), k + 1 == first && last > 0 ? last : block, out);

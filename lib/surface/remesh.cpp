@@ -4,8 +4,12 @@
 #include "base/number.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/clip.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
@@ -22,7 +26,7 @@ constexpr double kMostTriangles = 2e7;
 constexpr double kSharp = 30; // degrees between normals
 constexpr unsigned kRounds = 3;
 
-CgalMesh to_cgal(const Surface& s) {
+CgalMesh to_cgal(const Surface& s, const char* verb) {
     CgalMesh out;
     out.reserve(static_cast<CgalMesh::size_type>(s.vertices.size()), static_cast<CgalMesh::size_type>(s.twin.size()),
                 static_cast<CgalMesh::size_type>(s.triangles.size()));
@@ -30,8 +34,9 @@ CgalMesh to_cgal(const Surface& s) {
     for (const Vec3& p : s.vertices) out.add_vertex({p.x, p.y, p.z});
     for (const auto& [a, b, c] : s.triangles)
         if (out.add_face(Vertex(a), Vertex(b), Vertex(c)) == CgalMesh::null_face())
-            throw Error(Exit::failure, "cannot remesh the surface: parts of it touch along an edge that was cut; "
-                                       "repair it first");
+            throw Error(Exit::failure, std::string("cannot ") + verb +
+                                           " the surface: parts of it touch along an edge that was cut; repair it "
+                                           "first");
     return out;
 }
 
@@ -48,6 +53,21 @@ mesh::Mesh from_cgal(CgalMesh& m) {
     return out;
 }
 
+// The solid as what it encloses, its triangles facing outwards, or inwards if the part outside is to stay.
+CgalMesh closed(mesh::Mesh solid, bool inside) {
+    Notes own;
+    const Surface s = connect(std::move(solid), own);
+    if (!s.rims.empty())
+        throw Error(Exit::bad_input, "cannot use --cut-mesh: it is open (" + std::to_string(s.rims.size()) +
+                                         " rims), so it has no inside; close it first");
+    CgalMesh m = to_cgal(s, "cut by");
+    if (pmp::does_self_intersect(m))
+        throw Error(Exit::bad_input, "cannot use --cut-mesh: it crosses itself; repair it first");
+    pmp::orient_to_bound_a_volume(m);
+    if (!inside) pmp::reverse_face_orientations(m);
+    return m;
+}
+
 } // namespace
 
 Surface remesh(const Surface& s, double edge, Notes& notes) {
@@ -56,7 +76,7 @@ Surface remesh(const Surface& s, double edge, Notes& notes) {
         throw Error(Exit::usage, "cannot remesh to sides of " + shortest_text(edge) +
                                      " mm: that takes more than 20 million triangles; raise --remesh");
     try {
-        CgalMesh m = to_cgal(s);
+        CgalMesh m = to_cgal(s, "remesh");
         auto kept = m.add_property_map<CgalMesh::Edge_index, bool>("e:kept", false).first;
         pmp::detect_sharp_edges(m, kSharp, kept);
         std::vector<CgalMesh::Edge_index> lines;
@@ -71,6 +91,24 @@ Surface remesh(const Surface& s, double edge, Notes& notes) {
         return connect(from_cgal(m), notes);
     } catch (const CGAL::Failure_exception&) {
         throw Error(Exit::failure, "cannot remesh the surface: CGAL found it not fit; try another --remesh");
+    }
+}
+
+Surface cut(const Surface& s, const mesh::Mesh& solid, bool inside, Notes& notes) {
+    try {
+        CgalMesh m = to_cgal(s, "cut"), by = closed(solid, inside);
+        if (!pmp::clip(m, by, pmp::parameters::clip_volume(false).throw_on_self_intersection(true)))
+            throw Error(Exit::failure, "cannot use --cut-mesh: the cut leaves no manifold; move it a little");
+        mesh::Mesh out = from_cgal(m);
+        if (out.triangles.empty())
+            throw Error(Exit::usage, std::string("cannot use --cut-mesh: nothing of the surface lies ") +
+                                         (inside ? "inside" : "outside"));
+        return connect(std::move(out), notes);
+    } catch (const pmp::Corefinement::Self_intersection_exception&) {
+        throw Error(Exit::bad_input, "cannot use --cut-mesh: the surface crosses itself where it is cut");
+    } catch (const CGAL::Failure_exception&) {
+        throw Error(Exit::failure, "cannot use --cut-mesh: CGAL found the meshes not fit; repair them, or move one a "
+                                   "little");
     }
 }
 

@@ -16,4 +16,10 @@ Surface remesh(const Surface& s, double edge, Notes& notes);
 // Throws Error(usage) if nothing is left, or the normal has no length.
 Surface cut(const Surface& s, const Plane& plane, Notes& notes);
 
+// The part of the surface inside the closed mesh `solid`, or that outside; triangles are split along its surface.  What
+// lies on it stays either way.
+// Throws Error: bad_input if the mesh is open or crosses itself, or the surface does where it is cut; usage if nothing
+// is left; failure if CGAL cannot do it.  (CGAL clip, by corefinement.)
+Surface cut(const Surface& s, const mesh::Mesh& solid, bool inside, Notes& notes);
+
 } // namespace filum::surface

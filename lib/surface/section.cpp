@@ -9,20 +9,10 @@ namespace {
 
 constexpr double kInPlane = 1e-9; // of the box's diagonal
 
-// Nearest point of a triangle: of its inside, or of a side (Ericson, Real-Time Collision Detection, 5.1.5).
-Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
-    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
-                 d6 = dot(ac, cp);
-    if (d1 <= 0 && d2 <= 0) return a;
-    if (d3 >= 0 && d4 <= d3) return b;
-    if (d6 >= 0 && d5 <= d6) return c;
-    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-    const double f = 1 / (va + vb + vc);
-    return a + vb * f * ab + vc * f * ac;
+// With the normal's side of the plane to its left, seen from the side that the surface faces.
+Segment turned(const Surface& s, const Segment& line, const Plane& plane) {
+    const bool wrong = dot(line.b - line.a, cross(plane.normal, normal(s, line.triangle))) < 0;
+    return wrong ? Segment{line.triangle, line.b, line.a} : line;
 }
 
 } // namespace
@@ -53,7 +43,8 @@ std::vector<Segment> section(const Surface& s, const Plane& plane) {
             const std::uint32_t h = 3 * t + k, a = s.tail(h), b = s.head(h);
             if (side[a] == 0 && side[b] == 0) {
                 along = true;
-                if (s.twin[h] == kNone || h < s.twin[h]) out.push_back({t, s.vertices[a], s.vertices[b]});
+                if (s.twin[h] == kNone || h < s.twin[h])
+                    out.push_back(turned(s, {t, s.vertices[a], s.vertices[b]}, plane));
             }
             if (found == 2) continue;
             if (side[a] == 0)
@@ -61,9 +52,25 @@ std::vector<Segment> section(const Surface& s, const Plane& plane) {
             else if (side[a] * side[b] < 0)
                 ends[found++] = s.vertices[a] + side[a] / (side[a] - side[b]) * (s.vertices[b] - s.vertices[a]);
         }
-        if (found == 2 && !along) out.push_back({t, ends[0], ends[1]});
+        if (found == 2 && !along) out.push_back(turned(s, {t, ends[0], ends[1]}, plane));
     }
     return out;
+}
+
+// Of its inside, or of a side (Ericson, Real-Time Collision Detection, 5.1.5).
+Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
+                 d6 = dot(ac, cp);
+    if (d1 <= 0 && d2 <= 0) return a;
+    if (d3 >= 0 && d4 <= d3) return b;
+    if (d6 >= 0 && d5 <= d6) return c;
+    const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    const double f = 1 / (va + vb + vc);
+    return a + vb * f * ab + vc * f * ac;
 }
 
 Vec3 nearest_in(const Surface& s, std::uint32_t triangle, const Vec3& p) {

@@ -20,10 +20,12 @@ struct Plane {
 // surface's box.
 std::vector<double> sides(const Surface& s, const Plane& plane);
 
-// The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.
+// The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.  The side
+// that the normal points to lies to their left, seen from the side that the surface faces.
 std::vector<Segment> section(const Surface& s, const Plane& plane);
 
 // The point of a triangle, borders included, that is nearest to `p`.
+Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
 Vec3 nearest_in(const Surface& s, std::uint32_t triangle, const Vec3& p);
 
 // The point of the surface nearest to `p`, as a segment without length; the first triangle of equals.

@@ -28,6 +28,12 @@ class Path {
                       {"", "turns", turned_, ""},
                       {"", "hairpins", hairpins_, ""},
                       {"", "transits", transited_, "mm"}};
+        if (rows_.drops > 0)
+            out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
+                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
+        if (out_.strokes.size() > 1)
+            out_.notes.push_back({"", "no way on along rims and rows: cut", static_cast<double>(out_.strokes.size() - 1),
+                                  "cuts", out_.strokes.size() - 1});
         if (turned_ > 0) out_.facts.push_back({"", "least-radius", least_, "mm"});
         return std::move(out_);
     }
@@ -36,8 +42,18 @@ class Path {
     [[nodiscard]] std::vector<Chain> ordered() const {
         std::vector<Link> links;
         for (const LaidTurn& t : turns_) links.push_back({t.from, t.to, t.cost});
-        return order(static_cast<std::uint32_t>(rows_.rows.size()), links,
-                     {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+        const auto n = static_cast<std::uint32_t>(rows_.rows.size());
+        const auto row = sweep(n, links);
+        std::vector<std::uint32_t> number(n);
+        for (std::uint32_t i = 0; i < n; ++i) number[row[i]] = i;
+        for (Link& l : links) {
+            l.from = 2 * number[l.from / 2] + l.from % 2, l.to = 2 * number[l.to / 2] + l.to % 2;
+            if (l.from > l.to) std::swap(l.from, l.to);
+        }
+        auto out = order(n, links, {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+        for (Chain& chain : out)
+            for (Visit& v : chain) v.row = row[v.row];
+        return out;
     }
 
     // The chains led into each other, as far as they hang together.
@@ -47,10 +63,9 @@ class Path {
             return e % 2 == 0 ? entry(chains[e / 2].front()) : leave(chains[e / 2].back());
         };
         std::vector<std::vector<double>> length(2 * n, std::vector<double>(2 * n));
-        for (std::size_t e = 0; e < 2 * n; ++e) {
-            const auto all = transits_.lengths(end(e));
-            for (std::size_t f = 0; f < 2 * n; ++f) length[e][f] = all[end(f)];
-        }
+        for (std::size_t e = 0; e < 2 * n; ++e)
+            for (std::size_t f = 0; f < 2 * n; ++f)
+                if (e / 2 != f / 2) length[e][f] = transits_.length(end(e), end(f));
         std::vector<Chain> out;
         std::size_t before = 2 * n;
         for (const Turned& t : tour(length)) {
@@ -102,7 +117,7 @@ class Path {
             const bool hairpin = turner_.hairpin(next.radius);
             least_ = std::min(least_, next.radius);
             hairpins_ += hairpin, ++turned_;
-            stroke.pieces.push_back({std::move(next.line), hairpin});
+            for (Piece& piece : turner_.pieces(next)) stroke.pieces.push_back(std::move(piece));
         }
         out_.strokes.push_back(std::move(stroke));
     }

@@ -4,6 +4,7 @@
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/capped.hpp"
 #include "surfpath/seed_side.hpp"
+#include "surfpath/winding.hpp"
 
 #include <cmath>
 
@@ -20,10 +21,11 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     std::vector<Raw> raw;
     for (std::uint32_t side = 0; side < sides.count; ++side) {
         const double sign = side % 2 == 0 ? 1 : -1;
-        for (const auto& line : side_rows(s, closed, field, sides, side, o.spacing))
-            raw.push_back({curve::line(line), sign * line.level});
+        add(raw, side_rows(s, closed, field, sides, side, o.spacing), sign);
     }
-    return boustrophedon(s, rows(s, raw, o.spacing / 2), {o.spacing, o.least_radius});
+    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    wind(s, all, o.spacing, true);
+    return boustrophedon(s, all, {o.spacing, o.least_radius});
 }
 
 } // namespace filum::surfpath

@@ -24,16 +24,18 @@ struct State {
 };
 
 struct Choice {
-    double cost;
+    double guess, cost; // of the whole, so far
     std::uint32_t parent, link[2];
 };
 
 class Beam {
   public:
     Beam(std::uint32_t rows, std::span<const Link> links, const Costs& costs, std::size_t kept)
-        : rows_(rows), links_(links), break_(costs.breaks / 2), gap_(costs.gap), kept_(kept), back_(2 * rows), last_(2 * rows, 0) {
+        : rows_(rows), links_(links), break_(costs.breaks / 2), gap_(costs.gap), kept_(kept), back_(2 * rows), forth_(2 * rows), ahead_(2 * rows, 0),
+          last_(2 * rows, 0) {
         for (std::uint32_t i = 0; i < links.size(); ++i) {
             back_[links[i].to].push_back(i);
+            forth_[links[i].from].push_back(i);
             last_[links[i].from] = std::max(last_[links[i].from], links[i].to / 2);
         }
         for (std::uint32_t e = 0; e < 2 * rows; ++e) last_[e] = std::max(last_[e], e / 2);
@@ -61,51 +63,79 @@ class Beam {
         return nullptr;
     }
 
+    // What an open end behind `row` will cost at least.
+    void look_ahead(std::uint32_t row) {
+        for (std::uint32_t e = 0; e < 2 * row + 2; ++e) {
+            if (last_[e] <= row) continue;
+            ahead_[e] = break_;
+            for (const std::uint32_t l : forth_[e])
+                if (links_[l].to / 2 > row) ahead_[e] = std::min(ahead_[e], links_[l].cost);
+        }
+    }
+
     void advance(std::uint32_t row) {
+        look_ahead(row);
         std::vector<Choice> choices;
         const auto& from = layers_.back();
         for (std::uint32_t p = 0; p < from.size(); ++p) extend(from[p], p, row, choices);
-        std::sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) {
-            return std::tuple(a.cost, a.parent, a.link[0], a.link[1]) <
-                   std::tuple(b.cost, b.parent, b.link[0], b.link[1]);
-        });
+        // A heap, as only the first few are wanted; which come first does not depend on how it is built.
+        const auto behind = [](const Choice& a, const Choice& b) {
+            return std::tuple(a.guess, a.parent, a.link[0], a.link[1]) >
+                   std::tuple(b.guess, b.parent, b.link[0], b.link[1]);
+        };
+        std::make_heap(choices.begin(), choices.end(), behind);
         std::vector<State> next;
         std::unordered_set<std::string> seen;
-        for (const Choice& c : choices) {
+        while (!choices.empty() && next.size() < kept_) {
+            std::pop_heap(choices.begin(), choices.end(), behind);
+            const Choice c = choices.back();
+            choices.pop_back();
             State s = made(from[c.parent], c, row);
             std::string key(reinterpret_cast<const char*>(s.open.data()), s.open.size() * sizeof(Open));
             if (!seen.insert(std::move(key)).second) continue;
             next.push_back(std::move(s));
-            if (next.size() == kept_) break;
         }
+        for (State& s : layers_.back()) s.open = {};
         layers_.push_back(std::move(next));
     }
 
     void extend(const State& s, std::uint32_t parent, std::uint32_t row, std::vector<Choice>& out) const {
-        double expired = 0; // cost of those that were not linked in time
-        std::uint32_t waiting[2] = {0, 0}; // ends on either side that lead on, of rows before
+        double expired = 0, later = 0;     // cost of ends that were not linked in time, and of those that still wait
+        std::uint32_t waiting[2] = {0, 0}; // on either side
         for (const Open& o : s.open)
-            if (last_[o.end] > row) ++waiting[o.end % 2];
-        for (const Open& o : s.open)
-            if (last_[o.end] == row) expired += break_;
-        const auto try_end = [&](std::uint32_t end, auto&& found) {
-            found(kNo, last_[end] == row ? break_ : 0, kNo);
-            for (const std::uint32_t l : back_[end])
-                if (const Open* o = find(s, links_[l].from)) found(l, links_[l].cost - (last_[o->end] == row ? break_ : 0), o->end);
-        };
-        try_end(2 * row, [&](std::uint32_t a, double cost_a, std::uint32_t from_a) {
-            try_end(2 * row + 1, [&](std::uint32_t b, double cost_b, std::uint32_t from_b) {
-                if (a != kNo && b != kNo && (from_a == from_b || find(s, from_a)->mate == from_b)) return;
-                // Nothing leads over the gap behind this row.
+            if (waits(o.end, row))
+                ++waiting[o.end % 2], later += ahead_[o.end];
+            else
+                expired += break_;
+        for (const Option& a : options(s, 2 * row, row))
+            for (const Option& b : options(s, 2 * row + 1, row)) {
+                if (a.link != kNo && b.link != kNo && (a.other == b.other || find(s, a.other)->mate == b.other)) continue;
                 std::uint32_t over[2] = {waiting[0], waiting[1]};
-                if (a == kNo) over[0] += last_[2 * row] > row;
-                else over[from_a % 2] -= last_[from_a] > row;
-                if (b == kNo) over[1] += last_[2 * row + 1] > row;
-                else over[from_b % 2] -= last_[from_b] > row;
-                const double gaps = gap_ * ((over[0] == 0) + (over[1] == 0));
-                out.push_back({s.cost + expired + gaps + cost_a + cost_b, parent, {a, b}});
-            });
-        });
+                if (a.waits) over[a.end % 2] += a.link == kNo ? 1u : ~0u;
+                if (b.waits) over[b.end % 2] += b.link == kNo ? 1u : ~0u;
+                const double cost = s.cost + expired + gap_ * ((over[0] == 0) + (over[1] == 0)) + a.cost + b.cost;
+                out.push_back({cost + later + a.later + b.later, cost, parent, {a.link, b.link}});
+            }
+    }
+
+    [[nodiscard]] bool waits(std::uint32_t end, std::uint32_t row) const { return last_[end] > row; }
+
+    // What may be done with one end of a new row: left open, or linked to an open one.
+    struct Option {
+        std::uint32_t link, other, end; // the link, what it leads to, the end that is open no more, or newly
+        bool waits;                     // whether that one counts among those that wait
+        double cost, later;
+    };
+    [[nodiscard]] std::vector<Option> options(const State& s, std::uint32_t end, std::uint32_t row) const {
+        const bool w = waits(end, row);
+        std::vector<Option> out{{kNo, kNo, end, w, w ? 0 : break_, w ? ahead_[end] : 0}};
+        for (const std::uint32_t l : back_[end])
+            if (const Open* o = find(s, links_[l].from)) {
+                const bool waited = waits(o->end, row);
+                out.push_back({l, o->end, o->end, waited, links_[l].cost - (waited ? 0 : break_),
+                               waited ? -ahead_[o->end] : 0});
+            }
+        return out;
     }
 
     State made(const State& s, const Choice& c, std::uint32_t row) const {
@@ -142,7 +172,8 @@ class Beam {
     std::span<const Link> links_;
     double break_, gap_;
     std::size_t kept_;
-    std::vector<std::vector<std::uint32_t>> back_; // per end: links to rows before
+    std::vector<std::vector<std::uint32_t>> back_, forth_; // per end: links to rows before, to rows behind
+    std::vector<double> ahead_;
     std::vector<std::uint32_t> last_;              // per end: the last row that it may be linked to
     std::vector<std::vector<State>> layers_;
 };

@@ -13,6 +13,11 @@ struct Link {
     double cost = 0;
 };
 
+// The rows in an order in which few that were taken have links to others that were not: from the one with the fewest
+// links on, always the one among those linked to what is taken after which these are least; then what is not linked to
+// them.  Ties: the least number.
+std::vector<std::uint32_t> sweep(std::uint32_t rows, std::span<const Link> links);
+
 // A row as it is passed.
 struct Visit {
     std::uint32_t row = 0;
@@ -28,6 +33,6 @@ struct Costs {
 // `kept` go on (a beam through the frontier states of a Hamiltonian path problem: exact where they never are more).
 // Fast where links join rows whose numbers are near to each other.  Ties: the first link.
 std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
-                                      std::size_t kept = 200);
+                                      std::size_t kept = 3000);
 
 } // namespace filum::surfpath

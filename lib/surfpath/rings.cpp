@@ -1,28 +1,30 @@
 #include "surfpath/rings.hpp"
 
 #include "base/error.hpp"
-#include "curve/walk.hpp"
 #include "geodesic/exact.hpp"
 #include "geodesic/isolines.hpp"
-#include "geodesic/query.hpp"
 #include "parallel/parallel.hpp"
+#include "surfpath/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <map>
 #include <numeric>
 
 namespace filum::surfpath {
 
 namespace {
 
-using geodesic::ExactField;
-using surface::Isoline;
 using surface::kNone;
 
-constexpr double kStretch = 0.1;   // of the spacing
+constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;   // of the way to the ridge that a turn of a ring takes, where the ridge is near
-constexpr double kWorth = 3.3;     // least radii: what a ring with tighter turns has besides them
+constexpr double kRounder = 1.05;  // least radii: what corners are rounded by, so that little remains to be eased
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2};            // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.6, 4.6, 6, 8, 12, 18}; // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 1;          // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1; // spacings that radii may fall by from one level to the next
 constexpr double kTightest = 0.3;  // spacings: no ring turns tighter
 
 // The sources, and all rims.
@@ -39,19 +41,13 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
     return out;
 }
 
-// The spacing near `d` for which the farthest place is a whole number of them and a half away.
+// The spacing near `d` for which the farthest place is a whole number of them and a half away; if there is none, one
+// that is a little less than `d`, which wins more of the gaps at corners than it loses.
 double stretched(double farthest, double d) {
-    const double n = std::max(1.0, std::floor(farthest / d));
-    const double wide = farthest / (n + 0.5), tight = farthest / (n - 0.5);
-    const double best = std::abs(wide / d - 1) < std::abs(tight / d - 1) ? wide : tight;
-    return std::abs(best / d - 1) <= kStretch ? best : d;
-}
-
-double longest_edge(const Surface& s) {
-    double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
-    return out;
+    const double n = std::max(0.0, std::floor(farthest / d - 0.5)) + 0.5;
+    for (const double fits : {farthest / n, farthest / (n + 1)})
+        if (fits <= (1 + kWider) * d && fits >= (1 - kNarrower) * d) return fits;
+    return (1 - kNarrower / 2) * d;
 }
 
 // The highest vertex of the triangles that a line runs through; kNone if none is as high as the line.
@@ -96,242 +92,153 @@ void climb(const Surface& s, const std::vector<double>& far, std::vector<Climb>&
     }
 }
 
-surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
-    surface::Sources out;
-    for (const Isoline* l : lines)
-        for (std::size_t i = 0; i < l->triangles.size(); ++i)
-            out.segments.push_back({l->triangles[i], l->points[i], l->points[(i + 1) % l->points.size()]});
-    return out;
-}
-
-// A place on one of several lines.
-struct On {
-    std::size_t line = 0;
-    double way = 0, distance = 1e300;
-};
-
-// A ring, and what it runs like where its corners are rounded.
-struct Ring {
-    Line line;
-    std::vector<double> ways;
-    struct Corner {
-        double from, to; // ways between which it is replaced; `to` may be less
-        Line arc;
-    };
-    std::vector<Corner> corners;
-    std::vector<double> kept;  // ways at places where it stays as it is
-    std::vector<Line> instead; // of all of it
-};
-
-On nearest(const std::vector<Ring>& rings, const Vec3& p) {
-    On out;
-    for (std::size_t r = 0; r < rings.size(); ++r)
-        for (std::size_t i = 0; i < rings[r].line.size(); ++i)
-            if (const double d = distance(rings[r].line[i], p); d < out.distance) out = {r, rings[r].ways[i], d};
-    if (out.distance > 1e299) return out;
-    // on the stretches beside that point
-    const Ring& ring = rings[out.line];
-    const double reach = 0.5, all = ring.ways.back();
-    const double from = out.way;
-    for (int i = -100; i <= 100; ++i) {
-        const double way = from + reach * i / 100;
-        const double d = distance(curve::at(ring.line, ring.ways, way).point, p);
-        if (d < out.distance) out.distance = d, out.way = std::fmod(way + all, all);
-    }
-    return out;
-}
-
-class Rounding {
+class Making {
   public:
-    Rounding(const Surface& s, const ExactField& field) : surface_(s), field_(field), edge_(longest_edge(s)) {}
+    Making(const surface::Sheet& sheet, const Options& o)
+        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), far_(field_.distance),
+          least_(kRounder * o.least_radius) {
+        for (const double d : far_)
+            if (std::isfinite(d)) farthest_ = std::max(farthest_, d);
+        for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrower / 2) * o.spacing}) {
+            d_ = d;
+            levels_.clear();
+            for (double l = d / 2; l < farthest_; l += d) levels_.push_back(l);
+            outer_ = geodesic::isolines(s_, field_, levels_);
+            if (d <= o.spacing || one_ridge()) break; // so there is no harm to others
+        }
+    }
 
-    // The isolines `outer` of one level, their corners rounded by the radius: where a disc of that size, rolling along
-    // inside, does not come, but for narrow places that lead on to others where it does.  `inner`: what is a radius
-    // farther away.
-    [[nodiscard]] std::vector<Line> operator()(double level, const std::vector<const Isoline*>& outer,
-                                               const std::vector<const Isoline*>& inner, double radius) const {
-        std::vector<Ring> rings;
-        for (const Isoline* line : outer) rings.push_back({curve::line(*line), {}, {}, {}, {}});
-        for (Ring& r : rings) r.ways = curve::ways(r.line);
-        if (!rings.empty())
-            for (const Line& line : opened(level, inner, radius)) sort_in(line, level, radius, rings);
-        std::vector<Line> out;
-        for (Ring& r : rings) assemble(r, out);
+    Rings run() {
+        find_batches();
+        find_inner();
+        const Rounding rounding(s_, field_, least_, d_);
+        each([&](Batch& b) { rounding.prepare(b); });
+        const double gain = affordable(rounding);
+        each([&](Batch& b) { rounding.finish(b, gain, floor_.at(b.level)); });
+        Rings out;
+        out.spacing = d_;
+        for (auto& b : batches_)
+            for (auto& line : b.lines) {
+                out.lines.push_back(std::move(line));
+                out.level.push_back(static_cast<int>(std::lround(b.level / d_ - 0.5)));
+                out.radius.push_back(b.scales[0].radius);
+            }
         return out;
     }
 
   private:
-    // Lines `radius` mm outside of `inner`.
-    [[nodiscard]] std::vector<Line> opened(double level, const std::vector<const Isoline*>& inner, double radius) const {
-        std::vector<Line> out;
-        if (inner.empty()) return out;
-        const auto near = geodesic::exact(surface_, as_sources(inner), radius + 2 * edge_);
-        const double levels[] = {radius};
-        for (const auto& line : geodesic::isolines(surface_, near, levels)) {
-            if (!line.closed || line.points.size() < 3) continue;
-            if (height(curve::line(line).places[0]) > level + radius) continue;
-            out.push_back(curve::line(line));
-            curve::reverse(out.back()); // what is less lies to its left again
+    // True if no level has two rings, but near its top.
+    [[nodiscard]] bool one_ridge() const {
+        for (std::size_t i = 1; i < outer_.size(); ++i)
+            if (outer_[i].level == outer_[i - 1].level && outer_[i].level < farthest_ - least_) return false;
+        return true;
+    }
+
+    template <class F>
+    void each(const F& f) {
+        parallel::for_chunks(batches_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) f(batches_[i]);
+        });
+    }
+
+    // Rings by level, those within low ridges apart.
+    void find_batches() {
+        std::vector<Climb> climbs;
+        for (const auto& line : outer_) climbs.push_back({line.level, top(s_, far_, line)});
+        climb(s_, far_, climbs);
+        for (const double l : levels_) {
+            Batch high{l, {}, {}};
+            for (const double part : kScales) high.scales.push_back({part * least_});
+            std::vector<std::uint32_t> high_tops;
+            for (std::size_t i = 0; i < outer_.size(); ++i) {
+                if (!outer_[i].closed || outer_[i].level != l || climbs[i].to == kNone) continue;
+                const double rise = far_[climbs[i].to] - l, radius = kOfRidge * rise;
+                if (rise > least_) {
+                    high.outer.push_back(&outer_[i]), high_tops.push_back(climbs[i].to);
+                    continue;
+                }
+                if (radius < kTightest * d_) continue;
+                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.55 * radius}}});
+                tops_.push_back({climbs[i].to});
+            }
+            if (!high.outer.empty()) batches_.push_back(std::move(high)), tops_.push_back(std::move(high_tops));
+        }
+    }
+
+    // What lies a radius within each batch.
+    void find_inner() {
+        std::vector<double> levels;
+        for (const auto& b : batches_)
+            for (const auto& scale : b.scales) levels.push_back(b.level + scale.radius);
+        std::sort(levels.begin(), levels.end());
+        levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+        inner_ = geodesic::isolines(s_, field_, levels);
+        struct Use {
+            std::size_t batch, scale;
+            const Isoline* line;
+        };
+        std::vector<Use> uses;
+        std::vector<Climb> climbs;
+        for (std::size_t b = 0; b < batches_.size(); ++b)
+            for (std::size_t k = 0; k < batches_[b].scales.size(); ++k) {
+                const double level = batches_[b].level + batches_[b].scales[k].radius;
+                auto at = std::lower_bound(inner_.begin(), inner_.end(), level,
+                                           [](const Isoline& l, double x) { return l.level < x; });
+                for (; at != inner_.end() && at->level == level; ++at)
+                    if (at->closed) uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
+            }
+        climb(s_, far_, climbs);
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            const auto& t = tops_[uses[i].batch];
+            if (std::find(t.begin(), t.end(), climbs[i].to) != t.end())
+                batches_[uses[i].batch].scales[uses[i].scale].inner.push_back(uses[i].line);
+        }
+    }
+
+    // How much too tight all turn, rad; finds the floors.  From one level to the next radii may fall by a spacing, or a
+    // tip would reach over the one outside of it.
+    double tight(const Rounding& rounding, double gain) {
+        double out = 0, before = least_;
+        floor_.clear();
+        for (const double l : levels_) {
+            const double floor = floor_[l] = before - kFall * d_;
+            before = least_;
+            for (const auto& b : batches_) {
+                if (b.level != l) continue;
+                const auto turns = rounding.turns(b, gain, floor);
+                out += turns.tight;
+                before = std::min(before, turns.least);
+            }
         }
         return out;
     }
 
-    [[nodiscard]] double height(const Place& p) const {
-        return geodesic::distance_at(surface_, field_, p.triangle, p.point);
+    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much tighter.
+    [[nodiscard]] double affordable(const Rounding& rounding) {
+        double length = 0;
+        for (const auto& line : outer_) length += curve::length(curve::line(line));
+        const double most = kTightPart * length * kTighter / least_;
+        for (const double gain : kGains)
+            if (tight(rounding, gain) <= most) return gain;
+        static_cast<void>(tight(rounding, std::numeric_limits<double>::infinity()));
+        return std::numeric_limits<double>::infinity();
     }
 
-    // Splits an opened line into arcs and what runs along the rings.
-    void sort_in(const Line& line, double level, double radius, std::vector<Ring>& rings) const {
-        const double still = 0.0015 * radius, off = 0.01 * radius;
-        const std::size_t n = line.size();
-        std::vector<double> above(n);
-        for (std::size_t i = 0; i < n; ++i) above[i] = height(line.places[i]) - level;
-        std::size_t first = n; // a place along a ring
-        for (std::size_t i = 0; i < n && first == n; ++i)
-            if (above[i] <= still) first = i;
-        if (first == n) {
-            rings[nearest(rings, line[0]).line].instead.push_back(line);
-            return;
-        }
-        for (std::size_t k = 0; k < n;) { // from first + k on
-            std::size_t e = k;
-            double most = 0;
-            while (e < n && above[(first + e) % n] > still) most = std::max(most, above[(first + e) % n]), ++e;
-            if (e == k) {
-                const On on = nearest(rings, line[(first + k) % n]);
-                rings[on.line].kept.push_back(on.way);
-                ++k;
-                continue;
-            }
-            if (most > off) add_arc(line, first + k - 1 + n, first + e + n, rings);
-            k = e;
-        }
-    }
-    static void add_arc(const Line& line, std::size_t begin, std::size_t end, std::vector<Ring>& rings) {
-        const std::size_t n = line.size();
-        const On a = nearest(rings, line[begin % n]), b = nearest(rings, line[end % n]);
-        if (a.line != b.line) return;
-        Line arc;
-        for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
-        rings[a.line].corners.push_back({a.way, b.way, std::move(arc)});
-    }
-
-    void assemble(Ring& r, std::vector<Line>& out) const {
-        if (r.kept.empty()) {
-            for (auto& line : r.instead) out.push_back(std::move(line));
-            return;
-        }
-        const double all = r.ways.back();
-        const auto ahead = [&](double from, double to) {
-            const double d = std::fmod(to - from, all);
-            return d < 0 ? d + all : d;
-        };
-        std::erase_if(r.corners, [&](const Ring::Corner& c) {
-            const double l = ahead(c.from, c.to);
-            return std::any_of(r.kept.begin(), r.kept.end(), [&](double way) {
-                const double on = ahead(c.from, way);
-                return on > 1e-3 && on < l - 1e-3;
-            });
-        });
-        std::sort(r.corners.begin(), r.corners.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
-        if (r.corners.empty()) {
-            out.push_back(std::move(r.line));
-            return;
-        }
-        Line line{{}, false};
-        for (std::size_t i = 0; i < r.corners.size(); ++i) {
-            const auto& c = r.corners[i];
-            const auto& next = r.corners[(i + 1) % r.corners.size()];
-            curve::append(line, c.arc);
-            const double rest = r.corners.size() == 1 ? all - ahead(c.from, c.to) : ahead(c.to, next.from);
-            if (rest < all - 1e-6) curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
-        }
-        line.closed = true;
-        out.push_back(curve::threaded(surface_, line));
-    }
-
-    const Surface& surface_;
-    const ExactField& field_;
-    double edge_;
-};
-
-// Isolines of one level that are rounded alike.
-struct Batch {
-    double level, radius;
-    std::vector<const Isoline*> outer, inner;
-    std::vector<Line> lines{};
+    const Surface& s_;
+    ExactField field_;
+    const std::vector<double>& far_;
+    double least_, farthest_ = 0, d_ = 0;
+    std::vector<double> levels_;
+    std::vector<Isoline> outer_, inner_;
+    std::vector<Batch> batches_;
+    std::map<double, double> floor_; // mm: per level, the least radius
+    std::vector<std::vector<std::uint32_t>> tops_; // per batch: where its rings lead up to
 };
 
 } // namespace
 
 Rings rings(const surface::Sheet& sheet, const Options& o, Facts& facts) {
-    const Surface& s = sheet.surface;
-    const auto field = geodesic::exact(s, all_sources(sheet));
-    double farthest = 0;
-    for (const double d : field.distance)
-        if (std::isfinite(d)) farthest = std::max(farthest, d);
-    Rings out;
-    out.spacing = stretched(farthest, o.spacing);
-    const double d = out.spacing, least = o.least_radius;
-    std::vector<double> levels, inner_levels;
-    for (double l = d / 2; l < farthest; l += d) levels.push_back(l), inner_levels.push_back(l + least);
-    const auto outer = geodesic::isolines(s, field, levels);
-    const auto inner = geodesic::isolines(s, field, inner_levels);
-    std::vector<Climb> climbs;
-    for (const auto& line : outer) climbs.push_back({line.level, top(s, field.distance, line)});
-    climb(s, field.distance, climbs);
-
-    std::vector<Batch> batches;
-    for (const double l : levels) {
-        batches.push_back({l, least, {}, {}});
-        for (std::size_t i = 0; i < outer.size(); ++i)
-            if (outer[i].closed && outer[i].level == l && climbs[i].to != kNone &&
-                field.distance[climbs[i].to] > l + least)
-                batches.back().outer.push_back(&outer[i]);
-        for (const auto& line : inner)
-            if (line.closed && std::abs(line.level - l - least) < 1e-9) batches.back().inner.push_back(&line);
-    }
-    // what is too low for the radius has one of its own
-    struct Low {
-        std::size_t line;
-        double radius;
-    };
-    std::vector<Low> low;
-    std::vector<double> low_levels;
-    for (std::size_t i = 0; i < outer.size(); ++i) {
-        if (!outer[i].closed || climbs[i].to == kNone) continue;
-        const double high = field.distance[climbs[i].to] - outer[i].level, radius = kOfRidge * high;
-        if (high > least || radius < kTightest * d) continue;
-        if (curve::length(curve::line(outer[i])) < 2 * std::numbers::pi * radius + kWorth * least) continue;
-        low.push_back({i, radius});
-        low_levels.push_back(outer[i].level + radius);
-    }
-    std::sort(low_levels.begin(), low_levels.end());
-    low_levels.erase(std::unique(low_levels.begin(), low_levels.end()), low_levels.end());
-    const auto low_inner = geodesic::isolines(s, field, low_levels);
-    for (const Low& own : low) {
-        const double level = outer[own.line].level;
-        batches.push_back({level, own.radius, {&outer[own.line]}, {}});
-        std::vector<const Isoline*> lines;
-        std::vector<Climb> to;
-        for (const auto& line : low_inner)
-            if (line.closed && line.level == level + own.radius)
-                lines.push_back(&line), to.push_back({level, top(s, field.distance, line)});
-        climb(s, field.distance, to);
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            if (to[i].to == climbs[own.line].to) batches.back().inner.push_back(lines[i]);
-    }
-    const Rounding rounding(s, field);
-    parallel::for_chunks(batches.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            batches[i].lines = rounding(batches[i].level, batches[i].outer, batches[i].inner, batches[i].radius);
-    });
-    for (auto& b : batches)
-        for (auto& line : b.lines) {
-            out.lines.push_back(std::move(line));
-            out.level.push_back(static_cast<int>(std::lround(b.level / d - 0.5)));
-            out.radius.push_back(b.radius);
-        }
+    Rings out = Making(sheet, o).run();
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     facts.push_back({"", "stretch", out.spacing / o.spacing, ""});
     return out;

@@ -1,11 +1,13 @@
 #include "surfpath/rows.hpp"
 
+#include "curve/ease.hpp"
 #include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace filum::surfpath {
 
@@ -14,6 +16,9 @@ namespace {
 using surface::kNone;
 
 constexpr double kDetour = 1.1; // of the way that is replaced, at most
+constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
+constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
+constexpr double kNear = 0.4;   // of the margin: what lines keep that follow the inset instead
 
 double longest_edge(const Surface& s) {
     double out = 0;
@@ -43,8 +48,10 @@ class Cutter {
 
     [[nodiscard]] Inset& inset() { return inset_; }
 
-    // The stretches of the line that keep the margin, mm along it.
-    [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways) const {
+    // The stretches of the line that keep a share of the margin, mm along it.
+    [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways,
+                                                              double share) const {
+        const auto room = [&](const Place& p) { return this->room(p) - share * margin_; };
         std::vector<std::pair<double, double>> out;
         const std::size_t n = line.size(), stretches = ways.size() - 1;
         bool in = room(line.places[0]) >= 0;
@@ -53,17 +60,12 @@ class Cutter {
             const Place& next = line.places[(i + 1) % n];
             const bool then = room({line.places[i].triangle, next.point}) >= 0;
             if (in == then) continue;
-            const double way = ways[i] + crossing(line.places[i], next, in) * (ways[i + 1] - ways[i]);
+            const double way = ways[i] + crossing(line.places[i], next, in, room) * (ways[i + 1] - ways[i]);
             if (in) out.emplace_back(begin, way);
             else begin = way;
             in = then;
         }
         if (in) out.emplace_back(begin, ways.back());
-        // Of a closed line the first and the last stretch are one, over its first point.
-        if (line.closed && out.size() > 1 && out.front().first == 0 && out.back().second == ways.back()) {
-            out.front().first = out.back().first - ways.back();
-            out.pop_back();
-        }
         return out;
     }
 
@@ -83,6 +85,14 @@ class Cutter {
         return out;
     }
 
+    // Where the line is nearest to a rim, mm along it.
+    [[nodiscard]] double tightest(const Line& line, std::span<const double> ways) const {
+        std::size_t best = 0;
+        for (std::size_t i = 1; i < line.size(); ++i)
+            if (room(line.places[i]) < room(line.places[best])) best = i;
+        return ways[best];
+    }
+
     // What leads along a ring from one place to another that is `way` mm off along a line; empty if that is a detour.
     [[nodiscard]] Line along(const Place& from, const Place& to, double way) const {
         const Port a = port(from.point), b = port(to.point);
@@ -99,14 +109,17 @@ class Cutter {
         return out;
     }
 
-  private:
+    // The distance of the nearest rim, mm; some multiple of the margin beyond that.
     [[nodiscard]] double room(const Place& p) const {
-        if (inset_.rings.empty() && surface_.rims.empty()) return margin_;
-        return geodesic::distance_at(surface_, field_, p.triangle, p.point) - margin_;
+        if (surface_.rims.empty()) return std::numeric_limits<double>::infinity();
+        return geodesic::distance_at(surface_, field_, p.triangle, p.point);
     }
 
+  private:
+
     // Where the stretch from `a` to `b`, within a's triangle, crosses the margin: part of it.
-    [[nodiscard]] double crossing(const Place& a, const Place& b, bool from_inside) const {
+    template <class Room>
+    [[nodiscard]] static double crossing(const Place& a, const Place& b, bool from_inside, const Room& room) {
         double lo = 0, hi = 1;
         for (int i = 0; i < 30; ++i) {
             const double mid = (lo + hi) / 2;
@@ -122,50 +135,99 @@ class Cutter {
     Inset inset_;
 };
 
-// The kept stretches of a line as open lines, those joined that a ring joins without a detour.
-std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
-                            const std::vector<std::pair<double, double>>& kept) {
-    std::vector<Line> out;
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        Line now = curve::part(line, ways, kept[i].first, kept[i].second);
-        const double gap = i > 0 ? kept[i].first - kept[i - 1].second : 0;
-        const Line way = i > 0 ? cutter.along(out.back().places.back(), now.places.front(), gap) : Line{};
-        if (way.size() < 2) {
-            out.push_back(std::move(now));
-            continue;
+// A line as open ones that keep the margin: where it is at least kNear of the margin from a rim it follows the inset.
+class Hugger {
+  public:
+    Hugger(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways, double margin)
+        : surface_(s), cutter_(cutter), line_(line), ways_(ways), margin_(margin) {}
+
+    [[nodiscard]] std::vector<Line> stretches() const {
+        const auto kept = cutter_.kept(line_, ways_, 1);
+        std::vector<Line> out;
+        for (const auto& [from, to] : cutter_.kept(line_, ways_, kNear)) {
+            Line now;
+            double at = from;
+            for (const auto& [begin, end] : kept) {
+                if (begin < from || end > to) continue;
+                const bool first = now.size() == 0;
+                const Line way = ring(at, begin, first, false);
+                if (!first && way.size() < 2) out.push_back(std::exchange(now, {}));
+                if (way.size() >= 2) curve::append(now, way);
+                curve::append(now, curve::part(line_, ways_, begin, end));
+                at = end;
+            }
+            if (const Line way = ring(at, to, now.size() == 0, true); way.size() >= 2) curve::append(now, way);
+            if (now.size() >= 2) out.push_back(curve::threaded(surface_, now));
         }
-        Line whole = std::move(out.back());
-        curve::append(whole, way);
-        curve::append(whole, now);
-        out.back() = curve::threaded(s, whole);
+        return out;
     }
-    return out;
+
+  private:
+    // What leads along the inset instead of the stretch; from and up to a margin before it where the line ends there.
+    [[nodiscard]] Line ring(double from, double to, bool begins, bool ends) const {
+        if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
+        Line way = cutter_.along(curve::at(line_, ways_, from), curve::at(line_, ways_, to), to - from);
+        const auto w = curve::ways(way);
+        if (way.size() < 2 || w.back() < 2 * margin_) return begins || ends ? Line{} : way;
+        return curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));
+    }
+
+    const Surface& surface_;
+    const Cutter& cutter_;
+    const Line& line_;
+    std::span<const double> ways_;
+    double margin_;
+};
+
+std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
+                            double margin) {
+    if (!line.closed) return Hugger(s, cutter, line, ways, margin).stretches();
+    // Opened where it is nearest to a rim.
+    const double at = cutter.tightest(line, ways);
+    const Line open = curve::part(line, ways, at, at + ways.back());
+    return Hugger(s, cutter, open, curve::ways(open), margin).stretches();
 }
 
 } // namespace
 
-Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin) {
+void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
+    for (const auto& isoline : isolines) {
+        to.push_back({curve::line(isoline), sign * isoline.level});
+        if (sign < 0) curve::reverse(to.back().line);
+    }
+}
+
+Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest) {
     Rows out;
     Cutter cutter(s, margin);
-    for (std::uint32_t source = 0; source < lines.size(); ++source) {
-        const Raw& raw = lines[source];
+    double all = 0, too_short = 0;
+    for (const Raw& raw : lines) {
         const auto ways = curve::ways(raw.line);
-        const auto kept = cutter.kept(raw.line, ways);
-        if (raw.line.closed && kept.size() == 1 && kept[0].second - kept[0].first >= ways.back()) {
-            out.rows.push_back({raw.line, raw.level, {}, {}, source});
-            continue;
-        }
-        for (Line& line : stretches(s, cutter, raw.line, ways, kept)) {
-            if (const double l = curve::length(line); l < margin) {
-                out.dropped += l;
-                continue;
-            }
-            Row row{std::move(line), raw.level, {}, {}, source};
+        std::vector<Line> parts;
+        if (raw.line.closed && cutter.room(raw.line.places[0]) >= kClosed * margin &&
+            cutter.kept(raw.line, ways, kClosed).size() == 1)
+            parts.push_back(raw.line);
+        else
+            parts = stretches(s, cutter, raw.line, ways, margin);
+        for (Line& line : parts) {
+            if (!line.closed) line = curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
+            const double l = curve::length(line);
+            all += l, too_short += l < shortest ? l : 0;
+            Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
             row.end = cutter.port(row.line.places.back().point);
             out.rows.push_back(std::move(row));
         }
     }
+    double longest = 0;
+    const double least = too_short > kMostShort * all ? margin : shortest;
+    std::erase_if(out.rows, [&](const Row& row) {
+        const double l = curve::length(row.line);
+        if (l >= least) return false;
+        out.dropped += l, ++out.drops;
+        if (l > longest) longest = l, out.dropped_at = row.line[row.line.size() / 2];
+        return true;
+    });
     std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
     out.inset = std::move(cutter.inset());
     return out;

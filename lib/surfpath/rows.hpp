@@ -22,23 +22,28 @@ struct Row {
     Line line;        // threaded; open, or closed if it meets no rim
     double level = 0; // mm: by which rows are ordered
     Port begin, end;  // of an open line
-    std::uint32_t source = 0; // the line that it is a part of
 };
 
-// Lines of one family, `spacing` apart, that still run up to the rims.
+// Lines of one family that still run up to the rims.  All of them have what is less to the same side.
 struct Raw {
     Line line;
     double level = 0;
 };
 
+// The isolines with levels times `sign`, 1 or -1, and turned round if that is -1.
+void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign);
+
 struct Rows {
     std::vector<Row> rows; // by level, then as given
     Inset inset;
-    double dropped = 0; // mm of rows shorter than half a spacing
+    double dropped = 0; // mm of rows that were too short
+    std::uint64_t drops = 0;
+    Vec3 dropped_at; // the middle of the longest of them
 };
 
 // The parts of `lines` that are at least `margin` from every rim, along the surface; exact.  Where a line comes nearer
-// to a rim that it runs along, it follows the inset instead.
-Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin);
+// to a rim that it runs along, it follows the inset instead.  What is left of a line and shorter than `shortest` is
+// dropped, unless that is more than a tenth of all.
+Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest);
 
 } // namespace filum::surfpath

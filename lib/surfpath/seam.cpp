@@ -14,6 +14,11 @@ constexpr double kFarthest = 2;  // spacings between neighbouring lanes of a sea
 constexpr double kStep = 0.5;    // spacings between rungs of a ladder
 constexpr int kPoints = 3;       // of a line, per rung
 constexpr double kMargin = 0.5;  // spacings of lane between windows
+constexpr double kShare = 0.4;    // of a lane that a seam may take
+constexpr double kRidge = 3;       // spacings between lanes that a line goes along the middle of, at most
+constexpr double kRoom = 1.3;      // and at least
+constexpr double kAhead = 0.6;      // cosine of how far a lane turns beside it
+constexpr double kDrift = 6;       // spacings that it takes to go there
 constexpr double kApart = 8;     // spacings between lanes that are joined, at most
 
 // From 0 to 1 with the least curvature: two parabolas.
@@ -47,21 +52,27 @@ std::vector<Vec2> straight(double u, double v0, double v1) {
 
 } // namespace
 
+// True if no lane gives up more than its part.
+static bool fits(const Lanes& lanes, const Rungs& r) {
+    for (std::size_t k = 0; k < r.lanes(); ++k)
+        if (lanes.ahead(r.lane[k], r.ways.front()[k], r.ways.back()[k], r.sense[k]) > kShare * lanes.length(r.lane[k]))
+            return false;
+    return true;
+}
+
 Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double wanted) {
     const double all = lanes.length(start), step = kSearch * lanes.spacing();
     const auto n = static_cast<std::size_t>(all / step);
     std::vector<Rung> rungs;
     for (std::size_t i = 0; i < n; ++i)
         rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, kFarthest, lanes.size()));
-    // runs of rungs that follow each other, by as many lanes as all have that may be
+    // runs of rungs that follow each other, over as many lanes as may be
     Rungs best;
     double most = 0;
-    std::vector<std::size_t> counts;
-    for (const auto& r : rungs) counts.push_back(r.places.size());
-    std::sort(counts.begin(), counts.end(), std::greater<>());
-    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-    for (const std::size_t count : counts) {
-        if (count < 2 || 1.0 * static_cast<double>(count) <= most) break;
+    std::size_t longest = 0;
+    for (const auto& r : rungs) longest = std::max(longest, r.places.size());
+    for (std::size_t count = longest; count >= 2; --count) {
+        if (static_cast<double>(count) <= most) break;
         auto cropped = rungs;
         for (auto& r : cropped)
             if (r.places.size() > count) r.places.resize(count), r.sense.resize(count);
@@ -76,20 +87,39 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double w
             for (std::size_t k = i; k < j && k < i + n - 1; ++k) run.push_back(cropped[k % n]);
             i = j;
             if (run.size() < 3) continue;
-            // its middle, as long as wanted
-            const auto keep = static_cast<std::size_t>(wanted / step) + 1;
-            if (run.size() > keep) {
-                const std::size_t off = (run.size() - keep) / 2;
-                run = {run.begin() + static_cast<std::ptrdiff_t>(off), run.begin() + static_cast<std::ptrdiff_t>(off + keep)};
+            // its begin, as long as wanted and as lanes have room
+            for (double part = wanted; part >= least; part *= 0.7) {
+                const auto keep = std::min(run.size(), static_cast<std::size_t>(part / step) + 1);
+                if (keep < 3) break;
+                const Rungs r = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(keep)}, step);
+                const double l = shortest(lanes, r);
+                if (l < least) break;
+                if (!fits(lanes, r)) continue;
+                const double worth = static_cast<double>(count) * (0.9 + 0.1 * std::min(1.0, l / wanted));
+                if (worth > most) most = worth, best = r;
+                break;
             }
-            const Rungs r = ladder(run, step);
-            const double l = shortest(lanes, r);
-            if (l < least) continue;
-            const double worth = static_cast<double>(count) * (0.7 + 0.3 * std::min(1.0, l / wanted));
-            if (worth > most) most = worth, best = r;
         }
     }
     return best;
+}
+
+// From a place on the innermost lane over to the middle between it and itself, and on there as far as there is room for
+// a line; empty if there is none.
+static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, double sense) {
+    Line out;
+    const double d = lanes.spacing(), step = 0.3 * d;
+    const Vec3 begin = lanes.tangent(lane, way);
+    for (double on = 0; on < lanes.length(lane) / 2; on += step) {
+        const double here = way + sense * on;
+        const auto over = lanes.across(lane, here, 1, kRidge);
+        if (!over || over->lane != lane || over->distance < kRoom * d) break;
+        if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
+        const Line line = curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
+        const auto ways = curve::ways(line);
+        out.places.push_back(curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kDrift * d))) * ways.back()));
+    }
+    return curve::threaded(lanes.surface(), out);
 }
 
 void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
@@ -103,7 +133,9 @@ void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
     weave.tail(last_rung(window[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
     const auto inner = static_cast<double>(n - 1);
     if (by == 1) {
-        weave.tail(first_rung(window[n - 1], r.sense[n - 1]), drawn(lanes, r, straight(inner, 0, half)));
+        Line end_line = along_ridge(lanes, r.lane[n - 1], r.ways[0][n - 1], r.sense[n - 1]);
+        if (end_line.size() < 2) end_line = drawn(lanes, r, straight(inner, 0, half));
+        weave.tail(first_rung(window[n - 1], r.sense[n - 1]), std::move(end_line));
         return;
     }
     weave.tail(last_rung(window[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));

@@ -16,20 +16,17 @@ using surface::Surface;
 namespace {
 
 constexpr double kAlong = 0.35;     // slope of the distance along a rim that runs along the seed, at most: 20 degrees
+constexpr double kLong = 5;         // spacings: of a rim that counts as an end, at least
 constexpr double kStretch = 0.1;    // of the spacing, at most
 constexpr double kUneven = 0.06;    // of the spacing: by how much it may differ on a side
 constexpr double kTolerance = 1e-3; // mm, of lines
 
-// The rim at which the side ends: what runs along the isolines within 1.5 spacings of the farthest such place.
-struct End {
-    surface::Sources rim;
-    double mean = 0, length = 0; // mm: distance, size
-};
+} // namespace
 
-End end(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
+FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
         double spacing) {
     double far = 0;
-    End out;
+    FarRim out;
     for (int round = 0; round < 2; ++round)
         for (const auto& rim : s.rims)
             for (const std::uint32_t h : rim.sides) {
@@ -46,6 +43,8 @@ End end(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<
     return out;
 }
 
+namespace {
+
 std::uint32_t side_of(const Isoline& line, const SeedSides& sides) {
     std::vector<std::uint32_t> count(sides.count, 0);
     for (const std::uint32_t t : line.triangles)
@@ -57,7 +56,7 @@ std::uint32_t side_of(const Isoline& line, const SeedSides& sides) {
 // Distance between seed and end as a share of the way between both, times its mean.
 class Between {
   public:
-    Between(const Surface& s, const Surface& closed, const geodesic::ExactField& seed, const End& end)
+    Between(const Surface& s, const Surface& closed, const geodesic::ExactField& seed, const FarRim& end)
         : surface_(s), seed_(seed), end_(geodesic::exact(closed, end.rim)), mean_(end.mean) {
         for (std::size_t v = 0; v < s.vertices.size(); ++v) value_.push_back(share(seed.distance[v], end_.distance[v]));
     }
@@ -119,6 +118,17 @@ class Between {
 
 } // namespace
 
+double step(const FarRim& rim, double spacing) {
+    const double d = rim.mean / std::max(1.0, std::round(rim.mean / spacing));
+    return rim.length >= kLong * spacing && std::abs(d / spacing - 1) <= kStretch ? d : 0;
+}
+
+std::vector<double> levels(double end, double step) {
+    std::vector<double> out;
+    for (double i = 0; (i + 0.5) * step < end; ++i) out.push_back((i + 0.5) * step);
+    return out;
+}
+
 SeedSides seed_sides(const Surface& s, const surface::Sources& seed) {
     std::vector<char> on_seed(s.triangles.size(), 0);
     for (const auto& g : seed.segments) on_seed[g.triangle] = 1;
@@ -150,20 +160,14 @@ std::vector<Isoline> side_rows(const Surface& s, const Surface& closed, const ge
         if (sides.of[t] == side)
             for (const std::uint32_t v : s.triangles[t])
                 if (std::isfinite(field.distance[v])) tip = std::max(tip, field.distance[v]);
-    const End rim = end(s, sides, side, field.distance, spacing);
-    const double n = std::max(1.0, std::round(rim.mean / spacing)), step = rim.mean / n;
+    const FarRim rim = far_rim(s, sides, side, field.distance, spacing);
     std::vector<Isoline> lines;
-    std::vector<double> levels;
-    const bool ends = rim.length >= 5 * spacing && std::abs(step / spacing - 1) <= kStretch;
-    const double d = ends ? step : spacing;
-    if (ends)
-        if (const Between between(s, closed, field, rim); between.even(sides, side)) {
-            for (double i = 0; i < n; ++i) levels.push_back((i + 0.5) * d);
-            lines = between.lines(levels);
-        }
-    if (levels.empty()) {
-        for (double i = 0; (i + 0.5) * d < tip; ++i) levels.push_back((i + 0.5) * d);
-        lines = geodesic::isolines(s, field, levels);
+    if (const double d = step(rim, spacing); d > 0)
+        if (const Between between(s, closed, field, rim); between.even(sides, side))
+            lines = between.lines(levels(rim.mean, d));
+    if (lines.empty()) {
+        const double d = step(rim, spacing);
+        lines = geodesic::isolines(s, field, levels(tip, d > 0 ? d : spacing));
     }
     std::erase_if(lines, [&](const Isoline& l) { return side_of(l, sides) != side; });
     return lines;

@@ -94,7 +94,7 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
     }
 }
 
-Transits::Tree Transits::search(std::uint32_t from) const {
+Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
     Tree out{std::vector<double>(steps_.size(), kFar), std::vector<std::uint32_t>(steps_.size(), kNone)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
@@ -104,8 +104,9 @@ Transits::Tree Transits::search(std::uint32_t from) const {
         const auto [l, at] = queue.top();
         queue.pop();
         if (l > out.length[at]) continue;
+        const bool own = at / 2 == from / 2 || at / 2 == to / 2;
         for (const Step& s : steps_[at])
-            if (l + s.length < out.length[s.to]) {
+            if (!(own && s.to == (at ^ 1u)) && l + s.length < out.length[s.to]) {
                 out.length[s.to] = l + s.length;
                 out.before[s.to] = at;
                 queue.emplace(l + s.length, s.to);
@@ -113,8 +114,6 @@ Transits::Tree Transits::search(std::uint32_t from) const {
     }
     return out;
 }
-
-std::vector<double> Transits::lengths(std::uint32_t from) const { return search(from).length; }
 
 Line Transits::along(std::uint32_t from, std::uint32_t to) const {
     const auto port = [&](std::uint32_t e) { return e % 2 == 0 ? rows_.rows[e / 2].begin : rows_.rows[e / 2].end; };
@@ -130,7 +129,7 @@ Line Transits::along(std::uint32_t from, std::uint32_t to) const {
 }
 
 std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to) const {
-    const Tree tree = search(from);
+    const Tree tree = search(from, to);
     if (!(tree.length[to] < kFar)) return std::nullopt;
     std::vector<std::uint32_t> ends{to};
     while (ends.back() != from) ends.push_back(tree.before[ends.back()]);

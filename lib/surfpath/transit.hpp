@@ -17,12 +17,12 @@ class Transits {
         std::vector<Line> stretches; // along rings and rows, one after the other; corners between them
     };
 
-    // The shortest way from one end to another along the inset and along rows; of equal ones the one over the least
-    // ends.  None if they do not hang together.
+    // The shortest way from one end to another along the inset and along rows other than their own; of equal ones the
+    // one over the least ends.  None if they do not hang together.
     [[nodiscard]] std::optional<Way> way(std::uint32_t from, std::uint32_t to) const;
 
-    // Lengths of the shortest ways from an end to all others, mm; infinite where there is none.
-    [[nodiscard]] std::vector<double> lengths(std::uint32_t from) const;
+    // Its length, mm; infinite if there is none.
+    [[nodiscard]] double length(std::uint32_t from, std::uint32_t to) const { return search(from, to).length[to]; }
 
     // The shorter way along the ring that both ends lie on; empty if they lie on different ones, or it is open between.
     [[nodiscard]] Line along(std::uint32_t from, std::uint32_t to) const;
@@ -36,7 +36,7 @@ class Transits {
         std::vector<double> length;
         std::vector<std::uint32_t> before;
     };
-    [[nodiscard]] Tree search(std::uint32_t from) const;
+    [[nodiscard]] Tree search(std::uint32_t from, std::uint32_t to) const;
 
     const Rows& rows_;
     std::vector<std::vector<Step>> steps_; // per end

@@ -8,8 +8,10 @@ namespace filum::surfpath {
 namespace {
 
 constexpr double kArcStep = 3.0 / 180 * std::numbers::pi;
+constexpr double kSmooth = 0.5; // mm to either side of a point: what says where a row leads there
 constexpr double kAllowed = 0.01; // mm beyond the bound
 constexpr int kPushes = 6;
+constexpr double kAsWide = 0.97; // of the radius: what a single arc may have instead
 
 // A row with what is needed to lay circles beside it.
 class Side {
@@ -17,8 +19,10 @@ class Side {
     Side(std::span<const Vec2> row, bool inner_left) : row_(row) {
         ways_.push_back(0);
         for (std::size_t i = 1; i < row.size(); ++i) ways_.push_back(ways_.back() + distance(row[i - 1], row[i]));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const Vec2 d = row[std::min(i + 1, row.size() - 1)] - row[i > 0 ? i - 1 : 0];
+        for (std::size_t i = 0, from = 0, to = 0; i < row.size(); ++i) {
+            while (ways_[i] - ways_[from] > kSmooth) ++from;
+            while (to + 1 < row.size() && ways_[to] - ways_[i] < kSmooth) ++to;
+            const Vec2 d = row[to] - row[from];
             const double l = norm(d);
             const Vec2 n = l > 0 ? 1 / l * geom::left_of(d) : Vec2{1, 0};
             inward_.push_back(inner_left ? n : -1 * n);
@@ -42,20 +46,39 @@ class Side {
         return std::nullopt;
     }
 
+    // The circle of radius `r` that touches the row from its outer side, and below it one of the same size about `c`.
+    [[nodiscard]] std::optional<Touch> outer_touch(double r, Vec2 c) const {
+        for (std::size_t i = 1; i < row_.size(); ++i) {
+            const Vec2 a = row_[i - 1] - r * inward_[i - 1], b = row_[i] - r * inward_[i];
+            const double da = distance(a, c) - 2 * r, db = distance(b, c) - 2 * r;
+            if (b.y > c.y || da > 0 || db < 0) continue;
+            const double t = db > da ? -da / (db - da) : 0;
+            return Touch{lerp(a, b, t), lerp(row_[i - 1], row_[i], t), ways_[i - 1] + t * (ways_[i] - ways_[i - 1])};
+        }
+        return std::nullopt;
+    }
+
+    // Where the row has the height `y`.
+    [[nodiscard]] double at(double y) const {
+        for (std::size_t i = 1; i < row_.size(); ++i)
+            if (row_[i].y <= y) return row_[i].x;
+        return row_.back().x;
+    }
+
   private:
     std::span<const Vec2> row_;
     std::vector<double> ways_;
     std::vector<Vec2> inward_;
 };
 
-// Appends the arc about `c` from `a` clockwise to `b`, without `a`.
-void arc(std::vector<Vec2>& out, Vec2 c, Vec2 a, Vec2 b) {
+// Appends the arc about `c` from `a` to `b`, without `a`; clockwise if `sign` is 1, else (-1) the other way.
+void arc(std::vector<Vec2>& out, Vec2 c, Vec2 a, Vec2 b, double sign = 1) {
     const Vec2 u = a - c, v = b - c;
-    double sweep = -std::atan2(cross(u, v), dot(u, v));
+    double sweep = -sign * std::atan2(cross(u, v), dot(u, v));
     if (sweep < -1e-9) sweep += 2 * std::numbers::pi;
     const int n = std::max(1, static_cast<int>(std::ceil(sweep / kArcStep)));
     for (int i = 1; i < n; ++i) {
-        const double t = -sweep * i / n, co = std::cos(t), si = std::sin(t);
+        const double t = -sign * sweep * i / n, co = std::cos(t), si = std::sin(t);
         out.push_back(c + Vec2{co * u.x - si * u.y, si * u.x + co * u.y});
     }
     out.push_back(b);
@@ -69,7 +92,7 @@ struct Sides {
 FlatTurn wide(const Sides& s, double r, double top) {
     const auto a = s.first.touch(r, top - r), b = s.second.touch(r, top - r);
     if (!a || !b || a->centre.x > b->centre.x) return {};
-    FlatTurn out{{a->foot}, r, a->way, b->way, 0};
+    FlatTurn out{{a->foot}, r, a->way, b->way, 0, false};
     arc(out.points, a->centre, a->foot, {a->centre.x, top});
     if (b->centre.x > a->centre.x + 1e-6) out.points.push_back({b->centre.x, top});
     arc(out.points, b->centre, {b->centre.x, top}, b->foot);
@@ -91,12 +114,27 @@ FlatTurn narrow(const Sides& s, double most, double top) {
         if (std::abs(lo - depth) < 1e-6 || round == 19) {
             const auto a = s.first.touch(lo, top - depth), b = s.second.touch(lo, top - depth);
             if (!a || !b || !(lo > 0)) return {};
-            out = {{a->foot}, lo, a->way, b->way, 0};
+            out = {{a->foot}, lo, a->way, b->way, 0, false};
             arc(out.points, 0.5 * (a->centre + b->centre), a->foot, b->foot);
             return out;
         }
         depth = lo;
     }
+    return out;
+}
+
+// A bulb: off the first row outwards, round, and onto the second one from outside, all of radius `r`.
+FlatTurn bulb(const Sides& s, double r, double top) {
+    const double y = top - r;
+    const Vec2 c{(s.first.at(y) + s.second.at(y)) / 2, y};
+    const auto a = s.first.outer_touch(r, c), b = s.second.outer_touch(r, c);
+    if (!a || !b) return {};
+    const Vec2 p = 0.5 * (a->centre + c), q = 0.5 * (b->centre + c);
+    if (p.x > c.x || q.x < c.x) return {};
+    FlatTurn out{{a->foot}, r, a->way, b->way, 0, true};
+    arc(out.points, a->centre, a->foot, p, -1);
+    arc(out.points, c, p, q);
+    arc(out.points, b->centre, q, b->foot, -1);
     return out;
 }
 
@@ -118,24 +156,34 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
     return out;
 }
 
+// The turn of a form, pushed inwards until it is within the bound; none if that does not do.
+template <class Form> FlatTurn fitted(const TurnRoom& room, const Form& form) {
+    double top = 0;
+    for (const Vec2 p : room.bound) top = std::min(top, p.y);
+    for (int push = 0; push < kPushes; ++push) {
+        FlatTurn out = form(top);
+        if (out.points.empty()) return {};
+        const double over = beyond(out.points, room.bound);
+        if (over <= kAllowed) {
+            for (std::size_t i = 1; i < out.points.size(); ++i)
+                out.length += distance(out.points[i - 1], out.points[i]);
+            return out;
+        }
+        top -= over;
+    }
+    return {};
+}
+
 } // namespace
 
 FlatTurn turn(const TurnRoom& room, double radius) {
     const Sides sides{{room.first, true}, {room.second, false}};
-    double top = 0;
-    for (const Vec2 p : room.bound) top = std::min(top, p.y);
-    FlatTurn out;
-    for (int push = 0; push < kPushes; ++push) {
-        out = wide(sides, radius, top);
-        if (out.points.empty()) out = narrow(sides, radius, top);
-        if (out.points.empty()) return out;
-        const double over = beyond(out.points, room.bound);
-        if (over <= kAllowed) break;
-        if (push + 1 == kPushes) return {};
-        top -= over;
-    }
-    for (std::size_t i = 1; i < out.points.size(); ++i) out.length += distance(out.points[i - 1], out.points[i]);
-    return out;
+    FlatTurn out = fitted(room, [&](double top) { return wide(sides, radius, top); });
+    if (!out.points.empty()) return out;
+    out = fitted(room, [&](double top) { return narrow(sides, radius, top); });
+    if (out.radius >= kAsWide * radius) return out;
+    FlatTurn round = fitted(room, [&](double top) { return bulb(sides, radius, top); });
+    return round.points.empty() ? out : round;
 }
 
 } // namespace filum::surfpath

@@ -22,11 +22,12 @@ struct FlatTurn {
     double from_first = 0;           // mm along the first row from its end: where the turn begins
     double from_second = 0;          // mm along the second row from its end: where it ends
     double length = 0;               // mm
+    bool bulb = false;               // it swings out on both sides of the rows
 };
 
 // The outermost turn within the bound: an arc off the first row, a straight stretch along the bound and an arc onto the
-// second row, of `radius`; where rows are nearer to each other than two radii, the one arc that fits.  Everything stays
-// below the bound.  Smooth with rows that are.
+// second row, of `radius`; where rows are nearer to each other than two radii a bulb of that radius, and where there is
+// no room for it the one arc that fits.  Everything stays below the bound.  Smooth with rows that are.
 FlatTurn turn(const TurnRoom& room, double radius);
 
 } // namespace filum::surfpath

@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kRunUp = 4;    // radii of a row that may be rounded where it goes over into a way along the rim
 constexpr double kCorridor = 2; // radii
+constexpr double kBulb = 40; // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kTurning = 0.25; // mm
+constexpr double kBeside = 0.5;   // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -80,8 +83,43 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     auto eased = curve::ease(surface_, curve::threaded(surface_, line),
                              {.radius = o_.least_radius, .corridor = kCorridor * o_.least_radius});
-    out.radius = eased.too_tight > 0 ? 0 : o_.least_radius;
     out.line = std::move(eased.line);
+    const auto k = turning(out.line, curve::ways(out.line));
+    out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
+    return out;
+}
+
+// Turning of the line along the surface, 1/mm, in steps of kTurning, as it shows over twice that.
+std::vector<double> Turner::turning(const Line& line, std::span<const double> w) const {
+    std::vector<double> out{0};
+    for (double at = kTurning; at + kTurning <= w.back(); at += kTurning) {
+        const Place here = curve::at(line, w, at);
+        const Vec3 a = here.point - curve::at(line, w, at - kTurning).point;
+        const Vec3 b = curve::at(line, w, at + kTurning).point - here.point;
+        const Vec3 m = curve::normal_at(surface_, normals_, here);
+        out.push_back(std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))) / kTurning);
+    }
+    return out;
+}
+
+std::vector<Piece> Turner::pieces(const LaidTurn& turn) const {
+    if (!hairpin(turn.radius)) return {{turn.line, false}};
+    const auto w = curve::ways(turn.line);
+    const auto k = turning(turn.line, w);
+    std::vector<Piece> out;
+    double begin = 0, end = 0; // of what is tight, or joined to it because it is near
+    for (std::size_t i = 0; i < k.size(); ++i) {
+        if (!hairpin(1 / std::max(1e-9, k[i]))) continue;
+        const double from = kTurning * static_cast<double>(i) - kBeside, to = from + 2 * kBeside;
+        if (from > end || end == 0) {
+            if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
+            if (from > end) out.push_back({curve::part(turn.line, w, end, from), false});
+            begin = std::max(0.0, from);
+        }
+        end = std::min(to, w.back());
+    }
+    if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
+    if (end < w.back()) out.push_back({curve::part(turn.line, w, end, w.back()), false});
     return out;
 }
 
@@ -118,9 +156,12 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
 }
 
-// Whether a hole parts a line in these two ends.
+// Whether one line ends at a hole in `a` and goes on beyond it in `b`.
 bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
-    return a % 2 == 1 && b == a + 1 && rows_.rows[a / 2].source == rows_.rows[b / 2].source;
+    if (a / 2 == b / 2 || rows_.rows[a / 2].level != rows_.rows[b / 2].level) return false;
+    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    const Vec3 u = tangent(a), v = tangent(b), d = inwards(b)[0] - inwards(a)[0];
+    return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
 
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
@@ -134,7 +175,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
-    const FlatTurn t = turn({first, second, bound}, o_.least_radius);
+    const FlatTurn t = turn({first, second, bound}, 1.04 * o_.least_radius);
     if (t.points.empty()) return out;
     out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
     out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
@@ -150,14 +191,14 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     laid.line.places.back() = end;
     out.line = std::move(laid.line);
     out.radius = t.radius;
-    out.cost = t.length - out.from_trim - out.to_trim + tightness(t.radius);
+    out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));
     return out;
 }
 
 // What a tight turn is as bad as, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 5 + 20 * (1 - part);
+    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
 }
 
 } // namespace filum::surfpath

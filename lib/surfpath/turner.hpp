@@ -4,6 +4,8 @@
 #include "surfpath/rows.hpp"
 #include "surfpath/transit.hpp"
 
+#include <span>
+
 namespace filum::surfpath {
 
 struct Turning {
@@ -34,6 +36,9 @@ class Turner {
     // The row from the end `in` to its other end, with these lengths cut off.
     [[nodiscard]] Line stretch(std::uint32_t in, double off_begin, double off_end) const;
 
+    // The turn, with what is tight of it declared.
+    [[nodiscard]] std::vector<Piece> pieces(const LaidTurn& turn) const;
+
     // Whether a turn is to be declared as tight.
     [[nodiscard]] bool hairpin(double radius) const { return radius < 0.75 * o_.least_radius; }
 
@@ -47,6 +52,7 @@ class Turner {
     [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] double tightness(double radius) const;
+    [[nodiscard]] std::vector<double> turning(const Line& line, std::span<const double> ways) const;
 
     const Surface& surface_;
     const Rows& rows_;

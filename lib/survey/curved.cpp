@@ -34,11 +34,11 @@ figures::Figures curved(const Options& options, const cli::Io& io) {
     auto found = criteria::measure(fibres, sheet, options.curved, !options.voids.empty(), io.threads);
     if (!options.voids.empty()) {
         if (!found.distance) throw Error(Exit::failure, "cannot write '" + options.voids + "': no path is laid");
-        cli::Io out = io;
-        out.output = options.voids;
         auto header = cli::header(io, stream::Payload::surface, {&ground.header, &path.header});
         header.expected = 1;
-        cli::write_one(out, header, {}, {}, wire::frame(*found.distance));
+        stream::Writer voids(options.voids, header);
+        voids.write(wire::frame(*found.distance));
+        voids.close();
     }
     figures::said_before(path.notes, path.facts, found.figures);
     return std::move(found.figures);

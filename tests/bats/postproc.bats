@@ -27,6 +27,17 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
     done
 }
 
+@test "robots get programs in their own languages" {
+    for m in kuka-krl abb-rapid ur; do
+        postproc --machine $m part.toolpath -o $m.txt 2> $m.err
+        [ ! -s $m.err ]
+        grep -q "filum program for '$m'" $m.txt
+        tail -n 4 $m.txt | grep -q 'end of program, [1-9][0-9]* moves'
+        absent -E '[0-9]e[-+]?[0-9]' <(grep -E '^(LIN|MoveL|movel)' $m.txt)
+    done
+    [ "$(grep -c '^LIN' kuka-krl.txt)" -eq "$(grep -c '^movel' ur.txt)" ]
+}
+
 @test "no number has an exponent and no line is longer than LinuxCNC takes" {
     for m in $machines; do
         postproc --machine $m part.toolpath > $m.nc
@@ -84,7 +95,7 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
 @test "an unknown machine is a usage error that lists the known" {
     run postproc --machine nosuch part.toolpath
     [ "$status" -eq 2 ]
-    [[ "$output" == *"unknown machine 'nosuch'; known are bio-x, cellink-inkredible, klipper, klipper-xyzac, linuxcnc, linuxcnc-xyzac, linuxcnc-xyzbc, marlin, open5x-duet, reprapfirmware, syringe"* ]]
+    [[ "$output" == *"unknown machine 'nosuch'; known are abb-rapid, bio-x, cellink-inkredible, klipper, klipper-xyzac, kuka-krl, linuxcnc, linuxcnc-xyzac, linuxcnc-xyzbc, marlin, open5x-duet, reprapfirmware, syringe, ur"* ]]
 }
 
 @test "profiles are found by path and in FILUM_PROFILES" {

@@ -106,11 +106,123 @@ for y in range(11):
     complaint stressfield
 }
 
+@test "CalculiX results: good ones, and what is wrong with bad ones" {
+    frd=$FILUM_SOURCE/tests/lib/stressfield/elements.frd
+    printf 'OFF\n3 1 0\n1.2 1.7 2.9  1.21 1.7 2.9  1.2 1.71 2.9\n3 0 1 2\n' > speck.off
+    geodesic speck.off > s
+    expect 0 stressfield --quiet --stress "$frd" --case X s --output t
+    columns t stress.X.s2 | awk '{ exit !($2 > 1.69 && $2 < 1.71) }'
+    sed 's/$/\r/' "$frd" > dos.frd
+    stressfield --quiet --stress dos.frd --case X s > u
+    [[ $(columns t stress.X.s1) == $(columns u stress.X.s1) ]]
+    # a stress of 1e-100 and one of -2e-100, which takes a column more
+    awk '/^ -4  STRESS/ { on = 1 }
+        on && /^ -1/ && !done { $0 = substr($0, 1, 13) "1.00000E-100-2.00000E-100" substr($0, 38); done = 1 }
+        { print }' "$frd" > digits.frd
+    expect 0 stressfield --quiet --stress digits.frd --case X s --output t
+    head -c 5000 "$frd" > cut.frd
+    expect 4 stressfield --stress cut.frd s
+    complaint stressfield
+    sed 's/^ -1         7/ -1          7/' "$frd" > moved.frd
+    expect 3 stressfield --stress moved.frd s
+    complaint stressfield
+    [[ $err == *'line '* ]]
+    sed 's/^ -4  STRESS/ -4  TOSTRA/' "$frd" > none.frd
+    expect 3 stressfield --stress none.frd s
+    complaint stressfield
+    [[ $err == *STRESS* ]]
+    expect 2 stressfield --stress "$frd" --step 7 s
+    [[ $err == *'steps 1' ]]
+    sed '/^ 9999/d' "$frd" > open.frd
+    expect 0 stressfield --stress open.frd --case X s --output t
+    [[ $err == *'end mark missing'* ]]
+}
+
+@test "VTK grids: good ones, and what is wrong with bad ones" {
+    seeds=$FILUM_SOURCE/tests/fuzz/seeds/stress_read
+    printf 'OFF\n3 1 0\n0.1 0.1 0  0.3 0.1 0  0.1 0.3 0\n3 0 1 2\n' > face.off
+    geodesic face.off > s
+    stressfield --quiet --stress "$seeds/1.vtu" s > one # plain
+    stressfield --quiet --stress "$seeds/5.vtu" s > two # packed and appended
+    [[ $(columns one stress.S.s1 stress.S.s3) == $(columns two stress.S.s1 stress.S.s3) ]]
+    head -c 1200 "$seeds/5.vtu" > cut.vtu
+    expect 4 stressfield --stress cut.vtu s
+    complaint stressfield
+    sed 's/UnstructuredGrid/PolyData/' "$seeds/1.vtu" > poly.vtu
+    expect 3 stressfield --stress poly.vtu s
+    complaint stressfield
+    expect 2 stressfield --stress "$seeds/1.vtu" --columns T s
+    complaint stressfield
+    [[ $err == *"'S'"* ]]
+}
+
 @test "options that make no sense are usage errors" {
     for bad in '--case a,b' '--case a.b' '--columns x,y' '--columns x,y,z,what' '--mask 2' '--mask -1' '--mask nan' '--reach -1' \
         '--unit mile' '--stress-unit bar'; do
         # shellcheck disable=SC2086
         expect 2 stressfield --stress stress.csv $bad s
         complaint stressfield
+    done
+    expect 2 stressfield --stress stress.csv --step 1 s
+    complaint stressfield
+    expect 2 stressfield --stress "$FILUM_SOURCE/tests/lib/stressfield/elements.frd" --columns x,y,z s
+    complaint stressfield
+}
+
+# Load adequacy of lines in any direction, by area: the mean of |line . greatest stress|.
+adequacy() {
+    peek --json "$1" | python3 -c '
+import json, math, sys
+s = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]
+p, t, case = s["points"], s["triangles"], sys.argv[1]
+x = list(zip(p["x"], p["y"], p["z"]))
+d = list(zip(*(p["stress.%s.d1.%s" % (case, c)] for c in "xyz")))
+cross = lambda a, b: (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+minus = lambda a, b: tuple(i - j for i, j in zip(a, b))
+dot = lambda a, b: sum(i * j for i, j in zip(a, b))
+unit = lambda a: tuple(i / math.sqrt(dot(a, a)) for i in a)
+n = [(0, 0, 0)] * len(x)
+for a, b, c in zip(t["a"], t["b"], t["c"]):
+    m = cross(minus(x[b], x[a]), minus(x[c], x[a]))
+    for v in (a, b, c):
+        n[v] = tuple(i + j for i, j in zip(n[v], m))
+known = [v for v in range(len(x)) if d[v][0] is not None]
+area = [math.sqrt(dot(m, m)) for m in n]
+for k in range(6):
+    total = 0
+    for v in known:
+        u = unit(cross(n[v], (0.123, 0.456, 0.88)))
+        w = cross(unit(n[v]), u)
+        line = [math.cos(k * math.pi / 6) * i + math.sin(k * math.pi / 6) * j for i, j in zip(u, w)]
+        total += area[v] * abs(dot(line, d[v]))
+    print(total / sum(area[v] for v in known))' "$2"
+}
+
+@test "stresses of a bracket read three ways give one load adequacy within 0.001" {
+    bracket=$FILUM_SOURCE/examples/bracket
+    "$bracket/to-vtu" "$bracket/bracket.frd.gz" bracket.vtu X Y
+    for patch in A:Y B:Y C:X D:X E:Y; do
+        case=${patch#*:}
+        geodesic "$bracket/patch_${patch%:*}.ply" > patch
+        stressfield --quiet --stress "$bracket/bracket.frd.gz" --case X,Y patch | adequacy - "$case" > frd
+        stressfield --quiet --stress bracket.vtu --case X,Y patch | adequacy - "$case" > vtu
+        stressfield --quiet --stress "$bracket/stress_$case.csv.gz" --case "$case" patch | adequacy - "$case" > csv
+        paste frd vtu csv | awk -v patch="$patch" '
+            function far(a, b) { return a > b + 0.001 || b > a + 0.001 }
+            $1 < 0.01 || far($1, $2) || far($1, $3) { print patch, $0; bad = 1 }
+            END { exit bad || NR != 6 }'
+    done
+}
+
+# Vectors tell less: where the greatest and the next are nearly the same, the mean of two directions is a guess.
+@test "vectors instead of tensors do so where there is stress" {
+    bracket=$FILUM_SOURCE/examples/bracket
+    for patch in A:Y E:Y; do
+        case=${patch#*:}
+        geodesic "$bracket/patch_${patch%:*}.ply" > patch
+        stressfield --quiet --mask 0.02 --stress "$bracket/bracket.frd.gz" --case X,Y patch | adequacy - "$case" > frd
+        stressfield --quiet --mask 0.02 --stress "$bracket/stress_$case.csv.gz" --case "$case" \
+            --columns x,y,z,s1x,s1y,s1z,s1,s2,s3,-,-,-,-,-,- patch | adequacy - "$case" > csv
+        paste frd csv | awk '$1 > $2 + 0.001 || $2 > $1 + 0.001 { print; bad = 1 } END { exit bad || NR != 6 }'
     done
 }

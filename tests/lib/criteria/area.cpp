@@ -108,11 +108,44 @@ TEST(Area, OfAPathThatHovers) {
     EXPECT_NEAR(number(f, "p99", "off the surface"), 0.3, 1e-9);
 }
 
+TEST(Area, OfAPathThatLeavesTheSurface) {
+    const auto f = measure(plate(20, 20),
+                           {span({{0, 5, 0.3}, {20, 5, 0.3}}),
+                            span({{0, 15, 0.3}, {5, 15, 0.3}, {5, 15, 2}, {15, 15, 2}, {15, 15, 0.3}, {20, 15, 0.3}})});
+    EXPECT_NEAR(number(f, "path above the surface"), 10 + 2 * 1.2,
+                0.01); // from half a bead above the 0.3 mm of the rest
+    EXPECT_NEAR(number(f, "coverage"), (30 + kPi / 4) / 400, 1e-3);
+}
+
 TEST(Area, OfAPathPastTheRim) {
     const auto f = measure(plate(10, 10), {span({{-5, 5, 0}, {15, 5, 0}}), span({{0, -0.3, 0}, {10, -0.3, 0}})});
     EXPECT_NEAR(number(f, "coverage"), 0.1, 2e-3); // but for the half discs of 0.05 mm past the rim
     EXPECT_NEAR(number(f, "path beside the surface"), 20, 0.15);
     EXPECT_NEAR(number(f, "max", "off the surface"), 5, 1e-9);
+}
+
+// Two plies of lines 2 mm apart, one across the other and above it: half each, nothing retraced; a third one is empty
+// but for a line.
+TEST(Area, PlyByPly) {
+    auto spans = paths::parallel(0, 20, 1, 2, 10);
+    const auto across = [](double x, double z, std::uint32_t layer) {
+        auto s = span({{x, 0, z}, {x, 20, z}});
+        s.layer = layer;
+        return s;
+    };
+    for (int i = 0; i < 10; ++i) spans.push_back(across(1 + 2 * i, 0.2, 1));
+    const auto two = measure(plate(20, 20), spans);
+    EXPECT_EQ(number(two, "plies"), 2);
+    EXPECT_NEAR(number(two, "surface"), 400, 1e-9);
+    EXPECT_NEAR(number(two, "coverage"), 0.5, 5e-4);
+    EXPECT_NEAR(number(two, "fill ratio"), 0.5, 1e-9);
+    EXPECT_NEAR(number(two, "cuts per 1000 mm2"), 19 / 0.8, 1e-9);
+    spans.push_back(across(7, 1.5, 4));
+    const auto three = measure(plate(20, 20), spans);
+    EXPECT_NEAR(number(three, "coverage of the worst ply"), 0.05, 1e-3);
+    EXPECT_NEAR(number(three, "largest void beyond beads"), 12.5, 0.01);
+    EXPECT_EQ(number(three, "retraced"), 0);
+    EXPECT_TRUE(std::isnan(number(three, "path above the surface")));
 }
 
 // Rows and windows against a plain count of places: a path of chords over bumps, where fronts bend and meet.
@@ -124,7 +157,7 @@ TEST(Area, OnBumpsAgainstPlaces) {
     const Ground ground(s, 1);
     std::vector<paths::Span> lines;
     for (int i = 0; i < 6; ++i) lines.push_back(span({{1, 1.5 * i + 0.7, 0.2}, {9, 1.3 * i + 1.4, -0.1}}));
-    const PathField field = path_field(ground, shadow(paths::fibres(lines), ground, 0.1, 1));
+    const PathField field = path_field(ground, shadow(paths::fibres(lines), ground, {0, 0.5, 0.1}, 1));
     const Area area = measure_area(ground, field, 1, 1);
     double covered = 0;
     const int n = 24;

@@ -113,6 +113,21 @@ TEST(Curvature, ACornerCountsAsAnArcOfTwoSteps) {
     EXPECT_NEAR(all, kPi / 2, 1e-2);
 }
 
+// What would make curvature without bounds: points as good as one, and fibres as good as none.
+TEST(Curvature, OfPointsTooNearToTell) {
+    const auto points = lifted(arc({0, 0}, 3, 0, 4, [] { return 0.2; }), [](Vec2 p) { return Vec3{p.x, p.y, 0}; });
+    std::mt19937 random(2);
+    const auto noise = [&] { return 2e-7 * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
+    std::vector<Vec3> doubled;
+    for (const Vec3& p : points) {
+        doubled.push_back(p);
+        for (int i = 0; i < 2; ++i) doubled.push_back(p + Vec3{noise(), noise(), 0});
+    }
+    for (const Bend& b : on(chain(doubled), up).places) EXPECT_NEAR(b.geodesic, 1.0 / 3, 0.01);
+    for (const Bend& b : on(chain({{0, 0, 0}, {1e-6, 0, 0}, {1e-6, 1e-6, 0}}), up).places)
+        EXPECT_LE(std::abs(b.geodesic), kPi / 2 / 0.25);
+}
+
 TEST(Curvature, TurnsAreCounted) {
     const auto rows = chain(lifted(paths::zigzag(0, 30, 0, 1, 7), [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
     EXPECT_EQ(on(rows, up).turns, 6);

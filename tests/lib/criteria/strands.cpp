@@ -44,6 +44,22 @@ TEST(Gaps, OfAZigzagWithTurns) {
     EXPECT_NEAR(number(f, "retraced"), 0, 1e-9);
 }
 
+// Turns that overlap the rows beside them, as where rows are laid three apart.
+TEST(Gaps, OutsideTurns) {
+    std::vector<paths::Span> spans;
+    for (int i = 0; i < 3; ++i) {
+        auto rows = paths::lifted(paths::zigzag(5, 15, 2.0 + i, 3, 5), [](Vec2 p) { return Vec3{p.x, p.y, 0}; });
+        spans.push_back(span(rows));
+    }
+    const auto f = measure(plate(), spans);
+    EXPECT_LT(number(f, kP1, "spacing"), -0.2);
+    EXPECT_NEAR(number(f, kP1, "spacing outside turns"), 0, 1e-9);
+    EXPECT_NEAR(number(f, kP99, "spacing outside turns"), 0, 1e-9);
+    const double share = number(f, "share of the path", "spacing outside turns");
+    EXPECT_LT(share, 1);
+    EXPECT_GT(share, 0.4);
+}
+
 TEST(Gaps, LeaveHairpinsOut) {
     std::vector<paths::Span> lines = paths::parallel(0, 20, 1, 1, 10);
     lines.push_back(span({{0, 10.7, 0}, {20, 10.7, 0}}, 1, toolpath::Role::hairpin));

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <numeric>
 
 namespace filum::geodesic {
@@ -324,6 +325,49 @@ TEST(exact, slivers_change_nothing) {
     ASSERT_EQ(s.vertices.size(), v.size());
     const auto field = exact(s, {{10}, {}});
     for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(field.distance[i], distance(v[10], s.vertices[i]), 1e-7);
+}
+
+TEST(exact, distances_alone_are_the_same) {
+    const Surface s = surfaces::bumpy_sphere(5, 0.05, 3);
+    const Sources sources{{7}, {{100, s.vertices[s.triangles[100][0]], s.vertices[s.triangles[100][1]]}}};
+    const auto all = exact(s, sources).distance;
+    const ExactDistances alone = exact_distances(s, sources);
+    EXPECT_EQ(alone.distance, all);
+    EXPECT_EQ(alone.known, kInf);
+    const ExactDistances some = exact_distances(s, sources, kInf, alone.propagated / 4);
+    EXPECT_LT(some.known, *std::max_element(all.begin(), all.end()));
+    std::size_t found = 0;
+    for (std::size_t v = 0; v < all.size(); ++v) {
+        EXPECT_EQ(some.distance[v], all[v] <= some.known ? all[v] : kInf);
+        found += std::isfinite(some.distance[v]) ? 1 : 0;
+    }
+    EXPECT_GT(found, all.size() / 10);
+}
+
+TEST(exact, rays_along_sides_make_no_window_without_numbers) {
+    const std::clock_t begin = std::clock();     // such windows would wait in the last of a million rows
+    for (unsigned seed = 0; seed < 60; ++seed) { // plane grids, turned: their sides lie in lines but for rounding
+        const double angle = 0.1 * seed, c = std::cos(angle), d = std::sin(angle);
+        std::vector<Vec3> v;
+        std::vector<mesh::Triangle> t;
+        for (int i = 0; i < 9; ++i)
+            for (int j = 0; j < 9; ++j) v.push_back({c * i - d * j, 0.6 * (d * i + c * j), 0.8 * (d * i + c * j)});
+        for (std::uint32_t i = 0; i < 8; ++i)
+            for (std::uint32_t j = 0; j < 8; ++j) {
+                const std::uint32_t a = 9 * i + j;
+                t.push_back({a, a + 9, a + 10});
+                t.push_back({a, a + 10, a + 1});
+            }
+        v[40].z += 0.3; // so that paths bend
+        const Surface s = surfaces::make(v, t);
+        for (std::uint32_t from = 0; from < s.vertices.size(); from += 7) {
+            const ExactField f = exact(s, {{from}, {}});
+            for (const std::uint32_t list : f.first)
+                for (std::uint32_t w = list; w != surface::kNone; w = f.windows[w].next)
+                    EXPECT_TRUE(f.windows[w].b0 < f.windows[w].b1);
+        }
+    }
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 8);
 }
 
 } // namespace

@@ -179,14 +179,14 @@ TEST(measure, draws_levels_and_multiples_of_the_spacing) {
     surface::Sheet sheet{surfaces::sheet(10, 4, 10, 4, 3).surface, {}, {}};
     Notes notes;
     const auto sources = choose(sheet.surface, "plane:1,0,0,0", notes);
-    measure(sheet, sources, {.levels = {0.7}, .spacing = 2, .first = 1});
+    measure(sheet, sources, {.levels = {0.7}, .spacing = 2, .first = 1}, notes);
     std::vector<double> levels;
     for (const auto& line : sheet.isolines) levels.push_back(line.level);
     EXPECT_EQ(levels, (std::vector<double>{0.7, 1, 3, 5, 7, 9}));
     ASSERT_EQ(sheet.fields.size(), 1U);
     EXPECT_EQ(sheet.fields[0].name, "distance");
-    EXPECT_THROW(measure(sheet, sources, {.levels = {-1}, .spacing = 0, .first = 0}), Error);
-    EXPECT_THROW(measure(sheet, sources, {.levels = {}, .spacing = 1e-9, .first = 0}), Error);
+    EXPECT_THROW(measure(sheet, sources, {.levels = {-1}, .spacing = 0, .first = 0}, notes), Error);
+    EXPECT_THROW(measure(sheet, sources, {.levels = {}, .spacing = 1e-9, .first = 0}, notes), Error);
 }
 
 } // namespace

@@ -164,7 +164,7 @@ TEST(Profile, AnUnknownNameListsTheKnown) {
         FAIL();
     } catch (const Error& e) {
         EXPECT_EQ(e.exit(), Exit::usage);
-        const std::string known = "bio-x, cellink-inkredible, klipper, klipper-xyzac, linuxcnc, linuxcnc-xyzac";
+        const std::string known = "abb-rapid, bio-x, cellink-inkredible, klipper, klipper-xyzac, kuka-krl, linuxcnc";
         EXPECT_NE(std::string(e.what()).find(known), std::string::npos) << e.what();
     }
     EXPECT_THROW((void)machine::load_profile(""), Error);

@@ -120,6 +120,17 @@ TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
     EXPECT_NEAR(uncovered(s.sheet->surface, lay(s, tint(s, By::role, nullptr))), 0.5, 0.002);
 }
 
+TEST(Drape, KnowsTheSideOfPathsWithoutNormals) {
+    Scene s;
+    mesh::Mesh m;
+    add_square(m, 4, 0, false), add_square(m, 4, 0.3, true);
+    s.sheet = sheet_of(std::move(m)), s.spans = lanes(0, 0.3);
+    for (auto& span : s.spans) span.normals.clear();
+    const Laid laid = lay(s, tint(s, By::role, nullptr));
+    EXPECT_TRUE(laid.loose.empty());
+    EXPECT_NEAR(uncovered(s.sheet->surface, laid), 0.5, 0.002);
+}
+
 TEST(Drape, FollowsThePathToTheBack) {
     Scene s;
     s.sheet = square(3), s.spans = lanes(3, 0, {0, 0, -1});
@@ -141,6 +152,38 @@ TEST(Drape, ShowsBeadsThatDoNotLieOnTheSurface) {
     const double seen = decode(draw(s, plain("front"), "class", 1)).share(blue);
     s.spans.erase(s.spans.begin());
     EXPECT_GT(seen, decode(draw(s, plain("front"), "class", 1)).share(blue) + 0.02);
+}
+
+TEST(Drape, LeansFromTheFaceToTheNamedSide) {
+    const auto green = [](Srgb8 c) { return c.g > c.r + 60 && c.g > c.b + 40; }; // the dot where the path starts
+    Scene s;
+    s.sheet = square(2);
+    Options o = plain("face");
+    o.voids = false;
+    // The foot of a mast in the middle of the square, and its tip: seen from the left, the tip appears at the right.
+    for (const auto& [view, x, y] : {std::tuple{"face", 0, 0},
+                                     {"face-left", 1, 0},
+                                     {"face-right", -1, 0},
+                                     {"face-up", 0, 1},
+                                     {"face-down", 0, -1}}) {
+        o.view = view;
+        double at[2][2];
+        for (const double height : {0.0, 4.0}) {
+            // The travel is there for the same extent.
+            s.spans = {lane({5, 5, height}, {5, 5.001, height}),
+                       {toolpath::Role::travel, 0, 0, 0, {{5, 5, 0}, {5, 5, 4}}, {}, {}}};
+            const Decoded d = decode(draw(s, o, "class", 1));
+            double n = 0, sx = 0, sy = 0;
+            for (unsigned j = 0; j < d.height; ++j)
+                for (unsigned i = 0; i < d.width; ++i)
+                    if (green(d.at(i, j))) ++n, sx += i, sy += j;
+            at[height > 0][0] = sx / n, at[height > 0][1] = sy / n;
+        }
+        const double dx = at[1][0] - at[0][0], dy = at[1][1] - at[0][1];
+        EXPECT_NEAR(dx / 30, x, x == 0 ? 0.2 : 2) << view;
+        EXPECT_NEAR(dy / 30, y, y == 0 ? 0.2 : 2) << view;
+        EXPECT_GE(dx * x + dy * y, (x != 0 || y != 0) ? 20 : 0) << view;
+    }
 }
 
 TEST(Drape, PutsLaterLayersOnTop) {
@@ -212,7 +255,7 @@ TEST(Strokes, FindWhatASearchOfAllFinds) {
 TEST(Raster, HasNoHolesAndShowsTheNearest) {
     const auto sheet = sphere(5);
     for (const Vec3 from : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0.3, -2, 0.7}}) {
-        const Plan plan = lay_out(sheet.surface.vertices, from, 160, 160);
+        const Plan plan = lay_out(sheet.surface.vertices, from, upwards(from), 160, 160);
         const Raster raster(sheet.surface, plan, 2);
         const Vec3 middle = plan.place({0, 0, 0});
         for (int b = 0; b < raster.bands(); ++b) {
@@ -369,8 +412,11 @@ TEST(Drape, BearsExtremes) {
     Scene s = at(10, {});
     s.spans = {lane({1, 1, 0}, {1, 1, 0}), lane({1e9, 1e9, 0}, {-1e9, 1e9, 0}), lane({1, 2, 0}, {5, 2, 0}, {})};
     s.spans[2].normals.clear();
-    s.spans.push_back({toolpath::Role::travel, 0, 0, 0, {{5, 2, 0}, {1e12, 2, 7}}, {}, {}});
+    s.spans.push_back({toolpath::Role::travel, 0, 0, 0, {{5, 2, 0}, {1e10, 2, 7}}, {}, {}});
     EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
+    s.spans[3].points[1].x = 1e300;
+    EXPECT_THROW(draw(s, o, "class", 1), Error);
+    s.spans.pop_back();
     o.samples = 4096, o.views = "", o.around = {2, 2, 0, 1e-3};
     EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
 }

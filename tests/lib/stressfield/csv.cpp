@@ -98,7 +98,14 @@ TEST(Csv, SamplesAtOnePlaceAreAveraged) {
     ASSERT_EQ(notes.size(), 1U);
 }
 
+TEST(Csv, HalfATensorBesideAVectorIsNoTensor) {
+    const auto s = csv("x,y,z,s11,s1x,s1y,s1z\n1,2,3,9,0,0,5\n");
+    EXPECT_TRUE(s.cases[0].tensors.empty());
+    EXPECT_EQ(s.cases[0].directions[0], (Vec3{0, 0, 5}));
+}
+
 TEST(Csv, FaultsAreNamed) {
+    EXPECT_TRUE(has(fault("a,b,c,x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n", Exit::bad_input), "the header names"));
     EXPECT_TRUE(has(fault("", Exit::truncated), "empty"));
     EXPECT_TRUE(has(fault("solid part\nendsolid\n", Exit::bad_input), "no table"));
     EXPECT_TRUE(has(fault("x,y,z,a,b,c\n1,2,3,4,5,6\n", Exit::bad_input), "--columns"));

@@ -78,8 +78,9 @@ class Writer {
     std::string encoded(const std::string& data) const {
         const auto text = [&](const std::string& b) { return style_.raw ? b : base64(b); };
         if (!style_.packed) return text(counts({data.size()}) + data);
-        constexpr std::size_t kBlock = 64; // small, to have several
-        std::vector<std::uint64_t> head = {(data.size() + kBlock - 1) / kBlock, kBlock, data.size() % kBlock};
+        constexpr std::size_t kBlock = 64;                              // small, to have several
+        const std::size_t full = data.size() < kBlock ? 32768 : kBlock; // of a single block it says nothing
+        std::vector<std::uint64_t> head = {(data.size() + kBlock - 1) / kBlock, full, data.size() % kBlock};
         std::string blocks;
         for (std::size_t at = 0; at < data.size(); at += kBlock) {
             const std::string block = data.substr(at, kBlock);

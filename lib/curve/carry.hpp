@@ -1,0 +1,14 @@
+// Fields from one surface to another.
+#pragma once
+
+#include "curve/line.hpp"
+
+namespace filum::curve {
+
+// The fields at the vertices of `to`, each interpolated at the nearest place of `from`; of places that are about as
+// near (to a tenth of a mean edge), at one that faces the same way.  Infinite where a corner that counts is.  Vectors
+// are directions without a sign: they are turned to the way of the nearest corner's before they are mixed, and keep
+// their mean length.
+std::vector<surface::Field> carried(const Surface& from, std::span<const surface::Field> fields, const Surface& to);
+
+} // namespace filum::curve

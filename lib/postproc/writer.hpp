@@ -1,0 +1,28 @@
+// What writes a program: of a machine tool's codes, or a robot's language.
+#pragma once
+
+#include "machine/template.hpp"
+#include "postproc/survey.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filum::postproc {
+
+using Text = std::function<void(std::string_view)>;
+
+class Writer {
+  public:
+    virtual ~Writer() = default;
+    virtual void begin(const std::vector<std::string>& about) = 0; // `about`: lines for the head, see about.hpp
+    virtual void add(std::span<const Step> steps) = 0;
+    virtual void end() = 0;
+};
+
+// Of the profile's dialect, for the steps that `survey` was made of, moved by `shift` (robots: placed already).
+std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
+
+} // namespace filum::postproc

@@ -1,0 +1,122 @@
+#include "surfpath/fexa.hpp"
+
+#include "base/error.hpp"
+#include "geodesic/isolines.hpp"
+#include "surfpath/boustrophedon.hpp"
+#include "surfpath/seed_side.hpp"
+#include "surfpath/winding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath {
+
+namespace {
+
+constexpr double kFlat = 1e-6;   // of the seed's size: how far it may be off its plane
+constexpr double kStraight = 1e-4; // of the seed's size: how far it is off a line at least, or else it is one
+constexpr int kBins = 20;        // per spacing, of heights over the plane
+constexpr double kSteepest = 20; // of 1 / slope: where the surface is nearly parallel to the plane
+
+// The plane through the seed curve; if that is straight, the one that stands upright on the surface along it.
+surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
+    if (seed.segments.empty())
+        throw Error(Exit::bad_input, "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first");
+    const Vec3 a = seed.segments.front().a;
+    Vec3 b = a, upright, best;
+    double far = 0, most = 0;
+    for (const auto& g : seed.segments) {
+        upright = upright + distance(g.a, g.b) * surface::normal(s, g.triangle);
+        for (const Vec3& p : {g.a, g.b})
+            if (distance(a, p) > far) far = distance(a, p), b = p;
+    }
+    for (const auto& g : seed.segments)
+        for (const Vec3& p : {g.a, g.b})
+            if (const Vec3 n = cross(b - a, p - a); norm(n) > most) most = norm(n), best = n;
+    if (!(most > kStraight * far * far)) best = cross(b - a, upright);
+    if (!(norm(best) > 0)) throw Error(Exit::bad_input, "the seed curve has no direction");
+    const Vec3 n = 1 / norm(best) * best;
+    for (const auto& g : seed.segments)
+        for (const Vec3& p : {g.a, g.b})
+            if (std::abs(dot(n, p - a)) > kFlat * far + 1e-9)
+                throw Error(Exit::bad_input,
+                            "the seed curve is not in a plane; run geodesic --source plane:NX,NY,NZ,D first");
+    return {n, dot(n, a)};
+}
+
+// How far apart heights over the plane are on the surface: per height the way along the surface from the plane, in the
+// mean along the cut at that height.
+class Spread {
+  public:
+    Spread(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> height, double spacing)
+        : bin_(spacing / kBins) {
+        std::vector<double> rise, length;
+        for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+            if (sides.of[t] != side) continue;
+            const auto& [a, b, c] = s.triangles[t];
+            const auto [lo, hi] = std::minmax({height[a], height[b], height[c]});
+            const Vec3 &p = s.vertices[a], u = s.vertices[b] - p, v = s.vertices[c] - p, n = cross(u, v);
+            const Vec3 slope = 1 / dot(n, n) * cross(n, (height[c] - height[a]) * u - (height[b] - height[a]) * v);
+            const double steep = std::min(kSteepest, 1 / std::max(1e-9, norm(slope)));
+            // The triangle's cuts have the mean length of its area over its height across.
+            const auto first = static_cast<std::size_t>(std::max(0.0, lo / bin_));
+            const auto last = static_cast<std::size_t>(std::max(0.0, hi / bin_));
+            if (last >= rise.size()) rise.resize(last + 1, 0), length.resize(last + 1, 0);
+            const double share = norm(n) / static_cast<double>(last - first + 1);
+            for (std::size_t i = first; i <= last; ++i) rise[i] += share, length[i] += share / steep;
+        }
+        way_.push_back(0);
+        double ratio = 1;
+        for (std::size_t i = 0; i < rise.size(); ++i) {
+            if (length[i] > 0) ratio = rise[i] / length[i];
+            way_.push_back(way_.back() + bin_ * ratio);
+        }
+    }
+
+    [[nodiscard]] double way(double height) const {
+        const double x = std::clamp(height / bin_, 0.0, static_cast<double>(way_.size() - 1));
+        const auto i = std::min(static_cast<std::size_t>(x), way_.size() - 2);
+        return way_[i] + (x - static_cast<double>(i)) * (way_[i + 1] - way_[i]);
+    }
+
+    [[nodiscard]] double height(double way) const {
+        const auto after = std::upper_bound(way_.begin(), way_.end(), way);
+        const auto i = std::clamp<std::ptrdiff_t>(after - way_.begin(), 1, static_cast<std::ptrdiff_t>(way_.size() - 1));
+        const double a = way_[static_cast<std::size_t>(i - 1)], b = way_[static_cast<std::size_t>(i)];
+        return bin_ * (static_cast<double>(i - 1) + (b > a ? (way - a) / (b - a) : 0));
+    }
+
+  private:
+    double bin_;
+    std::vector<double> way_; // per height, in steps of bin_
+};
+
+} // namespace
+
+Plan fexa(const surface::Sheet& sheet, const Options& o) {
+    const Surface& s = sheet.surface;
+    const auto height = surface::sides(s, plane_of(s, sheet.sources));
+    SeedSides sides{std::vector<std::uint32_t>(s.triangles.size()), 2};
+    for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& [a, b, c] = s.triangles[t];
+        sides.of[t] = height[a] + height[b] + height[c] >= 0 ? 0 : 1;
+    }
+    std::vector<Raw> raw;
+    for (std::uint32_t side = 0; side < 2; ++side) {
+        const double sign = side == 0 ? 1 : -1;
+        std::vector<double> above(height), way;
+        for (double& h : above) h *= sign;
+        const Spread spread(s, sides, side, above, o.spacing);
+        for (const double h : above) way.push_back(h > 0 ? spread.way(h) : h);
+        const FarRim rim = far_rim(s, sides, side, way, o.spacing);
+        const double d = step(rim, o.spacing), end = *std::max_element(way.begin(), way.end());
+        std::vector<double> at = levels(end, d > 0 ? d : o.spacing);
+        for (double& level : at) level = spread.height(level);
+        add(raw, geodesic::isolines(s, above, at), sign);
+    }
+    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    wind(s, all, o.spacing, true);
+    return boustrophedon(s, all, {o.spacing, o.least_radius});
+}
+
+} // namespace filum::surfpath

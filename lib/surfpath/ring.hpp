@@ -1,0 +1,54 @@
+// A ring whose corners are being rounded.  Private to lib/surfpath.
+#pragma once
+
+#include "curve/line.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace filum::surfpath {
+
+using curve::Line;
+using curve::Place;
+using geom::Vec3;
+using surface::Surface;
+
+// A place on one of several rings.
+struct On {
+    std::size_t line = 0;
+    double way = 0, distance = 1e300;
+};
+
+// A stretch of a ring about a corner, and what runs there instead.
+struct Corner {
+    double from, to; // ways; `to` may be less, round the end
+    Line arc;
+    double length = 0; // mm, of the arc
+};
+
+// A ring, and its corners as they are rounded by one radius after the other.
+struct Ring {
+    Line line;
+    std::vector<double> ways;
+    struct Rounded {
+        std::vector<Corner> corners{};
+        std::vector<double> kept{}; // ways at places where it stays as it is
+        std::vector<Line> instead{}; // of all of it
+    };
+    std::vector<Rounded> by{}; // per radius
+
+    [[nodiscard]] double ahead(double from, double to) const {
+        const double d = std::fmod(to - from, ways.back());
+        return d < 0 ? d + ways.back() : d;
+    }
+    [[nodiscard]] bool within(const Corner& c, const Corner& outer) const {
+        const double slack = 0.01, l = ahead(outer.from - slack, outer.to + slack);
+        const double a = ahead(outer.from - slack, c.from), b = ahead(outer.from - slack, c.to);
+        return a <= b && b <= l;
+    }
+};
+
+// The place nearest to `p`, straight.
+On nearest(const std::vector<Ring>& rings, const Vec3& p);
+
+} // namespace filum::surfpath

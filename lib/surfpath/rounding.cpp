@@ -1,0 +1,266 @@
+#include "surfpath/rounding.hpp"
+
+#include "curve/walk.hpp"
+#include "geodesic/isolines.hpp"
+#include "geodesic/query.hpp"
+#include "surfpath/necks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::surfpath {
+
+namespace {
+
+constexpr double kLong = 2.5;      // least radii: a corner that is cut by less is let be
+constexpr double kSeen = 0.06;     // least radii: what touches a ring farther from the ends of an arc lies between them
+constexpr double kCusp = 0.15;     // rad
+
+double longest_edge(const Surface& s) {
+    double out = 0;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
+        out = std::max(out, geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+    return out;
+}
+
+surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
+    surface::Sources out;
+    for (const Isoline* l : lines)
+        for (std::size_t i = 0; i < l->triangles.size(); ++i)
+            out.segments.push_back({l->triangles[i], l->points[i], l->points[(i + 1) % l->points.size()]});
+    return out;
+}
+
+class Rounder {
+  public:
+    Rounder(const Surface& s, const ExactField& field, double least, double spacing, double edge)
+        : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(edge) {}
+
+    void prepare(Batch& b) const {
+        auto& rings = b.rings;
+        for (const Isoline* line : b.outer) rings.push_back({curve::line(*line), {}});
+        for (Ring& r : rings) r.ways = curve::ways(r.line);
+        bool more = !rings.empty();
+        for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
+            for (Ring& r : rings) r.by.emplace_back();
+            for (const Line& line : opened(b.level, b.scales[k])) sort_in(line, b.level, b.scales[k].radius, rings);
+            more = false;
+            for (Ring& r : rings) {
+                check(r);
+                for (const Corner& c : r.by[k].corners) more |= r.ahead(c.from, c.to) - c.length > kLong * least_;
+            }
+        }
+    }
+
+    [[nodiscard]] Rounding::Turns turns(const Batch& b) const {
+        Rounding::Turns out{0, least_};
+        if (!worthwhile(b)) return out;
+        const auto add = [&](double length, double radius) {
+            out.tight += length * std::max(0.0, 1 / radius - 1 / least_);
+            out.least = std::min(out.least, radius);
+        };
+        for (const Bend& c : bends(b)) add(c.corner->length, b.scales[c.scale].radius);
+        for (const Ring& r : b.rings)
+            if (gone(r)) add(2 * std::numbers::pi * b.scales[0].radius, b.scales[0].radius);
+        return out;
+    }
+
+    void finish(Batch& b) const {
+        if (!b.rings.empty() && worthwhile(b)) assemble(b);
+    }
+
+    double gain = 0, floor = 0;
+
+  private:
+    // Lines a radius outside of `inner`.
+    [[nodiscard]] std::vector<Line> opened(double level, const Scale& scale) const {
+        std::vector<Line> out;
+        if (scale.inner.empty()) return out;
+        const auto near = geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 2 * edge_);
+        const double levels[] = {scale.radius};
+        for (const auto& line : geodesic::isolines(surface_, near, levels)) {
+            if (!line.closed || line.points.size() < 3) continue;
+            if (height(curve::line(line).places[0]) > level + scale.radius) continue;
+            out.push_back(curve::line(line));
+            curve::reverse(out.back()); // what is less lies to its left again
+        }
+        return out;
+    }
+
+    [[nodiscard]] double height(const Place& p) const {
+        return geodesic::distance_at(surface_, field_, p.triangle, p.point);
+    }
+
+    // Splits an opened line into arcs and what runs along the rings.
+    void sort_in(const Line& line, double level, double radius, std::vector<Ring>& rings) const {
+        const double still = 0.0015 * radius, off = 0.01 * radius;
+        const std::size_t n = line.size();
+        std::vector<double> above(n);
+        for (std::size_t i = 0; i < n; ++i) above[i] = height(line.places[i]) - level;
+        std::size_t first = n; // a place along a ring
+        for (std::size_t i = 0; i < n && first == n; ++i)
+            if (above[i] <= still) first = i;
+        if (first == n) {
+            rings[nearest(rings, line[0]).line].by.back().instead.push_back(line);
+            return;
+        }
+        for (std::size_t k = 0; k < n;) { // from first + k on
+            std::size_t e = k;
+            double most = 0;
+            while (e < n && above[(first + e) % n] > still) most = std::max(most, above[(first + e) % n]), ++e;
+            if (e == k) {
+                const On on = nearest(rings, line[(first + k) % n]);
+                rings[on.line].by.back().kept.push_back(on.way);
+                ++k;
+                continue;
+            }
+            if (most > off) add_arc(line, first + k - 1 + n, first + e + n, rings);
+            k = e;
+        }
+    }
+    // True if the arc turns outwards somewhere: where discs about two places meet, either side of a narrow one.
+    [[nodiscard]] bool has_cusp(const Line& arc) const {
+        for (std::size_t i = 1; i + 1 < arc.size(); ++i) {
+            const Vec3 a = arc[i] - arc[i - 1], b = arc[i + 1] - arc[i];
+            const Vec3 n = surface::normal(surface_, arc.places[i].triangle);
+            if (std::atan2(dot(cross(a, b), n), dot(a, b) - dot(a, n) * dot(b, n)) > kCusp) return true;
+        }
+        return false;
+    }
+    void add_arc(const Line& line, std::size_t begin, std::size_t end, std::vector<Ring>& rings) const {
+        const std::size_t n = line.size();
+        const On a = nearest(rings, line[begin % n]), b = nearest(rings, line[end % n]);
+        if (a.line != b.line) return;
+        Line arc;
+        for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
+        if (has_cusp(arc)) return;
+        const double l = curve::length(arc);
+        if (rings[a.line].ahead(a.way, b.way) < 0.5 * l) { // all the way round
+            rings[a.line].by.back().instead.push_back(line);
+            return;
+        }
+        rings[a.line].by.back().corners.push_back({a.way, b.way, std::move(arc), l});
+    }
+    // Leaves out arcs that lead across narrow places.
+    void check(Ring& r) const {
+        auto& now = r.by.back();
+        std::erase_if(now.corners, [&](const Corner& c) {
+            const double l = r.ahead(c.from, c.to);
+            return std::any_of(now.kept.begin(), now.kept.end(), [&](double way) {
+                const double on = r.ahead(c.from, way);
+                return on > kSeen * least_ && on < l - kSeen * least_;
+            });
+        });
+        std::sort(now.corners.begin(), now.corners.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
+    }
+
+    // How much tighter than allowed a corner turns, rad.
+    [[nodiscard]] double tight(const Corner& c, double radius) const { return c.length * (1 / radius - 1 / least_); }
+    [[nodiscard]] double all_round(const Batch& b) const {
+        return 2 * std::numbers::pi * (1 - b.scales[0].radius / least_);
+    }
+    // True if rings that are rounded by less than the least radius all round are long enough for that.
+    [[nodiscard]] bool worthwhile(const Batch& b) const {
+        const double price = all_round(b);
+        return !(price > 0) || (!b.rings.empty() && b.scales[0].radius >= floor && b.rings[0].ways.back() > gain * least_ * price);
+    }
+
+    // The corner by this radius, or those within it by the lesser one that gains most.
+    void choose(const Ring& r, const Batch& b, std::size_t k, const Corner& c, std::vector<Bend>& out) const {
+        const double worth = -gain * least_;
+        double most = c.length + worth * tight(c, b.scales[k].radius);
+        std::vector<const Corner*> best;
+        std::size_t by = k;
+        for (std::size_t f = k + 1; f < r.by.size() && b.scales[f].radius >= floor; ++f) {
+            std::vector<const Corner*> finer;
+            double now = r.ahead(c.from, c.to);
+            for (const Corner& corner : r.by[f].corners)
+                if (r.within(corner, c)) {
+                    finer.push_back(&corner);
+                    now += corner.length - r.ahead(corner.from, corner.to);
+                    now += worth * tight(corner, b.scales[f].radius);
+                }
+            if (!finer.empty() && now > most) most = now, best = std::move(finer), by = f;
+        }
+        if (by == k) out.push_back({0, &c, k, nullptr, {}});
+        for (const Corner* corner : best) choose(r, b, by, *corner, out);
+    }
+
+    // True if nothing of the ring itself stays.
+    static bool gone(const Ring& r) { return r.by[0].kept.empty() || !r.by[0].instead.empty(); }
+
+    // The corners that are taken, by their places.
+    [[nodiscard]] std::vector<Bend> bends(const Batch& b) const {
+        std::vector<Bend> out;
+        for (std::size_t i = 0; i < b.rings.size(); ++i) {
+            const Ring& r = b.rings[i];
+            if (gone(r)) continue;
+            std::vector<Bend> own;
+            for (const Corner& c : r.by[0].corners) choose(r, b, 0, c, own);
+            std::sort(own.begin(), own.end(),
+                      [](const Bend& x, const Bend& y) { return x.corner->from < y.corner->from; });
+            for (Bend& c : own) c.ring = i, out.push_back(std::move(c));
+        }
+        return out;
+    }
+
+    void assemble(Batch& b) const {
+        auto& rings = b.rings;
+        auto bent = bends(b);
+        bridge_necks(surface_, field_, b.level, spacing_, rings, bent);
+        for (std::size_t i = 0; i < rings.size(); ++i) {
+            if (gone(rings[i]))
+                for (auto& line : rings[i].by[0].instead) b.lines.push_back(std::move(line));
+            else if (std::none_of(bent.begin(), bent.end(), [&](const Bend& c) { return c.ring == i; }))
+                b.lines.push_back(rings[i].line);
+        }
+        std::vector<char> seen(bent.size(), 0);
+        for (std::size_t i = 0; i < bent.size(); ++i) {
+            Line line{{}, false};
+            for (std::size_t at = i; !seen[at];) {
+                seen[at] = 1; // from the end of this one along the ring to the next, and over
+                const std::size_t to = after(bent, at);
+                const Ring& r = rings[bent[at].ring];
+                const Corner &c = *bent[at].corner, &next = *bent[to].corner;
+                const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
+                if (rest < r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
+                    curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
+                curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
+                at = bent[to].over ? static_cast<std::size_t>(bent[to].over - bent.data()) : to;
+            }
+            if (line.size() < 3) continue;
+            line.closed = true;
+            b.lines.push_back(curve::threaded(surface_, line));
+        }
+    }
+    // The next bend on the same ring.
+    static std::size_t after(const std::vector<Bend>& bent, std::size_t i) {
+        if (i + 1 < bent.size() && bent[i + 1].ring == bent[i].ring) return i + 1;
+        while (i > 0 && bent[i - 1].ring == bent[i].ring) --i;
+        return i;
+    }
+
+    const Surface& surface_;
+    const ExactField& field_;
+    double least_, spacing_, edge_;
+};
+
+} // namespace
+
+Rounding::Rounding(const Surface& s, const ExactField& field, double least, double spacing)
+    : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(longest_edge(s)) {}
+
+void Rounding::prepare(Batch& b) const { Rounder(surface_, field_, least_, spacing_, edge_).prepare(b); }
+Rounding::Turns Rounding::turns(const Batch& b, double gain, double floor) const {
+    Rounder rounder(surface_, field_, least_, spacing_, edge_);
+    rounder.gain = gain, rounder.floor = floor;
+    return rounder.turns(b);
+}
+void Rounding::finish(Batch& b, double gain, double floor) const {
+    Rounder rounder(surface_, field_, least_, spacing_, edge_);
+    rounder.gain = gain, rounder.floor = floor;
+    rounder.finish(b);
+}
+
+} // namespace filum::surfpath
