@@ -95,7 +95,8 @@ struct Search {
         best = std::min(best, hit.distance);
     }
 
-    // False if nothing comes nearer than `cutoff` on any of these moves, each farther from the middle one than that.
+    // False if nothing comes nearer than `cutoff` on any of these moves, by how far their ends are from the middle
+    // one's beginning; the way between two ends is no farther, unless the tool turns round.
     [[nodiscard]] bool may_meet(std::size_t begin, std::size_t end, Against against, double cutoff) const {
         const Move& middle = moves[begin + (end - begin) / 2];
         Probe p = probe(middle.from, moves[end - 1], against, cutoff);
