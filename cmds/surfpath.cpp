@@ -16,12 +16,18 @@ using cli::Option;
 struct Options {
     surfpath::Options plan;
     surfpath::Laying laying;
+    std::int64_t ply = 0;
     std::vector<double> plane;
     kipping2022::Options paper;
 };
 
 constexpr const char* kDescription =
-    "Fills a surface with lines as far apart as the bead is wide.\n\n"
+    "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
+    "they follow is where `geodesic` measured from: fina, rows at equal distances from a line; fexa, rows in "
+    "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
+    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Rows are taken "
+    "some apart, so that turns are wide; those that must be tighter than --least-radius are spans of their own, "
+    "declared as hairpins. What cannot be placed is noted.\n\n"
     "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
     "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
@@ -42,7 +48,15 @@ cli::Spec spec(Options& o) {
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
              Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
+                 .one_of({"none", "hairpin", "wide"}),
+             Option{"min-length", &o.plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
+                 .at_least(0),
              Option{"height", &o.laying.height, "MM", "of the bead"}.above(0),
+             Option{"ply", &o.ply, "N", "number of this ply on the surface, its layer in the toolpath"}
+                 .at_least(0)
+                 .at_most(1e6),
+             Option{"offset", &o.laying.offset, "MM", "along the normals: the height of the plies below"}.at_least(0),
              Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}.at_least(0),
              Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}.numbers(4),
              Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}.at_least(0),
@@ -83,6 +97,7 @@ void run(const Options& o, const cli::Io& io) {
     surfpath::Plan plan = planned(sheet, o);
     surfpath::Laying laying = o.laying;
     laying.width = o.plan.spacing;
+    laying.layer = static_cast<std::uint32_t>(o.ply);
     const auto spans = surfpath::spans(sheet.surface, plan, laying);
     whole.header.expected = spans.size();
     stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, {&whole.header}));

@@ -187,6 +187,23 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
     report.say();
 }
 
+void write_one(const Io& io, const stream::Header& header, Notes notes, Facts facts, const stream::RawFrame& frame) {
+    stream::Writer writer(io.output, header);
+    Report report(io);
+    for (Note& note : notes) {
+        note.stage = io.program;
+        writer.write(note);
+        report.add(note);
+    }
+    for (Fact& fact : facts) {
+        fact.stage = io.program;
+        writer.write(fact);
+    }
+    writer.write(frame);
+    writer.close();
+    report.say();
+}
+
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
     return read_all(stream::Reader(path, expected), frame);
 }

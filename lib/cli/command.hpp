@@ -75,6 +75,9 @@ void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, con
 using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
 void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
 
+// Shape "source" with one frame only: writes it behind notes and facts, which become this program's.
+void write_one(const Io& io, const stream::Header& header, Notes notes, Facts facts, const stream::RawFrame& frame);
+
 // Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {
     stream::Header header;

@@ -74,7 +74,11 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
     for (std::size_t i = stretch(ways, from) + 1; n > 0; ++i) {
         const double here = ways[i % n] + (i >= n && line.closed ? all * static_cast<double>(i / n) : 0);
         if (!(here < to - kSame) || (!line.closed && i >= n)) break;
-        if (here > from + kSame) out.places.push_back(line.places[i % n % line.size()]);
+        // A point just behind the begin takes its place: the next stretch lies in that one's triangle.
+        if (here > from + kSame)
+            out.places.push_back(line.places[i % n % line.size()]);
+        else
+            out.places.back() = line.places[i % n % line.size()];
     }
     if (to - from > kSame) out.places.push_back(at(line, ways, line.closed ? to : std::min(to, all)));
     return out;

@@ -135,8 +135,20 @@ void Propagation::cross(std::uint32_t h) {
     }
 }
 
+// Where windows end at a vertex by rounding, from both sides, none may have told it its distance.
+void Propagation::reach_missed(std::uint32_t h) {
+    double &tail = field_.distance[surface_.tail(h)], &head = field_.distance[surface_.head(h)];
+    if (std::isfinite(tail) && std::isfinite(head)) return;
+    for (std::uint32_t node = field_.first[h]; node != kNone; node = field_.windows[node].next) {
+        const Window& w = field_.windows[node];
+        tail = std::min(tail, w.at(w.b0) + w.b0);
+        head = std::min(head, w.at(w.b1) + field_.frame[h].length - w.b1);
+    }
+}
+
 // Gives back the windows of a list.
 void Propagation::forget(std::uint32_t list) {
+    if (list < surface_.twin.size()) reach_missed(list);
     for (std::uint32_t node = field_.first[list]; node != kNone;) {
         const std::uint32_t next = field_.windows[node].next;
         field_.windows.drop(node);
@@ -167,6 +179,7 @@ double Propagation::run(double farthest, std::uint64_t most) {
         if (std::isfinite(end)) done.push(id, end + field_.frame[id].length + row);
         while ((id = done.pop(queue_.begin())) != kNone) forget(id);
     }
+    for (std::uint32_t h = 0; h < surface_.twin.size(); ++h) reach_missed(h);
     for (double& d : field_.distance)
         if (d > std::min(farthest, known)) d = std::numeric_limits<double>::infinity();
     return std::min(known, farthest);

@@ -76,6 +76,7 @@ class Propagation {
     void leave_vertex(std::uint32_t vertex);
     void reach(std::uint32_t vertex, double distance);
     void cross(std::uint32_t h);
+    void reach_missed(std::uint32_t h);
     void offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line);
     void insert(Side& exit, const Window& w);
     void rewrite(Side& exit, std::uint32_t before, std::uint32_t first, std::uint32_t after);

@@ -10,7 +10,7 @@ namespace filum::stream {
 namespace {
 
 constexpr std::size_t kMaxPrefix = 30; // three varints
-constexpr std::size_t kMagicSize = 10;     // of the preamble; the rest is the version
+constexpr std::size_t kMagicSize = 10; // of the preamble; the rest is the version
 
 // A varint at the front of `bytes`, which loses it.  Longer than ten bytes: `fine` becomes false; cut short: nullopt.
 std::optional<std::uint64_t> take_varint(std::string_view& bytes, bool& fine) {

@@ -1,5 +1,6 @@
 #include "surfpath/boustrophedon.hpp"
 
+#include "curve/walk.hpp"
 #include "surfpath/order.hpp"
 
 #include <algorithm>
@@ -11,6 +12,10 @@ namespace {
 
 constexpr double kBreak = 200; // mm: as bad as a chain that must be led to another
 
+constexpr double kTight = 20;                       // mm: what a tight turn costs at least
+constexpr std::size_t kBeams[] = {500, 3000, 8000}; // states that the search for an order keeps
+constexpr std::size_t kMostWork = 300'000;          // states in all: from where on it is left at what it found
+
 using Chain = std::vector<Visit>;
 
 std::uint32_t entry(const Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
@@ -19,7 +24,7 @@ std::uint32_t leave(const Visit& v) { return entry(v) ^ 1u; }
 class Path {
   public:
     Path(const Surface& s, const Rows& rows, const Turning& o)
-        : rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.turns()), o_(o) {}
+        : surface_(s), rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.turns()), o_(o) {}
 
     Plan plan() {
         auto chains = ordered();
@@ -28,12 +33,15 @@ class Path {
                       {"", "turns", turned_, ""},
                       {"", "hairpins", hairpins_, ""},
                       {"", "transits", transited_, "mm"}};
+        if (rows_.rows.empty())
+            out_.notes.push_back(
+                {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
         if (rows_.drops > 0)
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
                                   rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
         if (out_.strokes.size() > 1)
-            out_.notes.push_back({"", "no way on along rims and rows: cut", static_cast<double>(out_.strokes.size() - 1),
-                                  "cuts", out_.strokes.size() - 1});
+            out_.notes.push_back({"", "no way on along rims and rows: cut",
+                                  static_cast<double>(out_.strokes.size() - 1), "cuts", out_.strokes.size() - 1});
         if (turned_ > 0) out_.facts.push_back({"", "least-radius", least_, "mm"});
         return std::move(out_);
     }
@@ -50,10 +58,29 @@ class Path {
             l.from = 2 * number[l.from / 2] + l.from % 2, l.to = 2 * number[l.to / 2] + l.to % 2;
             if (l.from > l.to) std::swap(l.from, l.to);
         }
-        auto out = order(n, links, {kBreak, o_.least_radius * o_.least_radius / o_.spacing});
+        // Mostly a narrow beam finds a way with good turns only.
+        const Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
+        std::vector<Chain> out;
+        for (const std::size_t kept : kBeams) {
+            out = order(n, links, costs, kept);
+            if (good(out, links) || kept * n > kMostWork) break;
+        }
         for (Chain& chain : out)
             for (Visit& v : chain) v.row = row[v.row];
         return out;
+    }
+
+    // Whether all is one chain without tight turns.  `links` are those of the turns.
+    [[nodiscard]] bool good(const std::vector<Chain>& chains, std::span<const Link> links) const {
+        if (chains.size() != 1) return false;
+        const Chain& c = chains[0];
+        for (std::size_t i = 1; i < c.size(); ++i) {
+            const std::uint32_t out = leave(c[i - 1]), in = entry(c[i]), a = std::min(out, in), b = std::max(out, in);
+            for (std::size_t l = 0; l < links.size(); ++l)
+                if (links[l].from == a && links[l].to == b && turns_[l].radius > 0 && links[l].cost >= kTight)
+                    return false;
+        }
+        return true;
     }
 
     // The chains led into each other, as far as they hang together.
@@ -65,7 +92,7 @@ class Path {
         std::vector<std::vector<double>> length(2 * n, std::vector<double>(2 * n));
         for (std::size_t e = 0; e < 2 * n; ++e)
             for (std::size_t f = 0; f < 2 * n; ++f)
-                if (e / 2 != f / 2) length[e][f] = transits_.length(end(e), end(f));
+                if (e / 2 != f / 2) length[e][f] = way_length(end(e), end(f));
         std::vector<Chain> out;
         std::size_t before = 2 * n;
         for (const Turned& t : tour(length)) {
@@ -84,12 +111,31 @@ class Path {
         return out;
     }
 
+    // The way along rims and rows, or where there is none, as between spirals, straight across, which crosses what lies
+    // there and so counts for more; mm.
+    [[nodiscard]] double way_length(std::uint32_t from, std::uint32_t to) const {
+        const double l = transits_.length(from, to);
+        if (std::isfinite(l)) return l;
+        const Line line = across(from, to);
+        return line.size() > 1 ? kBreak + curve::length(line) : l;
+    }
+
+    // Straight across the surface from one end to another; empty if that does not lead there.
+    [[nodiscard]] Line across(std::uint32_t from, std::uint32_t to) const {
+        const auto place = [&](std::uint32_t e) {
+            const auto& places = rows_.rows[e / 2].line.places;
+            return e % 2 == 0 ? places.front() : places.back();
+        };
+        const Place a = place(from), b = place(to);
+        Line out = curve::join(surface_, a, b);
+        return out.size() > 2 || a.triangle == b.triangle ? out : Line{};
+    }
+
     // The turn from one end to another, by `forward` false the other way round.
     LaidTurn turn(std::uint32_t from, std::uint32_t to) {
         const auto [a, b] = std::minmax(from, to);
-        const auto it = std::lower_bound(turns_.begin(), turns_.end(), std::pair(a, b), [](const LaidTurn& t, auto& k) {
-            return std::pair(t.from, t.to) < k;
-        });
+        const auto it = std::lower_bound(turns_.begin(), turns_.end(), std::pair(a, b),
+                                         [](const LaidTurn& t, auto& k) { return std::pair(t.from, t.to) < k; });
         const bool known = it != turns_.end() && it->from == a && it->to == b;
         if (known && it->line.size() > 1) {
             LaidTurn out = *it;
@@ -100,7 +146,9 @@ class Path {
             return out;
         }
         const auto way = transits_.way(from, to);
-        const auto stretches = known ? std::vector<Line>{transits_.along(from, to)} : way->stretches;
+        const auto stretches = known ? std::vector<Line>{transits_.along(from, to)}
+                               : way ? way->stretches
+                                     : std::vector<Line>{across(from, to)};
         for (const Line& l : stretches) transited_ += curve::length(l);
         return turner_.eased(from, stretches, to);
     }
@@ -111,7 +159,8 @@ class Path {
         for (std::size_t i = 0; i < chain.size(); ++i) {
             const bool last = i + 1 == chain.size();
             LaidTurn next = last ? LaidTurn{} : turn(leave(chain[i]), entry(chain[i + 1]));
-            stroke.pieces.push_back({turner_.stretch(entry(chain[i]), off, next.from_trim), false});
+            if (Line row = turner_.stretch(entry(chain[i]), off, next.from_trim); row.size() > 1)
+                stroke.pieces.push_back({std::move(row), false});
             if (last) break;
             off = next.to_trim;
             const bool hairpin = turner_.hairpin(next.radius);
@@ -122,6 +171,7 @@ class Path {
         out_.strokes.push_back(std::move(stroke));
     }
 
+    const Surface& surface_;
     const Rows& rows_;
     Transits transits_;
     Turner turner_;

@@ -13,7 +13,7 @@ using surface::Surface;
 
 namespace {
 
-constexpr double kHole = 0.5; // of the outer rim's length, at most
+constexpr double kHole = 0.5;   // of the outer rim's length, at most
 constexpr double kAtRim = 1e-6; // mm
 
 std::vector<const Rim*> holes(const Surface& s) {
@@ -64,9 +64,8 @@ surface::Sources bridged(const Surface& s, const Surface& closed, const surface:
         std::vector<Vec3> ends;
         for (const auto& g : seed.segments)
             for (const Vec3& p : {g.a, g.b})
-                if (at_rim(s, *rim, p) && std::none_of(ends.begin(), ends.end(), [&](const Vec3& q) {
-                        return distance(p, q) < kAtRim;
-                    }))
+                if (at_rim(s, *rim, p) &&
+                    std::none_of(ends.begin(), ends.end(), [&](const Vec3& q) { return distance(p, q) < kAtRim; }))
                     ends.push_back(p);
         if (ends.size() != 2) continue;
         const auto way = surface::trace(closed, ends);

@@ -13,10 +13,10 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kFlat = 1e-6;   // of the seed's size: how far it may be off its plane
+constexpr double kFlat = 1e-6;     // of the seed's size: how far it may be off its plane
 constexpr double kStraight = 1e-4; // of the seed's size: how far it is off a line at least, or else it is one
-constexpr int kBins = 20;        // per spacing, of heights over the plane
-constexpr double kSteepest = 20; // of 1 / slope: where the surface is nearly parallel to the plane
+constexpr int kBins = 20;          // per spacing, of heights over the plane
+constexpr double kSteepest = 20;   // of 1 / slope: where the surface is nearly parallel to the plane
 
 // The plane through the seed curve; if that is straight, the one that stands upright on the surface along it.
 surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
@@ -81,7 +81,8 @@ class Spread {
 
     [[nodiscard]] double height(double way) const {
         const auto after = std::upper_bound(way_.begin(), way_.end(), way);
-        const auto i = std::clamp<std::ptrdiff_t>(after - way_.begin(), 1, static_cast<std::ptrdiff_t>(way_.size() - 1));
+        const auto i =
+            std::clamp<std::ptrdiff_t>(after - way_.begin(), 1, static_cast<std::ptrdiff_t>(way_.size() - 1));
         const double a = way_[static_cast<std::size_t>(i - 1)], b = way_[static_cast<std::size_t>(i)];
         return bin_ * (static_cast<double>(i - 1) + (b > a ? (way - a) / (b - a) : 0));
     }
@@ -114,9 +115,10 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         for (double& level : at) level = spread.height(level);
         add(raw, geodesic::isolines(s, above, at), sign);
     }
-    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    const Turning turns = turning(o.spacing, o.least_radius);
+    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
     wind(s, all, o.spacing, true);
-    return boustrophedon(s, all, {o.spacing, o.least_radius});
+    return boustrophedon(s, all, turns);
 }
 
 } // namespace filum::surfpath

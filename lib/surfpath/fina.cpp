@@ -6,8 +6,6 @@
 #include "surfpath/seed_side.hpp"
 #include "surfpath/winding.hpp"
 
-#include <cmath>
-
 namespace filum::surfpath {
 
 Plan fina(const surface::Sheet& sheet, const Options& o) {
@@ -17,15 +15,16 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     // Distances are measured past holes as if there were none: so rows stay straight behind them.
     const Surface closed = capped(s);
     const auto field = geodesic::exact(closed, bridged(s, closed, sheet.sources));
-    const SeedSides sides = seed_sides(s, sheet.sources);
     std::vector<Raw> raw;
-    for (std::uint32_t side = 0; side < sides.count; ++side) {
-        const double sign = side % 2 == 0 ? 1 : -1;
-        add(raw, side_rows(s, closed, field, sides, side, o.spacing), sign);
+    double sign = 1;
+    for (const auto& side : side_rows(s, closed, field, sheet.sources, o.spacing)) {
+        add(raw, side, sign);
+        sign = -sign;
     }
-    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    const Turning turns = turning(o.spacing, o.least_radius);
+    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
     wind(s, all, o.spacing, true);
-    return boustrophedon(s, all, {o.spacing, o.least_radius});
+    return boustrophedon(s, all, turns);
 }
 
 } // namespace filum::surfpath

@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kMost = 20'000;
 constexpr double kNear = 0.05;  // of a step: what ends farther from the next front has not come there
 constexpr double kInset = 0.02; // of the grain: how far from the ends of a front its outermost samples are
+constexpr double kApart = 1e-4; // of a step: how far levels keep from distances of vertices
+constexpr double kSpeck = 1e-3; // of a step: what is shorter is no front
 constexpr int kRings = 3;       // of triangles about a place, in which fronts near it are sought
 
 double farthest(const Surface& s, std::span<const double> distance) {
@@ -22,6 +24,23 @@ double farthest(const Surface& s, std::span<const double> distance) {
     for (const auto& t : s.triangles)
         for (const std::uint32_t v : t)
             if (std::isfinite(distance[v])) out = std::max(out, distance[v]);
+    return out;
+}
+
+// step, 2 step, ... up to `far`, each a little more where that is just the distance of a vertex: there isolines fall
+// apart by rounding.
+std::vector<double> levels_between(std::vector<double> distance, double step, double far) {
+    std::sort(distance.begin(), distance.end());
+    std::vector<double> out;
+    for (std::size_t k = 1; static_cast<double>(k) * step <= far; ++k) {
+        double level = static_cast<double>(k) * step;
+        while (true) {
+            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kApart * step);
+            if (near == distance.end() || *near > level + kApart * step) break;
+            level = *near + 2 * kApart * step;
+        }
+        out.push_back(level);
+    }
     return out;
 }
 
@@ -42,9 +61,9 @@ std::vector<std::uint32_t> about(const Surface& s, std::uint32_t triangle) {
 // Makes the places where samples lead ascend along each front: those that crossed share the mean of their places. Lines
 // that start out straight from a smooth front do not cross, but on triangles all curvature sits in the vertices, and
 // behind each that bulges the lines that pass it on both sides do.  On closed fronts places run on beyond the first
-// point.
+// point; where places go back by more than `back` mm, another stretch of the front begins.
 template <class Sample>
-void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts) {
+void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts, double back) {
     struct Pool {
         double mean;
         std::size_t first, count;
@@ -61,6 +80,7 @@ void uncross(std::vector<Sample>& samples, const std::vector<Front>& fronts) {
              ++i) {
             double x = samples[i].to->x;
             if (around > 0) x -= around * std::round((x - before) / around);
+            if (x < before - back) break; // a closed front opened here
             before = x;
             pools.push_back({x, i, 1});
             while (pools.size() > 1 && pools[pools.size() - 2].mean > pools.back().mean) {
@@ -92,8 +112,7 @@ Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double s
         lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(2 * i + 1), std::move(back));
     }
     add_level(std::move(lines));
-    std::vector<double> levels;
-    for (std::size_t k = 1; static_cast<double>(k) * step <= far; ++k) levels.push_back(static_cast<double>(k) * step);
+    const std::vector<double> levels = levels_between(field_.distance, step, far);
     const auto isolines = geodesic::isolines(surface, field_, levels);
     std::size_t next = 0;
     for (const double level : levels) {
@@ -109,6 +128,7 @@ void Fronts::add_level(std::vector<Line> lines) {
     Level level;
     for (Line& line : lines) {
         auto ways = curve::ways(line);
+        if (!(ways.back() > kSpeck * step_)) continue; // about a vertex
         const auto front = static_cast<std::uint32_t>(level.fronts.size());
         for (std::uint32_t i = 0; i + 1 < ways.size(); ++i) level.pieces.push_back({line.places[i].triangle, front, i});
         level.fronts.push_back({std::move(line), std::move(ways)});
@@ -182,7 +202,7 @@ void Fronts::sample(std::size_t level, double grain) {
             const double x = inset + (l - 2 * inset) * static_cast<double>(i) / static_cast<double>(n - 1);
             samples.push_back({x, walk_on(level, {f, x})});
         }
-        uncross(samples, levels_[level + 1].fronts);
+        uncross(samples, levels_[level + 1].fronts, 2 * grain);
         levels_[level].onward.push_back(std::move(samples));
     }
 }
@@ -198,7 +218,7 @@ std::optional<Spot> Fronts::onward(std::size_t level, Spot spot) const {
     if (!lo.to || !hi.to || lo.to->front != hi.to->front) return walk_on(level, spot);
     const Front& target = levels_[level + 1].fronts[lo.to->front];
     const double grown = hi.to->x - lo.to->x;
-    if (!(grown < 4 * (hi.x - lo.x) + step_)) return walk_on(level, spot);
+    if (!(grown >= 0 && grown < 4 * (hi.x - lo.x) + step_)) return walk_on(level, spot);
     double x = lo.to->x + (spot.x - lo.x) / (hi.x - lo.x) * grown;
     if (target.line.closed)
         x -= target.length() * std::floor(x / target.length());

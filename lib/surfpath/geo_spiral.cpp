@@ -35,9 +35,10 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     for (double i = 0; first + i * o.spacing < farthest; ++i) levels.push_back(first + i * o.spacing);
     std::vector<Raw> raw;
     add(raw, geodesic::isolines(s, field, levels), 1);
-    Rows all = rows(s, raw, o.spacing / 2, 2 * o.least_radius);
+    const Turning turns = turning(o.spacing, o.least_radius);
+    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
     wind(s, all, o.spacing, false);
-    return boustrophedon(s, all, {o.spacing, o.least_radius});
+    return boustrophedon(s, all, turns);
 }
 
 } // namespace filum::surfpath

@@ -79,9 +79,10 @@ std::optional<LanePlace> Lanes::nearest(const Place& from, double reach, const U
     const Vec3 n = surface::normal(surface_, from.triangle);
     double least = reach;
     std::uint32_t best = surface::kNone;
-    for (int dx = -1; dx <= 1; ++dx)
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dz = -1; dz <= 1; ++dz) {
+    const int cells = std::max(1, static_cast<int>(std::ceil(reach / spacing_)));
+    for (int dx = -cells; dx <= cells; ++dx)
+        for (int dy = -cells; dy <= cells; ++dy)
+            for (int dz = -cells; dz <= cells; ++dz) {
                 const std::uint64_t k = key(from.point, dx, dy, dz);
                 for (auto c = std::lower_bound(cells_.begin(), cells_.end(), std::make_pair(k, 0U));
                      c != cells_.end() && c->first == k; ++c) {

@@ -16,8 +16,8 @@ using surface::Surface;
 // A place on a lane.
 struct LanePlace {
     std::uint32_t lane = 0;
-    double way = 0;       // mm from the lane's first point
-    double distance = 0;  // mm, straight, from where it was asked for
+    double way = 0;      // mm from the lane's first point
+    double distance = 0; // mm, straight, from where it was asked for
 };
 
 class Lanes {
@@ -35,7 +35,7 @@ class Lanes {
     [[nodiscard]] Line part(std::uint32_t lane, double from, double to) const;
     [[nodiscard]] double curvature(std::uint32_t lane, double way) const; // 1/mm, over a spacing
 
-    // The nearest place on a lane for which use(lane, way) holds, at most `reach` mm (up to a spacing) away, where the
+    // The nearest place on a lane for which use(lane, way) holds, at most `reach` mm away, where the
     // surface faces as it does at `from`.  Ties: the first lane, the least way.
     using Use = std::function<bool(std::uint32_t, double)>;
     [[nodiscard]] std::optional<LanePlace> nearest(const Place& from, double reach, const Use& use) const;

@@ -126,8 +126,7 @@ class Necks {
             const double part = g < 0.5 ? 2 * g * g : 1 - 2 * (1 - g) * (1 - g);
             const Place from = at(t, way + f * length);
             const On on = nearest(lower, from.point);
-            const Line line =
-                curve::join(surface_, from, curve::at(lower[on.line].line, lower[on.line].ways, on.way));
+            const Line line = curve::join(surface_, from, curve::at(lower[on.line].line, lower[on.line].ways, on.way));
             const auto ways = curve::ways(line);
             out.places.push_back(curve::at(line, ways, part * ways.back()));
         }

@@ -31,8 +31,8 @@ struct Choice {
 class Beam {
   public:
     Beam(std::uint32_t rows, std::span<const Link> links, const Costs& costs, std::size_t kept)
-        : rows_(rows), links_(links), break_(costs.breaks / 2), gap_(costs.gap), kept_(kept), back_(2 * rows), forth_(2 * rows), ahead_(2 * rows, 0),
-          last_(2 * rows, 0) {
+        : rows_(rows), links_(links), break_(costs.breaks / 2), gap_(costs.gap), kept_(kept), back_(2 * rows),
+          forth_(2 * rows), ahead_(2 * rows, 0), last_(2 * rows, 0) {
         for (std::uint32_t i = 0; i < links.size(); ++i) {
             back_[links[i].to].push_back(i);
             forth_[links[i].from].push_back(i);
@@ -109,7 +109,8 @@ class Beam {
                 expired += break_;
         for (const Option& a : options(s, 2 * row, row))
             for (const Option& b : options(s, 2 * row + 1, row)) {
-                if (a.link != kNo && b.link != kNo && (a.other == b.other || find(s, a.other)->mate == b.other)) continue;
+                if (a.link != kNo && b.link != kNo && (a.other == b.other || find(s, a.other)->mate == b.other))
+                    continue;
                 std::uint32_t over[2] = {waiting[0], waiting[1]};
                 if (a.waits) over[a.end % 2] += a.link == kNo ? 1u : ~0u;
                 if (b.waits) over[b.end % 2] += b.link == kNo ? 1u : ~0u;
@@ -132,8 +133,8 @@ class Beam {
         for (const std::uint32_t l : back_[end])
             if (const Open* o = find(s, links_[l].from)) {
                 const bool waited = waits(o->end, row);
-                out.push_back({l, o->end, o->end, waited, links_[l].cost - (waited ? 0 : break_),
-                               waited ? -ahead_[o->end] : 0});
+                out.push_back(
+                    {l, o->end, o->end, waited, links_[l].cost - (waited ? 0 : break_), waited ? -ahead_[o->end] : 0});
             }
         return out;
     }
@@ -174,7 +175,7 @@ class Beam {
     std::size_t kept_;
     std::vector<std::vector<std::uint32_t>> back_, forth_; // per end: links to rows before, to rows behind
     std::vector<double> ahead_;
-    std::vector<std::uint32_t> last_;              // per end: the last row that it may be linked to
+    std::vector<std::uint32_t> last_; // per end: the last row that it may be linked to
     std::vector<std::vector<State>> layers_;
 };
 

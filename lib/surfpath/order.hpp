@@ -29,10 +29,11 @@ struct Costs {
     double gap = 0;    // where, on one of both sides, no link leads from the rows up to here to those beyond
 };
 
-// Chains that pass every row once, joined by links; the sum of all costs is small.  Rows are taken one after the other; of the ways to join the ends that lie open behind them, the cheapest
-// `kept` go on (a beam through the frontier states of a Hamiltonian path problem: exact where they never are more).
-// Fast where links join rows whose numbers are near to each other.  Ties: the first link.
+// Chains that pass every row once, joined by links; the sum of all costs is small.  Rows are taken one after the other;
+// of the ways to join the ends that lie open behind them, the cheapest `kept` go on (a beam through the frontier states
+// of a Hamiltonian path problem: exact where they never are more). Fast where links join rows whose numbers are near to
+// each other.  Ties: the first link.
 std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
-                                      std::size_t kept = 3000);
+                                      std::size_t kept);
 
 } // namespace filum::surfpath

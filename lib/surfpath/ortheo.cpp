@@ -1,10 +1,13 @@
 #include "surfpath/ortheo.hpp"
 
 #include "base/error.hpp"
+#include "curve/ease.hpp"
 #include "curve/walk.hpp"
+#include "surfpath/boustrophedon.hpp"
 #include "surfpath/strands.hpp"
 
-#include <algorithm>
+#include <array>
+#include <map>
 
 namespace filum::surfpath {
 
@@ -24,22 +27,61 @@ Line drawn(const Fronts& fronts, const Strand& s) {
     return out;
 }
 
-// All lines, those that begin on both sides of the source at one place joined, in their order along the source.
-std::vector<Line> lines(const Fronts& fronts, const std::vector<Strand>& strands) {
-    std::vector<Line> out;
+// Who goes on where a strand begins (0) and where it ends (1): the one from the other side of the source, and the one
+// of two that are born, or die, together.
+std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<Strand>& strands) {
+    std::vector<std::array<std::uint32_t, 2>> out(strands.size(), {kNone, kNone});
+    std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> waiting; // by group and side
     for (std::uint32_t i = 0; i < strands.size(); ++i) {
-        const std::uint32_t mate = strands[i].mate;
-        if (mate != kNone && mate < i) continue;
-        Line line = drawn(fronts, strands[i]);
-        if (mate != kNone) {
-            Line whole = drawn(fronts, strands[mate]);
-            curve::reverse(whole);
-            curve::append(whole, line);
-            line = std::move(whole);
+        out[i][0] = strands[i].mate;
+        for (const std::size_t side : {0U, 1U}) {
+            const std::uint32_t group = side == 0 ? strands[i].born_with : strands[i].dies_with;
+            if (group == kNone) continue;
+            const auto [it, first] = waiting.insert({{group, side}, i});
+            if (first) continue;
+            out[i][side] = it->second, out[it->second][side] = i;
+            waiting.erase(it);
         }
-        out.push_back(std::move(line));
     }
     return out;
+}
+
+// All lines, from strand to strand as far as they go on, in the order of their first strands.
+std::vector<Line> lines(const Fronts& fronts, const std::vector<Strand>& strands, double spacing) {
+    const auto next = partners(strands);
+    std::vector<char> used(strands.size(), 0);
+    std::vector<Line> out;
+    const auto follow = [&](std::uint32_t i, std::size_t from) {
+        Line all;
+        bool turns = false;
+        while (i != kNone && !used[i]) {
+            used[i] = 1;
+            Line more = drawn(fronts, strands[i]);
+            if (from == 1) curve::reverse(more);
+            if (all.size() > 0 && distance(all.places.back().point, more[0]) > 1e-9) {
+                curve::append(all, curve::join(fronts.surface(), all.places.back(), more.places[0]));
+                turns = true;
+            }
+            curve::append(all, more);
+            from = 1 - from; // it goes on at the other end, and from there on the same way round
+            i = next[i][from];
+        }
+        if (turns) all = curve::ease(fronts.surface(), all, {.radius = 0.45 * spacing, .corridor = 0.5 * spacing}).line;
+        out.push_back(std::move(all));
+    };
+    for (std::uint32_t i = 0; i < strands.size(); ++i)
+        for (const std::size_t side : {0U, 1U})
+            if (next[i][side] == kNone) {
+                if (!used[i]) follow(i, side);
+                break;
+            }
+    for (std::uint32_t i = 0; i < strands.size(); ++i) // rounds
+        if (!used[i]) follow(i, 0);
+    return out;
+}
+
+void fact(Plan& to, const char* name, std::size_t value) {
+    to.facts.push_back({"", name, static_cast<double>(value), ""});
 }
 
 } // namespace
@@ -48,21 +90,38 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     if (sheet.sources.empty())
         throw Error(Exit::bad_input, "cannot lay lines upright on a seed curve without one; run geodesic --source "
                                      "plane:NX,NY,NZ,D first");
-    const Fronts fronts(sheet.surface, sheet.sources, kStep * o.spacing, kGrain * o.spacing);
-    const Strands found = strands(fronts, {o.spacing, 1, 0});
+    const Surface& s = sheet.surface;
+    const Fronts fronts(s, sheet.sources, kStep * o.spacing, kGrain * o.spacing);
+    const bool alone = o.turns == "none";
+    const Strands found = strands(fronts, {o.spacing, o.turns == "hairpin" ? 2U : 1U, o.min_length});
+    auto all = lines(fronts, found.strands, o.spacing);
     Plan out;
-    for (Line& line : lines(fronts, found.strands)) {
-        if (out.strokes.size() % 2 == 1) curve::reverse(line);
-        out.strokes.push_back({{{std::move(line)}}});
+    if (alone) {
+        for (Line& line : all) {
+            if (out.strokes.size() % 2 == 1) curve::reverse(line);
+            out.strokes.push_back({{{std::move(line), false}}});
+        }
+        fact(out, "rows", out.strokes.size());
+    } else {
+        std::vector<Raw> raw;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
+        const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
+        out = boustrophedon(s, rows(s, raw, o.spacing / 2, o.spacing / 2), {o.spacing, radius});
+        if (o.turns == "hairpin") // rows and turns take turns
+            for (Stroke& stroke : out.strokes)
+                for (std::size_t i = 1; i < stroke.pieces.size(); i += 2) stroke.pieces[i].hairpin = true;
     }
-    const auto fact = [&](const char* name, std::size_t v, const char* unit) {
-        out.facts.push_back({"", name, static_cast<double>(v), unit});
-    };
-    fact("lines", out.strokes.size(), "");
-    fact("births", found.born, "");
-    fact("deaths", found.died, "");
-    fact("births-lower-bound", found.bound, "");
-    fact("cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1, "");
+    fact(out, "births", found.born);
+    fact(out, "deaths", found.died);
+    fact(out, "births-lower-bound", found.bound);
+    fact(out, "cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1);
+    for (const Strands::Short& left : found.left_out) {
+        const Vec3 p = fronts.place(left.level, left.spot).point;
+        Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
+        note.x = p.x, note.y = p.y;
+        out.notes.push_back(std::move(note));
+    }
     return out;
 }
 

@@ -11,9 +11,11 @@ namespace filum::surfpath {
 // apart as `spacing` by births and deaths of single lines or pairs, to which their neighbours give way (strands.hpp).
 // Fans about the ends of a source curve, point sources and the lee of holes come by the same law.
 //
-// Each line is a stroke of its own, laid alternately there and back.
-// Facts: lines, births, deaths, births-lower-bound, cuts, hairpins.  Notes: what is shorter than it may be, with
-// length. Throws Error(bad_input) if the sheet has no sources, Error(usage) as Fronts does.
+// Turns "none": each line is a stroke of its own, laid alternately there and back.  "hairpin", "wide": lines are led
+// into each other as the rows of fina are, by declared hairpins or by turns of the least radius where there is room;
+// from ends within the surface along other lines.
+// Facts: rows, births, deaths, births-lower-bound, cuts.  Notes: lines that are too short, with their lengths.
+// Throws Error(bad_input) if the sheet has no sources, Error(usage) as Fronts does.
 Plan ortheo(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

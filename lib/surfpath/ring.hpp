@@ -32,7 +32,7 @@ struct Ring {
     std::vector<double> ways;
     struct Rounded {
         std::vector<Corner> corners{};
-        std::vector<double> kept{}; // ways at places where it stays as it is
+        std::vector<double> kept{};  // ways at places where it stays as it is
         std::vector<Line> instead{}; // of all of it
     };
     std::vector<Rounded> by{}; // per radius

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace filum::surfpath {
 
@@ -19,22 +19,31 @@ namespace {
 using surface::kNone;
 
 constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
-constexpr double kOfRidge = 0.9;   // of the way to the ridge that a turn of a ring takes, where the ridge is near
-constexpr double kRounder = 1.05;  // least radii: what corners are rounded by, so that little remains to be eased
-constexpr double kScales[] = {1, 0.65, 0.4, 0.2};            // of the least radius, that corners are rounded by
-constexpr double kGains[] = {1, 1.3, 1.7, 2.2, 2.8, 3.6, 4.6, 6, 8, 12, 18}; // least radii of length for a radian of tight turn
-constexpr double kTightPart = 0.01, kTighter = 1;          // of the length, may turn tighter by so much on average
-constexpr double kFall = 1.1; // spacings that radii may fall by from one level to the next
-constexpr double kTightest = 0.3;  // spacings: no ring turns tighter
+constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
+constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3,
+                             2.6, 2.9, 3.2, 3.5};   // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 0.8; // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1;                       // spacings that radii may fall by from one level to the next
+constexpr double kMost = 1e4;                       // spacings from the sources to the farthest place
+constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
 
-// The sources, and all rims.
+// The sources, and all sides of rims that are none yet.
 surface::Sources all_sources(const surface::Sheet& sheet) {
     const Surface& s = sheet.surface;
     surface::Sources out = sheet.sources;
-    out.segments.clear();
-    for (const auto& segment : sheet.sources.segments) out.segments.push_back(segment);
+    const auto key = [](const surface::Segment& g) {
+        return std::tie(g.triangle, g.a.x, g.a.y, g.a.z, g.b.x, g.b.y, g.b.z);
+    };
+    const auto less = [&](const surface::Segment& x, const surface::Segment& y) { return key(x) < key(y); };
+    auto have = out.segments;
+    std::sort(have.begin(), have.end(), less);
     for (const auto& rim : s.rims)
-        for (const auto h : rim.sides) out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+        for (const auto h : rim.sides) {
+            const surface::Segment side{h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]};
+            if (!std::binary_search(have.begin(), have.end(), side, less)) out.segments.push_back(side);
+        }
     if (out.empty())
         throw Error(Exit::bad_input, "cannot lay rings on a closed surface without a source; run geodesic --source "
                                      "vertex:ID (or another) first");
@@ -99,6 +108,8 @@ class Making {
           least_(kRounder * o.least_radius) {
         for (const double d : far_)
             if (std::isfinite(d)) farthest_ = std::max(farthest_, d);
+        if (farthest_ > kMost * o.spacing)
+            throw Error(Exit::usage, "cannot lay more than 10000 rings inside each other; raise --spacing");
         for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrower / 2) * o.spacing}) {
             d_ = d;
             levels_.clear();
@@ -150,6 +161,7 @@ class Making {
             Batch high{l, {}, {}};
             for (const double part : kScales) high.scales.push_back({part * least_});
             std::vector<std::uint32_t> high_tops;
+            const std::size_t first = batches_.size();
             for (std::size_t i = 0; i < outer_.size(); ++i) {
                 if (!outer_[i].closed || outer_[i].level != l || climbs[i].to == kNone) continue;
                 const double rise = far_[climbs[i].to] - l, radius = kOfRidge * rise;
@@ -158,7 +170,13 @@ class Making {
                     continue;
                 }
                 if (radius < kTightest * d_) continue;
-                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.55 * radius}}});
+                std::size_t own = batches_.size(); // of the rings about the same top
+                while (own > first && tops_[own - 1][0] != climbs[i].to) --own;
+                if (own > first) {
+                    batches_[own - 1].outer.push_back(&outer_[i]);
+                    continue;
+                }
+                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.6 * radius}, {0.35 * radius}, {0.2 * least_}}});
                 tops_.push_back({climbs[i].to});
             }
             if (!high.outer.empty()) batches_.push_back(std::move(high)), tops_.push_back(std::move(high_tops));
@@ -185,7 +203,8 @@ class Making {
                 auto at = std::lower_bound(inner_.begin(), inner_.end(), level,
                                            [](const Isoline& l, double x) { return l.level < x; });
                 for (; at != inner_.end() && at->level == level; ++at)
-                    if (at->closed) uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
+                    if (at->closed)
+                        uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
             }
         climb(s_, far_, climbs);
         for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -213,15 +232,15 @@ class Making {
         return out;
     }
 
-    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much tighter.
+    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much
+    // tighter.
     [[nodiscard]] double affordable(const Rounding& rounding) {
         double length = 0;
         for (const auto& line : outer_) length += curve::length(curve::line(line));
         const double most = kTightPart * length * kTighter / least_;
         for (const double gain : kGains)
             if (tight(rounding, gain) <= most) return gain;
-        static_cast<void>(tight(rounding, std::numeric_limits<double>::infinity()));
-        return std::numeric_limits<double>::infinity();
+        return kGains[std::size(kGains) - 1];
     }
 
     const Surface& s_;
@@ -231,7 +250,7 @@ class Making {
     std::vector<double> levels_;
     std::vector<Isoline> outer_, inner_;
     std::vector<Batch> batches_;
-    std::map<double, double> floor_; // mm: per level, the least radius
+    std::map<double, double> floor_;               // mm: per level, the least radius
     std::vector<std::vector<std::uint32_t>> tops_; // per batch: where its rings lead up to
 };
 
@@ -239,6 +258,10 @@ class Making {
 
 Rings rings(const surface::Sheet& sheet, const Options& o, Facts& facts) {
     Rings out = Making(sheet, o).run();
+    if (out.lines.empty())
+        throw Error(Exit::bad_input,
+                    "cannot lay a ring: no vertex is farther than half a spacing from the sources; lower "
+                    "--spacing, or make smaller triangles by geodesic --remesh");
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     facts.push_back({"", "stretch", out.spacing / o.spacing, ""});
     return out;

@@ -7,10 +7,10 @@
 namespace filum::surfpath {
 
 struct Rings {
-    std::vector<Line> lines;      // closed, from the sources inwards
-    std::vector<int> level;       // per line: 0 for those next to the sources
-    std::vector<double> radius;   // per line, mm: of the tightest turn that was asked of it
-    double spacing = 0;           // mm, between levels: that asked for, stretched
+    std::vector<Line> lines;    // closed, from the sources inwards
+    std::vector<int> level;     // per line: 0 for those next to the sources
+    std::vector<double> radius; // per line, mm: of the tightest turn that was asked of it
+    double spacing = 0;         // mm, between levels: that asked for, stretched
 };
 
 // Lines at (i + 1/2) spacings of exact distance from the sources and all rims, i = 0, 1 ..., each with its corners

@@ -13,9 +13,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLong = 2.5;      // least radii: a corner that is cut by less is let be
-constexpr double kSeen = 0.06;     // least radii: what touches a ring farther from the ends of an arc lies between them
-constexpr double kCusp = 0.15;     // rad
+constexpr double kLong = 3.0;  // least radii: a corner that is cut by less is let be
+constexpr double kSeen = 0.06; // least radii: what touches a ring farther from the ends of an arc lies between them
+constexpr double kCusp = 0.15; // rad
 
 double longest_edge(const Surface& s) {
     double out = 0;
@@ -77,7 +77,7 @@ class Rounder {
     [[nodiscard]] std::vector<Line> opened(double level, const Scale& scale) const {
         std::vector<Line> out;
         if (scale.inner.empty()) return out;
-        const auto near = geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 2 * edge_);
+        const auto near = geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 1.01 * edge_);
         const double levels[] = {scale.radius};
         for (const auto& line : geodesic::isolines(surface_, near, levels)) {
             if (!line.closed || line.points.size() < 3) continue;
@@ -163,7 +163,9 @@ class Rounder {
     // True if rings that are rounded by less than the least radius all round are long enough for that.
     [[nodiscard]] bool worthwhile(const Batch& b) const {
         const double price = all_round(b);
-        return !(price > 0) || (!b.rings.empty() && b.scales[0].radius >= floor && b.rings[0].ways.back() > gain * least_ * price);
+        double length = 0;
+        for (const Ring& r : b.rings) length += r.ways.back();
+        return !(price > 0) || length > gain * least_ * price;
     }
 
     // The corner by this radius, or those within it by the lesser one that gains most.
@@ -224,7 +226,8 @@ class Rounder {
                 const Ring& r = rings[bent[at].ring];
                 const Corner &c = *bent[at].corner, &next = *bent[to].corner;
                 const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
-                if (rest < r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
+                if (rest <
+                    r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
                     curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
                 curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
                 at = bent[to].over ? static_cast<std::size_t>(bent[to].over - bent.data()) : to;

@@ -25,9 +25,10 @@ struct Batch {
     std::vector<Line> lines{}; // what comes of it
 };
 
-// Rounds the corners of rings: where a disc, rolling along inside of one, does not come, but for narrow places that lead
-// on to others where it does.  A smaller disc takes over where that gains much length for few tight turns.  Where two
-// rings, or one, face each other across a neck that is narrower than both by less than a spacing, they run through it.
+// Rounds the corners of rings: where a disc, rolling along inside of one, does not come, but for narrow places that
+// lead on to others where it does.  A smaller disc takes over where that gains much length for few tight turns.  Where
+// two rings, or one, face each other across a neck that is narrower than both by less than a spacing, they run through
+// it.
 class Rounding {
   public:
     Rounding(const Surface& surface, const ExactField& field, double least_radius, double spacing);
@@ -37,8 +38,8 @@ class Rounding {
     // What its lines turn, if smaller discs, but none below `floor` mm, take over where they gain `gain` least radii of
     // length for each radian that they turn too tight.
     struct Turns {
-        double tight = 0;  // rad in all, by which they turn tighter than by the least radius
-        double least = 0;  // mm, of radii; the least radius if all keep to it
+        double tight = 0; // rad in all, by which they turn tighter than by the least radius
+        double least = 0; // mm, of radii; the least radius if all keep to it
     };
     [[nodiscard]] Turns turns(const Batch& batch, double gain, double floor) const;
 

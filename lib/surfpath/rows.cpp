@@ -15,10 +15,10 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kDetour = 1.1; // of the way that is replaced, at most
+constexpr double kDetour = 1.1;    // of the way that is replaced, at most
 constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
 constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
-constexpr double kNear = 0.4;   // of the margin: what lines keep that follow the inset instead
+constexpr double kNear = 0.4;      // of the margin: what lines keep that follow the inset instead
 
 double longest_edge(const Surface& s) {
     double out = 0;
@@ -39,10 +39,12 @@ surface::Sources rims(const Surface& s) {
 class Cutter {
   public:
     Cutter(const Surface& s, double margin) : surface_(s), margin_(margin) {
+        inset_.margin = margin;
         if (s.rims.empty()) return;
-        field_ = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
+        inset_.field = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
         const double level[] = {margin};
-        for (const auto& isoline : geodesic::isolines(s, field_, level)) inset_.rings.push_back(curve::line(isoline));
+        for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
+            inset_.rings.push_back(curve::line(isoline));
         for (const Line& ring : inset_.rings) inset_.ways.push_back(curve::ways(ring));
     }
 
@@ -61,8 +63,10 @@ class Cutter {
             const bool then = room({line.places[i].triangle, next.point}) >= 0;
             if (in == then) continue;
             const double way = ways[i] + crossing(line.places[i], next, in, room) * (ways[i + 1] - ways[i]);
-            if (in) out.emplace_back(begin, way);
-            else begin = way;
+            if (in)
+                out.emplace_back(begin, way);
+            else
+                begin = way;
             in = then;
         }
         if (in) out.emplace_back(begin, ways.back());
@@ -109,14 +113,9 @@ class Cutter {
         return out;
     }
 
-    // The distance of the nearest rim, mm; some multiple of the margin beyond that.
-    [[nodiscard]] double room(const Place& p) const {
-        if (surface_.rims.empty()) return std::numeric_limits<double>::infinity();
-        return geodesic::distance_at(surface_, field_, p.triangle, p.point);
-    }
+    [[nodiscard]] double room(const Place& p) const { return inset_.room(surface_, p); }
 
   private:
-
     // Where the stretch from `a` to `b`, within a's triangle, crosses the margin: part of it.
     template <class Room>
     [[nodiscard]] static double crossing(const Place& a, const Place& b, bool from_inside, const Room& room) {
@@ -131,7 +130,6 @@ class Cutter {
 
     const Surface& surface_;
     double margin_;
-    geodesic::ExactField field_;
     Inset inset_;
 };
 
@@ -190,6 +188,11 @@ std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& 
 
 } // namespace
 
+double Inset::room(const Surface& s, const Place& p) const {
+    if (s.rims.empty()) return std::numeric_limits<double>::infinity();
+    return geodesic::distance_at(s, field, p.triangle, p.point);
+}
+
 void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
     for (const auto& isoline : isolines) {
         to.push_back({curve::line(isoline), sign * isoline.level});
@@ -224,6 +227,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
     std::erase_if(out.rows, [&](const Row& row) {
         const double l = curve::length(row.line);
         if (l >= least) return false;
+        if (l < margin) return true;
         out.dropped += l, ++out.drops;
         if (l > longest) longest = l, out.dropped_at = row.line[row.line.size() / 2];
         return true;

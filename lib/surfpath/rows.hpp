@@ -1,15 +1,21 @@
 // Rows: the lines of direction-parallel paths, ended where turns may take over.
 #pragma once
 
-#include "surfpath/plan.hpp"
+#include "geodesic/exact.hpp"
 #include "surface/sheet.hpp"
+#include "surfpath/plan.hpp"
 
 namespace filum::surfpath {
 
-// Lines half a spacing within the rims, by the rims: how far paths may go.
+// How far paths may go: up to a margin from the rims.
 struct Inset {
-    std::vector<Line> rings;                // closed, or open where the rim's distance is cut off
-    std::vector<std::vector<double>> ways;  // per ring, as curve::ways
+    double margin = 0;                     // mm
+    std::vector<Line> rings;               // where it is reached
+    std::vector<std::vector<double>> ways; // per ring, as curve::ways
+    geodesic::ExactField field;            // from the rims, up to some margins
+
+    // The distance of the nearest rim along the surface, mm; some multiple of the margin beyond that.
+    [[nodiscard]] double room(const Surface& s, const Place& p) const;
 };
 
 // Where a row ends: on a ring of the inset.

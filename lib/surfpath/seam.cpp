@@ -9,17 +9,17 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSearch = 1;    // spacings between rungs that are tried
-constexpr double kFarthest = 2;  // spacings between neighbouring lanes of a seam
-constexpr double kStep = 0.5;    // spacings between rungs of a ladder
-constexpr int kPoints = 3;       // of a line, per rung
-constexpr double kMargin = 0.5;  // spacings of lane between windows
-constexpr double kShare = 0.4;    // of a lane that a seam may take
-constexpr double kRidge = 3;       // spacings between lanes that a line goes along the middle of, at most
-constexpr double kRoom = 1.3;      // and at least
-constexpr double kAhead = 0.6;      // cosine of how far a lane turns beside it
-constexpr double kDrift = 6;       // spacings that it takes to go there
-constexpr double kApart = 8;     // spacings between lanes that are joined, at most
+constexpr double kSearch = 1;   // spacings between rungs that are tried
+constexpr double kFarthest = 2; // spacings between neighbouring lanes of a seam
+constexpr double kStep = 0.5;   // spacings between rungs of a ladder
+constexpr int kPoints = 3;      // of a line, per rung
+constexpr double kMargin = 0.5; // spacings of lane between windows
+constexpr double kShare = 0.4;  // of a lane that a seam may take
+constexpr double kRidge = 3;    // spacings between lanes that a line goes along the middle of, at most
+constexpr double kRoom = 1.3;   // and at least
+constexpr double kAhead = 0.6;  // cosine of how far a lane turns beside it
+constexpr double kDrift = 6;    // spacings that it takes to go there
+constexpr double kApart = 8;    // spacings between lanes that are joined, at most
 
 // From 0 to 1 with the least curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
@@ -151,11 +151,19 @@ void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
 
 namespace {
 
+// True if a line made by join() lies on the surface: it is two places only where none leads from one to the other.
+bool leads_over(const Surface& s, const Line& line) {
+    if (line.size() != 2) return true;
+    const Vec3 middle = 0.5 * (line[0] + line[1]);
+    return distance(surface::nearest_in(s, line.places[0].triangle, middle), middle) < 1e-3;
+}
+
 // A place where two lanes may change over into each other.
 struct Spot {
     double cost;
     std::uint32_t a, b;
     double way, side, gap;
+    double over = -1; // way on the other, if it is known
 };
 
 class Crossover {
@@ -170,9 +178,15 @@ class Crossover {
 
     std::size_t run() {
         find_spots();
-        for (const double share : {1.0, 0.5, 0.2})
+        const auto all = [&](const auto& join) {
             for (const Spot& s : spots_)
-                if (apart_ > 1 && find(s.a) != find(s.b) && join(s, share * radius_)) root_[find(s.a)] = find(s.b), --apart_;
+                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) root_[find(s.a)] = find(s.b), --apart_;
+        };
+        for (const double share : {1.0, 0.5, 0.2}) all([&](const Spot& s) { return join(s, share * radius_); });
+        for (const double part : {0.15, 0.05}) all([&](const Spot& s) { return turn_back(s, part); });
+        if (apart_ == 1) return 0;
+        near_spots();
+        for (const double part : {0.15, 0.05}) all([&](const Spot& s) { return turn_back(s, part); });
         return apart_ - 1;
     }
 
@@ -191,14 +205,11 @@ class Crossover {
                 for (const double side : {1.0, -1.0}) {
                     const auto next = lanes_.across(l, way, side, 1.6);
                     if (next && find(next->lane) != find(l)) add(l, way, side, *next);
-                    if (next || side < 0) continue;
                 }
             }
         }
         if (spots_.empty() || !reachable()) far_spots();
-        std::sort(spots_.begin(), spots_.end(), [](const Spot& a, const Spot& b) {
-            return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
-        });
+        sort_spots();
     }
     void far_spots() {
         const double d = lanes_.spacing();
@@ -214,6 +225,29 @@ class Crossover {
             }
         }
     }
+    // Whatever lies near what it is not joined to, in whichever direction.
+    void near_spots() {
+        const double d = lanes_.spacing();
+        spots_.clear();
+        for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
+            const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.2 * d)));
+            for (std::size_t i = 0; i < n; ++i) {
+                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                const auto other = [&](std::uint32_t o, double) { return find(o) != find(l); };
+                for (const double reach : {1.0, 2.0, 4.0})
+                    if (const auto near = lanes_.nearest(lanes_.at(l, way), reach * d, other)) {
+                        spots_.push_back({near->distance, l, near->lane, way, 0, near->distance, near->way});
+                        break;
+                    }
+            }
+        }
+        sort_spots();
+    }
+    void sort_spots() {
+        std::sort(spots_.begin(), spots_.end(), [](const Spot& a, const Spot& b) {
+            return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
+        });
+    }
     // Whether the spots would join all.
     bool reachable() {
         auto root = root_;
@@ -227,7 +261,31 @@ class Crossover {
     void add(std::uint32_t l, double way, double side, const LanePlace& next) {
         const double gap = next.distance / lanes_.spacing();
         const double bend = std::max(lanes_.curvature(l, way), lanes_.curvature(next.lane, next.way));
-        spots_.push_back({std::abs(gap - 1) + 4 * bend * lanes_.spacing(), l, next.lane, way, side, next.distance});
+        spots_.push_back({std::abs(gap - 1) + 4 * bend * lanes_.spacing(), l, next.lane, way, side, next.distance, -1});
+    }
+
+    // Where there is no room for that: each turns back into the other, twice.
+    bool turn_back(const Spot& s, double part) {
+        const double d = lanes_.spacing(), half = part * d;
+        double there = s.over;
+        if (there < 0) {
+            const auto over = lanes_.across(s.a, s.way, s.side, std::max(1.7, s.gap / d + 0.7));
+            if (!over || over->lane != s.b) return false;
+            there = over->way;
+        }
+        const double sense = dot(lanes_.tangent(s.a, s.way), lanes_.tangent(s.b, there)) > 0 ? 1 : -1;
+        for (const auto& [lane, way] : {std::pair{s.a, s.way}, std::pair{s.b, there}})
+            if (!weave_.free(lane, way - half, way + half, half)) return false;
+        Line links[2];
+        for (const int k : {0, 1}) {
+            const double end = k == 0 ? -half : half;
+            links[k] = curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end), lanes_.at(s.b, there + end * sense));
+            if (!leads_over(lanes_.surface(), links[k])) return false;
+        }
+        const std::uint32_t a = weave_.cut(s.a, s.way - half, s.way + half);
+        const std::uint32_t b = weave_.cut(s.b, there - half, there + half);
+        for (const int k : {0, 1}) weave_.link({a, k == 1}, {b, (k == 1) == (sense > 0)}, std::move(links[k]));
+        return true;
     }
 
     bool join(const Spot& s, double radius) {

@@ -24,7 +24,7 @@ constexpr double kTolerance = 1e-3; // mm, of lines
 } // namespace
 
 FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> distance,
-        double spacing) {
+               double spacing) {
     double far = 0;
     FarRim out;
     for (int round = 0; round < 2; ++round)
@@ -45,19 +45,54 @@ FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std
 
 namespace {
 
-std::uint32_t side_of(const Isoline& line, const SeedSides& sides) {
-    std::vector<std::uint32_t> count(sides.count, 0);
-    for (const std::uint32_t t : line.triangles)
-        if (sides.of[t] != kNone) ++count[sides.of[t]];
-    const auto most = std::max_element(count.begin(), count.end());
-    return most == count.end() || *most == 0 ? kNone : static_cast<std::uint32_t>(most - count.begin());
-}
+// Which side an isoline lies on.  Of one that runs through triangles of the seed only, that of a corner on the same
+// side of the seed segment there.
+class SideOf {
+  public:
+    SideOf(const Surface& s, const SeedSides& sides, const surface::Sources& seed)
+        : surface_(s), sides_(sides), at_(s.vertices.size(), kNone) {
+        for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+            if (sides.of[t] != kNone)
+                for (const std::uint32_t v : s.triangles[t]) at_[v] = sides.of[t];
+        for (const auto& g : seed.segments)
+            if (g.triangle < s.triangles.size()) seed_.push_back(g);
+        std::stable_sort(seed_.begin(), seed_.end(), by_triangle);
+    }
+
+    [[nodiscard]] std::uint32_t operator()(const Isoline& line) const {
+        std::vector<std::uint32_t> count(sides_.count, 0);
+        for (const std::uint32_t t : line.triangles)
+            if (sides_.of[t] != kNone) ++count[sides_.of[t]];
+        if (std::all_of(count.begin(), count.end(), [](std::uint32_t n) { return n == 0; }))
+            for (std::size_t i = 0; i < line.triangles.size(); ++i)
+                if (const auto side = beside_seed(line.triangles[i], line.points[i]); side != kNone) ++count[side];
+        const auto most = std::max_element(count.begin(), count.end());
+        return most == count.end() || *most == 0 ? kNone : static_cast<std::uint32_t>(most - count.begin());
+    }
+
+  private:
+    static bool by_triangle(const surface::Segment& a, const surface::Segment& b) { return a.triangle < b.triangle; }
+
+    [[nodiscard]] std::uint32_t beside_seed(std::uint32_t t, const Vec3& p) const {
+        const auto g = std::lower_bound(seed_.begin(), seed_.end(), surface::Segment{t, {}, {}}, by_triangle);
+        if (g == seed_.end() || g->triangle != t) return kNone;
+        const Vec3 across = cross(surface::normal(surface_, t), g->b - g->a);
+        for (const std::uint32_t v : surface_.triangles[t])
+            if (at_[v] != kNone && dot(across, surface_.vertices[v] - g->a) * dot(across, p - g->a) > 0) return at_[v];
+        return kNone;
+    }
+
+    const Surface& surface_;
+    const SeedSides& sides_;
+    std::vector<std::uint32_t> at_; // per vertex: of a triangle there
+    std::vector<surface::Segment> seed_;
+};
 
 // Distance between seed and end as a share of the way between both, times its mean.
 class Between {
   public:
-    Between(const Surface& s, const Surface& closed, const geodesic::ExactField& seed, const FarRim& end)
-        : surface_(s), seed_(seed), end_(geodesic::exact(closed, end.rim)), mean_(end.mean) {
+    Between(const Surface& s, const geodesic::ExactField& seed, const geodesic::ExactField& end, double mean)
+        : surface_(s), seed_(seed), end_(end), mean_(mean) {
         for (std::size_t v = 0; v < s.vertices.size(); ++v) value_.push_back(share(seed.distance[v], end_.distance[v]));
     }
 
@@ -110,8 +145,7 @@ class Between {
     }
 
     const Surface& surface_;
-    const geodesic::ExactField& seed_;
-    geodesic::ExactField end_;
+    const geodesic::ExactField &seed_, &end_;
     double mean_;
     std::vector<double> value_;
 };
@@ -153,24 +187,33 @@ SeedSides seed_sides(const Surface& s, const surface::Sources& seed) {
     return out;
 }
 
-std::vector<Isoline> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
-                               const SeedSides& sides, std::uint32_t side, double spacing) {
-    double tip = 0;
+std::vector<std::vector<Isoline>> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
+                                            const surface::Sources& seed, double spacing) {
+    const SeedSides sides = seed_sides(s, seed);
+    std::vector<double> tip(sides.count, 0);
     for (std::size_t t = 0; t < s.triangles.size(); ++t)
-        if (sides.of[t] == side)
+        if (const std::uint32_t side = sides.of[t]; side != kNone)
             for (const std::uint32_t v : s.triangles[t])
-                if (std::isfinite(field.distance[v])) tip = std::max(tip, field.distance[v]);
-    const FarRim rim = far_rim(s, sides, side, field.distance, spacing);
-    std::vector<Isoline> lines;
-    if (const double d = step(rim, spacing); d > 0)
-        if (const Between between(s, closed, field, rim); between.even(sides, side))
-            lines = between.lines(levels(rim.mean, d));
-    if (lines.empty()) {
-        const double d = step(rim, spacing);
-        lines = geodesic::isolines(s, field, levels(tip, d > 0 ? d : spacing));
+                if (std::isfinite(field.distance[v])) tip[side] = std::max(tip[side], field.distance[v]);
+    std::vector<FarRim> rims;
+    surface::Sources ends; // of all sides: none is nearer to that of another, or its rows would not be even
+    for (std::uint32_t side = 0; side < sides.count; ++side) {
+        rims.push_back(far_rim(s, sides, side, field.distance, spacing));
+        const auto& rim = rims.back().rim.segments;
+        if (step(rims.back(), spacing) > 0) ends.segments.insert(ends.segments.end(), rim.begin(), rim.end());
     }
-    std::erase_if(lines, [&](const Isoline& l) { return side_of(l, sides) != side; });
-    return lines;
+    const auto end = ends.empty() ? geodesic::ExactField{} : geodesic::exact(closed, ends);
+    const SideOf side_of(s, sides, seed);
+    std::vector<std::vector<Isoline>> out(sides.count);
+    for (std::uint32_t side = 0; side < sides.count; ++side) {
+        const double d = step(rims[side], spacing);
+        if (d > 0)
+            if (const Between between(s, field, end, rims[side].mean); between.even(sides, side))
+                out[side] = between.lines(levels(rims[side].mean, d));
+        if (out[side].empty()) out[side] = geodesic::isolines(s, field, levels(tip[side], d > 0 ? d : spacing));
+        std::erase_if(out[side], [&](const Isoline& l) { return side_of(l) != side; });
+    }
+    return out;
 }
 
 } // namespace filum::surfpath

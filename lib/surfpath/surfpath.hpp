@@ -13,6 +13,8 @@ struct Options {
     std::string method = "filum";       // or kipping2022: as the paper says
     double spacing = 1;                 // mm, d: between neighbouring lines
     double least_radius = 2.4;          // mm: of turns, where there is room
+    std::string turns = "none";         // of ortheo: none, hairpin or wide
+    double min_length = 0;              // mm: of the lines of ortheo; shorter ones are left out
 };
 
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.

@@ -13,7 +13,7 @@ class Transits {
     explicit Transits(const Rows& rows);
 
     struct Way {
-        double length = 0;          // mm
+        double length = 0;           // mm
         std::vector<Line> stretches; // along rings and rows, one after the other; corners between them
     };
 

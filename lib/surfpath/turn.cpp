@@ -7,8 +7,8 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kArcStep = 3.0 / 180 * std::numbers::pi;
-constexpr double kSmooth = 0.5; // mm to either side of a point: what says where a row leads there
+constexpr double kArcStep = 1.0 / 180 * std::numbers::pi;
+constexpr double kSmooth = 0.5;   // mm to either side of a point: what says where a row leads there
 constexpr double kAllowed = 0.01; // mm beyond the bound
 constexpr int kPushes = 6;
 constexpr double kAsWide = 0.97; // of the radius: what a single arc may have instead
@@ -108,8 +108,10 @@ FlatTurn narrow(const Sides& s, double most, double top) {
         for (int i = 0; i < 40; ++i) {
             const double r = (lo + hi) / 2;
             const auto a = s.first.touch(r, top - depth), b = s.second.touch(r, top - depth);
-            if (a && b && a->centre.x < b->centre.x) lo = r;
-            else hi = r;
+            if (a && b && a->centre.x < b->centre.x)
+                lo = r;
+            else
+                hi = r;
         }
         if (std::abs(lo - depth) < 1e-6 || round == 19) {
             const auto a = s.first.touch(lo, top - depth), b = s.second.touch(lo, top - depth);
@@ -157,7 +159,8 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
 }
 
 // The turn of a form, pushed inwards until it is within the bound; none if that does not do.
-template <class Form> FlatTurn fitted(const TurnRoom& room, const Form& form) {
+template <class Form>
+FlatTurn fitted(const TurnRoom& room, const Form& form) {
     double top = 0;
     for (const Vec2 p : room.bound) top = std::min(top, p.y);
     for (int push = 0; push < kPushes; ++push) {

@@ -17,12 +17,12 @@ struct TurnRoom {
 };
 
 struct FlatTurn {
-    std::vector<Vec2> points;        // from the first row to the second; empty if there is none
-    double radius = 0;               // mm, of its arcs
-    double from_first = 0;           // mm along the first row from its end: where the turn begins
-    double from_second = 0;          // mm along the second row from its end: where it ends
-    double length = 0;               // mm
-    bool bulb = false;               // it swings out on both sides of the rows
+    std::vector<Vec2> points; // from the first row to the second; empty if there is none
+    double radius = 0;        // mm, of its arcs
+    double from_first = 0;    // mm along the first row from its end: where the turn begins
+    double from_second = 0;   // mm along the second row from its end: where it ends
+    double length = 0;        // mm
+    bool bulb = false;        // it swings out on both sides of the rows
 };
 
 // The outermost turn within the bound: an arc off the first row, a straight stretch along the bound and an arc onto the

@@ -13,11 +13,15 @@ using curve::Chart;
 
 namespace {
 
-constexpr double kRunUp = 4;    // radii of a row that may be rounded where it goes over into a way along the rim
-constexpr double kCorridor = 2; // radii
-constexpr double kBulb = 40; // mm: what a bulb is as bad as, for the voids beside it
-constexpr double kTurning = 0.25; // mm
-constexpr double kBeside = 0.5;   // mm beside what is tight that are declared with it
+constexpr double kRunUp = 4;         // radii of a row that may be rounded where it goes over into a way along the rim
+constexpr double kCorridor = 2;      // radii
+constexpr double kWider = 1.07;      // of the least radius: what turns are made with, so that samples of them keep it
+constexpr double kBulb = 40;         // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kEasedWider = 1.15; // likewise, of ways along rims
+constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
+constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
+constexpr double kTurning = 0.25;    // mm
+constexpr double kBeside = 0.5;      // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -81,9 +85,14 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
     curve::reverse(line);
     for (const Line& l : stretches) curve::append(line, l);
     curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
-    auto eased = curve::ease(surface_, curve::threaded(surface_, line),
-                             {.radius = o_.least_radius, .corridor = kCorridor * o_.least_radius});
-    out.line = std::move(eased.line);
+    line = curve::threaded(surface_, line);
+    auto eased =
+        curve::ease(surface_, line, {.radius = kEasedWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
+    // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
+    const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
+        return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
+    });
+    out.line = inside ? std::move(eased.line) : std::move(line);
     const auto k = turning(out.line, curve::ways(out.line));
     out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
     return out;
@@ -148,11 +157,14 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
-    const double most = std::max(3.2 * o_.least_radius, 2.4 * o_.spacing);
+    const double two = 2 * o_.least_radius;
+    const double most = std::max(std::min(1.6 * two, two + 3.2 * o_.spacing), 2.4 * o_.spacing);
     if (norm(d) > 3 * most + o_.spacing) return false;
     const Vec3 u = tangent(a);
     if (dot(u, tangent(b)) < 0.5) return false;
     const double w = norm(d - dot(d, u) * u);
+    // Of what is too near for an arc only the nearest, for hairpins and bulbs.
+    if (w > 2.5 * o_.spacing && w < 0.75 * two) return false;
     return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
 }
 
@@ -175,7 +187,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
-    const FlatTurn t = turn({first, second, bound}, 1.04 * o_.least_radius);
+    const FlatTurn t = turn({first, second, bound}, kWider * o_.least_radius);
     if (t.points.empty()) return out;
     out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
     out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
@@ -189,6 +201,8 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     auto laid = curve::lay(surface_, flat, begin, points);
     if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6) return out;
     laid.line.places.back() = end;
+    for (const Place& p : laid.line.places)
+        if (rows_.inset.room(surface_, p) < kRoom * rows_.inset.margin) return out;
     out.line = std::move(laid.line);
     out.radius = t.radius;
     out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));

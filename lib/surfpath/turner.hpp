@@ -4,6 +4,7 @@
 #include "surfpath/rows.hpp"
 #include "surfpath/transit.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace filum::surfpath {
@@ -12,6 +13,9 @@ struct Turning {
     double spacing = 1;        // mm, between rows
     double least_radius = 2.4; // mm, of turns, where there is room
 };
+
+// Turns are never tighter than those between neighbouring rows.
+inline Turning turning(double spacing, double least_radius) { return {spacing, std::max(least_radius, spacing / 2)}; }
 
 // From one end of a row to that of another; ends are numbered as in order.hpp.
 struct LaidTurn {

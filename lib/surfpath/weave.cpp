@@ -45,8 +45,8 @@ Line Weave::arc(End from, End& to) const {
     for (const auto o : of_[w.lane]) {
         if (o == from.window) continue;
         const Window& other = windows_[o];
-        const double on = lanes_.ahead(w.lane, at, from.after ? other.from : other.from + other.length,
-                                       from.after ? 1 : -1);
+        const double on =
+            lanes_.ahead(w.lane, at, from.after ? other.from : other.from + other.length, from.after ? 1 : -1);
         if (on < least) least = on, best = o;
     }
     to = {best, !from.after};

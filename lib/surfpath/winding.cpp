@@ -77,7 +77,7 @@ class Winder {
         Line line;
         if (from_rim || chain.size() == 1) {
             const double lap = chain.front().ways.back();
-            line = curve::part(chain.front().line, chain.front().ways, at - (chain.size() == 1 ? lap : lap / 2), at);
+            line = curve::part(chain.front().line, chain.front().ways, at - lap, at);
         }
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const Line lap = over(chain[i], at, chain[i + 1]);
@@ -86,9 +86,12 @@ class Winder {
         }
         const Ring& last = chain.back();
         if (chain.size() > 1) {
-            double to = port.ring == surface::kNone ? at + last.ways.back() / 2 : to_inset;
-            while (to < at + 0.25 * last.ways.back()) to += last.ways.back();
-            curve::append(line, curve::part(last.line, last.ways, at, to));
+            double to = port.ring == surface::kNone ? at + last.ways.back() : to_inset;
+            const double lap = last.ways.back();
+            while (to < at + 0.25 * lap) to += lap;
+            while (to > at + 1.25 * lap) to -= lap;
+            if (to > at + lap) curve::append(line, curve::part(last.line, last.ways, at, at + lap)), to -= lap;
+            if (to > at) curve::append(line, curve::part(last.line, last.ways, at, to));
         }
         if (port.ring != surface::kNone)
             line.places.push_back(curve::at(rows_.inset.rings[port.ring], rows_.inset.ways[port.ring], port.way));
@@ -163,11 +166,12 @@ void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     if (rings.empty()) return;
     const Winder winder(s, rows, spacing);
     std::vector<Row> wound;
-    for (const auto& chain : chained(std::move(rings), spacing)) wound.push_back(winder.wound(chain, from_rim));
+    const double first = rings.front().level; // of the seed's own, rows being sorted
+    for (const auto& chain : chained(std::move(rings), spacing))
+        wound.push_back(winder.wound(chain, from_rim || chain.front().level > first));
     std::erase_if(rows.rows, [](const Row& row) { return row.line.closed; });
     std::move(wound.begin(), wound.end(), std::back_inserter(rows.rows));
-    std::stable_sort(rows.rows.begin(), rows.rows.end(),
-                     [](const Row& a, const Row& b) { return a.level < b.level; });
+    std::stable_sort(rows.rows.begin(), rows.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
 }
 
 } // namespace filum::surfpath

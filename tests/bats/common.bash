@@ -68,7 +68,7 @@ make_inputs() {
     sequence Regions --output sequenced
     fill sequenced --output Paths
     link3d Paths --output Toolpath
-    geodesic part.stl --source vertex:0 --spacing 2 --output Surface
+    geodesic part.stl --cut 0,0,1,0.9 --source boundary --spacing 2 --output Surface
 }
 
 # fact COMMAND KEY: the rest of that line of the command's contract.

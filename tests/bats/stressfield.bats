@@ -6,6 +6,7 @@ load common
 
 setup() {
     cd "$BATS_TEST_TMPDIR" || exit 1
+    export FILUM_SOURCE=${FILUM_SOURCE:-$(cd "$BATS_TEST_DIRNAME/../.." && pwd)}
     # a square of 10 mm, and 11 x 11 samples on it that pull along x, more and more towards y = 10
     printf 'OFF\n4 2 0\n0 0 0  10 0 0  10 10 0  0 10 0\n3 0 1 2\n3 0 2 3\n' > square.off
     python3 -c '

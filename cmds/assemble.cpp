@@ -1,0 +1,70 @@
+// assemble - puts toolpaths into one job
+// reads:  Toolpath streams
+// writes: Toolpath
+// memory: one toolpath
+#include "assemble/assemble.hpp"
+#include "cli/command.hpp"
+#include "wire/planar.hpp"
+
+#include <memory>
+
+namespace {
+
+using namespace filum;
+
+constexpr const char* kDescription =
+    "Writes the toolpaths one behind the other, in the order given, as one: a printed core first, then patches, or "
+    "plies of one surface. Strokes are numbered on, and between two toolpaths the tool travels: up along its axis by "
+    "--lift, across, and down. Notes and facts of all stay, and the history names all of them.";
+
+struct Options {
+    assemble::Options job;
+};
+
+cli::Spec spec(Options& o) {
+    return {
+        .name = "assemble",
+        .synopsis = "put toolpaths into one job",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::toolpath),
+        .out = cli::writes(stream::Payload::toolpath),
+        .memory = "one toolpath",
+        .options = {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(
+            0)},
+        .examples =
+            {{"geodesic part.stl --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > a.toolpath; "
+              "surfpath ortheo part.surface --ply 1 --offset 0.2 > b.toolpath; assemble a.toolpath b.toolpath > "
+              "woven.toolpath",
+              "two plies across each other, a woven grid"}},
+        .see_also = {"surfpath", "link3d", "postproc"},
+        .arguments = "[INPUT...]",
+        .many_inputs = true,
+    };
+}
+
+void run(const Options& o, const cli::Io& io) {
+    const auto names = io.inputs.empty() ? std::vector<std::string>{"-"} : io.inputs;
+    std::vector<std::unique_ptr<stream::Reader>> readers;
+    std::vector<const stream::Header*> before;
+    for (const auto& name : names) {
+        readers.push_back(std::make_unique<stream::Reader>(name, stream::Payload::toolpath));
+        before.push_back(&readers.back()->header());
+    }
+    stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, before));
+    assemble::Job job(o.job);
+    for (const auto& reader : readers) {
+        job.begin();
+        while (auto frame = reader->next()) {
+            if (frame->tag != stream::Tag::span) {
+                writer.write(*frame);
+                continue;
+            }
+            for (const auto& span : job.add(wire::span(*frame))) writer.write(wire::frame(span));
+        }
+    }
+    writer.close();
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
