@@ -11,6 +11,7 @@ namespace filum::collision {
 namespace {
 
 constexpr std::size_t kGrain = 2048;  // moves that share what they found
+constexpr std::size_t kTogether = 8;  // moves that may be seen to be clear at once
 constexpr std::size_t kSamples = 512; // of all moves, looked at first
 constexpr int kHalvings = 40;
 
@@ -94,23 +95,51 @@ struct Search {
         best = std::min(best, hit.distance);
     }
 
-    // Looks along move i; `best` is the least clearance of each kind so far.
-    void follow(std::size_t i, std::array<double, 4>& best, Found& out) const {
-        const Motion motion = collision::motion(moves[i]);
-        bool collides = false;
-        for (std::size_t k = 0; k < scene.size(); ++k) {
-            if (scene[k].empty()) continue;
-            const auto against = static_cast<Against>(k);
-            Course c{i, against, motion, {}, false};
-            const double before = best[k];
-            look(c, 0, 1, 0, best[k]);
-            if (!c.found) continue;
-            if (c.worst.clearance < before) out.least[k] = c.worst;
-            if (c.worst.clearance >= demanded(against)) continue;
-            out.collisions.push_back(c.worst);
-            collides = true;
+    // False if nothing comes nearer than `cutoff` on any of these moves, by how far their ends are from the middle
+    // one's beginning; the way between two ends is no farther, unless the tool turns round.
+    [[nodiscard]] bool may_meet(std::size_t begin, std::size_t end, Against against, double cutoff) const {
+        const Move& middle = moves[begin + (end - begin) / 2];
+        Probe p = probe(middle.from, moves[end - 1], against, cutoff);
+        const auto stretch = [&](const Stance& s) {
+            const Vec3 way = s.tip - p.stance.tip;
+            p.shift = std::max(p.shift, norm(way));
+            p.sink = std::max(p.sink, std::abs(dot(way, p.stance.axis)));
+            const bool known = s.side != Vec3{} && p.stance.side != Vec3{};
+            p.turn = std::max(p.turn, angle(s.axis, p.stance.axis) + (known ? angle(s.side, p.stance.side) : 0));
+        };
+        bool round = false;
+        for (std::size_t i = begin; i < end; ++i) {
+            stretch(moves[i].from), stretch(moves[i].to);
+            round = round || moves[i].from.side == Vec3{} || moves[i].to.side == Vec3{};
         }
-        out.moves += collides ? 1 : 0;
+        if (round) p.stance.side = {};
+        return p.turn > 1 || scene[static_cast<std::size_t>(against)].any(shape, p, 0) != Tree::Near::nothing;
+    }
+
+    // Looks along moves; `best` is the least clearance so far.
+    void follow(std::size_t begin, std::size_t end, Against against, double& best, Found& out) const {
+        if (end - begin > 1) {
+            if (end - begin <= kTogether && !may_meet(begin, end, against, std::max(best, demanded(against)))) return;
+            const std::size_t half = begin + (end - begin) / 2;
+            follow(begin, half, against, best, out);
+            follow(half, end, against, best, out);
+            return;
+        }
+        Course c{begin, against, motion(moves[begin]), {}, false};
+        const double before = best;
+        look(c, 0, 1, 0, best);
+        if (!c.found) return;
+        if (c.worst.clearance < before) out.least[static_cast<std::size_t>(against)] = c.worst;
+        if (c.worst.clearance < demanded(against)) out.collisions.push_back(c.worst);
+    }
+
+    // Looks along moves for all kinds of things, from the least clearances `best` on.
+    void chunk(std::size_t begin, std::size_t end, std::array<double, 4> best, Found& out) const {
+        for (std::size_t k = 0; k < scene.size(); ++k)
+            if (!scene[k].empty()) follow(begin, end, static_cast<Against>(k), best[k], out);
+        auto& all = out.collisions;
+        std::stable_sort(all.begin(), all.end(), [](const Place& a, const Place& b) { return a.move < b.move; });
+        for (std::size_t i = 0; i < all.size(); ++i) out.moves += i == 0 || all[i].move != all[i - 1].move ? 1 : 0;
     }
 
     // The least clearance in the middle of some moves, from where to search.
@@ -149,8 +178,7 @@ Found check(const Scene& scene, const machine::Head& head, const std::vector<Mov
         seed[k] = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
     std::vector<Found> part((moves.size() + kGrain - 1) / kGrain);
     parallel::for_chunks(moves.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
-        auto best = seed;
-        for (std::size_t i = begin; i < end; ++i) search.follow(i, best, part[begin / kGrain]);
+        search.chunk(begin, end, seed, part[begin / kGrain]);
     });
     for (const Found& f : part) {
         out.collisions.insert(out.collisions.end(), f.collisions.begin(), f.collisions.end());

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kTop = 1e5; // mm above the tip, where the head ends
 
+// Coordinates are far from where their squares overflow; std::hypot takes half of all time.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 Vec3 farthest(std::span<const Vec3> points, const Vec3& d) {
     const Vec3* best = points.data();
     for (const Vec3& p : points)
@@ -24,7 +27,7 @@ struct Disc {
 };
 template <std::size_t N>
 Vec3 farthest(const std::array<Disc, N>& discs, const Vec3& d) {
-    const double across = std::hypot(d.x, d.y);
+    const double across = length(d.x, d.y);
     const Disc* best = discs.data();
     for (const Disc& disc : discs)
         if (disc.radius * across + disc.z * d.z > best->radius * across + best->z * d.z) best = &disc;
@@ -32,31 +35,18 @@ Vec3 farthest(const std::array<Disc, N>& discs, const Vec3& d) {
     return {r * d.x, r * d.y, best->z};
 }
 
-// Distance of the point (r, z) from the triangle-like profile below a line: of the half-plane region
-// { z >= low, r <= radius at z }, where the radius grows from `flat` at z = 0 to `wide` at `height`.
-double to_cone(double r, double z, double flat, double wide, double height) {
-    const auto segment = [&](double r0, double z0, double r1, double z1) {
-        const double dr = r1 - r0, dz = z1 - z0, l2 = dr * dr + dz * dz;
-        const double t = l2 > 0 ? std::clamp(((r - r0) * dr + (z - z0) * dz) / l2, 0.0, 1.0) : 0.0;
-        return std::hypot(r - r0 - t * dr, z - z0 - t * dz);
-    };
-    const bool inside = z >= 0 && (z >= height ? r <= wide : r <= flat + (wide - flat) * z / height);
-    if (inside) return 0;
-    double out = std::min(segment(0, 0, flat, 0), segment(flat, 0, wide, height));
-    if (z > height) out = std::min(out, r - wide);
-    return out;
-}
-
 } // namespace
 
 Shape::Shape(const machine::Head& head)
     : none_(head.none), flat_(head.flat_radius), wide_(head.cone_radius(head.cone_height)), height_(head.cone_height),
       half_x_(head.carriage_x / 2), half_y_(head.carriage_y / 2), half_diagonal_(std::hypot(half_x_, half_y_)),
-      gantry_(head.gantry_height) {}
+      gantry_(head.gantry_height), out_(std::cos(head.cone_angle / 2)), down_(std::sin(head.cone_angle / 2)) {}
 
+// Of the nozzle, which is convex, the farthest of its flat, its side and its upright wall as endless planes.
 double Shape::at_least(double r, double z) const {
-    const double column = std::hypot(std::max(0.0, r - half_diagonal_), std::max(0.0, height_ - z));
-    return std::min({to_cone(r, z, flat_, wide_, height_), column, std::max(0.0, gantry_ - z)});
+    const double nozzle = std::max({0.0, -z, (r - flat_) * out_ - z * down_, r - wide_});
+    const double column = length(std::max(0.0, r - half_diagonal_), std::max(0.0, height_ - z));
+    return std::min({nozzle, column, std::max(0.0, gantry_ - z)});
 }
 
 Shape::Near Shape::nearest(std::span<const Vec3> corners, bool round, double cutoff) const {

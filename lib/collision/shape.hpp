@@ -55,6 +55,7 @@ class Shape {
     bool none_ = false;
     double flat_ = 0, wide_ = 0, height_ = 0; // mm: radii of the nozzle's ends, height of the upper one
     double half_x_ = 0, half_y_ = 0, half_diagonal_ = 0, gantry_ = 0;
+    double out_ = 1, down_ = 0; // of the unit normal of the nozzle's side
 };
 
 } // namespace filum::collision

@@ -23,10 +23,6 @@ double extent(const Vec3& half, const Vec3& d) {
 
 struct Frame {
     Vec3 tip, x, y, z;
-    [[nodiscard]] Vec3 inward(const Vec3& p) const {
-        const Vec3 d = p - tip;
-        return {dot(d, x), dot(d, y), dot(d, z)};
-    }
 };
 
 Frame frame(const Stance& s) {
@@ -43,13 +39,31 @@ Frame frame(const Stance& s) {
 void clip(const Solid& s, const Frame& f, double low, Corners& out) {
     std::array<Vec3, 4> p;
     const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
-    for (std::size_t i = 0; i < n; ++i) p[i] = f.inward(s.corner[i]);
     out.count = 0;
+    double top = low;
+    for (std::size_t i = 0; i < n; ++i) p[i].z = dot(s.corner[i] - f.tip, f.z), top = std::max(top, p[i].z);
+    if (top <= low) return;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 d = s.corner[i] - f.tip;
+        p[i].x = dot(d, f.x), p[i].y = dot(d, f.y);
+    }
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 &a = p[i], &b = p[(i + 1) % n];
         if (a.z > low) out.add(a);
         if ((a.z > low) != (b.z > low)) out.add(a + ((low - a.z) / (b.z - a.z)) * (b - a));
     }
+}
+
+// No more than the distance of the polygon from the head.
+double at_least(const Shape& shape, const Corners& polygon) {
+    double top = polygon.point[0].z, x0 = polygon.point[0].x, x1 = x0, y0 = polygon.point[0].y, y1 = y0;
+    for (const Vec3& p : polygon.all()) {
+        top = std::max(top, p.z);
+        x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
+        y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+    }
+    const double x = std::max({0.0, x0, -x1}), y = std::max({0.0, y0, -y1});
+    return shape.at_least(std::sqrt(x * x + y * y), top);
 }
 
 } // namespace
@@ -93,7 +107,8 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
         low = least(low, c), high = most(high, c);
         born = std::min(born, s.born);
     }
-    Node node{0.5 * (lo + hi), 0.5 * (hi - lo), born, first, last - first};
+    const Vec3 extents = 0.5 * (hi - lo);
+    Node node{0.5 * (lo + hi), extents, norm(extents), born, first, last - first};
     if (last - first > kLeaf) {
         const Vec3 size = high - low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -119,19 +134,26 @@ void Tree::visit(const Shape& shape, const Probe& probe, const double& cutoff, c
     if (nodes_.empty() || shape.none()) return;
     const Frame f = frame(probe.stance);
     const bool round = probe.stance.side == Vec3{};
-    std::array<std::uint32_t, 64> todo{};
+    std::array<std::uint32_t, 64> todo;
+    todo[0] = 0;
     std::size_t left = 1;
     Corners corners;
     while (left > 0) {
         const Node& node = nodes_[todo[--left]];
         if (node.born >= probe.before) continue;
-        const Vec3 c = f.inward(node.middle);
-        const double ball = norm(node.half), far = norm(c) + ball + probe.shift;
+        const Vec3 d = node.middle - f.tip;
+        const double far = norm(d) + node.ball + probe.shift;
         const double low = probe.press - probe.sink - probe.turn * far;
-        if (c.z + extent(node.half, f.z) <= low) continue;
+        const double z = dot(d, f.z), top = z + extent(node.half, f.z);
+        if (top <= low) continue;
+        const double x = dot(d, f.x), y = dot(d, f.y), off = std::sqrt(x * x + y * y);
         const double allowance = probe.shift + (probe.turn > 0 ? probe.turn * (far + std::max(0.0, cutoff)) : 0);
         if (skip(allowance)) continue;
-        if (shape.at_least(std::hypot(c.x, c.y), c.z) - ball >= cutoff + allowance) continue;
+        const double limit = cutoff + allowance;
+        // the head only widens upwards, so what is lower and farther from the axis is farther from it
+        const double box = shape.at_least(std::max(0.0, off - node.ball), top);
+        if (box > 0 && box >= limit) continue;
+        if (shape.at_least(off, z) - node.ball >= limit) continue;
         if (node.count == 0) {
             todo[left++] = node.first;
             todo[left++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
@@ -139,13 +161,12 @@ void Tree::visit(const Shape& shape, const Probe& probe, const double& cutoff, c
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const Solid& s = solids_[i];
-            if (s.born >= probe.before) continue;
+            const double most = cutoff + allowance + s.radius; // the cutoff may have come down
+            if (s.born >= probe.before || most <= 0) continue;
             clip(s, f, low - s.radius, corners);
-            if (corners.count == 0) continue;
-            const double limit = cutoff + allowance;
-            if (limit + s.radius <= 0) continue;
-            const auto near = shape.nearest(corners.all(), round, limit + s.radius);
-            if (near.distance - s.radius < limit && meet(near.distance - s.radius, near.piece, allowance)) return;
+            if (corners.count == 0 || at_least(shape, corners) >= most) continue;
+            const auto near = shape.nearest(corners.all(), round, most);
+            if (near.distance < most && meet(near.distance - s.radius, near.piece, allowance)) return;
         }
     }
 }

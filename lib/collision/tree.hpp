@@ -54,6 +54,7 @@ class Tree {
   private:
     struct Node {
         Vec3 middle, half;       // of the box
+        double ball = 0;         // half its diagonal
         std::uint32_t born = 0;  // the first of its solids
         std::uint32_t first = 0; // of a leaf its first solid, else its right child; the left one follows it
         std::uint32_t count = 0; // of a leaf, how many solids; else 0

@@ -149,6 +149,9 @@ void collide(const CollideOptions& o, const cli::Io& io) {
     if (!o.program.empty()) {
         if (io.input != "-")
             throw Error(Exit::usage, "cannot check '" + io.input + "' and --program at once; give one");
+        if (profile.axes.chain.carrier == kinematics::Carrier::frame)
+            throw Error(Exit::usage, "cannot read --program of the robot '" + profile.name +
+                                         "': only G-code is understood; check its toolpath");
         return program(o, profile, io);
     }
     if (!o.bead.empty() || !o.shift.empty())
