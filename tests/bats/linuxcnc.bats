@@ -45,7 +45,7 @@ teardown() { [ -z "${room:-}" ] || rm -rf "$room"; }
     [ -z "${FILUM_SANITIZED:-}" ] || skip "the same programs as without sanitizers"
     subs=$(find /usr/share/doc/linuxcnc -type d -path '*table-rotary-tilting/remap_subs' 2> /dev/null | head -n 1)
     [ -n "$subs" ] || skip "LinuxCNC came without its examples, which hold M428 and M429"
-    room=$(mktemp -d /tmp/filum-linuxcnc.XXXXXX) # where its user may go, whatever TMPDIR is
+    room=$(mktemp -d --tmpdir=/tmp) # where its user may go, whatever TMPDIR is
     cd "$room"
     dome > dome.off
     geodesic dome.off --source plane:0,1,0,8 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > dome.toolpath
