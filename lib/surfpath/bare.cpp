@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kPart = 1.0 / 3;         // of the spacing, between points of a triangle
 constexpr double kTold = 0.01;            // of the surface: more is told aloud
+constexpr double kFar = 4;                // spacings: up to where the farthest place is sought
 constexpr std::uint32_t kMostParts = 256; // of a triangle's side
 
 // The stretches of a plan by the cubes, one spacing wide, that they touch with one spacing around.
@@ -23,8 +24,8 @@ class Stretches {
                     add(piece.line[i], piece.line[i + 1], piece.line.places[i].triangle);
     }
 
-    // mm; beyond the reach: infinite.
-    [[nodiscard]] double distance_to(const Vec3& p, const Vec3& normal) const {
+    // mm; beyond the reach: infinite.  Any distance that is not above `enough` will do.
+    [[nodiscard]] double distance_to(const Vec3& p, const Vec3& normal, double enough) const {
         double least = std::numeric_limits<double>::infinity();
         const auto found = cubes_.find(key(p.x, p.y, p.z));
         if (found == cubes_.end()) return least;
@@ -34,6 +35,7 @@ class Stretches {
             const Vec3 d = l.b - l.a;
             const double dd = dot(d, d), t = dd > 0 ? std::clamp(dot(p - l.a, d) / dd, 0.0, 1.0) : 0;
             least = std::min(least, distance(p, l.a + t * d));
+            if (least <= enough) break;
         }
         return least <= reach_ ? least : std::numeric_limits<double>::infinity();
     }
@@ -80,9 +82,12 @@ class Stretches {
 } // namespace
 
 void tell_bare(const Surface& s, Plan& plan, double spacing) {
-    const Stretches stretches(s, plan, 2 * spacing);
-    double area = 0, worst = 0;
-    Vec3 at;
+    struct Point {
+        Vec3 p, normal;
+    };
+    std::vector<Point> bare;
+    double area = 0;
+    const Stretches near(s, plan, spacing);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
                    v = s.vertices[s.triangles[t][2]] - a, n = surface::normal(s, t);
@@ -94,15 +99,19 @@ void tell_bare(const Surface& s, Plan& plan, double spacing) {
             for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // triangles that stand up, and between them down
                 const double turn = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
                 const Vec3 p = a + (i + turn) / k * u + (j / 2 + turn) / k * v;
-                const double d = stretches.distance_to(p, n);
-                if (d <= spacing) continue;
+                if (near.distance_to(p, n, spacing) <= spacing) continue;
                 area += part;
-                if (d > worst) worst = d, at = p;
+                bare.push_back({p, n});
             }
     }
     plan.facts.push_back({"", "bare", area, "mm2"});
-    if (area > kTold * surface::area(s))
-        plan.notes.push_back({"", "no line within a spacing", area, "mm2", 1, -1, at.x, at.y});
+    if (!(area > kTold * surface::area(s))) return;
+    const Stretches far(s, plan, kFar * spacing);
+    double worst = 0;
+    Vec3 at = bare.front().p;
+    for (const Point& b : bare)
+        if (const double d = far.distance_to(b.p, b.normal, worst); d > worst) worst = d, at = b.p;
+    plan.notes.push_back({"", "no line within a spacing", area, "mm2", 1, -1, at.x, at.y});
 }
 
 } // namespace filum::surfpath
