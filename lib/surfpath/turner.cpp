@@ -13,15 +13,15 @@ using curve::Chart;
 
 namespace {
 
-constexpr double kRunUp = 4;       // radii of a row that may be rounded where it goes over into a way along the rim
-constexpr double kCorridor = 2;    // radii
-constexpr double kWider = 1.07;    // of the least radius: what turns are made with, so that samples of them keep it
-constexpr double kBulb = 40;       // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kRunUp = 4;         // radii of a row that may be rounded where it goes over into a way along the rim
+constexpr double kCorridor = 2;      // radii
+constexpr double kWider = 1.07;      // of the least radius: what turns are made with, so that samples of them keep it
+constexpr double kBulb = 40;         // mm: what a bulb is as bad as, for the voids beside it
 constexpr double kEasedWider = 1.15; // likewise, of ways along rims
-constexpr double kRoom = 0.94;     // of the margin: what turns keep from rims
-constexpr double kEasedRoom = 0.8; // likewise, of ways along rims
-constexpr double kTurning = 0.25;  // mm
-constexpr double kBeside = 0.5;    // mm beside what is tight that are declared with it
+constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
+constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
+constexpr double kTurning = 0.25;    // mm
+constexpr double kBeside = 0.5;      // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
