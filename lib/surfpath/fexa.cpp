@@ -16,6 +16,7 @@ namespace {
 constexpr double kFlat = 1e-6;     // of the seed's size: how far it may be off its plane
 constexpr double kStraight = 1e-4; // of the seed's size: how far it is off a line at least, or else it is one
 constexpr int kBins = 20;          // per spacing, of heights over the plane
+constexpr double kWide = 1.1;      // spacings: rows farther apart are told of
 constexpr double kSteepest = 20;   // of 1 / slope: where the surface is nearly parallel to the plane
 
 // The plane through the seed curve; if that is straight, the one that stands upright on the surface along it.
@@ -44,6 +45,18 @@ surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
     return {n, dot(n, a)};
 }
 
+double area(const Surface& s, std::uint32_t t) {
+    const Vec3& p = s.vertices[s.triangles[t][0]];
+    return norm(cross(s.vertices[s.triangles[t][1]] - p, s.vertices[s.triangles[t][2]] - p)) / 2;
+}
+
+// By how much the height changes per mm along the surface.
+double slope(const Surface& s, std::uint32_t t, std::span<const double> height) {
+    const auto& [a, b, c] = s.triangles[t];
+    const Vec3 &p = s.vertices[a], u = s.vertices[b] - p, v = s.vertices[c] - p, n = cross(u, v);
+    return norm(1 / dot(n, n) * cross(n, (height[c] - height[a]) * u - (height[b] - height[a]) * v));
+}
+
 // How far apart heights over the plane are on the surface: per height the way along the surface from the plane, in the
 // mean along the cut at that height.
 class Spread {
@@ -55,14 +68,12 @@ class Spread {
             if (sides.of[t] != side) continue;
             const auto& [a, b, c] = s.triangles[t];
             const auto [lo, hi] = std::minmax({height[a], height[b], height[c]});
-            const Vec3 &p = s.vertices[a], u = s.vertices[b] - p, v = s.vertices[c] - p, n = cross(u, v);
-            const Vec3 slope = 1 / dot(n, n) * cross(n, (height[c] - height[a]) * u - (height[b] - height[a]) * v);
-            const double steep = std::min(kSteepest, 1 / std::max(1e-9, norm(slope)));
+            const double steep = std::min(kSteepest, 1 / std::max(1e-9, slope(s, t, height)));
             // The triangle's cuts have the mean length of its area over its height across.
             const auto first = static_cast<std::size_t>(std::max(0.0, lo / bin_));
             const auto last = static_cast<std::size_t>(std::max(0.0, hi / bin_));
             if (last >= rise.size()) rise.resize(last + 1, 0), length.resize(last + 1, 0);
-            const double share = norm(n) / static_cast<double>(last - first + 1);
+            const double share = area(s, t) / static_cast<double>(last - first + 1);
             for (std::size_t i = first; i <= last; ++i) rise[i] += share, length[i] += share / steep;
         }
         way_.push_back(0);
@@ -92,6 +103,25 @@ class Spread {
     std::vector<double> way_; // per height, in steps of bin_
 };
 
+// The area where rows are farther than kWide spacings apart, since the surface leans towards the plane there.
+struct Gaps {
+    double area = 0, most = 0; // mm2; spacings
+    Vec3 at;                   // of the widest
+};
+void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std::span<const double> height,
+               const Spread& spread, double spacing, Gaps& out) {
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        if (sides.of[t] != side) continue;
+        const auto& [a, b, c] = s.triangles[t];
+        const double way = spread.way((height[a] + height[b] + height[c]) / 3);
+        const double rise = spread.height(way + spacing / 2) - spread.height(std::max(0.0, way - spacing / 2));
+        const double gap = rise / std::max(1e-9, slope(s, t, height)) / spacing;
+        if (gap <= kWide) continue;
+        out.area += area(s, t);
+        if (gap > out.most) out.most = gap, out.at = s.vertices[a];
+    }
+}
+
 } // namespace
 
 Plan fexa(const surface::Sheet& sheet, const Options& o) {
@@ -103,6 +133,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         sides.of[t] = height[a] + height[b] + height[c] >= 0 ? 0 : 1;
     }
     std::vector<Raw> raw;
+    Gaps gaps;
     for (std::uint32_t side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
         std::vector<double> above(height), way;
@@ -114,11 +145,16 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         std::vector<double> at = levels(end, d > 0 ? d : o.spacing);
         for (double& level : at) level = spread.height(level);
         add(raw, geodesic::isolines(s, above, at), sign);
+        find_gaps(s, sides, side, above, spread, d > 0 ? d : o.spacing, gaps);
     }
     const Turning turns = turning(o.spacing, o.least_radius);
     Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
     wind(s, all, o.spacing, true);
-    return boustrophedon(s, all, turns);
+    Plan out = boustrophedon(s, all, turns);
+    if (gaps.area > 0)
+        out.notes.push_back({"", "rows more than 1.1 spacings apart: the surface leans towards the plane", gaps.area,
+                             "mm2", 1, -1, gaps.at.x, gaps.at.y});
+    return out;
 }
 
 } // namespace filum::surfpath

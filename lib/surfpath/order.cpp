@@ -107,8 +107,9 @@ class Beam {
                 ++waiting[o.end % 2], later += ahead_[o.end];
             else
                 expired += break_;
-        for (const Option& a : options(s, 2 * row, row))
-            for (const Option& b : options(s, 2 * row + 1, row)) {
+        const auto first = options(s, 2 * row, row), second = options(s, 2 * row + 1, row);
+        for (const Option& a : first)
+            for (const Option& b : second) {
                 if (a.link != kNo && b.link != kNo && (a.other == b.other || find(s, a.other)->mate == b.other))
                     continue;
                 std::uint32_t over[2] = {waiting[0], waiting[1]};

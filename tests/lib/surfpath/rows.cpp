@@ -275,6 +275,20 @@ TEST(Fexa, RowsLieAsFarApartOnASlope) {
             }
 }
 
+TEST(Fexa, NotesWhereTheSurfaceLeansTowardsThePlane) {
+    // Steeper and steeper across, and the same everywhere along the rows: nothing is too wide.  Then a twist: the slope
+    // across differs along the rows.
+    const auto even = sheet(20, 20, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.x / 20}; });
+    EXPECT_TRUE(fexa(even, {.algorithm = "fexa"}).notes.empty());
+    const auto twisted = sheet(20, 20, "plane:1,0,0,10", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.y * p.y / 200}; });
+    const Plan plan = fexa(twisted, {.algorithm = "fexa"});
+    double area = 0;
+    for (const Note& note : plan.notes)
+        if (note.what.find("1.1 spacings") != std::string::npos) area = note.amount;
+    EXPECT_GT(area, 20);
+    EXPECT_LT(area, 400);
+}
+
 TEST(Fexa, NeedsASeedInAPlane) {
     auto s = sheet(10, 10, "plane:1,0,0,5", flat);
     s.sources.segments.push_back({0, {0, 0, 0}, {0.5, 0, 0}});
