@@ -215,7 +215,7 @@ void Program::move(const Step& step) {
     std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
                                    units(step.to.z, xyz_scale_), at_[3], at_[4]};
     if (rotary) to[3] = units(step.tilt, degrees), to[4] = units(step.turn, degrees);
-    const bool known = at_[2] != kUnknown;
+    const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
     const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
     if (step.act == Act::climb) {
         if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, "G1")) return; // x and y stay, known or not
