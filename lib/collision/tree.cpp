@@ -134,12 +134,12 @@ void Tree::visit(const Shape& shape, const Probe& probe, const double& cutoff, c
     if (nodes_.empty() || shape.none()) return;
     const Frame f = frame(probe.stance);
     const bool round = probe.stance.side == Vec3{};
-    std::array<std::uint32_t, 64> todo;
-    todo[0] = 0;
+    std::array<std::uint32_t, 64> stack;
+    stack[0] = 0;
     std::size_t left = 1;
     Corners corners;
     while (left > 0) {
-        const Node& node = nodes_[todo[--left]];
+        const Node& node = nodes_[stack[--left]];
         if (node.born >= probe.before) continue;
         const Vec3 d = node.middle - f.tip;
         const double far = norm(d) + node.ball + probe.shift;
@@ -155,8 +155,8 @@ void Tree::visit(const Shape& shape, const Probe& probe, const double& cutoff, c
         if (box > 0 && box >= limit) continue;
         if (shape.at_least(off, z) - node.ball >= limit) continue;
         if (node.count == 0) {
-            todo[left++] = node.first;
-            todo[left++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
+            stack[left++] = node.first;
+            stack[left++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {

@@ -97,21 +97,21 @@ std::vector<Edge> reverse_delete(std::size_t contours, std::vector<Edge> edges, 
         for (const int end : {edges[e].a, edges[e].b}) at[static_cast<std::size_t>(end)].push_back(e);
     std::vector<char> gone(edges.size(), 0);
     std::vector<std::uint32_t> seen(contours, 0);
-    std::vector<int> todo;
+    std::vector<int> stack;
     std::size_t looked = 0;
     const auto connected = [&](int from, int to, std::uint32_t round) {
-        todo.assign(1, from);
+        stack.assign(1, from);
         seen[static_cast<std::size_t>(from)] = round;
-        while (!todo.empty()) {
-            const int n = todo.back();
-            todo.pop_back();
+        while (!stack.empty()) {
+            const int n = stack.back();
+            stack.pop_back();
             if (n == to) return true;
             for (const std::uint32_t e : at[static_cast<std::size_t>(n)]) {
                 ++looked;
                 const int other = edges[e].a + edges[e].b - n;
                 if (gone[e] || seen[static_cast<std::size_t>(other)] == round) continue;
                 seen[static_cast<std::size_t>(other)] = round;
-                todo.push_back(other);
+                stack.push_back(other);
             }
         }
         return false;
@@ -138,17 +138,17 @@ std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges) {
     for (std::size_t root = 0; root < contours; ++root) {
         if (seen[root]) continue;
         seen[root] = 1;
-        std::vector<std::size_t> todo{root};
-        while (!todo.empty()) {
-            const std::size_t n = todo.back();
-            todo.pop_back();
+        std::vector<std::size_t> stack{root};
+        while (!stack.empty()) {
+            const std::size_t n = stack.back();
+            stack.pop_back();
             for (const Edge& e : kept[n]) {
                 const auto child = static_cast<std::size_t>(e.b);
                 if (seen[child]) continue;
                 seen[child] = 1;
                 out[child].parent = static_cast<int>(n), out[child].start = e.vertex_b;
                 out[n].children.push_back(e.b);
-                todo.push_back(child);
+                stack.push_back(child);
             }
             std::sort(out[n].children.begin(), out[n].children.end());
         }

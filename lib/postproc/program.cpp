@@ -13,7 +13,6 @@ namespace filum::postproc {
 
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{64} << 10;
 constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
 constexpr double kTold = 0.05; // share by which a width or height must change before viewers are told again
 
@@ -41,41 +40,15 @@ const char* type_name(Role role) {
 } // namespace
 
 Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out)
-    : profile_(&profile), survey_(&survey), shift_(shift), out_(std::move(out)),
-      line_end_(profile.format.crlf ? "\r\n" : "\n"), values_(placeholders(survey, profile, shift)),
+    : Writer(profile, placeholders(survey, profile, shift), std::move(out)), shift_(shift),
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)), e_scale_(power_of_ten(profile.format.e_decimals)),
       f_scale_(power_of_ten(profile.format.f_decimals)), e_per_mm3_(profile.extrusion.per_mm3()) {
     at_.fill(kUnknown);
-    text_.reserve(kBlock + 1024);
-}
-
-void Program::spill() {
-    if (text_.size() < kBlock) return;
-    out_(text_);
-    text_.clear();
-}
-
-void Program::end_line() { text_ += line_end_; }
-
-void Program::comment(std::string_view text) {
-    append_comment(text_, text, profile_->format.comments);
-    end_line();
-}
-
-void Program::code(const std::string& text, const machine::Values& values) {
-    if (text.empty()) return;
-    for (const char c : machine::expand(text, values)) {
-        if (c == '\n')
-            end_line();
-        else
-            text_ += c;
-    }
-    if (text.back() != '\n') end_line();
 }
 
 void Program::begin(const std::vector<std::string>& about) {
     for (const auto& line : about) comment(line);
-    code(profile_->templates.start, values_);
+    code(profile_->templates.start);
     // what every later line relies on, whatever the template did
     text_ += "G90";
     end_line();
@@ -91,15 +64,15 @@ void Program::begin(const std::vector<std::string>& about) {
 void Program::begin_axes() {
     const auto& a = profile_->axes;
     if (!a.active()) return;
-    if (a.numbers == machine::Numbers::tip) code(a.tcp_on, values_);
-    if (a.feed_word == machine::FeedWord::inverse) code("G93", values_);
+    if (a.numbers == machine::Numbers::tip) code(a.tcp_on);
+    if (a.feed_word == machine::FeedWord::inverse) code("G93");
 }
 
 void Program::end_axes() {
     const auto& a = profile_->axes;
     if (!a.active()) return;
-    if (a.feed_word == machine::FeedWord::inverse) code("G94", values_);
-    if (a.numbers == machine::Numbers::tip) code(a.tcp_off, values_);
+    if (a.feed_word == machine::FeedWord::inverse) code("G94");
+    if (a.numbers == machine::Numbers::tip) code(a.tcp_off);
 }
 
 void Program::reset_extruder() {
@@ -112,10 +85,9 @@ void Program::reset_extruder() {
 
 void Program::end() {
     end_axes();
-    code(profile_->templates.end, values_);
+    code(profile_->templates.end);
     comment("end of program, " + std::to_string(lines_) + " moves");
-    out_(text_);
-    text_.clear();
+    flush();
 }
 
 void Program::layer(const Step& step) {
@@ -129,7 +101,7 @@ void Program::layer(const Step& step) {
         comment("HEIGHT:" + fixed_text(step.height, 3));
         height_ = step.height;
     }
-    code(profile_->templates.layer, values_);
+    code(profile_->templates.layer);
     // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
     // offset could halt the stroke.
     if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
@@ -250,11 +222,11 @@ void Program::add(std::span<const Step> steps) {
             layer(step);
             break;
         case Act::open:
-            code(profile_->extrusion.on, values_);
+            code(profile_->extrusion.on);
             break;
         case Act::close:
             extruder_only(due(), t.retract_speed);
-            code(profile_->extrusion.off, values_);
+            code(profile_->extrusion.off);
             role_ = Role::travel;
             break;
         case Act::retract:

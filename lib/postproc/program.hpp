@@ -28,9 +28,6 @@ class Program final : public Writer {
     void end() override;
 
   private:
-    void comment(std::string_view text);
-    void code(const std::string& text, const machine::Values& values);
-    void end_line();
     void layer(const Step& step);
     void move(const Step& step);
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
@@ -44,15 +41,8 @@ class Program final : public Writer {
     void feed_units(double value);
     void bead_comments(const Step& step);
     void reset_extruder();
-    void spill();
-    [[nodiscard]] bool counts() const { return profile_->extrusion.feeding != machine::Feeding::valve; }
 
-    const machine::Profile* profile_;
-    const Survey* survey_;
     Vec2 shift_;
-    Text out_;
-    std::string text_, line_end_;
-    machine::Values values_;
     double xyz_scale_, e_scale_, f_scale_, e_per_mm3_;
     std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
     std::int64_t f_ = -1;            // likewise

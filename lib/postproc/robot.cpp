@@ -1,8 +1,6 @@
 #include "postproc/robot.hpp"
 
-#include "base/number.hpp"
 #include "postproc/digits.hpp"
-#include "postproc/program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +13,6 @@ namespace {
 using machine::Dialect;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::size_t kBlock = std::size_t{64} << 10;
 
 } // namespace
 
@@ -56,25 +53,7 @@ std::array<double, 3> rotation_vector(const Orientation& o) {
 }
 
 RobotProgram::RobotProgram(const machine::Profile& profile, const Survey& survey, Text out)
-    : profile_(&profile), out_(std::move(out)), values_(placeholders(survey, profile, {})) {}
-
-void RobotProgram::end_line() { text_ += profile_->format.crlf ? "\r\n" : "\n"; }
-
-void RobotProgram::comment(std::string_view text) {
-    append_comment(text_, text, profile_->format.comments);
-    end_line();
-}
-
-void RobotProgram::code(const std::string& text) {
-    if (text.empty()) return;
-    for (const char c : machine::expand(text, values_)) {
-        if (c == '\n')
-            end_line();
-        else
-            text_ += c;
-    }
-    if (text.back() != '\n') end_line();
-}
+    : Writer(profile, placeholders(survey, profile, {}), std::move(out)) {}
 
 void RobotProgram::number(double value, int decimals) {
     append_units(text_, std::llround(value * std::pow(10.0, decimals)), decimals);
@@ -96,8 +75,7 @@ void RobotProgram::begin(const std::vector<std::string>& about) {
 void RobotProgram::end() {
     comment("end of program, " + std::to_string(lines_) + " moves");
     code(profile_->templates.end);
-    out_(text_);
-    text_.clear();
+    flush();
 }
 
 void RobotProgram::krl(const Step& step, const Orientation& o) {
@@ -192,16 +170,8 @@ void RobotProgram::add(std::span<const Step> steps) {
             move(step);
             break;
         }
-        if (text_.size() < kBlock) continue;
-        out_(text_);
-        text_.clear();
+        spill();
     }
-}
-
-std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out) {
-    if (profile.format.dialect != Dialect::gcode)
-        return std::make_unique<RobotProgram>(profile, survey, std::move(out));
-    return std::make_unique<Program>(profile, survey, shift, std::move(out));
 }
 
 } // namespace filum::postproc

@@ -32,21 +32,12 @@ class RobotProgram final : public Writer {
     void end() override;
 
   private:
-    void comment(std::string_view text);
-    void code(const std::string& text);
     void number(double value, int decimals);
     void list(std::span<const double> values, int decimals);
     void move(const Step& step);
     void krl(const Step& step, const Orientation& o);
     void rapid(const Step& step, const Orientation& o);
     void urscript(const Step& step, const Orientation& o);
-    void end_line();
-    [[nodiscard]] bool counts() const { return profile_->extrusion.feeding != machine::Feeding::valve; }
-
-    const machine::Profile* profile_;
-    Text out_;
-    std::string text_;
-    machine::Values values_;
     double laid_ = 0;   // extruder units
     double speed_ = -1; // mm/s, as last said
     std::uint64_t lines_ = 0;

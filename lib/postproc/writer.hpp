@@ -20,6 +20,22 @@ class Writer {
     virtual void begin(const std::vector<std::string>& about) = 0; // `about`: lines for the head, see about.hpp
     virtual void add(std::span<const Step> steps) = 0;
     virtual void end() = 0;
+
+  protected:
+    Writer(const machine::Profile& profile, machine::Values values, Text out);
+    void end_line() { text_ += profile_->format.crlf ? "\r\n" : "\n"; }
+    void comment(std::string_view text);
+    void code(const std::string& text); // of the profile, its placeholders filled in
+    void spill();                       // hands the text on when it has grown to a block
+    void flush();
+    [[nodiscard]] bool counts() const { return profile_->extrusion.feeding != machine::Feeding::valve; }
+
+    const machine::Profile* profile_;
+    std::string text_;
+    machine::Values values_; // of the placeholders
+
+  private:
+    Text out_;
 };
 
 // Of the profile's dialect, for the steps that `survey` was made of, moved by `shift` (robots: placed already).

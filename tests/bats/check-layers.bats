@@ -121,7 +121,7 @@ finds() {
         printf 'see %s\n' "/$path" >"$tree/docs/a.md"
         finds "docs/a.md:1: names '/"
     done
-    printf 'see ${TMPDIR:-/tmp}/x, frame/work/x and https://example.org/work/x\n' >"$tree/docs/a.md"
+    printf 'see ${TMPDIR:-/%s}/x, frame/%s/x and https://example.org/%s/x\n' tmp work work >"$tree/docs/a.md"
     "$check" "$tree"
 }
 

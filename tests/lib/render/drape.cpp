@@ -6,6 +6,7 @@
 #include "render/draw.hpp"
 #include "render/sampling.hpp"
 #include "render/view.hpp"
+#include "sheets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,51 +18,6 @@ namespace filum::render {
 namespace {
 
 using geom::Vec3;
-
-// [0, 10] x [0, 10] at height z in n x n squares, facing up or down.
-void add_square(mesh::Mesh& m, std::uint32_t n, double z = 0, bool up = true) {
-    const auto first = static_cast<std::uint32_t>(m.vertices.size());
-    for (std::uint32_t j = 0; j <= n; ++j)
-        for (std::uint32_t i = 0; i <= n; ++i) m.vertices.push_back({10.0 * i / n, 10.0 * j / n, z});
-    const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + j * (n + 1) + i; };
-    for (std::uint32_t j = 0; j < n; ++j)
-        for (std::uint32_t i = 0; i < n; ++i)
-            for (mesh::Triangle t : {mesh::Triangle{at(i, j), at(i + 1, j), at(i + 1, j + 1)},
-                                     mesh::Triangle{at(i, j), at(i + 1, j + 1), at(i, j + 1)}}) {
-                if (!up) std::swap(t[1], t[2]);
-                m.triangles.push_back(t);
-            }
-}
-
-surface::Sheet sheet_of(mesh::Mesh m) {
-    Notes notes;
-    return {surface::connect(std::move(m), notes), {}, {}};
-}
-
-surface::Sheet square(std::uint32_t n = 1) {
-    mesh::Mesh m;
-    add_square(m, n);
-    return sheet_of(std::move(m));
-}
-
-surface::Sheet sphere(double r) {
-    mesh::Mesh m;
-    constexpr std::uint32_t kAround = 60, kUp = 30;
-    for (std::uint32_t j = 0; j <= kUp; ++j)
-        for (std::uint32_t i = 0; i < kAround; ++i) {
-            const double a = 2 * std::numbers::pi * i / kAround, b = std::numbers::pi * (1.0 * j / kUp - 0.5);
-            m.vertices.push_back({r * std::cos(b) * std::cos(a), r * std::cos(b) * std::sin(a), r * std::sin(b)});
-        }
-    const auto at = [](std::uint32_t i, std::uint32_t j) {
-        return j == 0 ? 0 : j == kUp ? kUp * kAround : j * kAround + i % kAround;
-    };
-    for (std::uint32_t j = 0; j < kUp; ++j)
-        for (std::uint32_t i = 0; i < kAround; ++i) {
-            if (j > 0) m.triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-            if (j + 1 < kUp) m.triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    return sheet_of(std::move(m));
-}
 
 toolpath::Span lane(Vec3 a, Vec3 b, Vec3 normal = {0, 0, 1}, std::uint32_t layer = 0) {
     return {toolpath::Role::bead, 0, layer, 0, {a, b}, {1.0}, {0.2}, {normal, normal}};
@@ -217,71 +173,6 @@ TEST(Drape, MarksOverlapButNoTurns) {
     s.spans = {turn};
     // 0.42 mm wide, up to where the turn is 3 widths away along the path.
     EXPECT_NEAR(decode(draw(s, o, "class", 1)).share(dark), share_of(0.42 * 5.75), 0.002);
-}
-
-TEST(Strokes, FindWhatASearchOfAllFinds) {
-    std::vector<Stroke> all;
-    auto random = [k = 0U]() mutable { return hash(++k) * 0x1p-32; };
-    const auto point = [&] { return Vec3{20 * random(), 20 * random(), 4 * random()}; };
-    for (std::uint32_t k = 0; k < 300; ++k) {
-        Stroke s;
-        s.a = point(), s.b = k % 5 == 0 ? s.a : s.a + 0.2 * (point() - Vec3{10, 10, 2});
-        s.half_a = s.half_b = 0.3 + random(), s.reach = 0.4, s.layer = k % 3;
-        all.push_back(s);
-    }
-    const Strokes strokes(all);
-    int covered = 0;
-    for (int k = 0; k < 3000; ++k) {
-        const Vec3 p = point();
-        std::uint32_t layer = 0;
-        double least = INFINITY;
-        for (const Stroke& s : all) {
-            const Vec3 d = s.b - s.a;
-            const double t = dot(d, d) > 0 ? std::clamp(dot(p - s.a, d) / dot(d, d), 0.0, 1.0) : 0;
-            const double off = geom::distance(p, s.a + t * d) / s.half_a;
-            if (off > 1 || (least <= 1 && s.layer < layer)) continue;
-            if (least > 1 || s.layer > layer || off < least) least = off, layer = s.layer;
-        }
-        const Cover c = strokes.at(p, {0, 0, 1});
-        ASSERT_EQ(c.stroke != nullptr, least <= 1) << k;
-        if (c.stroke == nullptr) continue;
-        ++covered;
-        EXPECT_NEAR(c.off, least, 1e-9);
-        EXPECT_EQ(c.stroke->layer, layer);
-    }
-    EXPECT_GT(covered, 300);
-}
-
-TEST(Raster, HasNoHolesAndShowsTheNearest) {
-    const auto sheet = sphere(5);
-    for (const Vec3 from : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0.3, -2, 0.7}}) {
-        const Plan plan = lay_out(sheet.surface.vertices, from, upwards(from), 160, 160);
-        const Raster raster(sheet.surface, plan, 2);
-        const Vec3 middle = plan.place({0, 0, 0});
-        for (int b = 0; b < raster.bands(); ++b) {
-            const Sights sights = raster.band(b);
-            for (int y = 0; y < sights.rows; ++y)
-                for (int x = 0; x < sights.columns; ++x) {
-                    const int row = b * raster.rows() * 2 + y;
-                    const double far = std::hypot((x + 0.5) / 2 - middle.x, (row + 0.5) / 2 - middle.y) / plan.scale;
-                    const Sight& s = sights.at(x, y);
-                    if (far > 4.9) {
-                        if (far > 5.01) {
-                            ASSERT_EQ(s.triangle, surface::kNone);
-                        }
-                        continue;
-                    }
-                    ASSERT_NE(s.triangle, surface::kNone);
-                    ASSERT_NEAR(s.height - middle.z, std::sqrt(25 - far * far), 0.1);
-                    const Vec3 share = raster.shares(s.triangle, x, row);
-                    const auto& t = sheet.surface.triangles[s.triangle];
-                    const Vec3 p = share.x * sheet.surface.vertices[t[0]] + share.y * sheet.surface.vertices[t[1]] +
-                                   share.z * sheet.surface.vertices[t[2]];
-                    ASSERT_NEAR(plan.place(p).x, (x + 0.5) / 2, 1e-9);
-                    ASSERT_NEAR(plan.place(p).z, s.height, 1e-5);
-                }
-        }
-    }
 }
 
 TEST(Drape, ColoursByAFieldAndSaysWhichThereAre) {

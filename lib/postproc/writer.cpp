@@ -1,0 +1,51 @@
+#include "postproc/writer.hpp"
+
+#include "postproc/digits.hpp"
+#include "postproc/program.hpp"
+#include "postproc/robot.hpp"
+
+namespace filum::postproc {
+
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{64} << 10;
+
+} // namespace
+
+Writer::Writer(const machine::Profile& profile, machine::Values values, Text out)
+    : profile_(&profile), values_(std::move(values)), out_(std::move(out)) {
+    text_.reserve(kBlock + 1024);
+}
+
+void Writer::comment(std::string_view text) {
+    append_comment(text_, text, profile_->format.comments);
+    end_line();
+}
+
+void Writer::code(const std::string& text) {
+    if (text.empty()) return;
+    for (const char c : machine::expand(text, values_)) {
+        if (c == '\n')
+            end_line();
+        else
+            text_ += c;
+    }
+    if (text.back() != '\n') end_line();
+}
+
+void Writer::spill() {
+    if (text_.size() >= kBlock) flush();
+}
+
+void Writer::flush() {
+    out_(text_);
+    text_.clear();
+}
+
+std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out) {
+    if (profile.format.dialect != machine::Dialect::gcode)
+        return std::make_unique<RobotProgram>(profile, survey, std::move(out));
+    return std::make_unique<Program>(profile, survey, shift, std::move(out));
+}
+
+} // namespace filum::postproc
