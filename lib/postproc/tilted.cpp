@@ -44,20 +44,6 @@ void TiltedWalk::put(const Step& step) {
     buffer_.clear();
 }
 
-void TiltedWalk::add(const toolpath::Span& span) {
-    const Vec3 from = span.points.front();
-    if (started_ && distance(from, path_) > kTouch)
-        throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
-                                         " begins at " + text(from) + ", " + fixed_text(distance(from, path_), 4) +
-                                         " mm from where the one before ended");
-    if (toolpath::extrudes(span.role))
-        extrude(span);
-    else
-        travel(span);
-    path_ = span.points.back();
-    started_ = true;
-}
-
 void TiltedWalk::end() {
     finish_stroke();
     if (!buffer_.empty()) out_(buffer_);
@@ -78,7 +64,7 @@ void TiltedWalk::approach(const toolpath::Span& first) {
 }
 
 void TiltedWalk::travel(const toolpath::Span& span) {
-    if (!started_) return; // there is nothing to leave
+    if (!started()) return; // there is nothing to leave
     finish_stroke();
     const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0};
     if (!span.normals.empty()) {

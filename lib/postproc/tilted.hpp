@@ -14,12 +14,11 @@ namespace filum::postproc {
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
 // its speed faster than it can, so the path slows down, never the reverse.
-// Throws Error(bad_input) if a span does not begin where the one before ended, Error(failure) naming the place that the
+// Throws Error(failure) naming the place that the
 // axes cannot reach, or where the tool would lean off its axis by more than the profile's orientation.
 class TiltedWalk final : public Walker {
   public:
     TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out);
-    void add(const toolpath::Span& span) override;
     void end() override;
 
   private:
@@ -30,8 +29,8 @@ class TiltedWalk final : public Walker {
         double feed = 0, volume = 0, width = 0, height = 0;
     };
     void approach(const toolpath::Span& first);
-    void travel(const toolpath::Span& span);
-    void extrude(const toolpath::Span& span);
+    void travel(const toolpath::Span& span) override;
+    void extrude(const toolpath::Span& span) override;
     void go(const kinematics::Pose& pose, const Leg& leg);
     void finish_stroke();
     void check(const kinematics::Track& track) const;
@@ -52,10 +51,9 @@ class TiltedWalk final : public Walker {
     std::vector<Vec3> headings_;          // of robots, per pose: where the tool's x axis points
     Vec3 heading_{1, 0, 0};               // the last one
     kinematics::Joints at_;               // after the last stroke
-    Vec3 path_;                           // end of the span before
     double top_ = 0;
     std::int64_t layer_ = -1;
-    bool started_ = false, laid_ = false; // anything; a bead of this stroke
+    bool laid_ = false; // a bead of this stroke
 };
 
 } // namespace filum::postproc

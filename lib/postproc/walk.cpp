@@ -43,7 +43,7 @@ void Walk::flush() {
     buffer_.clear();
 }
 
-void Walk::add(const toolpath::Span& span) {
+void Walker::add(const toolpath::Span& span) {
     const Vec3 from = span.points.front();
     if (started_ && distance(from, path_) > kTouch)
         throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
@@ -56,7 +56,6 @@ void Walk::add(const toolpath::Span& span) {
         travel(span);
     path_ = span.points.back();
     started_ = true;
-    flush();
 }
 
 void Walk::end() {
@@ -66,7 +65,7 @@ void Walk::end() {
 }
 
 void Walk::travel(const toolpath::Span& span) {
-    if (!started_) return; // there is nothing to leave; the first stroke is sought from wherever the nozzle is
+    if (!started()) return; // there is nothing to leave; the first stroke is sought from wherever the nozzle is
     const auto& t = profile_->travel;
     const auto go = [&](Act act, Vec3 to, double feed) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = to, .feed = feed});

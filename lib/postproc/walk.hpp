@@ -48,8 +48,18 @@ using Steps = std::function<void(std::span<const Step>)>;
 class Walker {
   public:
     virtual ~Walker() = default;
-    virtual void add(const toolpath::Span& span) = 0;
+    // Throws Error(bad_input) with the place if the span does not begin where the one before ended.
+    void add(const toolpath::Span& span);
     virtual void end() = 0; // closes the last stroke
+
+  protected:
+    virtual void travel(const toolpath::Span& span) = 0;
+    virtual void extrude(const toolpath::Span& span) = 0;
+    [[nodiscard]] bool started() const { return started_; } // a span came before
+
+  private:
+    Vec3 path_; // end of the span before
+    bool started_ = false;
 };
 
 // Of three axes: a Walk, whose steps are not placed; of more: a TiltedWalk of what is placed by `shift`.
@@ -59,20 +69,18 @@ std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Step
 // A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
 // machine), moves, comes down, primes and opens again; one shorter than the profile's min_length only moves.
 // Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is a
-// whole number of mm/s where it is above one. Throws Error(bad_input) with the place if a span does not begin where the
-// one before ended.
+// whole number of mm/s where it is above one.
 class Walk final : public Walker {
   public:
     Walk(const machine::Profile& profile, Steps out);
-    void add(const toolpath::Span& span) override;
     void end() override;
 
   private:
     void put(const Step& step);
     void flush();
-    void travel(const toolpath::Span& span);
+    void travel(const toolpath::Span& span) override;
     void begin_stroke(const toolpath::Span& span);
-    void extrude(const toolpath::Span& span);
+    void extrude(const toolpath::Span& span) override;
 
     const machine::Profile* profile_;
     Steps out_;
@@ -81,7 +89,7 @@ class Walk final : public Walker {
     Vec3 at_;        // of the nozzle
     double top_ = 0; // highest point printed so far
     std::int64_t layer_ = -1;
-    bool started_ = false, open_ = false, retracted_ = false;
+    bool open_ = false, retracted_ = false;
 };
 
 } // namespace filum::postproc

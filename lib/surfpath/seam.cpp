@@ -20,6 +20,7 @@ constexpr double kRoom = 1.3;   // and at least
 constexpr double kAhead = 0.6;  // cosine of how far a lane turns beside it
 constexpr double kDrift = 6;    // spacings that it takes to go there
 constexpr double kApart = 8;    // spacings between lanes that are joined, at most
+constexpr double kBeside = 1.6; // spacings: how far a neighbouring lane may be
 
 // From 0 to 1 with the least curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
@@ -197,31 +198,25 @@ class Crossover {
     }
 
     void find_spots() {
-        const double d = lanes_.spacing();
-        for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
-            const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.5 * d)));
-            for (std::size_t i = 0; i < n; ++i) {
-                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
-                for (const double side : {1.0, -1.0}) {
-                    const auto next = lanes_.across(l, way, side, 1.6);
-                    if (next && find(next->lane) != find(l)) add(l, way, side, *next);
-                }
-            }
-        }
-        if (spots_.empty() || !reachable()) far_spots();
+        spots_across([&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kBeside); });
+        if (spots_.empty() || !reachable())
+            spots_across([&](std::uint32_t l, double way, double side) {
+                const bool beside = lanes_.across(l, way, side, kBeside).has_value();
+                return beside ? std::nullopt : lanes_.across(l, way, side, kApart);
+            });
         sort_spots();
     }
-    void far_spots() {
+    // Adds what `across` finds on either side of each lane, unless both are joined.
+    template <class Across>
+    void spots_across(const Across& across) {
         const double d = lanes_.spacing();
         for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
             const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.5 * d)));
             for (std::size_t i = 0; i < n; ++i) {
                 const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
-                for (const double side : {1.0, -1.0}) {
-                    if (lanes_.across(l, way, side, 1.6)) continue;
-                    const auto next = lanes_.across(l, way, side, kApart);
-                    if (next && find(next->lane) != find(l)) add(l, way, side, *next);
-                }
+                for (const double side : {1.0, -1.0})
+                    if (const auto next = across(l, way, side); next && find(next->lane) != find(l))
+                        add(l, way, side, *next);
             }
         }
     }

@@ -1,4 +1,4 @@
-#include "base/error.hpp"
+#include "refusal.hpp"
 #include "stressfield/read.hpp"
 
 #include <cmath>
@@ -17,17 +17,8 @@ Samples csv(const std::string& text, const std::string& columns = "", Notes* not
 }
 
 std::string fault(const std::string& text, Exit exit, const std::string& columns = "") {
-    try {
-        csv(text, columns);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.exit(), exit) << e.what();
-        return e.what();
-    }
-    ADD_FAILURE() << "read: " << text;
-    return "";
+    return refusal(exit, text, [&] { csv(text, columns); });
 }
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(Csv, TensorByHeaderInAnyOrderUnitsAndLineEnds) {
     const auto s = csv(

@@ -1,4 +1,4 @@
-#include "base/error.hpp"
+#include "refusal.hpp"
 #include "stressfield/frd_text.hpp"
 #include "stressfield/read.hpp"
 
@@ -67,22 +67,7 @@ Samples frd(const std::string& text, Notes* notes = nullptr, const std::string& 
 }
 
 std::string fault(const std::string& text, Exit exit, const std::string& step = "all") {
-    try {
-        frd(text, nullptr, step);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.exit(), exit) << e.what();
-        return e.what();
-    }
-    ADD_FAILURE() << "read: " << text;
-    return "";
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::string with(std::string text, const std::string& what, const std::string& by) {
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
+    return refusal(exit, text, [&] { frd(text, nullptr, step); });
 }
 
 const std::string kDisplacements = result(1, "DISP", {"D1", "D2"}, record(-1, 10, {1, 2}) + record(-1, 20, {1, 2}));

@@ -1,4 +1,4 @@
-#include "base/error.hpp"
+#include "refusal.hpp"
 #include "stressfield/read.hpp"
 
 #include <algorithm>
@@ -128,22 +128,7 @@ Samples vtu(const std::string& text, const std::string& columns = "", Notes* not
 }
 
 std::string fault(const std::string& text, Exit exit, const std::string& columns = "") {
-    try {
-        vtu(text, columns);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.exit(), exit) << e.what();
-        return e.what();
-    }
-    ADD_FAILURE() << "read: " << text;
-    return "";
-}
-
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::string with(std::string text, const std::string& what, const std::string& by) {
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return text.replace(at, what.size(), by);
+    return refusal(exit, text, [&] { vtu(text, columns); });
 }
 
 const std::vector<Style> kStyles = {{"ascii"},
