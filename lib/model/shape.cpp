@@ -31,8 +31,14 @@ void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::
         if (count > 0) model.notes.push_back({.stage = "", .what = what, .amount = 0, .unit = "", .count = count});
     };
     gone("isoline of the surface before dropped", sheet.isolines.size());
+    gone("CAD face of a triangle of the surface before dropped", sheet.faces.size());
     gone("source of the surface before dropped", sheet.sources.vertices.size() + sheet.sources.segments.size());
-    sheet = {std::move(now), std::move(sheet.fields), {}, {}};
+    sheet = {.surface = std::move(now),
+             .fields = std::move(sheet.fields),
+             .isolines = {},
+             .sources = {},
+             .name = std::move(sheet.name),
+             .algorithm = std::move(sheet.algorithm)};
 }
 
 } // namespace filum::model

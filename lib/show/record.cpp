@@ -148,11 +148,16 @@ Record record(const surface::Sheet& sheet) {
     for (const auto& f : sheet.fields) add_field(table, f);
     std::vector<double> a, b, c;
     for (const auto& t : s.triangles) a.push_back(t[0]), b.push_back(t[1]), c.push_back(t[2]);
+    Table triangles{{"a", std::move(a)}, {"b", std::move(b)}, {"c", std::move(c)}};
+    if (!sheet.faces.empty())
+        triangles.emplace_back("face", std::vector<double>(sheet.faces.begin(), sheet.faces.end()));
     return {"surface",
-            {{"components", whole(s.components)},
+            {{"name", sheet.name},
+             {"algorithm", sheet.algorithm},
+             {"components", whole(s.components)},
              {"area", surface::area(s)},
              {"points", std::move(table)},
-             {"triangles", Table{{"a", std::move(a)}, {"b", std::move(b)}, {"c", std::move(c)}}},
+             {"triangles", std::move(triangles)},
              {"rims", std::move(rims)},
              {"isolines", std::move(lines)}}};
 }

@@ -30,8 +30,11 @@ struct Isoline {
 struct Sheet {
     Surface surface;
     std::vector<Field> fields;
-    std::vector<Isoline> isolines; // of the field "distance", by level
-    Sources sources{};             // from where "distance" was measured
+    std::vector<Isoline> isolines;      // of the field "distance", by level
+    Sources sources{};                  // from where "distance" was measured
+    std::string name{};                 // of a patch: "A"; letters, digits and '._-'
+    std::vector<std::uint32_t> faces{}; // per triangle, the CAD face that it lies on, from 1; none: not known
+    std::string algorithm{};            // the path planned for it, in surfpath's words
 };
 
 } // namespace filum::surface

@@ -5,6 +5,7 @@
 #include "filum/stream.pb.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace filum::wire {
@@ -91,6 +92,20 @@ std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t tri
     return out;
 }
 
+// Names become file names and words of tables.
+std::string word(const std::string& text, const char* what) {
+    const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; };
+    if (text.size() > 64 || !std::all_of(text.begin(), text.end(), plain))
+        bad(std::string(what) + " is not a word of at most 64 letters, digits and '._-'");
+    return text;
+}
+
+std::vector<std::uint32_t> faces(const proto::Surface& m, std::size_t triangles) {
+    if (m.face_size() != 0 && static_cast<std::size_t>(m.face_size()) != triangles)
+        bad("it has not one face per triangle");
+    return {m.face().begin(), m.face().end()};
+}
+
 surface::Sources sources(const proto::Sources& m, std::size_t vertices, std::size_t triangles) {
     surface::Sources out{{m.vertex().begin(), m.vertex().end()}, {}};
     const auto a = points(m.ax(), m.ay(), m.az()), b = points(m.bx(), m.by(), m.bz());
@@ -137,6 +152,9 @@ surface::Sheet sheet(const stream::RawFrame& frame) {
     for (const auto& f : m.fields()) out.fields.push_back(field(f, out.surface.vertices.size()));
     out.isolines = isolines(m.isolines(), out.surface.triangles.size());
     out.sources = sources(m.sources(), out.surface.vertices.size(), out.surface.triangles.size());
+    out.name = word(m.name(), "its name");
+    out.algorithm = word(m.algorithm(), "its algorithm");
+    out.faces = faces(m, out.surface.triangles.size());
     if (!out.isolines.empty() && out.fields.empty()) bad("it has isolines of no field");
     return out;
 }
@@ -155,6 +173,9 @@ stream::RawFrame frame(const surface::Sheet& sheet) {
     }
     if (!sheet.sources.empty()) put(*m.mutable_sources(), sheet.sources);
     put(*m.mutable_isolines(), sheet.isolines);
+    m.set_name(sheet.name);
+    m.set_algorithm(sheet.algorithm);
+    m.mutable_face()->Add(sheet.faces.begin(), sheet.faces.end());
     if (m.ByteSizeLong() > stream::kMaxFrame)
         throw Error(Exit::failure, "cannot write a surface of more than 64 MiB; remesh it coarser, or ask for fewer "
                                    "isolines");

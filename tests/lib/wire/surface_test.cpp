@@ -22,6 +22,9 @@ surface::Sheet good() {
     s.isolines = {{0.5, false, {{0.5, 0, 0}, {0, 0.5, 0}}, {0}},
                   {0.7, true, {{0.5, 0, 0}, {0, 0.5, 0}, {0.5, 0.5, 0}}, {0, 0, 1}}};
     s.sources = {{2}, {{1, {0.5, 0.5, 0}, {1, 1, 0.5}}}};
+    s.name = "A.1";
+    s.faces = {7, 0};
+    s.algorithm = "geo-fiso";
     return s;
 }
 
@@ -49,6 +52,9 @@ TEST(surface_message, comes_out_as_it_went_in) {
         EXPECT_EQ(s.isolines[i].points, good().isolines[i].points);
         EXPECT_EQ(s.isolines[i].triangles, good().isolines[i].triangles);
     }
+    EXPECT_EQ(s.name, good().name);
+    EXPECT_EQ(s.faces, good().faces);
+    EXPECT_EQ(s.algorithm, good().algorithm);
     EXPECT_EQ(frame(s).body, raw.body);
 }
 
@@ -83,6 +89,10 @@ TEST(surface_message, faults_are_noticed) {
         [](auto& m) { m.mutable_isolines()->set_triangle(0, 2); },
         [](auto& m) { m.mutable_isolines()->set_level(0, std::nan("")); },
         [](auto& m) { m.mutable_isolines()->clear_level(); },
+        [](auto& m) { m.add_face(1); },
+        [](auto& m) { m.set_name("a/b"); },
+        [](auto& m) { m.set_name(std::string(65, 'a')); },
+        [](auto& m) { m.set_algorithm("geo fiso"); },
     };
     for (std::size_t i = 0; i < std::size(faults); ++i) {
         proto::Surface m;
