@@ -89,6 +89,25 @@ setup() {
         'BEGIN { d = m * 1.4 / 1000 - g; exit !(g > 0 && d < 0.001 && d > -0.001) }'
 }
 
+@test "metrics counts the same from the toolpath alone" {
+    set_to=fibre.cut_to_nozzle=12.5,fibre.feed=8
+    postproc --machine fibre-marlin --set $set_to --report job.tsv job.toolpath > job.gcode
+    metrics --machine fibre-marlin --set $set_to --format tsv job.toolpath > metrics.tsv
+    for name in strokes cuts laid "print time" mass; do
+        for group in "tool 0" "tool 1 (fibre)" job; do
+            awk -F'\t' -v g="$group" -v n="$name" '$1 == g && $2 == n { v[++k] = $3 }
+                END { exit !(k == 2 && v[1] > 0 + (n == "cuts" ? -1 : 0) && (v[1] - v[2]) ^ 2 <= 1e-4 * (v[1] + 0.05) ^ 2) }' \
+                job.tsv metrics.tsv || { echo "$group: $name"; cat job.tsv metrics.tsv; false; }
+        done
+    done
+    # who has no fibre head is told of no cuts, and one tool alone needs no table
+    metrics --format tsv job.toolpath | awk -F'\t' '$1 == "tool 1" && $2 == "cuts" { exit !($3 == 0) }'
+    run metrics core.toolpath
+    [[ "$output" != *"tool 0"* ]]
+    metrics --machine fibre-marlin --set fibre.cut_to_nozzle=40 --format tsv lines.fibre |
+        awk -F'\t' '$1 == "job" && $2 ~ /too short/ { n = $3 } END { exit !(n == 5) }'
+}
+
 @test "a toolpath of two tools needs a machine that has them" {
     run postproc --machine marlin job.toolpath
     [ "$status" -eq 3 ]
