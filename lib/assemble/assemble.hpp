@@ -10,7 +10,7 @@ namespace filum::assemble {
 struct Options {
     double lift = 5; // mm: along the tool axis, of travels from one toolpath to the next
     // Tool of each toolpath in turn, the last one also of all that follow; none: they keep their own.
-    std::vector<double> tools;
+    std::vector<double> tools{};
 };
 
 // Takes the spans of toolpaths in their order and gives back those of the job.
