@@ -1,8 +1,9 @@
 // geodesic - distances on a surface, and lines of equal distance
-// reads:  a mesh file (STL, OBJ, PLY, OFF or 3MF), or Surface
+// reads:  a mesh file (STL, OBJ, PLY, OFF, 3MF or STEP), or Surface
 // writes: Surface
 // memory: the model, and some hundred bytes per edge for exact distances
 #include "cli/head_options.hpp"
+#include "cli/step_options.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
 #include "geodesic/measure.hpp"
@@ -18,6 +19,7 @@ struct Options {
     model::Shaping shape;
     std::string source, lines, mesh;
     geodesic::Options measure;
+    step::Tessellation step;
 };
 
 constexpr const char* kDescription =
@@ -26,8 +28,8 @@ constexpr const char* kDescription =
     "is noted: triangles that stand twice or have no area, that face against their neighbours, edges of more than "
     "two triangles (the flattest pair stays joined, the others are cut off), parts that touch in a point. Several "
     "components stay as they are. A Surface stream is taken as well, with the fields it has. Then the surface is cut "
-    "by a plane with --cut and by a closed mesh with --cut-mesh, and remeshed with --remesh, if asked; fields go "
-    "along.\n\n"
+    "by a plane with --cut and by a closed mesh with --cut-mesh, and remeshed with --remesh, if asked; fields and CAD "
+    "faces go along.\n\n"
     "With --source it computes the distance of every vertex from the nearest source along the surface, infinite "
     "where no source is on the same component. Sources, several in quotes with blanks between: vertex:ID, numbered "
     "as in the file from 0, after a cut as in 'peek --text'; point:X,Y,Z, the nearest point of the surface; "
@@ -71,10 +73,11 @@ cli::Spec spec(Options& o) {
              {"levels", &o.measure.levels, "MM,...", "isolines at these distances"},
              Option{"spacing", &o.measure.spacing, "MM", "isolines at every multiple of this; 0: none"}.at_least(0),
              Option{"first", &o.measure.first, "MM", "where the first of these is; 0: one spacing away"}.at_least(0),
-             Option{"unit", &o.place.unit, "", "unit of the file; auto guesses from the size, 3MF states its own"}
+             Option{"unit", &o.place.unit, "",
+                    "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
                  .one_of({"mm", "cm", "m", "in", "um", "auto"}),
              {"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}},
-            model::options(o.shape)),
+            cli::with(cli::step_options(o.step), model::options(o.shape))),
         .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
                      {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",
                       "lines at 1, 2, 3 ... mm from where a plane cuts a part"},
@@ -89,7 +92,7 @@ geodesic::Sources sources(const Options& o, const surface::Surface& s, cli::Io& 
         geodesic::add_lines(out, s, geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
     }
     if (!o.mesh.empty()) {
-        const auto mesh = model::read_mesh(o.mesh, "source_mesh_crc32c", o.place, self, notes);
+        const auto mesh = model::read_mesh(o.mesh, "source_mesh_crc32c", o.place, self, notes, o.step);
         const Facts met = geodesic::add_mesh(out, s, mesh);
         facts.insert(facts.end(), met.begin(), met.end());
     }
@@ -98,7 +101,7 @@ geodesic::Sources sources(const Options& o, const surface::Surface& s, cli::Io& 
 
 void run(const Options& o, const cli::Io& io) {
     cli::Io self = io; // with what identifies the input
-    model::Model m = model::read(o.place, self);
+    model::Model m = model::read(o.place, self, o.step);
     model::shape(m, o.shape, o.place, self);
     Facts facts = surface::facts(m.sheet.surface);
     const auto from = sources(o, m.sheet.surface, self, m.notes, facts);

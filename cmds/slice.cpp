@@ -1,11 +1,12 @@
 // slice - cut a mesh into layers of closed contours
-// reads:  a mesh file: STL, OBJ, PLY, OFF or 3MF
+// reads:  a mesh file: STL, OBJ, PLY, OFF, 3MF or STEP
 // writes: Layers
 // memory: the model
 #include "slice/slice.hpp"
 #include "cli/command.hpp"
+#include "cli/step_options.hpp"
 #include "mesh/place.hpp"
-#include "mesh/read.hpp"
+#include "step/step.hpp"
 #include "stream/crc32c.hpp"
 #include "wire/planar.hpp"
 
@@ -19,13 +20,14 @@ using cli::Option;
 struct Options {
     mesh::Placement place;
     slice::Options slice;
+    step::Tessellation step;
 };
 
 constexpr const char* kDescription =
     "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer; a face level "
     "with that counts as below it. The kind of file is recognised by its content: STL (binary or ASCII), OBJ, PLY "
     "(ASCII or binary), OFF, 3MF with its unit, components "
-    "and build items.\n\n"
+    "and build items, STEP if the build has OpenCASCADE.\n\n"
     "The part is scaled, turned, moved, centred and set on the bed, in this order. It gets round(height / layer "
     "height) layers, at least one, half a layer rounded down; a part lower than half a layer is an error.\n\n"
     "Bodies that overlap, touch or are a hairline apart become one solid; a shell that faces inwards within another "
@@ -37,8 +39,8 @@ constexpr const char* kDescription =
 
 std::vector<Option> placing(mesh::Placement& p) {
     return {
-        Option{"unit", &p.unit, "", "unit of the file; auto guesses from the size, 3MF states its own"}.one_of(
-            {"mm", "cm", "m", "in", "um", "auto"}),
+        Option{"unit", &p.unit, "", "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
+            .one_of({"mm", "cm", "m", "in", "um", "auto"}),
         {"scale", &p.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"},
         Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3),
         Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3),
@@ -72,6 +74,7 @@ std::vector<Option> cutting(slice::Options& s) {
 cli::Spec spec(Options& o) {
     auto options = cutting(o.slice);
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
+    for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,
@@ -95,10 +98,10 @@ void run(const Options& o, const cli::Io& io) {
         char crc[9];
         std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
         self.settings.push_back({"input_crc32c", crc});
-        file = mesh::read(bytes.view(), mesh::spoken_name(io.input));
+        file = step::read(bytes.view(), mesh::spoken_name(io.input), o.step);
     }
     Notes notes = std::move(file.notes);
-    mesh::place(file.mesh, o.place, file.kind == mesh::Kind::threemf, notes);
+    mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
     const slice::Part part = slice::make_part(std::move(file.mesh), notes);
     const slice::Sweep sweep = slice::prepare(part, o.slice, io.threads, notes);
     auto header = cli::header(self, stream::Payload::layers);

@@ -55,7 +55,28 @@ Vec3 vector(const surface::Field& f, const Corners& c) {
     return norm(sum) > 0 ? length / norm(sum) * sum : Vec3{};
 }
 
+// The nearest place of `locator` to p, of places that are nearer to each other than `near` one that faces as `normal`.
+Place place_like(const Locator& locator, const Vec3& p, const Vec3& normal, double near) {
+    const Place any = locator.nearest(p), facing = locator.nearest(p, normal);
+    const double more = facing.triangle == kNone ? far : distance(facing.point, p);
+    return more > distance(any.point, p) + near ? any : facing; // as at a sharp edge
+}
+
 } // namespace
+
+std::vector<std::uint32_t> carried_faces(const Surface& from, std::span<const std::uint32_t> faces, const Surface& to) {
+    std::vector<std::uint32_t> out;
+    if (faces.empty()) return out;
+    out.reserve(to.triangles.size());
+    const Locator locator(from);
+    const double near = kNear * surface::mean_edge(to);
+    for (std::uint32_t t = 0; t < to.triangles.size(); ++t) {
+        const auto& [a, b, c] = to.triangles[t];
+        const Vec3 middle = 1.0 / 3 * (to.vertices[a] + to.vertices[b] + to.vertices[c]);
+        out.push_back(faces[place_like(locator, middle, surface::normal(to, t), near).triangle]);
+    }
+    return out;
+}
 
 std::vector<surface::Field> carried(const Surface& from, std::span<const surface::Field> fields, const Surface& to) {
     std::vector<surface::Field> out;
@@ -65,10 +86,7 @@ std::vector<surface::Field> carried(const Surface& from, std::span<const surface
     const auto normals = vertex_normals(to);
     const double near = kNear * surface::mean_edge(to);
     for (std::size_t v = 0; v < to.vertices.size(); ++v) {
-        const Place any = locator.nearest(to.vertices[v]), facing = locator.nearest(to.vertices[v], normals[v]);
-        const double more = facing.triangle == kNone ? far : distance(facing.point, to.vertices[v]);
-        const bool turned = more > distance(any.point, to.vertices[v]) + near; // as at a sharp edge
-        const Corners c = corners_at(from, turned ? any : facing);
+        const Corners c = corners_at(from, place_like(locator, to.vertices[v], normals[v], near));
         for (std::size_t i = 0; i < fields.size(); ++i) {
             if (fields[i].components == 1) {
                 out[i].values.push_back(number(fields[i], c));

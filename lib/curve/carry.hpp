@@ -11,4 +11,8 @@ namespace filum::curve {
 // their mean length.
 std::vector<surface::Field> carried(const Surface& from, std::span<const surface::Field> fields, const Surface& to);
 
+// The CAD face of each triangle of `to`: that of the nearest place of `from` to its middle, of places about as near at
+// one that faces the same way; none if `faces`, those of `from`, are none.
+std::vector<std::uint32_t> carried_faces(const Surface& from, std::span<const std::uint32_t> faces, const Surface& to);
+
 } // namespace filum::curve

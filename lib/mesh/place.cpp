@@ -43,8 +43,7 @@ const char* guess(double longest) { return longest < 0.4 ? "m" : longest < 4 ? "
 double unit_mm(const std::string& unit, double longest, bool in_mm, Notes& notes) {
     if (in_mm) {
         if (unit != "auto" && unit != "mm")
-            throw Error(Exit::usage,
-                        "cannot use '" + unit + "' for --unit: a 3MF file states its own unit; use --scale");
+            throw Error(Exit::usage, "cannot use '" + unit + "' for --unit: the file states its own unit; use --scale");
         return 1;
     }
     const std::string name = unit == "auto" ? guess(longest) : unit;

@@ -45,6 +45,7 @@ Kind recognise_text(std::string_view bytes) {
     if (word == "ply") return Kind::ply;
     if (is_off(word)) return Kind::off;
     if (is_obj(word)) return Kind::obj;
+    if (word.starts_with("ISO-10303-21")) return Kind::step;
     if (begins_with(word, "solid") || begins_with(word, "facet")) return Kind::stl_ascii;
     return Kind::unknown;
 }
@@ -100,13 +101,15 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, Notes
         return read_off(bytes, name, notes);
     case Kind::threemf:
         return read_3mf(bytes, name, notes);
+    case Kind::step:
+        throw Error(Exit::bad_input, "cannot read " + name + ": it is a STEP file, not a mesh");
     case Kind::unknown:
         break;
     }
     const std::string_view stream_mark("\x00\x89\x46\x69lum\n", 8);
     if (bytes.substr(0, 16).find(stream_mark) != std::string_view::npos)
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a Filum stream, not a mesh");
-    throw Error(Exit::bad_input, "cannot read " + name + ": it is no STL, OBJ, PLY, OFF or 3MF file");
+    throw Error(Exit::bad_input, "cannot read " + name + ": it is no STL, OBJ, PLY, OFF, 3MF or STEP file");
 }
 
 } // namespace

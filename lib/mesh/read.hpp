@@ -10,11 +10,14 @@
 
 namespace filum::mesh {
 
-enum class Kind : std::uint8_t { unknown, stl_binary, stl_ascii, obj, ply, off, threemf };
+enum class Kind : std::uint8_t { unknown, stl_binary, stl_ascii, obj, ply, off, threemf, step };
 
 // The kind of file that `bytes` are, by content alone: a binary STL whose header begins with "solid" is known by its
 // size, text by its first word.
 Kind recognise(std::string_view bytes);
+
+// Whether files of this kind say what unit they are in.
+inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kind::step; }
 
 struct File {
     Mesh mesh;
@@ -27,8 +30,8 @@ struct File {
 // equal corners (those have no area and bind no others, so they go without a note).  Triangles with a corner that is
 // no finite number are left out, with a note.  Polygons are cut into fans, whose slices are right for planar polygons
 // of any shape.  Coordinates are in the file's unit; of a 3MF, which states it, in mm.
-// Throws Error: truncated if the file is empty or ends before what it announces, bad_input if it is of no known kind,
-// malformed, or holds no triangle.
+// Throws Error: truncated if the file is empty or ends before what it announces, bad_input if it is of no known kind or
+// STEP (step::read reads that), malformed, or holds no triangle.
 File read(std::string_view bytes, const std::string& name);
 
 // A whole file in memory.

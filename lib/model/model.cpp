@@ -19,11 +19,12 @@ void identify(const mesh::Bytes& bytes, const char* setting, cli::Io& self) {
     self.settings.push_back({setting, crc});
 }
 
-mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Placement place, Notes& notes) {
-    mesh::File file = mesh::read(bytes.view(), mesh::spoken_name(path));
+mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Placement place, Notes& notes,
+                  const step::Tessellation& how) {
+    mesh::File file = step::read(bytes.view(), mesh::spoken_name(path), how);
     notes.insert(notes.end(), file.notes.begin(), file.notes.end());
     place.on_bed = false;
-    mesh::place(file.mesh, place, file.kind == mesh::Kind::threemf, notes);
+    mesh::place(file.mesh, place, mesh::states_unit(file.kind), notes);
     return std::move(file.mesh);
 }
 
@@ -49,17 +50,18 @@ mesh::Bytes load(const std::string& path, const char* setting, cli::Io& self) {
     return bytes;
 }
 
-mesh::Mesh read_mesh(const std::string& path, const char* setting, mesh::Placement place, cli::Io& self, Notes& notes) {
-    return placed(load(path, setting, self), path, std::move(place), notes);
+mesh::Mesh read_mesh(const std::string& path, const char* setting, mesh::Placement place, cli::Io& self, Notes& notes,
+                     const step::Tessellation& how) {
+    return placed(load(path, setting, self), path, std::move(place), notes, how);
 }
 
-Model read(const mesh::Placement& place, cli::Io& self) {
+Model read(const mesh::Placement& place, cli::Io& self, const step::Tessellation& how) {
     const mesh::Bytes bytes = mesh::load(self.input);
     if (stream::is_stream(bytes.view())) return of_stream(bytes, place, self.input);
     identify(bytes, "input_crc32c", self);
     Model out;
-    mesh::Mesh mesh = placed(bytes, self.input, place, out.notes);
-    out.sheet.surface = surface::connect(std::move(mesh), out.notes);
+    mesh::Mesh mesh = placed(bytes, self.input, place, out.notes, how);
+    out.sheet.surface = surface::connect(std::move(mesh), out.notes, &out.sheet.faces);
     return out;
 }
 

@@ -27,17 +27,18 @@ void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::
     }
     if (how.remesh > 0) now = surface::remesh(now, how.remesh, model.notes);
     sheet.fields = curve::carried(sheet.surface, sheet.fields, now);
+    sheet.faces = curve::carried_faces(sheet.surface, sheet.faces, now);
     const auto gone = [&](const char* what, std::size_t count) {
         if (count > 0) model.notes.push_back({.stage = "", .what = what, .amount = 0, .unit = "", .count = count});
     };
     gone("isoline of the surface before dropped", sheet.isolines.size());
-    gone("CAD face of a triangle of the surface before dropped", sheet.faces.size());
     gone("source of the surface before dropped", sheet.sources.vertices.size() + sheet.sources.segments.size());
     sheet = {.surface = std::move(now),
              .fields = std::move(sheet.fields),
              .isolines = {},
              .sources = {},
              .name = std::move(sheet.name),
+             .faces = std::move(sheet.faces),
              .algorithm = std::move(sheet.algorithm)};
 }
 

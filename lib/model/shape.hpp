@@ -14,8 +14,8 @@ struct Shaping {
 
 std::vector<cli::Option> options(Shaping& to);
 
-// Cuts by the plane, then by the mesh, then remeshes.  Fields are carried over; lines and sources that the sheet came
-// with go, with a note, since their triangles do.  Throws Error as surface::cut and surface::remesh.
+// Cuts by the plane, then by the mesh, then remeshes.  Fields and CAD faces are carried over; lines and sources that
+// the sheet came with go, with a note, since their triangles do.  Throws Error as surface::cut and surface::remesh.
 void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self);
 
 } // namespace filum::model

@@ -55,6 +55,17 @@ std::uint32_t flat_side(const mesh::Mesh& mesh, std::uint32_t t) {
 
 bool degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
+// Takes out what was made degenerate, with its CAD face.
+void erase_degenerate(mesh::Mesh& mesh) {
+    if (!mesh.faces.empty()) {
+        std::size_t kept = 0;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            if (!degenerate(mesh.triangles[t])) mesh.faces[kept++] = mesh.faces[t];
+        mesh.faces.resize(kept);
+    }
+    std::erase_if(mesh.triangles, degenerate);
+}
+
 // One round: splits the triangles across the longest sides of flat ones.  Returns how many flat ones it took out.
 std::size_t split_across_flat(mesh::Mesh& mesh) {
     std::vector<std::uint32_t> longest(mesh.triangles.size());
@@ -64,6 +75,7 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
     std::vector<char> touched(longest.size(), 0);
     const auto sides = sides_of(mesh);
     std::vector<Triangle> more;
+    std::vector<std::uint32_t> faces; // of those
     const auto split = [&](std::uint32_t h, std::uint32_t middle) {
         Triangle& t = mesh.triangles[h / 3];
         if (t[0] == middle || t[1] == middle || t[2] == middle) return; // the flat one lies on it: a fold
@@ -71,6 +83,7 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
         other[h % 3] = middle;
         t[(h + 1) % 3] = middle;
         more.push_back(other);
+        if (!mesh.faces.empty()) faces.push_back(mesh.faces[h / 3]);
     };
     std::size_t out = 0;
     each_edge(sides, [&](std::size_t i, std::size_t j) {
@@ -89,8 +102,9 @@ std::size_t split_across_flat(mesh::Mesh& mesh) {
             ++out;
         }
     });
-    std::erase_if(mesh.triangles, degenerate);
+    erase_degenerate(mesh);
     mesh.triangles.insert(mesh.triangles.end(), more.begin(), more.end());
+    mesh.faces.insert(mesh.faces.end(), faces.begin(), faces.end());
     return out;
 }
 
@@ -119,7 +133,7 @@ void remove_copies(mesh::Mesh& mesh, Notes& notes) {
     for (std::size_t i = 1; i < keys.size(); ++i)
         if (keys[i].corners == keys[i - 1].corners) mesh.triangles[keys[i].t] = {}, ++copies;
     if (copies == 0) return;
-    std::erase_if(mesh.triangles, degenerate);
+    erase_degenerate(mesh);
     notes.push_back(note("triangle that stood twice left out", copies));
 }
 
@@ -132,7 +146,7 @@ void remove_flat(mesh::Mesh& mesh, Notes& notes) {
     }
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         if (flat_side(mesh, t) != 3) mesh.triangles[t] = {}, ++out;
-    std::erase_if(mesh.triangles, degenerate);
+    erase_degenerate(mesh);
     if (out > 0) notes.push_back(note("triangle without area taken out", out));
 }
 

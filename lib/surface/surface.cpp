@@ -112,13 +112,14 @@ Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, st
     return s;
 }
 
-Surface connect(mesh::Mesh mesh, Notes& notes) {
+Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces) {
     remove_copies(mesh, notes);
     remove_flat(mesh, notes);
     if (mesh.triangles.empty()) throw Error(Exit::bad_input, "cannot use the surface: no triangle of it has an area");
     mesh::face_one_way(mesh, notes);
     std::vector<std::uint32_t> twin = join_sides(mesh, notes);
     split_fans(mesh, twin, notes);
+    if (faces != nullptr) *faces = std::move(mesh.faces);
     return assemble(std::move(mesh.vertices), std::move(mesh.triangles), std::move(twin));
 }
 

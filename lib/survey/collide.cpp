@@ -2,7 +2,7 @@
 
 #include "collision/report.hpp"
 #include "mesh/place.hpp"
-#include "mesh/read.hpp"
+#include "step/step.hpp"
 #include "stream/crc32c.hpp"
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
@@ -42,7 +42,7 @@ struct Things {
             at = comma + 1;
             const mesh::Bytes bytes = mesh::load(path);
             crc = stream::crc32c(crc, bytes.data.get(), bytes.size);
-            const mesh::File file = mesh::read(bytes.view(), mesh::spoken_name(path));
+            const mesh::File file = step::read(bytes.view(), mesh::spoken_name(path));
             for (const Vec3& p : file.mesh.vertices) check_place(p, mesh::spoken_name(path));
             notes.insert(notes.end(), file.notes.begin(), file.notes.end());
             collision::add(file.mesh, solids[static_cast<std::size_t>(against)]);

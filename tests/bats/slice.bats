@@ -75,7 +75,7 @@ refuses() {
     : > empty.stl
     refuses 4 "'empty.stl': it is empty" empty.stl
     echo "hello, world" > words.stl
-    refuses 3 "it is no STL, OBJ, PLY, OFF or 3MF file" words.stl
+    refuses 3 "it is no STL, OBJ, PLY, OFF, 3MF or STEP file" words.stl
     head -c 300 /dev/zero > zeros.stl
     refuses 3 "it is no STL" zeros.stl
     slice cube.obj > part.layers

@@ -52,6 +52,28 @@ TEST(Carry, LinearFieldsStayAndDirectionsKeepTheirLength) {
     }
 }
 
+TEST(Carry, CadFacesEndWhereTheyDid) {
+    Notes notes;
+    mesh::Mesh m = plate(0, true);
+    for (const auto& t : m.triangles)
+        m.faces.push_back(m.vertices[t[0]].x + m.vertices[t[1]].x + m.vertices[t[2]].x < 15 ? 7 : 2);
+    std::vector<std::uint32_t> faces;
+    const Surface from = surface::connect(m, notes, &faces);
+    ASSERT_EQ(faces, m.faces);
+    const Surface to = surface::remesh(surface::cut(from, {{0, 1, 0}, 6.3}, notes), 0.4, notes);
+    const auto out = carried_faces(from, faces, to);
+    ASSERT_EQ(out.size(), to.triangles.size());
+    std::size_t checked = 0;
+    for (std::size_t t = 0; t < out.size(); ++t) {
+        double x = 0;
+        for (const auto v : to.triangles[t]) x += to.vertices[v].x / 3;
+        EXPECT_EQ(out[t], x < 5 ? 7U : 2U);
+        ++checked;
+    }
+    EXPECT_GT(checked, 500U);
+    EXPECT_TRUE(carried_faces(from, {}, to).empty());
+}
+
 TEST(Carry, AThinWallsSkinsAreNotMixedUp) {
     Notes notes;
     mesh::Mesh both = plate(0, false), top = plate(0.02, true);

@@ -97,6 +97,25 @@ TEST(surface, takes_out_triangles_without_area_and_leaves_no_gap) {
     EXPECT_THROW(connect({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, notes), Error);
 }
 
+TEST(surface, cad_faces_stay_with_their_triangles_through_repairs) {
+    // the same T-joint, one half of the square face 5, the other 8, and a copy
+    Notes notes;
+    std::vector<std::uint32_t> faces;
+    const Surface s = connect({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}},
+                               {{0, 1, 4}, {1, 4, 0}, {1, 2, 4}, {0, 4, 2}, {0, 2, 3}},
+                               {5, 5, 5, 5, 8}},
+                              notes, &faces);
+    ASSERT_EQ(faces.size(), s.triangles.size());
+    double below = 0;
+    for (std::uint32_t t = 0; t < faces.size(); ++t) {
+        const auto& [a, b, c] = s.triangles[t];
+        const Vec3 middle = 1.0 / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
+        EXPECT_EQ(faces[t], middle.y < middle.x ? 5U : 8U);
+        below += faces[t] == 5 ? norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2 : 0;
+    }
+    EXPECT_DOUBLE_EQ(below, 2);
+}
+
 TEST(surface, keeps_the_flattest_pair_of_a_crowded_edge) {
     // a plate with a rib along its middle
     auto points = grid(2, 1);

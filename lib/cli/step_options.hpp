@@ -1,0 +1,22 @@
+// The options of commands that read STEP files.
+#pragma once
+
+#include "cli/spec.hpp"
+
+#include <vector>
+
+namespace filum::cli {
+
+// Bound to the fields of `to`, a step::Tessellation.
+template <class Tessellation>
+std::vector<Option> step_options(Tessellation& to) {
+    return {
+        Option{"deflection", &to.deflection, "MM", "STEP: how far triangles may be from the faces they stand for"}
+            .at_least(0.0001)
+            .at_most(1000),
+        Option{"deflection-angle", &to.angle_deg, "DEG", "STEP: and how far one chord of a curve turns from the next"}
+            .at_least(0.1)
+            .at_most(90)};
+}
+
+} // namespace filum::cli
