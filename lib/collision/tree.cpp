@@ -9,7 +9,7 @@ namespace filum::collision {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;
+constexpr std::uint32_t kLeaf = 4, kSlice = 8192;
 
 double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -131,7 +131,8 @@ void Tree::bound(Node& node, std::uint32_t first, std::uint32_t last) const {
     }
 }
 
-// Halved by number along the longest side of the box of centres; ties: the older first.
+// Halved by number: many by age, so that what is to come does not make wide what is there; few along the longest side
+// of the box of centres.  Ties: the older first.
 std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
@@ -152,12 +153,13 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     bound(node, first, last);
     if (last - first > kLeaf) {
         const Vec3 size = high - low;
+        const bool by_age = last - first > kSlice && solids_[first].born != solids_[last - 1].born;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t half = first + (last - first) / 2;
         const auto begin = solids_.begin();
         std::nth_element(begin + first, begin + half, begin + last, [&](const Solid& a, const Solid& b) {
             const double u = along(centre(a), axis), v = along(centre(b), axis);
-            return u != v ? u < v : a.born < b.born;
+            return !by_age && u != v ? u < v : a.born < b.born;
         });
         build(first, half);
         node.first = build(half, last), node.count = 0;
