@@ -74,7 +74,7 @@ said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
     [[ $err == 'collide: head meets the beads: '* ]]
     peek fat.toolpath | grep -q 'note.*head meets the beads'
     [[ $(said fat.toolpath colliding-moves) == "$(tail -n +2 places.tsv | cut -f 1 | sort -un | wc -l)" ]]
-    head -n 1 places.tsv | grep -qx "point	layer	stroke	move	meets	with	clearance	x	y	z"
+    head -n 1 places.tsv | grep -qx "point	layer	stroke	move	meets	with	clearance	x	y	z	i	j	k"
     awk -F '\t' 'NR > 1 && !($5 == "beads" && $6 == "carriage" && $7 < -0.05) { exit 1 }' places.tsv
 }
 
