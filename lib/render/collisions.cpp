@@ -244,13 +244,13 @@ Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& 
         View v = shown;
         v.width = width, v.height = height;
         const bool close = look.name != "all";
-        if (close) v.around = Around{at(0, 0, 0.2 * size), 0.9 * size};
+        if (close) v.around = Around{at(0, 0, 0.35 * size), 1.1 * size};
         Scene with = scene;
-        const double dot = (close ? 0.008 : 0.012) * size;
+        const double dot = (close ? 0.02 : 0.025) * size;
         mesh::Mesh dots, place;
         for (std::size_t k = 0; k < places.all.size(); k += places.all.size() / kMostDots + 1)
             add_ball(dots, places.all[k].tip, dot);
-        add_ball(place, worst.tip, 2 * dot);
+        add_ball(place, worst.tip, 2.5 * dot);
         with.meshes.push_back({dots, oklch(0.72, 0.17, 60)});
         with.meshes.push_back({place, oklch(0.55, 0.24, 27)});
         return draw_perspective(with, colours, v, threads);
