@@ -82,6 +82,7 @@ said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
     expect 3 render towers.toolpath --collisions towers.stl
     expect 5 render towers.toolpath --collisions none.tsv
     expect 2 render towers.toolpath --part block.stl
+    expect 2 collide towers.toolpath --flat-radius 1e300
 }
 
 @test "a fixture beside the part: clearance is what it is" {
