@@ -11,7 +11,7 @@ namespace filum::cli {
 template <class HeadChoice>
 std::vector<Option> head_options(HeadChoice& to) {
     const auto length = [](const char* name, std::vector<double>& at, const char* unit, const char* help) {
-        return Option{name, &at, unit, help}.at_least(0).numbers(1).not_a_setting();
+        return Option{name, &at, unit, help}.at_least(0).at_most(1e4).numbers(1).not_a_setting();
     };
     return {
         Option{"head", &to.name, "HEAD", "ordinary, none, or the head of a machine profile: its name or file"}
