@@ -4,6 +4,9 @@
 // memory: the surfaces, and some hundred bytes per vertex
 #include "partition/partition.hpp"
 #include "cli/command.hpp"
+#include "geodesic/lines.hpp"
+#include "model/model.hpp"
+#include "model/patches.hpp"
 #include "partition/names.hpp"
 #include "wire/surface.hpp"
 
@@ -14,7 +17,7 @@ using cli::Option;
 
 struct Options {
     partition::Options how;
-    std::string cases, names, only;
+    std::string cases, names, only, seam;
     bool as_is = false;
 };
 
@@ -29,7 +32,9 @@ constexpr const char* kDescription =
     "stresses, or with --by shape, normals alone count. Neighbouring places grow together while a patch's directions "
     "keep to --angle and its normals to --bend, but for a twentieth of it, or until --patches are left. Then borders "
     "move to where they are short, patches even, and few strong directions are cut. Edges that bend more than --crease "
-    "are always borders, those between CAD faces with --faces.\n\n"
+    "are always borders, those between CAD faces with --faces, and lines drawn onto the surface by --seam, a text of "
+    "points, three numbers a line, lines of points apart by an empty line; one that ends within a patch stays a "
+    "slit.\n\n"
     "Patches below --least-area are joined to a neighbour; what edges keep from any is left out, and so is, with "
     "--mask, what bears less load; both are noted with place and area. Facts tell for each patch its area, the mean "
     "cosine between directions and their mean (coherence), and what 95 % of angles and bends stay below.";
@@ -54,6 +59,8 @@ cli::Spec spec(Options& o) {
                  .above(0)
                  .at_most(180),
              Option{"crease", &o.how.seams.crease_deg, "DEG", "edges that bend more are borders"}.above(0).at_most(180),
+             Option{"seam", &o.seam, "FILE", "lines of points that are borders: a text, as geodesic's --source-lines"}
+                 .not_a_setting(),
              {"faces", &o.how.seams.faces, "", "edges between CAD faces are borders"},
              Option{"patches", &o.how.limits.patches, "N", "divide into so many, whatever the angles; 0: by the angles"}
                  .at_least(0)
@@ -79,6 +86,9 @@ cli::Spec spec(Options& o) {
 void run(const Options& o, const cli::Io& io) {
     partition::Options how = o.how;
     how.pull.cases = partition::words(o.cases, "case");
+    cli::Io self = io; // with what identifies the lines
+    if (!o.seam.empty())
+        how.lines = geodesic::read_lines(model::load(o.seam, "seam_crc32c", self).view(), mesh::spoken_name(o.seam));
     const auto names = partition::words(o.names, "names"), only = partition::words(o.only, "only");
     std::vector<cli::Whole> before;
     std::vector<surface::Sheet> patches;
@@ -92,23 +102,7 @@ void run(const Options& o, const cli::Io& io) {
         before.push_back(cli::read_all(input, stream::Payload::surface, add));
     partition::name(patches, names);
     partition::keep_only(patches, only);
-    std::vector<const stream::Header*> headers;
-    for (const auto& b : before) headers.push_back(&b.header);
-    auto header = cli::header(io, stream::Payload::surface, headers);
-    header.expected = patches.size();
-    stream::Writer writer(io.output, header);
-    cli::Report report(io);
-    for (const auto& b : before) {
-        for (const Note& note : b.notes) writer.write(note);
-        for (const Fact& fact : b.facts)
-            if (fact.stage != io.program) writer.write(fact); // of patches before
-    }
-    for (Note& note : notes) note.stage = io.program, writer.write(note), report.add(note);
-    for (const Fact& fact : partition::facts(patches, how.pull))
-        writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-    for (const auto& p : patches) writer.write(wire::frame(p));
-    writer.close();
-    report.say();
+    model::write(before, patches, notes, partition::facts(patches, how.pull), self);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "partition/lines.hpp"
 #include "partition/relax.hpp"
 #include "partition/split.hpp"
 
@@ -166,6 +167,20 @@ void note_lost(const Sheet& sheet, Notes& notes) {
     gone("source of the surface before dropped", sheet.sources.vertices.size() + sheet.sources.segments.size());
 }
 
+// The sheet without joints at seams.
+Sheet opened(const Sheet& sheet, const std::vector<std::vector<Vec3>>& lines, const SeamOptions& options,
+             Notes& notes) {
+    Sheet out = sheet;
+    std::vector<char> drawn(sheet.surface.twin.size(), 0);
+    const double near = surface::mean_edge(sheet.surface);
+    for (const auto& line : lines)
+        if (const double off = draw(out, drawn, line); off > near)
+            notes.push_back({.stage = "", .what = "seam moved to the surface", .amount = off, .unit = "mm"});
+    const auto others = seams(out, options);
+    std::transform(drawn.begin(), drawn.end(), others.begin(), drawn.begin(), [](char a, char b) { return a | b; });
+    return take(out, all_triangles(out), drawn);
+}
+
 } // namespace
 
 std::vector<Sheet> divide(Sheet sheet, const Options& o, Notes& notes) {
@@ -175,14 +190,14 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, Notes& notes) {
     if (limits.least_area == 0) limits.least_area = kLeastArea * size;
     SeamOptions at = o.seams;
     at.least_area = limits.least_area;
-    Sheet open = take(sheet, all_triangles(sheet), seams(sheet, at));
+    Sheet open = opened(sheet, o.lines, at, notes);
     if (o.mask > 0) leave_unloaded(open, o, detail, limits.least_area, notes);
     const Cells c = cells(open.surface);
     Pull p = pull(open, c, o.pull);
     smooth(p, c, detail);
     const Borders borders = relax(merge(c, p, limits), c, p, detail);
     auto out = gathered(split(open, c, borders), limits.least_area, notes);
-    if (out.size() == 1 && out[0].surface.triangles.size() == sheet.surface.triangles.size()) {
+    if (out.size() == 1 && o.lines.empty() && out[0].surface.triangles.size() == sheet.surface.triangles.size()) {
         out[0] = std::move(sheet);
         return out;
     }

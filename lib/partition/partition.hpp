@@ -11,16 +11,18 @@ namespace filum::partition {
 
 struct Options {
     PullOptions pull;
-    Limits limits;     // least_area 0: a hundredth of the surface
-    SeamOptions seams; // its least_area is that of the limits
+    Limits limits;                        // least_area 0: a hundredth of the surface
+    SeamOptions seams;                    // its least_area is that of the limits
+    std::vector<std::vector<Vec3>> lines; // drawn onto the surface: seams, too
     double mask = 0;   // share of the load, of what 99 % of the surface stay below, under which nothing is wanted
     double detail = 0; // mm: what is smaller, of directions and borders, is smoothed; 0: a 50th of the area's root
 };
 
 // The patches of the sheet, without names, the greatest first (of equals the one with the first triangle).  What is not
 // in any of them is noted, by area and place: parts without load, and faces smaller than the least area that seams keep
-// from all others.  Where the sheet is one patch it is handed back as it is, else its lines and sources go with a note.
-// Throws Error: usage if nothing is left, and as pull() and seams().
+// from all others, and lines farther from it than a mean edge.  Where the sheet is one patch it is handed back as it
+// is, else its lines and sources go with a note. Throws Error: usage if nothing is left, and as pull(), draw() and
+// seams().
 std::vector<Sheet> divide(Sheet sheet, const Options& options, Notes& notes);
 
 // What a patch is like.

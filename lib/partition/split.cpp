@@ -1,8 +1,9 @@
 #include "partition/split.hpp"
 
+#include "partition/lines.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace filum::partition {
@@ -44,22 +45,6 @@ surface::Field picked(const surface::Field& f, std::span<const std::uint32_t> fr
     for (const std::size_t v : from)
         for (std::size_t k = 0; k < f.components; ++k) out.values.push_back(f.values[f.components * v + k]);
     return out;
-}
-
-// Appends the value between those of vertices a and b, `share` of the way.
-void append_between(surface::Field& f, std::uint32_t a, std::uint32_t b, double share) {
-    if (f.components == 1) {
-        const double x = f.values[a], y = f.values[b];
-        f.values.push_back(std::isfinite(x) && std::isfinite(y) ? x + share * (y - x)
-                                                                : std::numeric_limits<double>::infinity());
-        return;
-    }
-    const Vec3 x = f.vector(a), y = (dot(x, f.vector(b)) < 0 ? -1 : 1) * f.vector(b);
-    const double length = (1 - share) * norm(x) + share * norm(y);
-    const Vec3 sum = (1 - share) * x + share * y;
-    const double far = std::numeric_limits<double>::infinity();
-    const Vec3 v = !std::isfinite(length) ? Vec3{far, far, far} : (norm(sum) > 0 ? length / norm(sum) * sum : Vec3{});
-    f.values.insert(f.values.end(), {v.x, v.y, v.z});
 }
 
 class Splitter {

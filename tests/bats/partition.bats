@@ -99,6 +99,18 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
     expect 3 partition plate.surface --field stress.X.s1
 }
 
+@test "lines of a file are borders" {
+    printf '4 -1 0\n6 11 0\n' > seam.txt
+    expect 0 partition plate.surface --by shape --seam seam.txt --output seam.patches
+    [[ $err == "partition: seam moved to the surface: 1 case, 1 mm" ]]
+    [ "$(value patches seam.patches)" = 2 ]
+    awk -v a="$(value patch.B.area seam.patches)" 'BEGIN { exit !(a > 49 && a < 51) }'
+    expect 5 partition plate.surface --seam no-such-file
+    echo 'one two three' > wrong.txt
+    expect 3 partition plate.surface --seam wrong.txt
+    complaint partition
+}
+
 @test "the same bytes for 1, 2 and 8 threads, and every time" {
     partition plate.surface --threads 1 --output one
     for threads in 2 8; do
