@@ -40,10 +40,10 @@ Cells cells(const Surface& s) {
             out.total += area;
         }
         if (twin != kNone && twin < h) continue;
-        Side side{
-            std::min(s.tail(h), s.head(h)), std::max(s.tail(h), s.head(h)), {}, half_border(s, h), cotangent(s, h) / 2};
+        Side side{.a = std::min(s.tail(h), s.head(h)), .b = std::max(s.tail(h), s.head(h))};
         const Vec3 way = s.vertices[side.b] - s.vertices[side.a];
         side.way = 1 / norm(way) * way;
+        side.border = half_border(s, h), side.conductance = cotangent(s, h) / 2;
         if (twin != kNone) side.border += half_border(s, twin), side.conductance += cotangent(s, twin) / 2;
         side.conductance = std::clamp(side.conductance, kLeastConductance, kMostConductance);
         length += norm(way);

@@ -13,7 +13,8 @@ namespace filum::partition {
 
 namespace {
 
-constexpr int kRounds = 30;
+constexpr int kRounds = 40, kStill = 3; // at most; and without a cell that moves
+constexpr double kVanished = -1e300;
 constexpr double kSteps = 2; // mean sides that indicators spread by, at least: less, and borders do not move
 
 using Matrix = Eigen::SparseMatrix<double>;
@@ -90,16 +91,24 @@ std::unique_ptr<Factor> diffusion(const Cells& cells, const Pull* pull, double s
     return out;
 }
 
-// Per rank, how much of each cell comes from its patch.
-std::vector<Eigen::VectorXd> spread(const Patches& patches, const Cells& cells, const Factor& diffusion) {
-    std::vector<Eigen::VectorXd> out(patches.ranks());
-    for (std::uint32_t r = 0; r < patches.ranks(); ++r) {
-        Eigen::VectorXd from = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells.area.size()));
-        for (std::size_t v = 0; v < cells.area.size(); ++v)
-            if (patches.rank(v) == r) from[static_cast<Eigen::Index>(v)] = cells.area[v];
-        out[r] = diffusion.solve(from);
+// How much of a cell belongs to its own patch, 0.5 to 1, where a border passes it; the rest to that of another rank.
+struct Part {
+    double own = 1;
+    std::uint32_t other = kNone;
+};
+
+using Values = std::vector<Eigen::VectorXd>; // by rank, per cell
+
+// How much of each cell comes from the patch.
+Values spread(const Patches& patches, const std::vector<Part>& parts, const Cells& cells, const Factor& diffusion) {
+    Values from(patches.ranks(), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells.area.size())));
+    for (std::size_t v = 0; v < cells.area.size(); ++v) {
+        const auto at = static_cast<Eigen::Index>(v);
+        from[patches.rank(v)][at] = cells.area[v] * parts[v].own;
+        if (parts[v].other != kNone) from[parts[v].other][at] = cells.area[v] * (1 - parts[v].own);
     }
-    return out;
+    for (auto& f : from) f = diffusion.solve(f).eval();
+    return from;
 }
 
 using Proxies = std::vector<std::map<std::uint32_t, Proxy>>; // by rank and component
@@ -115,34 +124,67 @@ Proxies proxies(const Patches& patches, const Cells& cells, const Pull& pull) {
 }
 
 // Moves every cell to where the value is greatest; true if any moved.
-template <class Value>
-bool settle(Patches& patches, std::size_t cells, const Value& value) {
+bool settle(Patches& patches, const Values& value) {
     bool moved = false;
-    for (std::size_t v = 0; v < cells; ++v) {
-        std::uint32_t best = patches.rank(v);
-        double most = value(v, best);
-        for (std::uint32_t r = 0; r < patches.ranks(); ++r) {
-            if (r == best || !patches.has(v, r)) continue;
-            if (const double x = value(v, r); x > most + 1e-12) most = x, best = r;
-        }
-        if (best != patches.rank(v)) patches.move(v, best), moved = true;
+    for (Eigen::Index v = 0; v < value[0].size(); ++v) {
+        const auto cell = static_cast<std::size_t>(v);
+        std::uint32_t best = patches.rank(cell);
+        for (std::uint32_t r = 0; r < patches.ranks(); ++r)
+            if (patches.has(cell, r) && value[r][v] > value[best][v] + 1e-12) best = r;
+        if (best != patches.rank(cell)) patches.move(cell, best), moved = true;
     }
     return moved;
 }
 
-void follow(Patches& patches, const Cells& cells, const Pull& pull, double length, double step) {
+// Per side between two patches the share of the way from a to b where their values are equal.
+std::vector<double> crossings(const Patches& patches, const Cells& cells, const Values& value) {
+    std::vector<double> out(cells.sides.size(), 0);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto a = static_cast<Eigen::Index>(cells.sides[i].a), b = static_cast<Eigen::Index>(cells.sides[i].b);
+        const std::uint32_t p = patches.rank(cells.sides[i].a), q = patches.rank(cells.sides[i].b);
+        if (p == q) continue;
+        const double from = value[p][a] - value[q][a], to = value[p][b] - value[q][b]; // >= 0, <= 0
+        out[i] = from - to > 0 ? from / (from - to) : 0.5;
+    }
+    return out;
+}
+
+// By the crossing nearest to each cell, in lengths of its side; without that, borders would move by whole cells.
+std::vector<Part> parts(const Patches& patches, const Cells& cells, const std::vector<double>& at) {
+    std::vector<Part> out(cells.area.size());
+    const auto pass = [&](std::uint32_t v, std::uint32_t other, double distance) {
+        if (0.5 + distance < out[v].own) out[v] = {0.5 + distance, patches.rank(other)};
+    };
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const auto [a, b] = std::pair{cells.sides[i].a, cells.sides[i].b};
+        if (patches.rank(a) != patches.rank(b)) pass(a, b, at[i]), pass(b, a, 1 - at[i]);
+    }
+    return out;
+}
+
+// Adds what the cells' misfit to the patches takes from the values.
+void weigh(Values& value, const Patches& patches, const Cells& cells, const Pull& pull, double tension) {
+    const Proxies mean = proxies(patches, cells, pull);
+    for (std::uint32_t r = 0; r < patches.ranks(); ++r)
+        for (std::size_t v = 0; v < cells.area.size(); ++v) {
+            double& here = value[r][static_cast<Eigen::Index>(v)];
+            const auto at = mean[r].find(patches.component(v));
+            here = at == mean[r].end() ? kVanished : tension * here - misfit(at->second, cells, pull, v);
+        }
+}
+
+std::vector<Part> follow(Patches& patches, const Cells& cells, const Pull& pull, double length, double step) {
     const auto factor = diffusion(cells, &pull, step);
     const double tension = 2 * length / step; // of the implicit step: what it sends across, by length, is step / 2
-    for (int round = 0; round < kRounds; ++round) {
-        const auto share = spread(patches, cells, *factor);
-        const Proxies mean = proxies(patches, cells, pull);
-        const bool moved = settle(patches, cells.area.size(), [&](std::size_t v, std::uint32_t r) {
-            const auto at = mean[r].find(patches.component(v));
-            if (at == mean[r].end()) return -1e300; // vanished
-            return tension * share[r][static_cast<Eigen::Index>(v)] - misfit(at->second, cells, pull, v);
-        });
-        if (!moved) return;
+    std::vector<Part> part(cells.area.size());
+    int still = 0;
+    for (int round = 0; round < kRounds && still < kStill; ++round) {
+        Values value = spread(patches, part, cells, *factor);
+        weigh(value, patches, cells, pull, tension);
+        still = settle(patches, value) ? 0 : still + 1;
+        part = parts(patches, cells, crossings(patches, cells, value));
     }
+    return part;
 }
 
 } // namespace
@@ -152,17 +194,11 @@ Borders relax(std::vector<std::uint32_t> patch, const Cells& cells, const Pull& 
     out.at.assign(cells.sides.size(), 0);
     Patches patches(std::move(patch), cells);
     if (patches.ranks() > 1) {
-        follow(patches, cells, pull, length, std::max(length / 2, kSteps * cells.mean_side));
-        const auto share = spread(patches, cells, *diffusion(cells, nullptr, kSteps * cells.mean_side));
-        const auto value = [&](std::size_t v, std::uint32_t r) { return share[r][static_cast<Eigen::Index>(v)]; };
-        settle(patches, cells.area.size(), value);
-        for (std::size_t i = 0; i < cells.sides.size(); ++i) {
-            const auto [a, b] = std::pair{cells.sides[i].a, cells.sides[i].b};
-            const std::uint32_t p = patches.rank(a), q = patches.rank(b);
-            if (p == q) continue;
-            const double from = value(a, p) - value(a, q), to = value(b, p) - value(b, q); // >= 0, <= 0
-            out.at[i] = from - to > 0 ? from / (from - to) : 0.5;
-        }
+        const double least = kSteps * cells.mean_side;
+        const auto part = follow(patches, cells, pull, length, std::max(length / 2, least));
+        const Values value = spread(patches, part, cells, *diffusion(cells, nullptr, least));
+        settle(patches, value);
+        out.at = crossings(patches, cells, value);
     }
     out.patch = patches.take();
     return out;
