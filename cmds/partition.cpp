@@ -96,7 +96,7 @@ void run(const Options& o, const cli::Io& io) {
     const auto add = [&](const stream::RawFrame& f) {
         surface::Sheet sheet = wire::sheet(f);
         if (o.as_is || !sheet.name.empty()) return patches.push_back(std::move(sheet));
-        for (auto& p : partition::divide(std::move(sheet), how, notes)) patches.push_back(std::move(p));
+        for (auto& p : partition::divide(std::move(sheet), how, io.threads, notes)) patches.push_back(std::move(p));
     };
     for (const auto& input : io.inputs.empty() ? std::vector<std::string>{"-"} : io.inputs)
         before.push_back(cli::read_all(input, stream::Payload::surface, add));

@@ -183,7 +183,7 @@ Sheet opened(const Sheet& sheet, const std::vector<std::vector<Vec3>>& lines, co
 
 } // namespace
 
-std::vector<Sheet> divide(Sheet sheet, const Options& o, Notes& notes) {
+std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& notes) {
     const double size = surface::area(sheet.surface);
     const double detail = o.detail > 0 ? o.detail : kDetail * std::sqrt(size);
     Limits limits = o.limits;
@@ -195,7 +195,7 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, Notes& notes) {
     const Cells c = cells(open.surface);
     Pull p = pull(open, c, o.pull);
     smooth(p, c, detail);
-    const Borders borders = relax(merge(c, p, limits), c, p, detail);
+    const Borders borders = relax(merge(c, p, limits), c, p, detail, threads);
     auto out = gathered(split(open, c, borders), limits.least_area, notes);
     if (out.size() == 1 && o.lines.empty() && out[0].surface.triangles.size() == sheet.surface.triangles.size()) {
         out[0] = std::move(sheet);

@@ -23,7 +23,7 @@ struct Options {
 // from all others, and lines farther from it than a mean edge.  Where the sheet is one patch it is handed back as it
 // is, else its lines and sources go with a note. Throws Error: usage if nothing is left, and as pull(), draw() and
 // seams().
-std::vector<Sheet> divide(Sheet sheet, const Options& options, Notes& notes);
+std::vector<Sheet> divide(Sheet sheet, const Options& options, int threads, Notes& notes);
 
 // What a patch is like.
 struct Figures {

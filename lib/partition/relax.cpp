@@ -1,6 +1,7 @@
 #include "partition/relax.hpp"
 
 #include "base/error.hpp"
+#include "parallel/parallel.hpp"
 #include "partition/merge.hpp"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace filum::partition {
 
 namespace {
 
-constexpr int kRounds = 40, kStill = 3; // at most; and without a cell that moves
+constexpr int kRounds = 40, kStill = 2; // at most; and with few cells that move
+constexpr double kFew = 2e-3;           // of all
 constexpr double kVanished = -1e300;
 constexpr double kSteps = 2; // mean sides that indicators spread by, at least: less, and borders do not move
 
@@ -100,14 +102,17 @@ struct Part {
 using Values = std::vector<Eigen::VectorXd>; // by rank, per cell
 
 // How much of each cell comes from the patch.
-Values spread(const Patches& patches, const std::vector<Part>& parts, const Cells& cells, const Factor& diffusion) {
+Values spread(const Patches& patches, const std::vector<Part>& parts, const Cells& cells, const Factor& diffusion,
+              int threads) {
     Values from(patches.ranks(), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells.area.size())));
     for (std::size_t v = 0; v < cells.area.size(); ++v) {
         const auto at = static_cast<Eigen::Index>(v);
         from[patches.rank(v)][at] = cells.area[v] * parts[v].own;
         if (parts[v].other != kNone) from[parts[v].other][at] = cells.area[v] * (1 - parts[v].own);
     }
-    for (auto& f : from) f = diffusion.solve(f).eval();
+    parallel::for_chunks(from.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t r = begin; r < end; ++r) from[r] = diffusion.solve(from[r]).eval();
+    });
     return from;
 }
 
@@ -123,15 +128,15 @@ Proxies proxies(const Patches& patches, const Cells& cells, const Pull& pull) {
     return out;
 }
 
-// Moves every cell to where the value is greatest; true if any moved.
-bool settle(Patches& patches, const Values& value) {
-    bool moved = false;
+// Moves every cell to where the value is greatest; how many moved.
+Eigen::Index settle(Patches& patches, const Values& value) {
+    Eigen::Index moved = 0;
     for (Eigen::Index v = 0; v < value[0].size(); ++v) {
         const auto cell = static_cast<std::size_t>(v);
         std::uint32_t best = patches.rank(cell);
         for (std::uint32_t r = 0; r < patches.ranks(); ++r)
             if (patches.has(cell, r) && value[r][v] > value[best][v] + 1e-12) best = r;
-        if (best != patches.rank(cell)) patches.move(cell, best), moved = true;
+        if (best != patches.rank(cell)) patches.move(cell, best), ++moved;
     }
     return moved;
 }
@@ -173,15 +178,16 @@ void weigh(Values& value, const Patches& patches, const Cells& cells, const Pull
         }
 }
 
-std::vector<Part> follow(Patches& patches, const Cells& cells, const Pull& pull, double length, double step) {
+std::vector<Part> follow(Patches& patches, const Cells& cells, const Pull& pull, double length, double step,
+                         int threads) {
     const auto factor = diffusion(cells, &pull, step);
     const double tension = 2 * length / step; // of the implicit step: what it sends across, by length, is step / 2
     std::vector<Part> part(cells.area.size());
-    int still = 0;
-    for (int round = 0; round < kRounds && still < kStill; ++round) {
-        Values value = spread(patches, part, cells, *factor);
+    for (int round = 0, still = 0; round < kRounds && still < kStill; ++round) {
+        Values value = spread(patches, part, cells, *factor, threads);
         weigh(value, patches, cells, pull, tension);
-        still = settle(patches, value) ? 0 : still + 1;
+        const auto moved = settle(patches, value);
+        still = static_cast<double>(moved) > kFew * static_cast<double>(cells.area.size()) ? 0 : still + 1;
         part = parts(patches, cells, crossings(patches, cells, value));
     }
     return part;
@@ -189,14 +195,14 @@ std::vector<Part> follow(Patches& patches, const Cells& cells, const Pull& pull,
 
 } // namespace
 
-Borders relax(std::vector<std::uint32_t> patch, const Cells& cells, const Pull& pull, double length) {
+Borders relax(std::vector<std::uint32_t> patch, const Cells& cells, const Pull& pull, double length, int threads) {
     Borders out;
     out.at.assign(cells.sides.size(), 0);
     Patches patches(std::move(patch), cells);
     if (patches.ranks() > 1) {
         const double least = kSteps * cells.mean_side;
-        const auto part = follow(patches, cells, pull, length, std::max(length / 2, least));
-        const Values value = spread(patches, part, cells, *diffusion(cells, nullptr, least));
+        const auto part = follow(patches, cells, pull, length, std::max(length / 2, least), threads);
+        const Values value = spread(patches, part, cells, *diffusion(cells, nullptr, least), threads);
         settle(patches, value);
         out.at = crossings(patches, cells, value);
     }

@@ -37,7 +37,7 @@ TEST(Lines, AcrossFromRimToRimItIsABorder) {
     Options options;
     options.lines = {{{17, -1, 0}, {23, 21, 0}}};
     Notes notes;
-    const auto patches = divide(grid(40, 20, 40, 20, flat), options, notes);
+    const auto patches = divide(grid(40, 20, 40, 20, flat), options, 1, notes);
     ASSERT_EQ(patches.size(), 2U);
     EXPECT_NEAR(surface::area(patches[0].surface), 400, 20);
     for (const auto& p : patches) {
@@ -58,7 +58,7 @@ TEST(Lines, AClosedOneCutsOutWhatItEncloses) {
     options.lines = {{{10, 5, 0}, {20, 5, 0}, {20, 13, 0}, {10, 13, 0}, {10, 5, 0}}};
     options.limits.least_area = 20;
     Notes notes;
-    const auto patches = divide(grid(40, 20, 33, 17, flat), options, notes);
+    const auto patches = divide(grid(40, 20, 33, 17, flat), options, 1, notes);
     ASSERT_EQ(patches.size(), 2U);
     EXPECT_NEAR(surface::area(patches[0].surface), 720, 4);
     EXPECT_NEAR(surface::area(patches[1].surface), 80, 4);
@@ -69,7 +69,7 @@ TEST(Lines, OneThatEndsWithinStaysASlit) {
     Options options;
     options.lines = {{{10, 10, 0}, {30, 10, 0}}};
     Notes notes;
-    const auto patches = divide(grid(40, 20, 40, 20, flat), options, notes); // along edges that are there
+    const auto patches = divide(grid(40, 20, 40, 20, flat), options, 1, notes); // along edges that are there
     ASSERT_EQ(patches.size(), 1U);
     EXPECT_EQ(patches[0].surface.rims.size(), 2U);
     EXPECT_NEAR(total(patches), 800, 1e-9);
@@ -83,7 +83,7 @@ TEST(Lines, RoundABallAndFarOff) {
     options.lines = {ring};
     options.limits.bend_deg = 120;
     Notes notes;
-    const auto patches = divide(sheet, options, notes);
+    const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 2U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "seam moved to the surface");

@@ -20,7 +20,7 @@ TEST(Partition, TwoDirectionsGiveTwoPatchesWithAStraightBorderBetween) {
         const auto beyond = [&](Vec3 p) { return (p.x - 20) * n.x + (p.y - 10) * n.y; };
         add_stress(sheet, "X", [&](Vec3 p) { return beyond(p) < 0 ? Vec3{0, 5, 0} : Vec3{-5, 0, 0}; });
         Notes notes;
-        const auto patches = divide(sheet, {}, notes);
+        const auto patches = divide(sheet, {}, 1, notes);
         ASSERT_EQ(patches.size(), 2U);
         EXPECT_TRUE(notes.empty());
         EXPECT_NEAR(total(patches), 800, 1e-9);
@@ -38,7 +38,7 @@ TEST(Partition, ASignOfDirectionsMeansNothing) {
     int k = 0;
     add_stress(sheet, "X", [&](Vec3) { return ++k % 2 == 0 ? Vec3{0, 5, 0} : Vec3{0, -5, 0}; });
     Notes notes;
-    const auto patches = divide(sheet, {}, notes);
+    const auto patches = divide(sheet, {}, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     EXPECT_NEAR(figures(patches[0], {}).coherence, 1, 1e-9);
 }
@@ -49,7 +49,7 @@ TEST(Partition, OnePatchIsTheSurfaceAsItCame) {
     sheet.isolines.push_back({1, false, {{0, 0, 0}, {1, 0, 0}}, {0}});
     sheet.sources.vertices = {3};
     Notes notes;
-    const auto patches = divide(sheet, {}, notes);
+    const auto patches = divide(sheet, {}, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     EXPECT_EQ(patches[0].isolines.size(), 1U);
     EXPECT_EQ(patches[0].sources.vertices.size(), 1U);
@@ -70,11 +70,11 @@ TEST(Partition, ASharpFoldIsABorderARoundOneOnlyBeyondTheBend) {
     Notes notes;
     Options by_shape;
     by_shape.pull.by = "shape";
-    EXPECT_EQ(divide(grid(40, 20, 40, 20, [](Vec2 p) { return folded(p, 0); }), by_shape, notes).size(), 2U);
+    EXPECT_EQ(divide(grid(40, 20, 40, 20, [](Vec2 p) { return folded(p, 0); }), by_shape, 1, notes).size(), 2U);
     const Sheet round = grid(length, 20, 56, 20, [](Vec2 p) { return folded(p, 10); });
-    EXPECT_EQ(divide(round, by_shape, notes).size(), 1U);
+    EXPECT_EQ(divide(round, by_shape, 1, notes).size(), 1U);
     by_shape.limits.bend_deg = 30;
-    const auto patches = divide(round, by_shape, notes);
+    const auto patches = divide(round, by_shape, 1, notes);
     EXPECT_GE(patches.size(), 2U);
     EXPECT_LE(patches.size(), 3U);
     for (const auto& p : patches) EXPECT_LT(figures(p, {}).bend, 36 * kDegree);
@@ -86,7 +86,7 @@ TEST(Partition, DirectionsAroundATubeAreCoherentOnIt) {
     Sheet sheet = grid(34, 20, 34, 20, tube);
     add_stress(sheet, "X", [](Vec3 p) { return Vec3{p.z, 0, -p.x}; });
     Notes notes;
-    const auto patches = divide(sheet, {}, notes);
+    const auto patches = divide(sheet, {}, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     EXPECT_GT(figures(patches[0], {}).coherence, 0.9999);
 }
@@ -94,7 +94,7 @@ TEST(Partition, DirectionsAroundATubeAreCoherentOnIt) {
 TEST(Partition, AClosedBallFallsIntoDiscs) {
     const Sheet sheet = ball(20, 5);
     Notes notes;
-    const auto patches = divide(sheet, {}, notes);
+    const auto patches = divide(sheet, {}, 1, notes);
     EXPECT_GE(patches.size(), 4U);
     EXPECT_LE(patches.size(), 14U);
     EXPECT_NEAR(total(patches), surface::area(sheet.surface), 1e-6);
@@ -106,17 +106,17 @@ TEST(Partition, TheLoadCaseThatPullsMostDecides) {
     add_stress(sheet, "X", [](Vec3 p) { return Vec3{p.x < 20 ? 9.0 : 1.0, 0, 0}; });
     add_stress(sheet, "Y", [](Vec3 p) { return Vec3{0, p.x < 20 ? 1.0 : 9.0, 0}; });
     Notes notes;
-    EXPECT_EQ(divide(sheet, {}, notes).size(), 2U);
+    EXPECT_EQ(divide(sheet, {}, 1, notes).size(), 2U);
     Options only;
     only.pull.cases = {"Y"};
-    EXPECT_EQ(divide(sheet, only, notes).size(), 1U);
+    EXPECT_EQ(divide(sheet, only, 1, notes).size(), 1U);
 }
 
 TEST(Partition, StressOutOfTheSurfaceSaysNothing) {
     Sheet sheet = grid(40, 20, 40, 20, flat);
     add_stress(sheet, "X", [](Vec3 p) { return p.x < 20 ? Vec3{5, 0, 0} : Vec3{0.001, 0.3, 40}; });
     Notes notes;
-    EXPECT_EQ(divide(sheet, {}, notes).size(), 1U);
+    EXPECT_EQ(divide(sheet, {}, 1, notes).size(), 1U);
 }
 
 TEST(Partition, TheMaskLeavesOutWhatBearsLittleAndSaysSo) {
@@ -125,7 +125,7 @@ TEST(Partition, TheMaskLeavesOutWhatBearsLittleAndSaysSo) {
     Options options;
     options.mask = 0.25;
     Notes notes;
-    const auto patches = divide(sheet, options, notes);
+    const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "surface without load left out");
@@ -144,7 +144,7 @@ TEST(Partition, ACountOfPatchesIsKept) {
     Notes notes;
     for (const std::int64_t n : {1, 3, 5}) {
         options.limits.patches = n;
-        EXPECT_EQ(divide(sheet, options, notes).size(), static_cast<std::size_t>(n));
+        EXPECT_EQ(divide(sheet, options, 1, notes).size(), static_cast<std::size_t>(n));
     }
 }
 
@@ -154,14 +154,14 @@ TEST(Partition, FacesOfTheDesignAreBordersIfAsked) {
         sheet.faces.push_back(middle(sheet.surface, t).x < 15 ? 7 : 9);
     Options options;
     Notes notes;
-    EXPECT_EQ(divide(sheet, options, notes).size(), 1U);
+    EXPECT_EQ(divide(sheet, options, 1, notes).size(), 1U);
     options.seams.faces = true;
-    const auto patches = divide(sheet, options, notes);
+    const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 2U);
     EXPECT_NEAR(surface::area(patches[0].surface), 500, 1e-9);
     for (const auto f : patches[0].faces) EXPECT_EQ(f, 9U);
     sheet.faces.clear();
-    EXPECT_THROW(divide(sheet, options, notes), Error);
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
 }
 
 TEST(Partition, WhatIsTooSmallIsJoinedOrNoted) {
@@ -170,20 +170,20 @@ TEST(Partition, WhatIsTooSmallIsJoinedOrNoted) {
     Options options;
     options.limits.least_area = 50;
     Notes notes;
-    const auto patches = divide(sheet, options, notes);
+    const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "face too small for a patch left out");
     EXPECT_NEAR(notes[0].amount, 40, 1e-9);
     EXPECT_NEAR(notes[0].x, 40, 1e-9);
     options.limits.least_area = 900;
-    EXPECT_THROW(divide(sheet, options, notes), Error);
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
 }
 
 TEST(Partition, ABumpOfAScanIsNoFace) {
     const Sheet sheet = grid(40, 20, 40, 20, [](Vec2 p) { return Vec3{p.x, p.y, p == Vec2{20, 10} ? 0.9 : 0.0}; });
     Notes notes;
-    EXPECT_EQ(divide(sheet, {}, notes).size(), 1U);
+    EXPECT_EQ(divide(sheet, {}, 1, notes).size(), 1U);
     EXPECT_TRUE(notes.empty());
 }
 
@@ -192,14 +192,14 @@ TEST(Partition, MissingStressesAreErrorsOnlyIfAskedFor) {
     Notes notes;
     Options options;
     options.pull.by = "stress";
-    EXPECT_THROW(divide(sheet, options, notes), Error);
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
     options.pull = {.by = "auto", .cases = {"Z"}, .field = ""};
-    EXPECT_THROW(divide(sheet, options, notes), Error);
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
     options.pull = {.by = "auto", .cases = {}, .field = "wind"};
-    EXPECT_THROW(divide(sheet, options, notes), Error);
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
     options = {};
     options.mask = 0.1;
-    EXPECT_THROW(divide(sheet, options, notes), Error);
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
 }
 
 } // namespace
