@@ -62,8 +62,9 @@ class Merger {
             small.erase(small.begin());
             std::uint32_t best = kNone;
             for (const auto& [other, border] : patch_[v].border) {
-                const Proxy all = joined(patch_[v].proxy, patch_[other].proxy);
-                if (half_round(all.facing, all.area) && (best == kNone || cost(v, other) < cost(v, best))) best = other;
+                const Proxy &p = patch_[v].proxy, &q = patch_[other].proxy;
+                if (!may_take(q.facing, q.area, p.facing, p.area)) continue;
+                if (best == kNone || cost(v, other) < cost(v, best)) best = other;
             }
             if (best == kNone) continue;
             small.erase({patch_[best].proxy.area, best});

@@ -9,7 +9,7 @@ struct Limits {
     double angle_deg = 30;    // of directions from their patch's mean; a twentieth, by weight, may be beyond
     double bend_deg = 50;     // of normals from their patch's mean; a twentieth, by area, may be beyond
     std::int64_t patches = 0; // merge until so many are left, whatever the angles; 0: as far as the angles allow
-    double least_area = 0;    // mm2: smaller patches merge with a neighbour, whatever the angles, within half_round()
+    double least_area = 0;    // mm2: smaller patches merge with a neighbour that may_take() them, whatever the angles
 };
 
 // Per cell the number of its patch, by first cells.  At first every cell is one; the two neighbours merge whose spread

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <set>
 
 namespace filum::partition {
 
@@ -40,33 +41,30 @@ class Pieces {
             area_[of_[t]] += triangle_area(s_, t);
             facing_[of_[t]] = facing_[of_[t]] + triangle_area(s_, t) * surface::normal(s_, t);
         }
+        into_.assign(area_.size(), kNone);
     }
 
-    // Joins pieces of less area, the smallest first, to the neighbour with the longest border, if half_round() lets it.
+    // Joins pieces of less area, the smallest first, to the neighbour with the longest border that may_take() them.
     void join_small(double least_area) {
-        std::vector<char> alone(area_.size(), 0);
-        for (;;) {
-            std::uint32_t small = kNone;
-            for (std::uint32_t p = 0; p < area_.size(); ++p)
-                if (area_[p] > 0 && area_[p] < least_area && alone[p] == 0 &&
-                    (small == kNone || area_[p] < area_[small]))
-                    small = p;
-            if (small == kNone) return;
-            std::map<std::uint32_t, double> border;
-            for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
-                if (of_[h / 3] == small && s_.twin[h] != kNone && of_[s_.twin[h] / 3] != small &&
-                    half_round(facing_[small] + facing_[of_[s_.twin[h] / 3]],
-                               area_[small] + area_[of_[s_.twin[h] / 3]]))
-                    border[of_[s_.twin[h] / 3]] += distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
-            const auto longest = std::max_element(border.begin(), border.end(),
-                                                  [](const auto& a, const auto& b) { return a.second < b.second; });
-            if (longest == border.end()) {
-                alone[small] = 1;
-                continue;
+        std::vector<std::map<std::uint32_t, double>> border = borders(); // mm, to neighbours
+        std::set<std::pair<double, std::uint32_t>> small;
+        for (std::uint32_t p = 0; p < area_.size(); ++p)
+            if (area_[p] < least_area) small.emplace(area_[p], p);
+        while (!small.empty()) {
+            const std::uint32_t p = small.begin()->second;
+            small.erase(small.begin());
+            std::uint32_t to = kNone;
+            for (const auto& [q, length] : border[p])
+                if (may_take(facing_[q], area_[q], facing_[p], area_[p]) && (to == kNone || length > border[p][to]))
+                    to = q;
+            if (to == kNone) continue;
+            small.erase({area_[to], to});
+            area_[to] += area_[p], facing_[to] = facing_[to] + facing_[p], into_[p] = to;
+            for (const auto& [q, length] : border[p]) {
+                border[q].erase(p);
+                if (q != to) border[q][to] += length, border[to][q] += length;
             }
-            for (auto& p : of_) p = p == small ? longest->first : p;
-            area_[longest->first] += area_[small], area_[small] = 0;
-            facing_[longest->first] = facing_[longest->first] + facing_[small];
+            if (area_[to] < least_area) small.emplace(area_[to], to);
         }
     }
 
@@ -79,17 +77,29 @@ class Pieces {
     [[nodiscard]] std::vector<Piece> take() const {
         std::vector<Piece> out(area_.size());
         for (std::uint32_t p = 0; p < out.size(); ++p) out[p].area = area_[p], out[p].patch = patch_[p];
-        for (std::uint32_t t = 0; t < of_.size(); ++t) out[of_[t]].triangles.push_back(t);
+        for (std::uint32_t t = 0; t < of_.size(); ++t) {
+            std::uint32_t p = of_[t];
+            while (into_[p] != kNone) p = into_[p];
+            out[p].triangles.push_back(t);
+        }
         std::erase_if(out, [](const Piece& p) { return p.triangles.empty(); });
         return out;
     }
 
   private:
+    [[nodiscard]] std::vector<std::map<std::uint32_t, double>> borders() const {
+        std::vector<std::map<std::uint32_t, double>> out(area_.size());
+        for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
+            if (s_.twin[h] != kNone && of_[h / 3] != of_[s_.twin[h] / 3])
+                out[of_[h / 3]][of_[s_.twin[h] / 3]] += distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
+        return out;
+    }
+
     const Surface& s_;
-    std::vector<std::uint32_t> of_; // per triangle
-    std::vector<double> area_;      // per piece
-    std::vector<Vec3> facing_;      // of each the sum of normals, by area
-    std::vector<std::uint32_t> patch_;
+    std::vector<std::uint32_t> of_;           // per triangle
+    std::vector<double> area_;                // per piece
+    std::vector<Vec3> facing_;                // of each the sum of normals, by area
+    std::vector<std::uint32_t> patch_, into_; // into_: which took it, or kNone
 };
 
 // Sums what is left out for one reason.
@@ -189,7 +199,7 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& not
     Limits limits = o.limits;
     if (limits.least_area == 0) limits.least_area = kLeastArea * size;
     SeamOptions at = o.seams;
-    at.least_area = limits.least_area;
+    at.least_area = limits.least_area, at.detail_area = detail * detail;
     Sheet open = opened(sheet, o.lines, at, notes);
     if (o.mask > 0) leave_unloaded(open, o, detail, limits.least_area, notes);
     const Cells c = cells(open.surface);
@@ -197,6 +207,12 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& not
     smooth(p, c, detail);
     const Borders borders = relax(merge(c, p, limits), c, p, detail, threads);
     auto out = gathered(split(open, c, borders), limits.least_area, notes);
+    if (const auto n = static_cast<std::int64_t>(out.size()), asked = limits.patches; asked > 0 && n != asked)
+        notes.push_back({.stage = "",
+                         .what = n > asked ? "patch more than asked for" : "patch less than asked for",
+                         .amount = 0,
+                         .unit = "",
+                         .count = static_cast<std::uint64_t>(std::abs(n - asked))});
     if (out.size() == 1 && o.lines.empty() && out[0].surface.triangles.size() == sheet.surface.triangles.size()) {
         out[0] = std::move(sheet);
         return out;

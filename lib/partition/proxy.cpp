@@ -16,7 +16,10 @@ Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
 
 Vec3 Proxy::normal() const { return unit_or(facing, {0, 0, 1}); }
 
-bool half_round(const Vec3& facing, double area) { return norm(facing) >= 2 / std::numbers::pi * area; }
+bool may_take(const Vec3& facing, double area, const Vec3& small, double small_area) {
+    constexpr double kHalf = 2 / std::numbers::pi;
+    return norm(facing + small) >= kHalf * (area + small_area) || norm(facing) < kHalf * area;
+}
 
 Proxy proxy(const Cells& cells, const Pull& pull, std::size_t v) {
     const double weight = pull.known(v) ? cells.area[v] * pull.trust[v] : 0;

@@ -18,8 +18,9 @@ struct Proxy {
     [[nodiscard]] double spread() const { return area - norm(facing) + weight - agreed; }
 };
 
-// False if normals of this sum are more spread than those of half a tube: what is small may not close a ring.
-bool half_round(const Vec3& facing, double area);
+// False if something small would make normals more spread than those of half a tube, so that a ring might close; given
+// the sums of normals, by area.
+bool may_take(const Vec3& facing, double area, const Vec3& small, double small_area);
 
 Proxy proxy(const Cells& cells, const Pull& pull, std::size_t vertex);
 

@@ -42,8 +42,9 @@ class Creases {
         }
     }
 
-    // Joins what is small to the neighbour with the longest crease between, if that is blunt, until nothing changes.
-    void drop_round_small(double least_area) {
+    // Joins what is small to the neighbour with the longest crease between, if that is blunt or it is tiny, until
+    // nothing changes.
+    void drop_round_small(double least_area, double detail_area) {
         for (bool changed = true; changed;) {
             changed = false;
             const std::vector<std::uint32_t> face = faces();
@@ -53,7 +54,7 @@ class Creases {
             for (std::uint32_t h = 0; h < seam_.size(); ++h)
                 if (seam_[h] != 0 && area[face[h / 3]] < least_area && face[h / 3] != face[s_.twin[h] / 3])
                     sides[face[h / 3]].push_back(h);
-            for (const auto& [f, list] : sides) changed = drop_border(list, face) || changed;
+            for (const auto& [f, list] : sides) changed = drop_border(list, face, area[f] < detail_area) || changed;
         }
     }
 
@@ -100,8 +101,8 @@ class Creases {
         return out;
     }
 
-    // `sides`: of one face, towards others.
-    bool drop_border(const std::vector<std::uint32_t>& sides, const std::vector<std::uint32_t>& face) {
+    // `sides`: of one face, towards others; `sharp`: whatever they bend.
+    bool drop_border(const std::vector<std::uint32_t>& sides, const std::vector<std::uint32_t>& face, bool sharp) {
         std::map<std::uint32_t, Border> all;
         for (const std::uint32_t h : sides) {
             Border& b = all[face[s_.twin[h] / 3]];
@@ -109,7 +110,7 @@ class Creases {
         }
         const auto longest = std::max_element(
             all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
-        if (longest->second.bend > kBlunt * longest->second.length) return false;
+        if (!sharp && longest->second.bend > kBlunt * longest->second.length) return false;
         bool changed = false;
         for (const std::uint32_t h : sides)
             if (face[s_.twin[h] / 3] == longest->first && seam_[h] != 0) set(h, 0), changed = true;
@@ -128,7 +129,7 @@ std::vector<char> seams(const Sheet& sheet, const SeamOptions& options) {
     if (options.faces && sheet.faces.empty())
         throw Error(Exit::usage, "cannot use --faces: the surface has no CAD faces; it comes from a mesh file");
     Creases creases(s, options.crease_deg * std::numbers::pi / 180);
-    creases.drop_round_small(options.least_area);
+    creases.drop_round_small(options.least_area, options.detail_area);
     creases.drop_dead_ends();
     std::vector<char> out = creases.take();
     for (std::uint32_t h = 0; h < out.size() && options.faces; ++h)

@@ -187,6 +187,42 @@ TEST(Partition, ABumpOfAScanIsNoFace) {
     EXPECT_TRUE(notes.empty());
 }
 
+TEST(Partition, ASpikeOfAScanIsNoHole) {
+    const Sheet sheet = grid(40, 20, 40, 20, [](Vec2 p) { return Vec3{p.x, p.y, p == Vec2{20, 10} ? 8.0 : 0.0}; });
+    Options options;
+    options.detail = 8, options.limits.least_area = 30;
+    Notes notes;
+    const auto patches = divide(sheet, options, 1, notes);
+    ASSERT_EQ(patches.size(), 1U);
+    EXPECT_EQ(patches[0].surface.rims.size(), 1U);
+}
+
+TEST(Partition, ThatThereAreNotAsManyAsAskedForIsSaid) {
+    mesh::Mesh m{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {20, 0, 0}, {29, 0, 0}, {20, 9, 0}}, {{0, 1, 2}, {3, 4, 5}}};
+    Notes notes;
+    Sheet sheet;
+    sheet.surface = surface::connect(std::move(m), notes);
+    Options options;
+    options.limits.patches = 1;
+    EXPECT_EQ(divide(sheet, options, 1, notes).size(), 2U);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].what, "patch more than asked for");
+}
+
+TEST(Partition, ATubeIsNotClosedOfWhatIsTooSmall) {
+    const Sheet sheet = grid(2 * std::numbers::pi, 6, 48, 12, [](Vec2 p) {
+        return Vec3{2 * std::cos(p.x), 2 * std::sin(p.x), p.y};
+    });
+    Options options;
+    options.limits.least_area = 15;
+    Notes notes;
+    const auto patches = divide(sheet, options, 1, notes);
+    EXPECT_GE(patches.size(), 3U);
+    for (const auto& p : patches) EXPECT_LT(figures(p, {}).bend, 75 * kDegree);
+    options.limits.least_area = 40; // of 75
+    EXPECT_THROW(divide(sheet, options, 1, notes), Error);
+}
+
 TEST(Partition, MissingStressesAreErrorsOnlyIfAskedFor) {
     const Sheet sheet = grid(10, 10, 5, 5, flat);
     Notes notes;
