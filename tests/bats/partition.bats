@@ -140,8 +140,13 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
 
 @test "who works on one surface refuses several" {
     partition plate.surface --output plate.patches
-    for c in "geodesic plate.patches" "stressfield plate.patches"; do
-        expect 3 $c
-        [[ $err == *"2 surfaces"* ]]
-    done
+    expect 3 geodesic plate.patches
+    [[ $err == *"2 surfaces, not one; take one by 'partition --only'" ]]
+}
+
+@test "stresses come onto the patches as they are" {
+    partition --as-is part.surface plate.surface --output two.patches
+    expect 0 partition two.patches --only B
+    stressfield --quiet --stress pull.csv --columns x,y,z,s1x,s1y,s1z --case Y --reach 1 two.patches --output y.patches
+    [ "$(peek --json y.patches | grep -o 'stress.Y.d1' | wc -l)" -ge 2 ]
 }
