@@ -38,7 +38,8 @@ Model of_stream(const mesh::Bytes& bytes, const mesh::Placement& place, const st
                                [&](const stream::RawFrame& frame) { out.sheet = wire::sheet(frame), ++surfaces; });
     if (surfaces != 1)
         throw Error(Exit::bad_input, "cannot use " + mesh::spoken_name(path) + ": it holds " +
-                                         std::to_string(surfaces) + " surfaces, not one");
+                                         std::to_string(surfaces) +
+                                         " surfaces, not one; take one by 'partition --only'");
     return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace filum::render {
 
@@ -161,9 +162,39 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, d
         const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
         key.ramp(show.by + " " + end_text(s.lo, s.below), end_text(s.hi, s.above) + unit);
     }
+    for (std::size_t i = 0; i < c.scene.patches.size() && show.by.empty() && c.scene.patches.size() > 1; ++i)
+        key.swatch(patch_colour(i), c.scene.patches[i]);
     if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * bare, 1) + "%");
     if (show.overlap) key.swatch(overlap_colour(), "overlap");
     if (!c.scene.spans.empty()) add_legend(key, tint);
+}
+
+// The names of several surfaces, each on the pixel of its own nearest to the middle of what is seen of it; not where
+// that is less than the name takes.
+void draw_names(Canvas& c) {
+    struct Seen {
+        double x = 0, y = 0, count = 0, least = std::numeric_limits<double>::infinity();
+        Vec2 at;
+    };
+    if (c.scene.patches.size() < 2) return;
+    std::vector<Seen> seen(c.scene.patches.size());
+    const auto each = [&](const auto& visit) {
+        for (int y = 0; y < c.plan.height; ++y)
+            for (int x = 0; x < c.plan.width; ++x)
+                if (const auto t = c.at(x, y).triangle; t != surface::kNone) visit(seen[c.scene.patch[t]], x, y);
+    };
+    each([](Seen& s, int x, int y) { s.x += x, s.y += y, ++s.count; });
+    each([](Seen& s, int x, int y) {
+        const double off = std::hypot(x - s.x / s.count, y - s.y / s.count);
+        if (off < s.least) s.least = off, s.at = {x + 0.5, y + 0.5};
+    });
+    const double size = std::clamp(c.plan.height / 40.0, 8.0, 40.0);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const double wide = text_width(size, c.scene.patches[i]);
+        if (seen[i].count > 1.5 * wide * size)
+            draw_text(c.image, {seen[i].at.x - wide / 2, seen[i].at.y + size / 2}, size, c.scene.patches[i],
+                      oklch(0.25, 0.02, 260));
+    }
 }
 
 // Mean direction that the path's tools come from, or the surface's normal; `otherwise` where they cancel out.
@@ -230,6 +261,7 @@ Image draw_draped(const Scene& scene, const Tint& tint, const DrapeView& view, i
         parallel::for_chunks(static_cast<std::size_t>(c.raster.bands()), 1, threads,
                              [&](std::size_t b, std::size_t) { paint_band(c, paint, static_cast<int>(b)); });
         if (!view.show.arrows.empty()) draw_arrows(c, find_field(*scene.sheet, view.show.arrows, 3));
+        if (view.show.by.empty() && scene.spans.empty()) draw_names(c);
         draw_loose(c, laid);
         draw_ends(c, width);
         draw_key(c, tint, view.show, laid, bare);

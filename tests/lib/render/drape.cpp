@@ -320,12 +320,38 @@ TEST(Drape, RefusesWhatHasNoSurface) {
     EXPECT_NO_THROW(draw(s, plain(), "class", 1));
     s.spans.clear();
     EXPECT_THROW(draw(s, plain(), "class", 1), Error);
-    EXPECT_THROW(add(s, square()), Error);
     for (const double r : {0.0, -1.0, 1e300}) {
         Options o;
         o.around = {0, 0, 0, r};
         EXPECT_THROW(check(o), Error) << r;
     }
+}
+
+TEST(Drape, DrawsSeveralSurfacesInColoursOfTheirOwn) {
+    Scene s;
+    surface::Sheet left = square(4), right = square(4);
+    left.name = "A", right.name = "B";
+    for (Vec3& v : right.surface.vertices) v.x += 10;
+    left.fields = {{"x", std::vector<double>(left.surface.vertices.size(), 1.0), 1}};
+    add(s, left), add(s, right);
+    ASSERT_EQ(s.patches.size(), 2U);
+    EXPECT_EQ(s.sheet->surface.rims.size(), 2U);
+    Options o = plain();
+    o.voids = false, o.size = {600, 300};
+    const Decoded d = decode(draw(s, o, "class", 1));
+    const Srgb8 a = d.at(180, 80), b = d.at(420, 80);
+    EXPECT_GT(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b), 60);
+    EXPECT_TRUE(colourful(a) || colourful(b));
+    const auto dark = [](Srgb8 c) { return std::max({c.r, c.g, c.b}) < 110; };
+    std::size_t ink = 0; // of the name, in the middle of the left one
+    for (unsigned y = 125; y < 150; ++y)
+        for (unsigned x = 150; x < 210; ++x) ink += dark(d.at(x, y)) ? 1 : 0;
+    EXPECT_GT(ink, 8U);
+    o.by = "x"; // known on one only
+    const Decoded by = decode(draw(s, o, "class", 1));
+    EXPECT_FALSE(colourful(by.at(420, 80)));
+    right.fields = {{"x", std::vector<double>(3 * right.surface.vertices.size(), 1.0), 3}};
+    EXPECT_THROW(add(s, right), Error);
 }
 
 } // namespace
