@@ -7,6 +7,7 @@
 #include "mesh/place.hpp"
 #include "wire/planar.hpp"
 
+#include <cmath>
 #include <memory>
 
 namespace {
@@ -18,6 +19,7 @@ constexpr const char* kDescription =
     "plies of one surface. Strokes are numbered on, and between two toolpaths the tool travels: up along its axis by "
     "--lift, across, and down; if it does not stay upright, it stands up there and goes across above all that was laid "
     "so far. Notes and facts of all stay, and the history names all of them.\n\n"
+    "--tools says which tool of the machine lays each toolpath, as 0,1 for a printed core and a patch of fibre on it. "
     "--rotate and --translate move everything, as the same options of slice do: patches of a part that is printed "
     "turned.";
 
@@ -36,6 +38,10 @@ cli::Spec spec(Options& o) {
         .memory = "one toolpath",
         .options =
             {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(0),
+             cli::Option{"tools", &o.job.tools, "N,...",
+                         "tool of each toolpath in turn, the last one also of all that follow"}
+                 .at_least(0)
+                 .at_most(1000),
              cli::Option{"rotate", &o.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(
                  3),
              cli::Option{"translate", &o.translate, "X,Y,Z", "mm to move by"}.numbers(3)},
@@ -51,6 +57,8 @@ cli::Spec spec(Options& o) {
 }
 
 void run(const Options& o, const cli::Io& io) {
+    for (const double tool : o.job.tools)
+        if (tool != std::floor(tool)) throw Error(Exit::usage, "cannot use '--tools': a tool is a whole number");
     const auto names = io.inputs.empty() ? std::vector<std::string>{"-"} : io.inputs;
     std::vector<std::unique_ptr<stream::Reader>> readers;
     std::vector<const stream::Header*> before;

@@ -23,10 +23,13 @@ Vec3 axis(const toolpath::Span& span, std::size_t i) { return span.normals.empty
 
 } // namespace
 
-void Job::begin() { first_ = next_, fresh_ = true; }
+void Job::begin() {
+    first_ = next_, fresh_ = true;
+    ++begun_count_;
+}
 
 toolpath::Span Job::travel(const toolpath::Span& to) const {
-    toolpath::Span out{toolpath::Role::travel, to.stroke, to.layer, to.region, {}, {}, {}, {}};
+    toolpath::Span out{toolpath::Role::travel, to.stroke, to.layer, to.region, {}, {}, {}, {}, to.tool};
     const Vec3 end = to.points.front(), end_axis = axis(to, 0);
     const Vec3 from = at_ + o_.lift * axis_, into = end + o_.lift * end_axis;
     if (axis_ == kUp && end_axis == kUp) {
@@ -43,6 +46,8 @@ std::vector<toolpath::Span> Job::add(toolpath::Span span) {
     std::vector<toolpath::Span> out;
     span.stroke += first_;
     next_ = std::max(next_, span.stroke + 1);
+    if (!o_.tools.empty())
+        span.tool = static_cast<std::uint32_t>(o_.tools[std::min(begun_count_, o_.tools.size()) - 1]);
     if (span.points.empty()) return out;
     place(span, o_.place);
     if (fresh_ && begun_) out.push_back(travel(span));

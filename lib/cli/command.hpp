@@ -87,6 +87,9 @@ struct Whole {
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
 Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame);
 
+// Writes a text file, whole or not at all.
+void write_text(const std::string& file, const std::string& text);
+
 // Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
 int guarded(const std::string& program, const std::function<int()>& work);
 

@@ -51,8 +51,8 @@ figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
     const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
     if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
     auto measured = metrics::report(input, beads, regions, layers, options, io.threads);
-    if (!options.per_region.empty()) write_text(options.per_region, metrics::region_table(layers));
-    if (!options.per_layer.empty()) write_text(options.per_layer, metrics::layer_table(layers, input.pores));
+    if (!options.per_region.empty()) cli::write_text(options.per_region, metrics::region_table(layers));
+    if (!options.per_layer.empty()) cli::write_text(options.per_layer, metrics::layer_table(layers, input.pores));
     return measured;
 }
 
