@@ -79,10 +79,23 @@ void Walk::travel(const toolpath::Span& span) {
     }
     if (!retracted_) put({.act = Act::retract, .role = Role::travel, .layer = span.layer, .to = at_});
     retracted_ = true;
+    if (!span.normals.empty()) return follow(span);
     const double clear = std::min(std::max(top_, highest(span)) + t.lift, profile_->bed.z_max);
     if (clear > at_.z) go(Act::climb, {at_.x, at_.y, clear}, profile_->feeds.z);
     for (std::size_t i = 1; i < span.points.size(); ++i)
         go(Act::travel, {span.points[i].x, span.points[i].y, at_.z}, profile_->feeds.travel);
+}
+
+// Its z is kept, at no more than the z axis can do.
+void Walk::follow(const toolpath::Span& span) {
+    for (std::size_t i = 1; i < span.points.size(); ++i) {
+        const Vec3 to = span.points[i], d = to - at_;
+        const bool upright = d.x == 0 && d.y == 0;
+        const double rise = std::abs(d.z), most = profile_->feeds.travel;
+        const double feed = rise * most > profile_->feeds.z * norm(d) ? profile_->feeds.z * norm(d) / rise : most;
+        put({.act = upright ? Act::climb : Act::travel, .role = Role::travel, .layer = span.layer, .to = to, .feed = feed});
+        at_ = to;
+    }
 }
 
 void Walk::begin_stroke(const toolpath::Span& span) {
