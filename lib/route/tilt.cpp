@@ -1,0 +1,195 @@
+#include "route/tilt.hpp"
+
+#include "parallel/parallel.hpp"
+#include "route/dense.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace filum::route {
+
+namespace {
+
+using geom::Vec2;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kCoarse = 5 * kDegree, kFine = 0.25 * kDegree; // first and last step of the tilt
+constexpr double kStiff = 2;                                    // mm; see lean()
+constexpr double kEase = 3;                                     // of that, where a tilt fades out
+constexpr double kBlocked = 1e4;                                // rad2: what no room costs, more than any tilt
+constexpr double kNothing = 0.01 * kDegree;                     // tilts below are none
+
+struct State {
+    Vec2 tilt; // rad
+    double cost = 0, sum = 0;
+    std::uint32_t from = 0; // state of the station before
+};
+
+struct Station {
+    std::size_t point = 0; // of the dense stroke
+    double weight = 0;     // mm of path
+    Vec2 tilt;
+    bool stuck = false; // that leaves no room
+    std::vector<State> states;
+};
+
+class Leaner {
+  public:
+    Leaner(const collision::Room& room, const Dense& dense, const TiltOptions& o, double spacing, int threads)
+        : room_(room), points_(dense.points), o_(o), threads_(threads) {
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (i == 0 || i + 1 == points_.size() || points_[i].arc - points_[stations_.back().point].arc >= spacing)
+                stations_.push_back({i, 0, {}, false, {}});
+        for (std::size_t k = 0; k < stations_.size(); ++k) {
+            const double begin = arc(k > 0 ? k - 1 : k), end = arc(k + 1 < stations_.size() ? k + 1 : k);
+            stations_[k].weight = std::max((end - begin) / 2, 1e-3);
+        }
+    }
+
+    // The tilt at each point.
+    std::vector<Vec2> run() {
+        const double rings = std::ceil(o_.most / kCoarse);
+        double step = o_.most / rings;
+        offer(step, static_cast<int>(rings));
+        choose();
+        while (step > kFine) {
+            step /= 2;
+            offer(step, 1);
+            choose();
+        }
+        return spread();
+    }
+
+    // Marks the segments from one station before to one behind those without room.
+    void mark_stuck(std::vector<std::vector<bool>>& stuck) const {
+        for (std::size_t k = 0; k < stations_.size(); ++k) {
+            if (!stations_[k].stuck) continue;
+            const std::size_t a = stations_[k > 0 ? k - 1 : k].point;
+            const std::size_t b = stations_[k + 1 < stations_.size() ? k + 1 : k].point;
+            for (std::size_t i = a; i <= b; ++i) stuck[points_[i].span][points_[i].segment] = true;
+        }
+    }
+
+  private:
+    [[nodiscard]] double arc(std::size_t station) const { return points_[stations_[station].point].arc; }
+
+    // The states of each station: `rings` steps to all sides of what it has, the nearest to no tilt first.
+    void offer(double step, int rings) {
+        constexpr std::size_t grain = 8;
+        parallel::for_chunks(stations_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) offer(stations_[k], step, rings);
+        });
+    }
+
+    void offer(Station& s, double step, int rings) const {
+        s.states.clear();
+        const Point& p = points_[s.point];
+        if (!p.near) {
+            s.states.push_back({});
+            return;
+        }
+        for (int j = -rings; j <= rings; ++j)
+            for (int i = -rings; i <= rings; ++i) {
+                const Vec2 t{s.tilt.x + i * step, s.tilt.y + j * step};
+                if (norm(t) <= o_.most * (1 + 1e-9)) s.states.push_back({t});
+            }
+        std::stable_sort(s.states.begin(), s.states.end(),
+                         [](const State& a, const State& b) { return norm2(a.tilt) < norm2(b.tilt); });
+        for (State& state : s.states) {
+            const bool free = room_.at({p.tip, leant(p, state.tilt), {}}, p.before);
+            state.cost = s.weight * (norm2(state.tilt) + (free ? 0 : kBlocked));
+        }
+    }
+
+    void choose() {
+        for (std::size_t k = 0; k < stations_.size(); ++k)
+            for (State& to : stations_[k].states) reach(k, to);
+        const auto& last = stations_.back().states;
+        auto best = static_cast<std::uint32_t>(
+            std::min_element(last.begin(), last.end(), [](auto& a, auto& b) { return a.sum < b.sum; }) - last.begin());
+        for (std::size_t k = stations_.size(); k-- > 0;) {
+            const State& state = stations_[k].states[best];
+            stations_[k].tilt = state.tilt, stations_[k].stuck = state.cost >= stations_[k].weight * kBlocked;
+            best = state.from;
+        }
+    }
+
+    void reach(std::size_t k, State& to) const {
+        to.sum = to.cost;
+        if (k == 0) return;
+        const auto& before = stations_[k - 1].states;
+        const double way = std::max(arc(k) - arc(k - 1), 1e-6), most = o_.rate * way * (1 + 1e-9);
+        double best = std::numeric_limits<double>::infinity();
+        for (std::uint32_t i = 0; i < before.size(); ++i) {
+            const double change = norm2(to.tilt - before[i].tilt);
+            if (change > most * most) continue;
+            const double sum = before[i].sum + kStiff * kStiff * change / way;
+            if (sum < best) best = sum, to.from = i;
+        }
+        to.sum += best;
+    }
+
+    [[nodiscard]] std::vector<Vec2> spread() const {
+        std::vector<Vec2> out(points_.size());
+        for (std::size_t k = 0; k < stations_.size(); ++k) {
+            const std::size_t a = stations_[k].point;
+            out[a] = stations_[k].tilt;
+            if (k + 1 == stations_.size()) break;
+            const double way = arc(k + 1) - arc(k);
+            for (std::size_t i = a + 1; i < stations_[k + 1].point; ++i)
+                out[i] = lerp(stations_[k].tilt, stations_[k + 1].tilt,
+                              way > 0 ? (points_[i].arc - points_[a].arc) / way : 0);
+        }
+        for (Vec2& t : out)
+            if (norm(t) < kNothing) t = {};
+        return out;
+    }
+
+    const collision::Room& room_;
+    const std::vector<Point>& points_;
+    const TiltOptions& o_;
+    int threads_;
+    std::vector<Station> stations_;
+};
+
+Leaning report(const Dense& dense, const std::vector<Vec2>& tilts) {
+    Leaning out;
+    out.length = dense.points.back().arc;
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < tilts.size(); ++i) {
+        const double way = dense.points[i + 1].arc - dense.points[i].arc;
+        const double a = norm(tilts[i]), b = norm(tilts[i + 1]);
+        out.most = std::max({out.most, a, b});
+        if (a > 0 || b > 0) out.leaning += way, sum += way * (a + b) / 2;
+    }
+    out.mean = out.leaning > 0 ? sum / out.leaning : 0;
+    return out;
+}
+
+} // namespace
+
+Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, double spacing, int threads) {
+    const Dense dense = densified(stroke, options.most / options.rate + kEase * kStiff, spacing);
+    Leaner leaner(room, dense, options, spacing, threads);
+    const auto tilts = leaner.run();
+    Leant out;
+    if (std::any_of(tilts.begin(), tilts.end(), [](const Vec2& t) { return norm2(t) > 0; })) {
+        out = put(dense, stroke, tilts);
+        out.leaning = report(dense, tilts);
+    } else {
+        out.spans.assign(stroke.spans.begin(), stroke.spans.end());
+        for (const auto& of_span : stroke.before) {
+            auto& origin = out.origin.emplace_back(of_span.size());
+            for (std::uint32_t i = 0; i < origin.size(); ++i) origin[i] = i;
+        }
+        out.leaning.length = dense.points.back().arc;
+    }
+    for (const auto& b : stroke.blocked) out.stuck.emplace_back(b.size(), false);
+    leaner.mark_stuck(out.stuck);
+    out.leaning.stroke = stroke.spans.front().stroke, out.leaning.layer = stroke.spans.front().layer;
+    return out;
+}
+
+} // namespace filum::route
