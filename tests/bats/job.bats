@@ -9,7 +9,7 @@ top=$BATS_TEST_DIRNAME/../..
 # box X0 X1 Y0 Y1 Z0 Z1
 box() {
     printf 'OFF\n8 12 0\n'
-    for z in "$5" "$6"; do printf '%s %s %s\n' "$1" "$3" $z "$2" "$3" $z "$2" "$4" $z "$1" "$4" $z; done
+    for z in "$5" "$6"; do printf "%s %s $z\n" "$1" "$3" "$2" "$3" "$2" "$4" "$1" "$4"; done
     printf '3 %s\n' '0 2 1' '0 3 2' '4 5 6' '4 6 7' '0 1 5' '0 5 4' '1 2 6' '1 6 5' '2 3 7' '2 7 6' '3 0 4' '3 4 7'
 }
 
