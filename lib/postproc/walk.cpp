@@ -93,7 +93,11 @@ void Walk::follow(const toolpath::Span& span) {
         const bool upright = d.x == 0 && d.y == 0;
         const double rise = std::abs(d.z), most = profile_->feeds.travel;
         const double feed = rise * most > profile_->feeds.z * norm(d) ? profile_->feeds.z * norm(d) / rise : most;
-        put({.act = upright ? Act::climb : Act::travel, .role = Role::travel, .layer = span.layer, .to = to, .feed = feed});
+        put({.act = upright ? Act::climb : Act::travel,
+             .role = Role::travel,
+             .layer = span.layer,
+             .to = to,
+             .feed = feed});
         at_ = to;
     }
 }
