@@ -38,12 +38,12 @@ std::optional<double> first(double begin, double end, int depth, const Look& loo
 
 } // namespace
 
-Room::Room(const Scene& scene, const Shape& shape, const Options& options)
-    : scene_(&scene), shape_(&shape), options_(&options) {}
+Room::Room(const Scene& scene, const Shape& shape, const Options& options, double more)
+    : scene_(&scene), shape_(&shape), options_(&options), more_(more) {}
 
 Probe Room::probe(const Stance& stance, std::uint32_t before, std::size_t kind) const {
     const bool beads = static_cast<Against>(kind) == Against::beads;
-    const double demanded = beads ? options_->margin - options_->press : std::max(options_->margin, kTouch);
+    const double demanded = beads ? options_->margin - options_->press : std::max(options_->margin + more_, kTouch);
     return {stance, beads ? before : 1, options_->press, demanded};
 }
 

@@ -11,8 +11,8 @@ namespace filum::collision {
 // no collision, however it cuts the move.
 class Room {
   public:
-    // All three are referred to.
-    Room(const Scene& scene, const Shape& shape, const Options& options);
+    // All three are referred to.  From what is no bead the head stays away by `more` mm than the margin.
+    Room(const Scene& scene, const Shape& shape, const Options& options, double more = 0);
 
     // Whether the head may stand there, among the beads born earlier than `before`.
     [[nodiscard]] bool at(const Stance& stance, std::uint32_t before) const;
@@ -27,6 +27,7 @@ class Room {
     const Scene* scene_;
     const Shape* shape_;
     const Options* options_;
+    double more_;
 };
 
 } // namespace filum::collision

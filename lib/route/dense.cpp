@@ -16,9 +16,7 @@ Vec3 unit_across(const Vec3& v, const Vec3& n) {
     return norm(flat) > 1e-9 * norm(v) && norm(v) > 0 ? 1 / norm(flat) * flat : Vec3{};
 }
 
-Vec3 any_across(const Vec3& n) {
-    return unit_across(std::abs(n.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, n);
-}
+Vec3 any_across(const Vec3& n) { return unit_across(std::abs(n.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, n); }
 
 // Per segment of all spans, in order: whether it is near to a blocked one.
 std::vector<std::vector<bool>> reached(const Stroke& stroke, double reach) {
@@ -72,7 +70,8 @@ Dense densified(const Stroke& stroke, double reach, double spacing) {
         const Span& span = stroke.spans[s];
         const auto& before = stroke.before[s];
         const bool first = !near[s].empty() && near[s].front();
-        out.points.push_back({span.points[0], normal(span, 0), {}, arc, before.empty() ? 0 : before[0], first, s, 0, 0});
+        out.points.push_back(
+            {span.points[0], normal(span, 0), {}, arc, before.empty() ? 0 : before[0], first, s, 0, 0});
         for (std::uint32_t i = 0; i + 1 < span.points.size(); ++i) {
             const double length = distance(span.points[i], span.points[i + 1]);
             const auto parts = near[s][i] ? static_cast<std::uint32_t>(std::max(1.0, std::ceil(length / spacing))) : 1;
@@ -117,7 +116,8 @@ Leant put(const Dense& dense, const Stroke& stroke, const std::vector<geom::Vec2
         const std::size_t at = p.segment + (to.points.empty() ? 0 : 1);
         to.points.push_back(p.tip), to.normals.push_back(leant(p, tilts[i]));
         if (!varies(from)) continue;
-        const auto [w, h] = given ? std::pair{from.width_at(at), from.height_at(at)} : section(from, p.segment, p.share);
+        const auto [w, h] =
+            given ? std::pair{from.width_at(at), from.height_at(at)} : section(from, p.segment, p.share);
         to.width.push_back(w), to.height.push_back(h);
     }
     for (std::size_t s = 0; s < out.spans.size(); ++s)

@@ -25,8 +25,8 @@ Fan::Fan(const collision::Room& room, const Stance& from, const Stance& to, std:
 Stance Fan::at(const Knot& knot) const {
     const double share = std::clamp(knot.share, 0.0, 1.0);
     Stance out = share == 0 ? chord_.from : share == 1 ? chord_.to : collision::at(chord_, share);
-    out.tip = out.tip + (knot.share - share) * (chord_.to.tip - chord_.from.tip) + knot.aside * side_ +
-              knot.rise * out.axis;
+    out.tip =
+        out.tip + (knot.share - share) * (chord_.to.tip - chord_.from.tip) + knot.aside * side_ + knot.rise * out.axis;
     return out;
 }
 

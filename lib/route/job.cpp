@@ -13,9 +13,9 @@ using collision::Move;
 using toolpath::Span;
 using Things = std::array<std::vector<collision::Solid>, 4>;
 
-constexpr int kRounds = 3;       // of tilting: where the tool leans, beads lie a little elsewhere
-constexpr double kSpacing = 1;   // mm, between places that lean, in the first of them
-constexpr double kMore = 0.1;    // mm of margin, from one to the next
+constexpr int kRounds = 3;     // of tilting: where the tool leans, beads lie a little elsewhere
+constexpr double kSpacing = 1; // mm, between places looked at, in the first of them; half of that in the next
+constexpr double kMore = 0.05; // mm more away from solid things, from one to the next
 
 bool lays(const Span& s) { return toolpath::extrudes(s.role); }
 
@@ -76,11 +76,13 @@ class Router {
             }
         }
         set_beads(walk);
+        collision::Options clear = o_.check; // a travel does not sink into beads
+        clear.margin += clear.press;
         std::vector<Travel> ways(gaps.size());
         parallel::for_chunks(gaps.size(), 1, threads_, [&](std::size_t begin, std::size_t) {
             const Gap& gap = gaps[begin];
             const auto [from, to] = ends(gap);
-            ways[begin] = travel(collision::Room(scene_, shape_, o_.check), from, to, gap.before, o_.travel);
+            ways[begin] = travel(collision::Room(scene_, shape_, clear), from, to, gap.before, o_.travel);
         });
         replace(gaps, ways);
     }
@@ -124,9 +126,8 @@ class Router {
             const auto& moves = walk.growth.moves;
             const auto found = collision::check(scene_, o_.machine.head, moves, o_.check, threads_);
             if (!all.judge(moves, found, spans_) || round == kRounds) break;
-            collision::Options check = o_.check;
-            check.margin += kMore * round;
-            all.lean(collision::Room(scene_, shape_, check), o_.tilt, kSpacing / (1 + round), threads_, spans_);
+            const collision::Room room(scene_, shape_, o_.check, kMore * round);
+            all.lean(room, o_.tilt, kSpacing / (1 << round), threads_, spans_);
         }
         job_.leaning = all.best(spans_);
     }

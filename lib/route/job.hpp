@@ -20,9 +20,9 @@ struct Options {
 
 struct Job {
     std::vector<toolpath::Span> spans;
-    std::vector<Leaning> leaning;                        // strokes whose tool leans, in order
-    std::array<std::size_t, kKindNames.size()> kinds{};  // travels, by Kind
-    double before = 0, after = 0;                        // mm: of all travels, as they were and as they are
+    std::vector<Leaning> leaning;                       // strokes whose tool leans, in order
+    std::array<std::size_t, kKindNames.size()> kinds{}; // travels, by Kind
+    double before = 0, after = 0;                       // mm: of all travels, as they were and as they are
     // The check of all that comes out, as `collide` has it.
     std::vector<collision::Move> moves;
     collision::Found found;

@@ -27,24 +27,31 @@ struct State {
     std::uint32_t from = 0; // state of the station before
 };
 
-struct Station {
+// A place where the head is looked at.
+struct Look {
     std::size_t point = 0; // of the dense stroke
     double weight = 0;     // mm of path
+    bool stuck = false;    // none of the tilts offered last gives room
+};
+
+// Where a tilt is chosen, for the looks about it.
+struct Station {
+    std::size_t point = 0; // of the dense stroke
+    std::size_t first = 0, last = 0;
     Vec2 tilt;
-    bool stuck = false; // that leaves no room
     std::vector<State> states;
 };
 
 class Leaner {
   public:
     Leaner(const collision::Room& room, const Dense& dense, const TiltOptions& o, double spacing, int threads)
-        : room_(room), points_(dense.points), o_(o), threads_(threads) {
+        : room_(room), points_(dense.points), o_(o), spacing_(spacing), threads_(threads), tilts_(points_.size()) {
         for (std::size_t i = 0; i < points_.size(); ++i)
-            if (i == 0 || i + 1 == points_.size() || points_[i].arc - points_[stations_.back().point].arc >= spacing)
-                stations_.push_back({i, 0, {}, false, {}});
-        for (std::size_t k = 0; k < stations_.size(); ++k) {
-            const double begin = arc(k > 0 ? k - 1 : k), end = arc(k + 1 < stations_.size() ? k + 1 : k);
-            stations_[k].weight = std::max((end - begin) / 2, 1e-3);
+            if (i == 0 || i + 1 == points_.size() || points_[i].arc - points_[looks_.back().point].arc >= spacing)
+                looks_.push_back({i});
+        for (std::size_t k = 0; k < looks_.size(); ++k) {
+            const auto arc = [&](std::size_t l) { return points_[looks_[l].point].arc; };
+            looks_[k].weight = std::max((arc(std::min(k + 1, looks_.size() - 1)) - arc(k > 0 ? k - 1 : 0)) / 2, 1e-3);
         }
     }
 
@@ -52,22 +59,21 @@ class Leaner {
     std::vector<Vec2> run() {
         const double rings = std::ceil(o_.most / kCoarse);
         double step = o_.most / rings;
-        offer(step, static_cast<int>(rings));
-        choose();
+        level(step, static_cast<int>(rings));
         while (step > kFine) {
             step /= 2;
-            offer(step, 1);
-            choose();
+            level(step, 1);
         }
-        return spread();
+        for (Vec2& t : tilts_)
+            if (norm(t) < kNothing) t = {};
+        return tilts_;
     }
 
-    // Marks the segments from one station before to one behind those without room.
+    // Marks the segments from one look before to one behind those without room.
     void mark_stuck(std::vector<std::vector<bool>>& stuck) const {
-        for (std::size_t k = 0; k < stations_.size(); ++k) {
-            if (!stations_[k].stuck) continue;
-            const std::size_t a = stations_[k > 0 ? k - 1 : k].point;
-            const std::size_t b = stations_[k + 1 < stations_.size() ? k + 1 : k].point;
+        for (std::size_t k = 0; k < looks_.size(); ++k) {
+            if (!looks_[k].stuck) continue;
+            const std::size_t a = looks_[k > 0 ? k - 1 : k].point, b = looks_[std::min(k + 1, looks_.size() - 1)].point;
             for (std::size_t i = a; i <= b; ++i) stuck[points_[i].span][points_[i].segment] = true;
         }
     }
@@ -75,18 +81,32 @@ class Leaner {
   private:
     [[nodiscard]] double arc(std::size_t station) const { return points_[stations_[station].point].arc; }
 
-    // The states of each station: `rings` steps to all sides of what it has, the nearest to no tilt first.
-    void offer(double step, int rings) {
+    // Chooses among tilts up to `rings` steps to all sides of those there are.  Stations are as far apart as a tilt
+    // needs to change by a step.
+    void level(double step, int rings) {
+        const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(step / (o_.rate * spacing_))));
+        stations_.clear();
+        for (std::size_t l = 0;; l = std::min(l + stride, looks_.size() - 1)) {
+            const std::size_t first = stations_.empty() ? 0 : stations_.back().last;
+            const bool end = l + 1 == looks_.size();
+            const std::size_t last = end ? l + 1 : std::min(l + (stride + 1) / 2, looks_.size() - 1);
+            stations_.push_back({looks_[l].point, first, last, tilts_[looks_[l].point], {}});
+            if (end) break;
+        }
         constexpr std::size_t grain = 8;
         parallel::for_chunks(stations_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) offer(stations_[k], step, rings);
         });
+        choose();
+        spread();
     }
 
-    void offer(Station& s, double step, int rings) const {
-        s.states.clear();
-        const Point& p = points_[s.point];
-        if (!p.near) {
+    // The states of a station, those nearest to no tilt first.
+    void offer(Station& s, double step, int rings) {
+        const bool near = std::any_of(looks_.begin() + static_cast<std::ptrdiff_t>(s.first),
+                                      looks_.begin() + static_cast<std::ptrdiff_t>(s.last),
+                                      [&](const Look& l) { return points_[l.point].near; });
+        if (!near) {
             s.states.push_back({});
             return;
         }
@@ -97,9 +117,14 @@ class Leaner {
             }
         std::stable_sort(s.states.begin(), s.states.end(),
                          [](const State& a, const State& b) { return norm2(a.tilt) < norm2(b.tilt); });
-        for (State& state : s.states) {
-            const bool free = room_.at({p.tip, leant(p, state.tilt), {}}, p.before);
-            state.cost = s.weight * (norm2(state.tilt) + (free ? 0 : kBlocked));
+        for (std::size_t l = s.first; l < s.last; ++l) {
+            const Point& p = points_[looks_[l].point];
+            looks_[l].stuck = true;
+            for (State& state : s.states) {
+                const bool free = room_.at({p.tip, leant(p, state.tilt), {}}, p.before);
+                looks_[l].stuck = looks_[l].stuck && !free;
+                state.cost += looks_[l].weight * (norm2(state.tilt) + (free ? 0 : kBlocked));
+            }
         }
     }
 
@@ -110,9 +135,8 @@ class Leaner {
         auto best = static_cast<std::uint32_t>(
             std::min_element(last.begin(), last.end(), [](auto& a, auto& b) { return a.sum < b.sum; }) - last.begin());
         for (std::size_t k = stations_.size(); k-- > 0;) {
-            const State& state = stations_[k].states[best];
-            stations_[k].tilt = state.tilt, stations_[k].stuck = state.cost >= stations_[k].weight * kBlocked;
-            best = state.from;
+            stations_[k].tilt = stations_[k].states[best].tilt;
+            best = stations_[k].states[best].from;
         }
     }
 
@@ -131,26 +155,24 @@ class Leaner {
         to.sum += best;
     }
 
-    [[nodiscard]] std::vector<Vec2> spread() const {
-        std::vector<Vec2> out(points_.size());
-        for (std::size_t k = 0; k < stations_.size(); ++k) {
-            const std::size_t a = stations_[k].point;
-            out[a] = stations_[k].tilt;
-            if (k + 1 == stations_.size()) break;
+    // From the stations to all points.
+    void spread() {
+        tilts_[stations_[0].point] = stations_[0].tilt;
+        for (std::size_t k = 0; k + 1 < stations_.size(); ++k) {
+            const Station &a = stations_[k], &b = stations_[k + 1];
             const double way = arc(k + 1) - arc(k);
-            for (std::size_t i = a + 1; i < stations_[k + 1].point; ++i)
-                out[i] = lerp(stations_[k].tilt, stations_[k + 1].tilt,
-                              way > 0 ? (points_[i].arc - points_[a].arc) / way : 0);
+            for (std::size_t i = a.point + 1; i <= b.point; ++i)
+                tilts_[i] = lerp(a.tilt, b.tilt, way > 0 ? (points_[i].arc - points_[a.point].arc) / way : 1);
         }
-        for (Vec2& t : out)
-            if (norm(t) < kNothing) t = {};
-        return out;
     }
 
     const collision::Room& room_;
     const std::vector<Point>& points_;
     const TiltOptions& o_;
+    double spacing_;
     int threads_;
+    std::vector<Vec2> tilts_; // by point
+    std::vector<Look> looks_;
     std::vector<Station> stations_;
 };
 

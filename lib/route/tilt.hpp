@@ -34,7 +34,7 @@ struct Leaning {
 struct Leant {
     std::vector<toolpath::Span> spans;
     std::vector<std::vector<std::uint32_t>> origin; // per span and segment: the segment it was cut from
-    std::vector<std::vector<bool>> stuck;           // per span and segment as given: near where no tilt gives room
+    std::vector<std::vector<bool>> stuck;           // per span and segment as given: near where none gave room
     Leaning leaning;
 };
 

@@ -36,7 +36,8 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
     for (const Span& s : spans) begin.push_back(begin.back() + static_cast<std::uint32_t>(s.points.size()));
     // Calls f(attempt, span within it, segment as given) for the stroke that the move belongs to, if any.
     const auto locate = [&](const collision::Move& m, const auto& f) {
-        const auto span = static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), m.source) - begin.begin()) - 1;
+        const auto span =
+            static_cast<std::size_t>(std::upper_bound(begin.begin(), begin.end(), m.source) - begin.begin()) - 1;
         if (span >= spans.size() || stroke_of_[span] < 0 || segments(spans[span]) == 0) return;
         Attempt& a = strokes_[static_cast<std::size_t>(stroke_of_[span])];
         const std::uint32_t point = m.source - begin[span];

@@ -10,10 +10,10 @@ namespace filum::route {
 
 namespace {
 
-constexpr double kReserve = 0.2;                     // mm above what is just free
-constexpr int kInside = 7;                           // places looked at between two corners
-constexpr std::size_t kCorners = 64;                 // of a way over, at most
-constexpr int kLevels = 4;                           // at which a way around is sought
+constexpr double kReserve = 0.2;                       // mm above what is just free
+constexpr int kInside = 7;                             // places looked at between two corners
+constexpr std::size_t kCorners = 64;                   // of a way over, at most
+constexpr int kLevels = 4;                             // at which a way around is sought
 constexpr double kWorthLength = 5, kWorthShare = 1.25; // when it is
 
 Knot between(const Knot& a, const Knot& b, double t) {
@@ -47,9 +47,7 @@ class Search {
     }
 
     // Length with both ends.
-    [[nodiscard]] double whole(const Way& way) const {
-        return way.front().rise + length(fan_, way) + way.back().rise;
-    }
+    [[nodiscard]] double whole(const Way& way) const { return way.front().rise + length(fan_, way) + way.back().rise; }
 
     // Appends what leads from a to b, which `out` ends with; false if not all of it is free.
     bool connect(const Knot& a, const Knot& b, Way& out) {
@@ -110,7 +108,8 @@ class Search {
     }
 
     [[nodiscard]] Travel finish(const Way& way, Kind kind, bool free) const {
-        Travel out{.stances = {}, .kind = kind, .length = whole(way), .free = free};
+        const bool ends = fan_.free({0, 0, 0}) && fan_.free({1, 0, 0});
+        Travel out{.stances = {}, .kind = kind, .length = whole(way), .free = free && ends};
         for (std::size_t i = 0; i < way.size(); ++i) {
             const Stance to = fan_.at(way[i]);
             const std::size_t parts = i == 0 ? 1 : turns(out.stances.back(), to);
@@ -137,8 +136,8 @@ Travel travel(const collision::Room& room, const Stance& from, const Stance& to,
               const TravelOptions& options) {
     const bool same = from.tip == to.tip && kinematics::angle(from.axis, to.axis) < 1e-6;
     const Fan fan(room, from, to, before);
-    Travel out = same ? Travel{.stances = {}, .kind = Kind::straight, .length = 0, .free = true}
-                      : Search(fan, options).run();
+    Travel out =
+        same ? Travel{.stances = {}, .kind = Kind::straight, .length = 0, .free = true} : Search(fan, options).run();
     out.stances.insert(out.stances.begin(), from);
     out.stances.push_back(to);
     return out;

@@ -23,8 +23,8 @@ struct TravelOptions {
 struct Travel {
     std::vector<Stance> stances; // from the first to the last
     Kind kind = Kind::straight;
-    double length = 0;  // mm
-    bool free = false;  // all of it
+    double length = 0; // mm
+    bool free = false; // all of it
 };
 
 // Up along the axis at `from` by the lift at least, across, and down along the axis at `to`; the axis turns only on the
@@ -35,7 +35,8 @@ struct Travel {
 //   more, until all is free; then corners that are not needed go;
 // around: at each of four heights from the lift to that of the way over, if that one costs more than 5 mm and a
 //   quarter of the straight one.
-// `before`: beads born earlier stand in the way across.  If there is no free one, the way over, as far as it got.
+// `before`: beads born earlier stand in the way.  If there is no free one, the way over, as far as it got; from an end
+// without room it leads along the axis first.
 // Deterministic; a way over has at most 64 corners, see around.hpp for the other.
 Travel travel(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before,
               const TravelOptions& options);

@@ -13,12 +13,12 @@ namespace filum::survey {
 struct RouteOptions {
     collision::Options check;
     machine::HeadChoice head;
-    std::string machine;             // profile: name or file; "": the head alone
-    std::string set;                 // changes to the profile
-    std::string part, fixture;       // mesh files, commas between
-    std::string places, leaning;     // files: the list of collisions that remain, of strokes whose tool leans
-    std::vector<double> lift;        // mm; none: the profile's
-    double tilt = 0, tilt_rate = 5;  // deg, deg/mm
+    std::string machine;            // profile: name or file; "": the head alone
+    std::string set;                // changes to the profile
+    std::string part, fixture;      // mesh files, commas between
+    std::string places, leaning;    // files: the list of collisions that remain, of strokes whose tool leans
+    std::vector<double> lift;       // mm; none: the profile's
+    double tilt = 0, tilt_rate = 5; // deg, deg/mm
     bool bed = false, strict = true;
 };
 
