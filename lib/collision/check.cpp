@@ -14,6 +14,7 @@ constexpr std::size_t kGrain = 2048;  // moves that share what they found
 constexpr std::size_t kTogether = 8;  // moves that may be seen to be clear at once
 constexpr std::size_t kSamples = 512; // of all moves, looked at first
 constexpr int kHalvings = 40;
+constexpr double kArc = 1.02; // no arc of a chord below 0.5 is longer by more
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
@@ -71,16 +72,16 @@ struct Search {
     };
 
     void look(Course& c, double begin, double end, int depth, double& best) const {
-        if (c.found && c.against != Against::beads && c.worst.clearance <= 0) return; // it cannot be worse
         const Move& m = moves[c.move];
         const Tree& tree = scene[static_cast<std::size_t>(c.against)];
+        if (c.found && c.worst.clearance <= -tree.deepest()) return; // it cannot be worse
         const double middle = (begin + end) / 2, half = (end - begin) / 2;
         double cutoff = std::max(best, demanded(c.against));
         if (c.found) cutoff = std::min(cutoff, c.worst.clearance);
         Probe p = probe(at(m, middle), m, c.against, cutoff);
         p.shift = half * c.motion.length, p.turn = half * c.motion.angle;
         p.sink = half * std::abs(dot(c.motion.way, p.stance.axis));
-        const auto near = tree.any(shape, p, options.step);
+        const auto near = tree.any(shape, p, {at(m, begin), at(m, end)}, options.step);
         if (near == Tree::Near::nothing) return;
         if (near == Tree::Near::moving && depth < kHalvings) {
             look(c, begin, middle, depth + 1, best);
@@ -95,25 +96,38 @@ struct Search {
         best = std::min(best, hit.distance);
     }
 
-    // False if nothing comes nearer than `cutoff` on any of these moves, by how far their ends are from the middle
-    // one's beginning; the way between two ends is no farther, unless the tool turns round.
+    // False if nothing comes nearer than `cutoff` on any of these moves, by how far they are off the way from the first
+    // stance to the last, unless the tool turns far.
     [[nodiscard]] bool may_meet(std::size_t begin, std::size_t end, Against against, double cutoff) const {
-        const Move& middle = moves[begin + (end - begin) / 2];
-        Probe p = probe(middle.from, moves[end - 1], against, cutoff);
-        const auto stretch = [&](const Stance& s) {
+        const Stance &first = moves[begin].from, &last = moves[end - 1].to;
+        Probe p = probe(moves[begin + (end - begin) / 2].from, moves[end - 1], against, cutoff);
+        Sweep sweep{first, last};
+        bool round = first.side == Vec3{} || last.side == Vec3{};
+        double length = 0, gone = 0, most = 0;
+        for (std::size_t i = begin; i < end; ++i) length += distance(moves[i].from.tip, moves[i].to.tip);
+        const auto stretch = [&](const Stance& s, double share) {
+            sweep.stray = std::max(sweep.stray, norm(s.tip - first.tip - share * (last.tip - first.tip)));
+            round = round || s.side == Vec3{};
+            const double twist = round ? 0 : norm(s.side - first.side - share * (last.side - first.side));
+            sweep.lean = std::max(sweep.lean, twist + norm(s.axis - first.axis - share * (last.axis - first.axis)));
             const Vec3 way = s.tip - p.stance.tip;
             p.shift = std::max(p.shift, norm(way));
             p.sink = std::max(p.sink, std::abs(dot(way, p.stance.axis)));
-            const bool known = s.side != Vec3{} && p.stance.side != Vec3{};
-            p.turn = std::max(p.turn, angle(s.axis, p.stance.axis) + (known ? angle(s.side, p.stance.side) : 0));
+            p.turn = std::max(p.turn, norm(s.axis - p.stance.axis) + (round ? 0 : norm(s.side - p.stance.side)));
         };
-        bool round = false;
         for (std::size_t i = begin; i < end; ++i) {
-            stretch(moves[i].from), stretch(moves[i].to);
-            round = round || moves[i].from.side == Vec3{} || moves[i].to.side == Vec3{};
+            const Move& m = moves[i];
+            stretch(m.from, length > 0 ? gone / length : 0);
+            gone += distance(m.from.tip, m.to.tip);
+            stretch(m.to, length > 0 ? gone / length : 1);
+            most = std::max(most, norm(m.to.axis - m.from.axis) + (round ? 0 : 2 * norm(m.to.side - m.from.side)));
         }
-        if (round) p.stance.side = {};
-        return p.turn > 1 || scene[static_cast<std::size_t>(against)].any(shape, p, 0) != Tree::Near::nothing;
+        if (round) p.stance.side = sweep.from.side = sweep.to.side = {};
+        const double turn = norm(last.axis - first.axis) + (round ? 0 : 2 * norm(last.side - first.side));
+        if (p.turn > 0.5 || turn > 0.5 || most > 0.5) return true;
+        // chords into angles, and how far arcs are off their chords
+        sweep.lean = kArc * (sweep.lean + (turn * turn + most * most) / 8), p.turn *= kArc;
+        return scene[static_cast<std::size_t>(against)].any(shape, p, sweep, 0) != Tree::Near::nothing;
     }
 
     // Looks along moves; `best` is the least clearance so far.

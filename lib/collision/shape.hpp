@@ -22,9 +22,9 @@ struct Stance {
     Vec3 side{1, 0, 0}; // unit, across the axis: the carriage's x; zero if nobody knows how it is turned
 };
 
-// The corners of a convex polygon.
+// Points whose hull is meant: the corners of a polygon, or of one that moved.
 struct Corners {
-    std::array<Vec3, 8> point{};
+    std::array<Vec3, 24> point;
     std::size_t count = 0;
     void add(const Vec3& p) { point[count++] = p; }
     [[nodiscard]] std::span<const Vec3> all() const { return {point.data(), count}; }
@@ -42,7 +42,7 @@ class Shape {
         double distance = 0; // mm
         Piece piece = Piece::nozzle;
     };
-    // Distance from the convex polygon `corners` (own frame) to the head, 0 where they meet; `cutoff` if it is no
+    // Distance from the hull of `corners` (own frame) to the head, 0 where they meet; `cutoff` if it is no
     // less.  Exact to 1e-8 of itself.  Ties: the lower piece.
     [[nodiscard]] Near nearest(std::span<const Vec3> corners, bool round, double cutoff) const;
 

@@ -1,5 +1,7 @@
 #include "collision/tree.hpp"
 
+#include "kinematics/chain.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@ namespace filum::collision {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;
+constexpr std::uint32_t kLeaf = 4, kSlice = 8192;
 
 double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -23,6 +25,10 @@ double extent(const Vec3& half, const Vec3& d) {
 
 struct Frame {
     Vec3 tip, x, y, z;
+    Vec3 operator()(const Vec3& p) const { // as seen from it
+        const Vec3 d = p - tip;
+        return {dot(d, x), dot(d, y), dot(d, z)};
+    }
 };
 
 Frame frame(const Stance& s) {
@@ -51,6 +57,17 @@ void clip(const Solid& s, const Frame& f, double low, Corners& out) {
         const Vec3 &a = p[i], &b = p[(i + 1) % n];
         if (a.z > low) out.add(a);
         if ((a.z > low) != (b.z > low)) out.add(a + ((low - a.z) / (b.z - a.z)) * (b - a));
+    }
+}
+
+// The part of the hull of `points` above `low`.
+void clip(std::span<const Vec3> points, double low, Corners& out) {
+    out.count = 0;
+    for (const Vec3& a : points) {
+        if (!(a.z > low)) continue;
+        out.add(a);
+        for (const Vec3& b : points)
+            if (!(b.z > low)) out.add(a + ((low - a.z) / (b.z - a.z)) * (b - a));
     }
 }
 
@@ -88,11 +105,34 @@ void add(const mesh::Mesh& mesh, std::vector<Solid>& to) {
 
 Tree::Tree(std::vector<Solid> solids) : solids_(std::move(solids)) {
     if (solids_.empty()) return;
+    for (const Solid& s : solids_) deepest_ = std::max(deepest_, s.radius);
     nodes_.reserve(solids_.size());
     build(0, static_cast<std::uint32_t>(solids_.size()));
 }
 
-// Halved by number along the longest side of the box of centres; ties: the older first.
+// What the corners of the solids say about the space they take, once the box is known.
+void Tree::bound(Node& node, std::uint32_t first, std::uint32_t last) const {
+    Vec3 sum{};
+    for (std::uint32_t i = first; i < last; ++i) {
+        const auto& c = solids_[i].corner;
+        sum = sum + cross(c[2] - c[0], c[3] == c[2] ? c[1] - c[0] : c[3] - c[1]);
+    }
+    const double l = norm(sum);
+    node.normal = l > 0 ? (1 / l) * sum : Vec3{0, 0, 1};
+    for (std::uint32_t i = first; i < last; ++i) {
+        const Solid& s = solids_[i];
+        for (const Vec3& p : s.corner) {
+            const Vec3 d = p - node.middle;
+            const double up = dot(d, node.normal), all = dot(d, d), across = std::sqrt(std::max(0.0, all - up * up));
+            node.thick = std::max(node.thick, std::abs(up) + s.radius);
+            node.flat = std::max(node.flat, across + s.radius);
+            node.ball = std::max(node.ball, std::sqrt(all) + s.radius);
+        }
+    }
+}
+
+// Halved by number: many by age, so that what is to come does not make wide what is there; few along the longest side
+// of the box of centres.  Ties: the older first.
 std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
@@ -107,16 +147,19 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
         low = least(low, c), high = most(high, c);
         born = std::min(born, s.born);
     }
-    const Vec3 extents = 0.5 * (hi - lo);
-    Node node{0.5 * (lo + hi), extents, norm(extents), born, first, last - first};
+    Node node;
+    node.middle = 0.5 * (lo + hi), node.half = 0.5 * (hi - lo), node.born = born;
+    node.first = first, node.count = last - first;
+    bound(node, first, last);
     if (last - first > kLeaf) {
         const Vec3 size = high - low;
+        const bool by_age = last - first > kSlice && solids_[first].born != solids_[last - 1].born;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t half = first + (last - first) / 2;
         const auto begin = solids_.begin();
         std::nth_element(begin + first, begin + half, begin + last, [&](const Solid& a, const Solid& b) {
             const double u = along(centre(a), axis), v = along(centre(b), axis);
-            return u != v ? u < v : a.born < b.born;
+            return !by_age && u != v ? u < v : a.born < b.born;
         });
         build(first, half);
         node.first = build(half, last), node.count = 0;
@@ -125,66 +168,163 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     return at;
 }
 
-// Calls meet(distance, piece, allowance) for whatever may be nearer than `cutoff` + allowance, where the allowance is
-// what the probe's bounds can bring it nearer; stops once that is true.  Boxes of which skip(allowance) is true are
-// left out.
-template <class Skip, class Meet>
-void Tree::visit(const Shape& shape, const Probe& probe, const double& cutoff, const Skip& skip,
-                 const Meet& meet) const {
-    if (nodes_.empty() || shape.none()) return;
-    const Frame f = frame(probe.stance);
-    const bool round = probe.stance.side == Vec3{};
-    std::array<std::uint32_t, 64> stack;
-    stack[0] = 0;
-    std::size_t left = 1;
-    Corners corners;
-    while (left > 0) {
-        const Node& node = nodes_[stack[--left]];
-        if (node.born >= probe.before) continue;
-        const Vec3 d = node.middle - f.tip;
-        const double far = norm(d) + node.ball + probe.shift;
-        const double low = probe.press - probe.sink - probe.turn * far;
-        const double z = dot(d, f.z), top = z + extent(node.half, f.z);
-        if (top <= low) continue;
-        const double x = dot(d, f.x), y = dot(d, f.y), off = std::sqrt(x * x + y * y);
-        const double allowance = probe.shift + (probe.turn > 0 ? probe.turn * (far + std::max(0.0, cutoff)) : 0);
-        if (skip(allowance)) continue;
-        const double limit = cutoff + allowance;
+// How far from its middle a node reaches along the unit vector d.
+double Tree::Node::reach(const Vec3& d) const {
+    const double lean = dot(normal, d);
+    return std::min(extent(half, d), std::abs(lean) * thick + std::sqrt(std::max(0.0, 1 - lean * lean)) * flat);
+}
+
+// The frame of `to`, turned from `from` the shortest way.
+Frame carried(const Frame& from, const Stance& to) {
+    const Vec3 turn = cross(from.z, to.axis);
+    const double c = dot(from.z, to.axis);
+    Vec3 x = from.x + cross(turn, from.x);
+    if (c > -0.999) x = x + (1 / (1 + c)) * cross(turn, cross(turn, from.x));
+    x = x - dot(x, to.axis) * to.axis;
+    return {to.tip, (1 / norm(x)) * x, cross(to.axis, (1 / norm(x)) * x), to.axis};
+}
+
+// What stands there, as seen from a head on its way.  A thing that stands still moves nearly straight before it: beside
+// the line between where it is seen from the ends by no more than an eighth of its acceleration, which is twice the
+// speed of the tip times the turn, and the square of the turn times how far off the thing is.
+class Tree::View {
+  public:
+    View(const Shape& shape, const Probe& probe, const Sweep* sweep)
+        : shape_(shape), p_(probe), middle_(frame(probe.stance)), round_(probe.stance.side == Vec3{}), a_(middle_),
+          b_(middle_) {
+        if (sweep == nullptr) return;
+        moves_ = true;
+        a_ = frame(sweep->from), b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
+        // axis and side turn evenly each for itself: twice as much covers what that leaves to the frame
+        const double turn = kinematics::angle(a_.z, b_.z) + (round_ ? 0 : 2 * kinematics::angle(a_.x, b_.x));
+        stray_ = sweep->stray + turn * distance(a_.tip, b_.tip) / 4;
+        lean_ = sweep->lean + turn * turn / 8;
+        wild_ = turn > 1;
+    }
+
+    // How near what a node holds is at least, and how far off its farthest point, mm; by how much the points of the
+    // head that are nearer than the cutoff move.
+    struct Bounds {
+        double least = 0, far = 0, allowance = 0;
+    };
+
+    // False if nothing in the node is to be looked at.
+    bool may(const Node& node, double cutoff, Bounds& out) const {
+        if (node.born >= p_.before) return false;
+        const Vec3 d = node.middle - a_.tip;
+        const double z = dot(d, a_.z), square = dot(d, d);
+        double top = z + node.reach(a_.z), off, beside = 0;
+        if (moves_) {
+            const Vec3 e = node.middle - b_.tip;
+            top = std::max(top, dot(e, b_.z) + node.reach(b_.z));
+            off = from_origin({dot(d, a_.x), dot(d, a_.y)}, {dot(e, b_.x), dot(e, b_.y)});
+            out.far = std::sqrt(std::max(square, dot(e, e))) + node.ball + stray_;
+            beside = stray_ + lean_ * out.far;
+        } else {
+            off = std::sqrt(std::max(0.0, square - z * z));
+            out.far = std::sqrt(square) + node.ball;
+        }
+        out.allowance = p_.shift;
+        if (p_.turn > 0) out.allowance += p_.turn * (out.far + p_.shift + std::max(0.0, cutoff));
+        if (wild_) return true;
+        if (top + beside <= p_.press) return false;
         // the head only widens upwards, so what is lower and farther from the axis is farther from it
-        const double box = shape.at_least(std::max(0.0, off - node.ball), top);
-        if (box > 0 && box >= limit) continue;
-        if (shape.at_least(off, z) - node.ball >= limit) continue;
-        if (node.count == 0) {
-            stack[left++] = node.first;
-            stack[left++] = static_cast<std::uint32_t>(&node - nodes_.data()) + 1;
-            continue;
-        }
+        out.least = shape_.at_least(std::max(0.0, off - node.ball - beside), top + beside);
+        return !(out.least > 0 && out.least >= cutoff);
+    }
+
+    // The distance to the solid as the probe's stance has it, if that may come nearer than the cutoff on the way; on
+    // the way itself, a lower bound.
+    bool meets(const Solid& s, const Bounds& b, double cutoff, Shape::Near& out) {
+        const bool straight = moves_ && !wild_;
+        const double beside = straight ? stray_ + lean_ * b.far : b.allowance, most = cutoff + beside + s.radius;
+        if (s.born >= p_.before || most <= 0) return false;
+        if (straight)
+            along(s, p_.press - s.radius - beside);
+        else
+            clip(s, middle_, p_.press - p_.sink - p_.turn * (b.far + p_.shift) - s.radius, corners_);
+        if (corners_.count == 0 || at_least(shape_, corners_) >= most) return false;
+        out = shape_.nearest(corners_.all(), round_, most);
+        out.distance -= s.radius;
+        return out.distance < cutoff + beside;
+    }
+
+  private:
+    // The least distance from the origin to the points between p and q.
+    static double from_origin(geom::Vec2 p, geom::Vec2 q) {
+        const geom::Vec2 way = q - p;
+        const double l = norm2(way), share = l > 0 ? std::clamp(-dot(p, way) / l, 0.0, 1.0) : 0;
+        return norm(p + share * way);
+    }
+
+    // What the solid's polygon passes through above `low`, as both ends see it and straight between.
+    void along(const Solid& s, double low) {
+        const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
+        std::array<Vec3, 8> points;
+        for (std::size_t i = 0; i < n; ++i) points[i] = a_(s.corner[i]), points[n + i] = b_(s.corner[i]);
+        clip({points.data(), 2 * n}, low, corners_);
+    }
+
+    const Shape& shape_;
+    const Probe& p_;
+    const Frame middle_;
+    const bool round_;
+    bool moves_ = false, wild_ = false; // wild: turns so far that only the probe's bounds hold
+    Frame a_, b_;
+    double stray_ = 0, lean_ = 0;
+    Corners corners_;
+};
+
+// Calls meet(distance, piece, allowance) for whatever may be nearer than `cutoff`, where the allowance is what the
+// probe's bounds can bring it nearer; stops once that is true.  Boxes of which skip(allowance) is true are left out.
+template <class Skip, class Meet>
+void Tree::visit(View& view, const double& cutoff, const Skip& skip, const Meet& meet) const {
+    struct Waiting {
+        std::uint32_t node = 0;
+        View::Bounds bounds;
+    };
+    std::array<Waiting, 64> stack;
+    std::size_t left = 0;
+    if (!nodes_.empty() && view.may(nodes_[0], cutoff, stack[0].bounds)) left = 1;
+    while (left > 0) {
+        const auto [at, bounds] = stack[--left];
+        // the cutoff may have come down
+        if (skip(bounds.allowance) || (bounds.least > 0 && bounds.least >= cutoff)) continue;
+        const Node& node = nodes_[at];
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const Solid& s = solids_[i];
-            const double most = cutoff + allowance + s.radius; // the cutoff may have come down
-            if (s.born >= probe.before || most <= 0) continue;
-            clip(s, f, low - s.radius, corners);
-            if (corners.count == 0 || at_least(shape, corners) >= most) continue;
-            const auto near = shape.nearest(corners.all(), round, most);
-            if (near.distance < most && meet(near.distance - s.radius, near.piece, allowance)) return;
+            Shape::Near near;
+            if (view.meets(solids_[i], bounds, cutoff, near) && meet(near.distance, near.piece, bounds.allowance))
+                return;
         }
+        if (node.count > 0) continue;
+        Waiting a{at + 1, {}}, b{node.first, {}};
+        const bool left_one = view.may(nodes_[a.node], cutoff, a.bounds);
+        const bool right_one = view.may(nodes_[b.node], cutoff, b.bounds);
+        const bool turned = a.bounds.least > b.bounds.least; // the nearer first
+        if (left_one && turned) stack[left++] = a;
+        if (right_one) stack[left++] = b;
+        if (left_one && !turned) stack[left++] = a;
     }
 }
 
 Tree::Hit Tree::nearest(const Shape& shape, const Probe& probe) const {
     Hit hit{probe.cutoff, Piece::nozzle, false};
+    if (shape.none()) return hit;
+    View view(shape, probe, nullptr);
     const auto none = [](double) { return false; };
-    visit(shape, probe, hit.distance, none, [&](double d, Piece piece, double) {
+    visit(view, hit.distance, none, [&](double d, Piece piece, double) {
         hit = {d, piece, true};
-        return false;
+        return d <= -deepest_;
     });
     return hit;
 }
 
-Tree::Near Tree::any(const Shape& shape, const Probe& probe, double step) const {
+Tree::Near Tree::any(const Shape& shape, const Probe& probe, const Sweep& sweep, double step) const {
     Near found = Near::nothing;
+    if (shape.none()) return found;
+    View view(shape, probe, &sweep);
     const auto told = [&](double allowance) { return found == Near::steady && 2 * allowance <= step; };
-    visit(shape, probe, probe.cutoff, told, [&](double, Piece, double allowance) {
+    visit(view, probe.cutoff, told, [&](double, Piece, double allowance) {
         found = 2 * allowance <= step ? Near::steady : Near::moving;
         return found == Near::moving;
     });

@@ -21,6 +21,13 @@ struct Solid {
 // the hull of two half-height rods along its sides.  One narrower than high is taken as broad as it is high.
 Solid bead(const Stance& from, const Stance& to, double width, double height, std::uint32_t born);
 
+// How a head moves while a question is asked: from one stance to another at even speed, the axis turning evenly, off
+// that way by no more than `stray` (mm) and `lean` (rad).
+struct Sweep {
+    Stance from, to;
+    double stray = 0, lean = 0;
+};
+
 // A question: how near is what is there to the head at `stance`?
 struct Probe {
     Stance stance;
@@ -44,27 +51,36 @@ class Tree {
     // The least distance, of a head that stands as the probe says: shift, sink and turn are to be 0.
     [[nodiscard]] Hit nearest(const Shape& shape, const Probe& probe) const;
 
-    // Whether anything may be nearer than the cutoff, however the head stands within the probe's bounds: nothing; or
-    // only where points of the head move by at most `step` in all within these bounds; or where they move farther.
+    // Whether anything may be nearer than the cutoff, however the head stands along the sweep, which keeps within the
+    // probe's bounds: nothing; or only where points of the head move by at most `step` in all within these bounds; or
+    // where they move farther.
     enum class Near : std::uint8_t { nothing, steady, moving };
-    [[nodiscard]] Near any(const Shape& shape, const Probe& probe, double step) const;
+    [[nodiscard]] Near any(const Shape& shape, const Probe& probe, const Sweep& sweep, double step) const;
 
     [[nodiscard]] bool empty() const { return solids_.empty(); }
+    // No clearance is below minus this, mm: the greatest radius.
+    [[nodiscard]] double deepest() const { return deepest_; }
 
   private:
     struct Node {
-        Vec3 middle, half;       // of the box
-        double ball = 0;         // half its diagonal
-        std::uint32_t born = 0;  // the first of its solids
-        std::uint32_t first = 0; // of a leaf its first solid, else its right child; the left one follows it
-        std::uint32_t count = 0; // of a leaf, how many solids; else 0
+        Vec3 middle, half;          // of the box
+        double ball = 0;            // no point of its solids is farther from the middle
+        Vec3 normal;                // unit: about which they lie flat,
+        double thick = 0, flat = 0; // within so much of the middle along it, and across it
+        std::uint32_t born = 0;     // the first of its solids
+        std::uint32_t first = 0;    // of a leaf its first solid, else its right child; the left one follows it
+        std::uint32_t count = 0;    // of a leaf, how many solids; else 0
+        [[nodiscard]] double reach(const Vec3& d) const;
     };
+    class View;
     std::uint32_t build(std::uint32_t first, std::uint32_t last);
+    void bound(Node& node, std::uint32_t first, std::uint32_t last) const;
     template <class Skip, class Meet>
-    void visit(const Shape& shape, const Probe& probe, const double& cutoff, const Skip& skip, const Meet& meet) const;
+    void visit(View& view, const double& cutoff, const Skip& skip, const Meet& meet) const;
 
     std::vector<Solid> solids_;
     std::vector<Node> nodes_;
+    double deepest_ = 0;
 };
 
 // One solid per triangle, born at 0.
