@@ -49,7 +49,8 @@ Probe Room::probe(const Stance& stance, std::uint32_t before, std::size_t kind) 
 
 bool Room::at(const Stance& stance, std::uint32_t before) const {
     for (std::size_t k = 0; k < scene_->size(); ++k)
-        if ((*scene_)[k].any(*shape_, probe(stance, before, k), 0) != Tree::Near::nothing) return false;
+        if ((*scene_)[k].any(*shape_, probe(stance, before, k), {stance, stance}, 0) != Tree::Near::nothing)
+            return false;
     return true;
 }
 
@@ -63,10 +64,10 @@ std::optional<double> Room::blocked(const Move& m) const {
             Probe p = probe(collision::at(m, middle), m.before, k);
             p.shift = half * all.length, p.turn = half * all.turn;
             p.sink = half * std::abs(dot(all.way, p.stance.axis));
-            auto near = tree.any(*shape_, p, kStep);
+            auto near = tree.any(*shape_, p, {collision::at(m, middle - half), collision::at(m, middle + half)}, kStep);
             if (near != Tree::Near::steady) return near;
             p.shift = p.turn = p.sink = 0;
-            return tree.any(*shape_, p, 0);
+            return tree.any(*shape_, p, {p.stance, p.stance}, 0);
         });
         if (found) out = found;
     }
