@@ -22,13 +22,14 @@ setup_file() {
     slice --layer-height 0.4 block.off | regions | sequence --head ./machine.toml | fill --bead-width 0.8 |
         link3d --head ./machine.toml -o core
     geodesic side.off --remesh 1 --source plane:0,0,1,0 | surfpath fina --spacing 1 --offset 0.2 -o fibre
-    assemble --tools 0,1 core fibre | route --machine ./machine.toml --margin 0.1 | collide --machine ./machine.toml -o job
+    assemble --tools 0,1 core fibre | route --machine ./machine.toml --margin 0.5 | collide --machine ./machine.toml -o job
     postproc --machine ./machine.toml --place as-is job -o job.ngc
 }
 
 setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 
-at() { grep -n "$1" job.ngc | cut -d: -f1; }
+# The line where PATTERN stands last.
+at() { grep -n "$1" job.ngc | tail -n 1 | cut -d: -f1; }
 
 @test "tools change once, and the fibre is cut once, behind that" {
     [[ $(grep -c '^T1 M6' job.ngc) == 1 && $(grep -c '^T2 M6' job.ngc) == 1 && $(grep -c '^M64 P0' job.ngc) == 1 ]]
@@ -37,6 +38,7 @@ at() { grep -n "$1" job.ngc | cut -d: -f1; }
 }
 
 @test "the head stays clear in the finished program, of the beads and of the part" {
+    # beads have round ends: the edges of the part stand out beyond them, so route keeps a margin
     collide --machine ./machine.toml --program job.ngc --format tsv > whole.tsv
     sed -n '/^T2 M6/,$p' job.ngc > half.ngc
     collide --machine ./machine.toml --part block.off --program half.ngc --format tsv > half.tsv
