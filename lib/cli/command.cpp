@@ -247,6 +247,22 @@ int fail(const std::string& program, Exit exit, const std::string& what) {
 
 } // namespace
 
+void write_all(const Io& io, const stream::Header& header, const Whole& before, Notes notes, const Facts& facts,
+               std::span<const stream::RawFrame> frames) {
+    stream::Writer writer(io.output, header);
+    Report report(io);
+    for (const Note& note : before.notes) writer.write(note);
+    for (const Fact& fact : before.facts) writer.write(fact);
+    for (Note& note : notes) {
+        note.stage = io.program;
+        report.add(note), writer.write(note);
+    }
+    for (const Fact& fact : facts) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
+    for (const auto& frame : frames) writer.write(frame);
+    writer.close();
+    report.say();
+}
+
 int guarded(const std::string& program, const std::function<int()>& work) {
     std::signal(SIGPIPE, SIG_DFL); // a reader that leaves ends us quietly
     try {

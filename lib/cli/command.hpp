@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,9 @@ Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)
 
 // Writes a text file, whole or not at all.
 void write_text(const std::string& file, const std::string& text);
+// Shape "fold" of such: writes what came by the stream before, then notes and facts as this program's, then all frames.
+void write_all(const Io& io, const stream::Header& header, const Whole& before, Notes notes, const Facts& facts,
+               std::span<const stream::RawFrame> frames);
 
 // Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
 int guarded(const std::string& program, const std::function<int()>& work);
