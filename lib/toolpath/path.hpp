@@ -59,6 +59,7 @@ struct Span {
     std::vector<double> width;  // mm, per point, or one for all; empty for a travel
     std::vector<double> height; // likewise
     // Per point, unit: where the tool comes from, on a curved surface its normal; none: from above, (0, 0, 1).
+    // A travel with normals is to be followed as it is; one without may be raised above what is printed.
     std::vector<Vec3> normals{};
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
