@@ -13,9 +13,12 @@ using collision::Move;
 using toolpath::Span;
 using Things = std::array<std::vector<collision::Solid>, 4>;
 
-constexpr int kRounds = 3;     // of tilting: where the tool leans, beads lie a little elsewhere
-constexpr double kSpacing = 1; // mm, between places looked at, in the first of them; half of that in the next
-constexpr double kMore = 0.05; // mm more away from solid things, from one to the next
+// Attempts at tilting: how close to look, and how many mm farther than the margin the head stays away from solid things.
+struct Round {
+    Pace pace;
+    double more;
+};
+constexpr std::array<Round, 4> kRounds{{{{1, false}, 0.05}, {{0.5, true}, 0}, {{0.25, true}, 0.05}, {{0.25, true}, 0.01}}};
 
 bool lays(const Span& s) { return toolpath::extrudes(s.role); }
 
@@ -117,17 +120,19 @@ class Router {
         spans_ = std::move(out);
     }
 
-    // Strokes whose head meets something lean; again, closer and with more room, while that leaves fewer moves blocked.
+    // Strokes whose head meets something lean; again while that leaves moves blocked.
     void tilt() {
-        Tilting all(spans_);
-        for (int round = 0;; ++round) {
-            collision::Walk walk = walked();
+        Tilting all(spans_, o_.machine.rotary);
+        const collision::Room room(scene_, shape_, o_.check);
+        for (std::size_t round = 0;; ++round) {
+            collision::Walk walk = walked(); // where the tool leans, beads lie a little elsewhere
             set_beads(walk);
             const auto& moves = walk.growth.moves;
             const auto found = collision::check(scene_, o_.machine.head, moves, o_.check, threads_);
-            if (!all.judge(moves, found, spans_) || round == kRounds) break;
-            const collision::Room room(scene_, shape_, o_.check, kMore * round);
-            all.lean(room, o_.tilt, kSpacing / (1 << round), threads_, spans_);
+            if (!all.judge(moves, found, spans_, room) || round == kRounds.size()) break;
+            const auto& [pace, more] = kRounds[round];
+            all.lean({scene_, shape_, o_.check, more}, o_.tilt, pace, threads_, spans_);
+            if (more > 0) all.hope();
         }
         job_.leaning = all.best(spans_);
     }

@@ -30,8 +30,9 @@ struct State {
 // A place where the head is looked at.
 struct Look {
     std::size_t point = 0; // of the dense stroke
+    std::size_t first = 0, last = 0; // points that are nearest to it, or that one alone
     double weight = 0;     // mm of path
-    bool stuck = false;    // none of the tilts offered last gives room
+    bool stuck = false;    // none of the tilts looked at gives room
 };
 
 // Where a tilt is chosen, for the looks about it.
@@ -44,14 +45,18 @@ struct Station {
 
 class Leaner {
   public:
-    Leaner(const collision::Room& room, const Dense& dense, const TiltOptions& o, double spacing, int threads)
-        : room_(room), points_(dense.points), o_(o), spacing_(spacing), threads_(threads), tilts_(points_.size()) {
+    Leaner(const collision::Room& room, const Dense& dense, const TiltOptions& o, const Pace& pace, int threads)
+        : room_(room), points_(dense.points), o_(o), spacing_(pace.spacing), threads_(threads), tilts_(points_.size()) {
         for (std::size_t i = 0; i < points_.size(); ++i)
-            if (i == 0 || i + 1 == points_.size() || points_[i].arc - points_[looks_.back().point].arc >= spacing)
-                looks_.push_back({i});
+            if (i == 0 || i + 1 == points_.size() || points_[i].arc - points_[looks_.back().point].arc >= spacing_)
+                looks_.push_back({i, i, i + 1});
         for (std::size_t k = 0; k < looks_.size(); ++k) {
             const auto arc = [&](std::size_t l) { return points_[looks_[l].point].arc; };
             looks_[k].weight = std::max((arc(std::min(k + 1, looks_.size() - 1)) - arc(k > 0 ? k - 1 : 0)) / 2, 1e-3);
+            if (!pace.every || k == 0) continue;
+            std::size_t half = looks_[k].point;
+            while (half - 1 > looks_[k - 1].point && 2 * points_[half - 1].arc > arc(k - 1) + arc(k)) --half;
+            looks_[k - 1].last = looks_[k].first = half;
         }
     }
 
@@ -60,9 +65,10 @@ class Leaner {
         const double rings = std::ceil(o_.most / kCoarse);
         double step = o_.most / rings;
         level(step, static_cast<int>(rings));
+        first_ = false;
         while (step > kFine) {
             step /= 2;
-            level(step, 1);
+            level(step, stride_ > 1 ? 2 : 1); // what was between two stations may have to go farther
         }
         for (Vec2& t : tilts_)
             if (norm(t) < kNothing) t = {};
@@ -84,12 +90,12 @@ class Leaner {
     // Chooses among tilts up to `rings` steps to all sides of those there are.  Stations are as far apart as a tilt
     // needs to change by a step.
     void level(double step, int rings) {
-        const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(step / (o_.rate * spacing_))));
+        stride_ = static_cast<std::size_t>(std::max(1.0, std::ceil(step / (o_.rate * spacing_))));
         stations_.clear();
-        for (std::size_t l = 0;; l = std::min(l + stride, looks_.size() - 1)) {
+        for (std::size_t l = 0;; l = std::min(l + stride_, looks_.size() - 1)) {
             const std::size_t first = stations_.empty() ? 0 : stations_.back().last;
             const bool end = l + 1 == looks_.size();
-            const std::size_t last = end ? l + 1 : std::min(l + (stride + 1) / 2, looks_.size() - 1);
+            const std::size_t last = end ? l + 1 : std::min(l + (stride_ + 1) / 2, looks_.size() - 1);
             stations_.push_back({looks_[l].point, first, last, tilts_[looks_[l].point], {}});
             if (end) break;
         }
@@ -118,14 +124,21 @@ class Leaner {
         std::stable_sort(s.states.begin(), s.states.end(),
                          [](const State& a, const State& b) { return norm2(a.tilt) < norm2(b.tilt); });
         for (std::size_t l = s.first; l < s.last; ++l) {
-            const Point& p = points_[looks_[l].point];
-            looks_[l].stuck = true;
+            bool stuck = true;
             for (State& state : s.states) {
-                const bool free = room_.at({p.tip, leant(p, state.tilt), {}}, p.before);
-                looks_[l].stuck = looks_[l].stuck && !free;
+                const bool free = room_for(state.tilt, looks_[l]);
+                stuck = stuck && !free;
                 state.cost += looks_[l].weight * (norm2(state.tilt) + (free ? 0 : kBlocked));
             }
+            looks_[l].stuck = stuck && (first_ || looks_[l].stuck);
         }
+    }
+
+    [[nodiscard]] bool room_for(const Vec2& tilt, const Look& look) const {
+        return std::all_of(points_.begin() + static_cast<std::ptrdiff_t>(look.first),
+                           points_.begin() + static_cast<std::ptrdiff_t>(look.last), [&](const Point& p) {
+                               return room_.at({p.tip, leant(p, tilt), {}}, p.before);
+                           });
     }
 
     void choose() {
@@ -172,6 +185,8 @@ class Leaner {
     double spacing_;
     int threads_;
     std::vector<Vec2> tilts_; // by point
+    bool first_ = true;       // of the levels
+    std::size_t stride_ = 1;  // looks from one station to the next
     std::vector<Look> looks_;
     std::vector<Station> stations_;
 };
@@ -192,9 +207,9 @@ Leaning report(const Dense& dense, const std::vector<Vec2>& tilts) {
 
 } // namespace
 
-Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, double spacing, int threads) {
-    const Dense dense = densified(stroke, options.most / options.rate + kEase * kStiff, spacing);
-    Leaner leaner(room, dense, options, spacing, threads);
+Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, const Pace& pace, int threads) {
+    const Dense dense = densified(stroke, options.most / options.rate + kEase * kStiff, pace.spacing);
+    Leaner leaner(room, dense, options, pace, threads);
     const auto tilts = leaner.run();
     Leant out;
     if (std::any_of(tilts.begin(), tilts.end(), [](const Vec2& t) { return norm2(t) > 0; })) {

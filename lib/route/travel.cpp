@@ -10,7 +10,7 @@ namespace filum::route {
 
 namespace {
 
-constexpr double kReserve = 0.2;                       // mm above what is just free
+constexpr double kReserve = 0.2;                       // mm above what is just free, at least
 constexpr int kInside = 7;                             // places looked at between two corners
 constexpr std::size_t kCorners = 64;                   // of a way over, at most
 constexpr int kLevels = 4;                             // at which a way around is sought
@@ -22,7 +22,8 @@ Knot between(const Knot& a, const Knot& b, double t) {
 
 class Search {
   public:
-    Search(const Fan& fan, const TravelOptions& options) : fan_(fan), o_(options) {}
+    Search(const Fan& fan, const TravelOptions& options)
+        : fan_(fan), o_(options), reserve_(std::max(options.lift, kReserve)) {}
 
     Travel run() {
         if (fan_.chord() < o_.min_length && !fan_.blocked({0, 0, 0}, {1, 0, 0}))
@@ -43,7 +44,7 @@ class Search {
     // As low as the tool can be above an end.
     [[nodiscard]] Knot end(double share) const {
         const double rise = fan_.least_rise({share, 0, o_.lift});
-        return {share, 0, rise > o_.lift ? rise + kReserve : rise};
+        return {share, 0, rise > o_.lift ? rise + reserve_ : rise};
     }
 
     // Length with both ends.
@@ -75,7 +76,7 @@ class Search {
             knot.rise = rise, best = knot;
         }
         if (excess == 0) best.rise = fan_.least_rise(best);
-        best.rise += kReserve;
+        best.rise += reserve_;
         return best;
     }
 
@@ -127,6 +128,7 @@ class Search {
 
     const Fan& fan_;
     const TravelOptions& o_;
+    double reserve_; // mm
     std::size_t corners_ = 0;
 };
 

@@ -30,6 +30,7 @@ def write(name, *boxes):
 write("towers.stl", *(((x, 0, 0), (x + 4, 4, 12)) for x in (0, 15, 30)))
 write("clamp.stl", ((6, -10, 0), (13, 14, 25)))
 write("beside.stl", ((-3, -30, 0), (-2, 34, 20)))
+write("arch.stl", ((2.5, -12, 0), (9, -10, 20)), ((2.5, 14, 0), (9, 16, 20)), ((2.5, -12, 20), (9, 16, 22)))
 write("above.stl", ((-30, -30, 9), (60, 60, 10)))
 END
     # finished one after the other, as a slim head may
@@ -109,6 +110,19 @@ END
     postproc --machine linuxcnc-xyzac leaning > leaning.ngc
     expect 2 route towers.toolpath --machine marlin --tilt 10
     [[ $err == *'three axes'* ]]
+}
+
+@test "from below the rim of an arch over it to the other side" {
+    head=(--cone-height 60 --cone-angle 2 --carriage 0,0 --part arch.stl)
+    expect 1 route towers.toolpath "${head[@]}"
+    expect 0 route towers.toolpath "${head[@]}" --tilt 25 --output arch
+    [[ $(said arch route travels-over) -ge 1 && $(said arch route leaning-strokes) == 1 ]]
+    collide arch "${head[@]}" | peek | grep -q 'colliding-moves 0'
+    # the nozzle's flat beside the rim, 0.24 mm from the tower's farthest bead: no less, and no more than 2 degrees above
+    awk -v most="$(said arch route tilt-max)" 'BEGIN {
+        least = atan2(4 - 0.24 + 0.2 - 2.5, 20 - 12) * 57.29578
+        exit !(most > least - 1 && most < least + 3)
+    }'
 }
 
 @test "what cannot be freed is an error with the place, or a note" {

@@ -66,7 +66,7 @@ struct Leans {
             stroke.before.emplace_back(span.points.size() - 1, 0);
             stroke.blocked.push_back(blocked);
         }
-        leant = lean(Room(scene, shape, options), stroke, o, 1, 1);
+        leant = lean(Room(scene, shape, options), stroke, o, {}, 1);
     }
 };
 
