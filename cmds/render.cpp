@@ -3,6 +3,7 @@
 // writes: a PNG picture, SVG or VTP
 // memory: the model
 #include "cli/command.hpp"
+#include "cli/head_options.hpp"
 #include "render/draw.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
@@ -14,15 +15,15 @@ using namespace filum;
 constexpr const char* kDescription =
     "Draws a toolpath in perspective, every bead as wide and as high as it is, lit so that neighbouring beads can be "
     "told; or with --layer one layer flat from above, where voids show red if the outlines are given with --regions, "
-    "and material laid twice shows dark. Layers and Regions are drawn as solids, or with --layer as filled "
-    "outlines.\n\n"
+    "and material laid twice dark. Layers and Regions are drawn as solids, with --layer as filled outlines.\n\n"
     "Colours tell where along the program a bead lies (progress), its stroke, its layer, its width, the feed of a "
-    "machine, or its class: bead, lift, jog, connector. In a layer, green dots are where a stretch of path begins, red "
-    "ones where it ends, orange ones lifts, and thin lines moves without material.\n\n"
-    "A Surface is drawn in parallel projection, as a map with a scale, with its rims, its isolines and the field --by; "
-    "its back is bluish. With --surface a toolpath lies on it: beads as wide as they are on the side that its normals "
-    "look to, later layers over earlier ones, breaks as grey lines, starts green, ends red. --voids shows red what is "
-    "farther than half a width (and 2 % of it) from the middle of every bead, whatever the mesh.\n\n"
+    "machine, or its class. In a layer, green dots are where a stretch begins, red ones where it ends, orange ones "
+    "lifts, thin lines moves without material.\n\n"
+    "A Surface is drawn as a map with a scale, its rims, its isolines and the field --by; its back is bluish. With "
+    "--surface a toolpath lies on it, on the side that its normals look to, later layers over earlier ones, breaks as "
+    "grey lines. --voids shows red what is farther than half a width (and 2 % of it) from the middle of all beads.\n\n"
+    "With --collisions the head stands where it comes in deepest (red), among what is printed until then and --part, "
+    "other places orange; from where it is seen best, in full and close by.\n\n"
     "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. One in .vtp "
     "writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.";
 
@@ -34,24 +35,23 @@ cli::Spec spec(render::Options& o) {
             .in = cli::reads(stream::Payload::unknown),
             .out = cli::text("a PNG picture, SVG or VTP"),
             .memory = "the model",
-            .options =
-                {Option{"color", &o.color, "",
-                        "what colours mean; auto: stroke for Regions, layer for Layers, else progress"}
-                     .one_of({"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
+            .options = cli::with(
+                {Option{"color", &o.color, "", "what colours mean; auto: what suits the stream"}.one_of(
+                     {"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
                  {"view", &o.view, "VIEW",
-                  "from where: iso, top, bottom, front, back, left, right, face (straight onto a surface), face-left, "
-                  "-right, -up, -down (50 degrees aside), or X,Y,Z: towards the camera; auto: face for surfaces, else "
-                  "iso"},
+                  "from where: iso, top, bottom, front, back, left, right, face (straight onto it), face-left, -right, "
+                  "-up, -down (50 degrees aside), or X,Y,Z: towards the camera; auto: face for surfaces, else iso"},
                  {"views", &o.views, "VIEW,...", "several of these in one picture"},
                  Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
                  {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
                  {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
+                 Option{"collisions", &o.collisions, "FILE", "shows where 'collide --places' says"}.not_a_setting(),
+                 Option{"part", &o.part, "FILE,...", "meshes that the head meets there"}.not_a_setting(),
                  Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}.numbers(4),
                  {"voids", &o.voids, "", "marks where no bead covers the surface"},
                  {"overlap", &o.overlap, "", "marks where passes of one layer cover the surface twice"},
-                 Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all, in perspective"}
-                     .at_least(-1)
-                     .at_most(UINT32_MAX),
+                 Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all"}.at_least(-1).at_most(
+                     UINT32_MAX),
                  Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(UINT32_MAX),
                  Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(UINT32_MAX),
                  Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines --layer shows"}.not_a_setting(),
@@ -62,6 +62,7 @@ cli::Spec spec(render::Options& o) {
                  {"no-centres", &o.no_centres, "", "leaves out the lines along the middle of beads"},
                  {"no-table", &o.no_table, "", "leaves out the table and its shadow"},
                  {"svg", &o.svg, "", "writes SVG; needs --layer"}},
+                cli::head_options(o.head)),
             .examples = {{"slice part.stl | regions | sequence | fill | link3d | render --output part.png",
                           "the whole toolpath in perspective"},
                          {"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | "

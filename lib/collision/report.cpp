@@ -53,7 +53,8 @@ std::string complaint(const Answer& a) {
     return "cannot go this way: the head collides at " + std::to_string(colliding(a)) + " of " +
            std::to_string(sources(a)) + " " + name(a.source) + "s; first the " + name(first.piece) + " meets the " +
            name(first.against) + (m.travel ? " on a travel" : "") + ", the tip at " + where(a, first) +
-           "; take a slimmer head, or let --strict=false go on";
+           "; take a slimmer head, let --strict=false go on, or look: 'collide --places LIST', 'render --collisions "
+           "LIST'";
 }
 
 Notes notes(const Answer& a) {
@@ -97,13 +98,15 @@ figures::Figures summary(const Answer& a) {
 }
 
 std::string places(const Answer& a) {
-    std::string out = std::string(name(a.source)) + "\tlayer\tstroke\tmove\tmeets\twith\tclearance\tx\ty\tz\n";
+    std::string out = std::string(name(a.source)) + "\tlayer\tstroke\tmove\tmeets\twith\tclearance\tx\ty\tz\ti\tj\tk\n";
     for (const Place& p : a.found.collisions) {
         const Move& m = a.moves[p.move];
+        const Vec3 axis = at(m, p.along).axis;
         out += std::to_string(m.source) + "\t" + std::to_string(m.layer) + "\t" + std::to_string(m.stroke) + "\t" +
                (m.travel ? "travel" : "bead") + "\t" + name(p.against) + "\t" + name(p.piece) + "\t" +
                fixed_text(p.clearance, 4) + "\t" + fixed_text(p.tip.x, 4) + "\t" + fixed_text(p.tip.y, 4) + "\t" +
-               fixed_text(p.tip.z, 4) + "\n";
+               fixed_text(p.tip.z, 4) + "\t" + fixed_text(axis.x, 6) + "\t" + fixed_text(axis.y, 6) + "\t" +
+               fixed_text(axis.z, 6) + "\n";
     }
     return out;
 }

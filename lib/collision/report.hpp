@@ -36,7 +36,7 @@ Facts facts(const Answer& answer);
 figures::Figures summary(const Answer& answer);
 
 // A line per collision: the point or line, layer, stroke, bead or travel, what is met, with which piece of the head,
-// clearance, and where the tip is, mm.
+// clearance, where the tip is, mm, and the unit vector up the tool.
 std::string places(const Answer& answer);
 
 } // namespace filum::collision

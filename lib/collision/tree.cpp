@@ -9,7 +9,7 @@ namespace filum::collision {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4, kSlice = 8192;
+constexpr std::uint32_t kLeaf = 4;
 
 double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -131,8 +131,23 @@ void Tree::bound(Node& node, std::uint32_t first, std::uint32_t last) const {
     }
 }
 
-// Halved by number: many by age, so that what is to come does not make wide what is there; few along the longest side
-// of the box of centres.  Ties: the older first.
+// Whether what came later lies above what was there before, or below, by a good part of the whole's thickness.
+bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) const {
+    constexpr double kPart = 0.25;
+    double age = 0;
+    for (std::uint32_t i = first; i < last; ++i) age += solids_[i].born;
+    age /= last - first;
+    std::array<double, 2> height{}, count{};
+    for (std::uint32_t i = first; i < last; ++i) {
+        const std::size_t later = solids_[i].born > age ? 1 : 0;
+        height[later] += dot(centre(solids_[i]), node.normal), count[later] += 1;
+    }
+    if (count[0] == 0 || count[1] == 0) return false;
+    return std::abs(height[1] / count[1] - height[0] / count[0]) > kPart * 2 * node.thick;
+}
+
+// Halved by number: layers by age, so that what is to come does not rise above what is there; else along the longest
+// side of the box of centres.  Ties: the older first.
 std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
@@ -153,7 +168,7 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     bound(node, first, last);
     if (last - first > kLeaf) {
         const Vec3 size = high - low;
-        const bool by_age = last - first > kSlice && solids_[first].born != solids_[last - 1].born;
+        const bool by_age = layered(node, first, last);
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t half = first + (last - first) / 2;
         const auto begin = solids_.begin();

@@ -74,6 +74,7 @@ class Tree {
     };
     class View;
     std::uint32_t build(std::uint32_t first, std::uint32_t last);
+    [[nodiscard]] bool layered(const Node& node, std::uint32_t first, std::uint32_t last) const;
     void bound(Node& node, std::uint32_t first, std::uint32_t last) const;
     template <class Skip, class Meet>
     void visit(View& view, const double& cutoff, const Skip& skip, const Meet& meet) const;

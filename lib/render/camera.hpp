@@ -17,4 +17,7 @@ geom::Vec3 unit(geom::Vec3 v); // length 1; straight up for no length
 // `aspect`, but for a margin.
 Camera aim(const Scene& scene, geom::Vec3 centre, geom::Vec3 from, double aspect, bool travels);
 
+// The same for a ball around `at`, relative to the same centre.
+Camera aim(geom::Vec3 at, double radius, geom::Vec3 from, double aspect);
+
 } // namespace filum::render

@@ -2,6 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "mesh/read.hpp"
+#include "render/collisions.hpp"
 #include "render/drape.hpp"
 #include "render/flat.hpp"
 #include "render/perspective.hpp"
@@ -37,6 +39,17 @@ void check_surface(const Scene& scene, const Options& o) {
     if (scene.sheet && o.flat()) throw Error(Exit::usage, "cannot draw a surface as a layer; leave out --layer");
 }
 
+// The meshes named in `list`, commas between.
+void add_parts(Scene& scene, const std::string& list) {
+    for (std::size_t at = 0; !list.empty() && at <= list.size();) {
+        const std::size_t end = std::min(list.find(',', at), list.size());
+        const std::string path = list.substr(at, end - at);
+        scene.meshes.push_back(
+            {mesh::read(mesh::load(path).view(), mesh::spoken_name(path)).mesh, oklch(0.82, 0.02, 200)});
+        at = end + 1;
+    }
+}
+
 std::vector<Look> chosen(const Options& o, const std::string& otherwise) {
     if (!o.views.empty()) return looks(o.views, "views");
     const auto one = looks(o.view == "auto" ? otherwise : o.view, "view");
@@ -60,6 +73,12 @@ void check(const Options& o) {
     if (!o.views.empty() && o.flat())
         throw Error(Exit::usage, "cannot draw a layer from several sides; leave out --views");
     if (o.svg && !o.flat()) throw Error(Exit::usage, "cannot write all layers as SVG; choose one with --layer");
+    const bool flat = o.flat() || o.svg || o.vtp, cut = o.from_layer > 0 || o.to_layer < UINT32_MAX;
+    if (!o.collisions.empty() && (flat || cut || !o.surface.empty() || !o.views.empty() || o.view.starts_with("face")))
+        throw Error(Exit::usage, "cannot draw --collisions on a surface, flat, of some layers, as SVG or VTP, or from "
+                                 "several sides; --view alone may go with it");
+    if (o.collisions.empty() && !o.part.empty())
+        throw Error(Exit::usage, "cannot use --part without --collisions; name their list");
     if (!o.regions.empty() && !o.flat())
         throw Error(Exit::usage, "cannot use --regions without --layer; choose a layer");
 }
@@ -78,12 +97,20 @@ std::string draw(Scene scene, const Options& o, const std::string& by_default, i
     const FlatView flat{w, h, samples, true, !o.no_centres};
     if (o.svg) return svg(scene, colours, flat);
     if (o.flat()) return encode_png(draw_flat(scene, colours, flat, threads));
+    if (!o.collisions.empty()) {
+        const auto places = read_meetings(mesh::load(o.collisions).view(), mesh::spoken_name(o.collisions));
+        add_parts(scene, o.part);
+        const geom::Vec3 from = o.view == "auto" ? geom::Vec3{} : chosen(o, "iso").front().from;
+        return encode_png(draw_collisions(std::move(scene), places, machine::head(o.head), color,
+                                          {w, h, from, samples, o.travels, !o.no_table, {}}, threads));
+    }
     if (scene.sheet) {
         const Show show{o.by, o.arrows, o.voids, o.overlap, !o.no_centres, o.around};
         return encode_png(draw_draped(scene, colours, {w, h, samples, chosen(o, "face"), show}, threads));
     }
     return encode_png(contact_sheet(chosen(o, "iso"), w, h, [&](const Look& look, int width, int height) {
-        return draw_perspective(scene, colours, {width, height, look.from, samples, o.travels, !o.no_table}, threads);
+        return draw_perspective(scene, colours, {width, height, look.from, samples, o.travels, !o.no_table, {}},
+                                threads);
     }));
 }
 

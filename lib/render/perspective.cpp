@@ -198,8 +198,10 @@ Image develop(const Studio& s, int threads) {
 Image draw_perspective(const Scene& scene, const Tint& tint, const View& view, int threads) {
     const Tubes tubes(scene, tint, view.travels, threads);
     const double size = std::max(norm(tubes.half()), 1e-6), floor = -tubes.half().z;
-    const Camera camera =
-        aim(scene, tubes.centre(), view.from, static_cast<double>(view.width) / view.height, view.travels);
+    const double aspect = static_cast<double>(view.width) / view.height;
+    const Camera camera = view.around
+                              ? aim(view.around->centre - tubes.centre(), view.around->radius, view.from, aspect)
+                              : aim(scene, tubes.centre(), view.from, aspect, view.travels);
     // Over the left shoulder of the viewer.
     const Vec3 lamp =
         unit(-0.55 * unit(camera.right) + 0.85 * Vec3{0, 0, 1} - 0.45 * camera.forward + 0.25 * unit(camera.up));

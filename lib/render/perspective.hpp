@@ -4,14 +4,22 @@
 #include "render/image.hpp"
 #include "render/tint.hpp"
 
+#include <optional>
+
 namespace filum::render {
 
+struct Around {
+    geom::Vec3 centre;
+    double radius = 0; // mm
+};
+
 struct View {
-    int width = 1024, height = 768; // pixels
-    geom::Vec3 from{1, -1.5, 0.9};  // direction from the part to the camera; not zero
-    int samples = 4;                // rays per pixel; more rays, less noise
-    bool travels = false;           // draw them, too, as thin threads
-    bool table = true;              // the part stands on something that takes its shadow
+    int width = 1024, height = 768;    // pixels
+    geom::Vec3 from{1, -1.5, 0.9};     // direction from the part to the camera; not zero
+    int samples = 4;                   // rays per pixel; more rays, less noise
+    bool travels = false;              // draw them, too, as thin threads
+    bool table = true;                 // the part stands on something that takes its shadow
+    std::optional<Around> around = {}; // fills the picture; else all does
 };
 
 // Beads are drawn with elliptic sections, as wide as they are and as high as the scene's typical layer, with Embree's

@@ -1,7 +1,9 @@
 // What is drawn: any planar stream as spans, the outlines of layers, a surface.
 #pragma once
 
+#include "mesh/mesh.hpp"
 #include "polygon/region.hpp"
+#include "render/colour.hpp"
 #include "surface/sheet.hpp"
 #include "toolpath/path.hpp"
 
@@ -17,11 +19,18 @@ struct Outline {
     polygon::Loops loops;
 };
 
+// A solid thing beside the beads.
+struct Thing {
+    mesh::Mesh mesh;
+    Rgb colour;
+};
+
 struct Scene {
     std::vector<toolpath::Span> spans;
     std::vector<Outline> outlines;
     bool solid = false;                       // spans only stand for the outlines' solid: there are no beads
     std::optional<surface::Sheet> sheet = {}; // that the spans lie on, or alone
+    std::vector<Thing> meshes = {};           // in perspective only
 
     [[nodiscard]] bool empty() const { return spans.empty() && outlines.empty() && !sheet; }
 };

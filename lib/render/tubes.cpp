@@ -49,6 +49,8 @@ struct Tubes::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::vector<Srgb8> colour; // per segment
+    std::vector<Rgb> things;   // colours of the meshes
+    unsigned first_thing = 0;  // the first one's number in the scene; they follow one another
     Vec3 centre, half;
     double stretch = 1;               // z in Embree's space is z of the part times this
     double thickness = 0;             // mm
@@ -62,6 +64,7 @@ struct Tubes::State {
     }
     void measure(const Scene& s, bool travels);
     void fill(const Scene& s, const Tint& tint, bool travels);
+    void stand(const Thing& thing);
     // On a curved surface beads lie flat in all directions.  They are drawn as round rods that rise as a bead is high
     // where they are as wide as it is: its crest, where the nozzle was, and its rims are true, and the part, or the
     // neighbours, hide the rest.  Not thicker than twice the bead, or they would come out behind a thin wall.
@@ -109,6 +112,8 @@ void Tubes::State::measure(const Scene& s, bool travels) {
             const double r = radius(span, i);
             box.add(axis(span, i, r), r, r / stretch);
         }
+    for (const Thing& thing : s.meshes)
+        for (const Vec3& p : thing.mesh.vertices) box.add(p, 0, 0);
     if (box.lo.x > box.hi.x) return;
     centre = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
 }
@@ -167,6 +172,27 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
     rtcCommitGeometry(g);
     rtcAttachGeometry(scene, g);
     rtcReleaseGeometry(g);
+    first_thing = 1;
+}
+
+void Tubes::State::stand(const Thing& thing) {
+    const auto& m = thing.mesh;
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertex = static_cast<float*>(
+        rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), m.vertices.size()));
+    auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                 3 * sizeof(unsigned), m.triangles.size()));
+    if (vertex == nullptr || index == nullptr) throw std::bad_alloc();
+    for (const Vec3& at : m.vertices) {
+        const Vec3 p = at - centre;
+        *vertex++ = static_cast<float>(p.x), *vertex++ = static_cast<float>(p.y);
+        *vertex++ = static_cast<float>(p.z * stretch);
+    }
+    for (const auto& t : m.triangles) index = std::copy(t.begin(), t.end(), index);
+    rtcCommitGeometry(g);
+    rtcAttachGeometryByID(scene, g, first_thing + static_cast<unsigned>(things.size()));
+    rtcReleaseGeometry(g);
+    things.push_back(thing.colour);
 }
 
 Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : state_(std::make_unique<State>()) {
@@ -178,6 +204,8 @@ Tubes::Tubes(const Scene& scene, const Tint& tint, bool travels, int threads) : 
     state_->scene = rtcNewScene(state_->device);
     state_->measure(scene, travels);
     state_->fill(scene, tint, travels);
+    for (const Thing& thing : scene.meshes)
+        if (!thing.mesh.triangles.empty()) state_->stand(thing);
     rtcCommitScene(state_->scene);
     if (rtcGetDeviceError(state_->device) != RTC_ERROR_NONE)
         throw Error(Exit::failure, "cannot draw in perspective: Embree has no memory left; choose fewer layers");
@@ -204,7 +232,10 @@ std::array<Hit, 4> Tubes::shoot(Vec3 from, const std::array<Vec3, 4>& direction)
         if (rh.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) continue;
         Vec3 n = unit({rh.hit.Ng_x[k], rh.hit.Ng_y[k], rh.hit.Ng_z[k] * state_->stretch});
         if (dot(n, direction[k]) > 0) n = -1.0 * n;
-        out[k] = {true, rh.ray.tfar[k], n, from_srgb8(state_->colour[rh.hit.primID[k]])};
+        const bool bead = rh.hit.geomID[k] < state_->first_thing;
+        out[k] = {true, rh.ray.tfar[k], n,
+                  bead ? from_srgb8(state_->colour[rh.hit.primID[k]])
+                       : state_->things[rh.hit.geomID[k] - state_->first_thing]};
     }
     return out;
 }
@@ -217,7 +248,7 @@ bool Tubes::blocked(Vec3 from, Vec3 direction, float reach) const {
     return r.tfar < 0;
 }
 
-bool Tubes::empty() const { return state_->colour.empty(); }
+bool Tubes::empty() const { return state_->colour.empty() && state_->things.empty(); }
 Vec3 Tubes::centre() const { return state_->centre; }
 Vec3 Tubes::half() const { return state_->half; }
 double Tubes::thickness() const { return state_->thickness; }

@@ -1,4 +1,4 @@
-// The beads of a scene as round curves that rays can be shot at (Embree).
+// The beads of a scene as round curves, and its meshes, that rays can be shot at (Embree).
 #pragma once
 
 #include "render/tint.hpp"

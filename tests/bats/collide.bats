@@ -74,8 +74,14 @@ said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
     [[ $err == 'collide: head meets the beads: '* ]]
     peek fat.toolpath | grep -q 'note.*head meets the beads'
     [[ $(said fat.toolpath colliding-moves) == "$(tail -n +2 places.tsv | cut -f 1 | sort -un | wc -l)" ]]
-    head -n 1 places.tsv | grep -qx "point	layer	stroke	move	meets	with	clearance	x	y	z"
+    head -n 1 places.tsv | grep -qx "point	layer	stroke	move	meets	with	clearance	x	y	z	i	j	k"
     awk -F '\t' 'NR > 1 && !($5 == "beads" && $6 == "carriage" && $7 < -0.05) { exit 1 }' places.tsv
+    expect 0 render towers.toolpath --collisions places.tsv --cone-height 3 --size 320,160 --output places.png
+    [[ -s places.png && -z $err ]]
+    expect 2 render towers.toolpath --collisions places.tsv --layer 3
+    expect 3 render towers.toolpath --collisions towers.stl
+    expect 5 render towers.toolpath --collisions none.tsv
+    expect 2 render towers.toolpath --part block.stl
 }
 
 @test "a fixture beside the part: clearance is what it is" {

@@ -1,5 +1,6 @@
 #include "collision/check.hpp"
 
+#include "collision/beads.hpp"
 #include "collision/report.hpp"
 
 #include <gtest/gtest.h>
@@ -147,6 +148,50 @@ TEST(Check, RandomMovesAgreeWithSampling) {
                 EXPECT_GE(clearance, std::min(0.0, least) - o.step / 2);
                 EXPECT_GE(clearance, least - 0.2); // samples are so far apart
             }
+        }
+    }
+}
+
+// Along winding ways, turning, over hills of triangles and of beads that grow: what many moves together are known to
+// be clear of, each of them alone is.
+TEST(Check, ManyMovesAgreeWithEachAlone) {
+    Random random;
+    machine::Head head;
+    head.carriage_x = head.carriage_y = 12;
+    for (int trial = 0; trial < 6; ++trial) {
+        std::vector<Solid> part;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 a = random.place(25) + Vec3{0, 0, 22};
+            part.push_back(triangle(a, a + random.place(2), a + random.place(2)));
+        }
+        Growth growth(head.flat_radius);
+        const bool turned = trial % 2 == 1, known = trial >= 4;
+        const double tight = random(0.05, 0.3);
+        Stance here{random.place(8), {0, 0, 1}, known ? Vec3{1, 0, 0} : Vec3{}};
+        for (int i = 0; i < 256; ++i) {
+            const double t = tight * i, lean = turned ? 0.4 * std::sin(0.05 * i) : 0.0;
+            Stance next = here;
+            next.tip = here.tip + Vec3{0.3 * std::cos(t), 0.3 * std::sin(t), turned ? 0.1 * std::sin(0.3 * i) : 0.002};
+            next.axis = {0, std::sin(lean), std::cos(lean)};
+            growth.add({here, next, 0, static_cast<std::uint32_t>(i), 0, 0, false}, 0.4, 0.2);
+            here = next;
+        }
+        const Scene s = scene(part, growth.beads);
+        const Options o{.step = 0.1};
+        const Found together = run(s, head, growth.moves, o);
+        std::array<double, 2> alone{1e9, 1e9};
+        std::size_t colliding = 0;
+        for (const Move& m : growth.moves) {
+            const Found f = run(s, head, {m}, o);
+            for (const std::size_t k : {0U, 1U})
+                if (f.least[k]) alone[k] = std::min(alone[k], f.least[k]->clearance);
+            colliding += f.moves;
+        }
+        EXPECT_EQ(together.moves, colliding) << trial;
+        for (const std::size_t k : {0U, 1U}) {
+            ASSERT_EQ(together.least[k].has_value(), alone[k] < 1e9) << trial;
+            if (!together.least[k]) continue;
+            EXPECT_NEAR(together.least[k]->clearance, alone[k], o.step / 2) << trial;
         }
     }
 }
