@@ -56,7 +56,7 @@ cli::Spec spec(postproc::Options& o) {
               "nozzle_temp=230"},
              cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
                  {"error", "drop"}),
-             cli::Option{"report", &o.report, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
+             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},
@@ -102,8 +102,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     cli::Report said(io);
     for (const Note& n : postproc::omissions(survey, io.program)) said.add(n), notes.push_back(n);
     said.say();
-    if (!o.report.empty())
-        cli::write_text(o.report, figures::text(postproc::job(profile, survey), figures::Format::tsv));
+    if (!o.job.empty()) cli::write_text(o.job, figures::text(postproc::job(profile, survey), figures::Format::tsv));
 
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
