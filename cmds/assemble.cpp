@@ -4,6 +4,7 @@
 // memory: one toolpath
 #include "assemble/assemble.hpp"
 #include "cli/command.hpp"
+#include "mesh/place.hpp"
 #include "wire/planar.hpp"
 
 #include <cmath>
@@ -16,11 +17,15 @@ using namespace filum;
 constexpr const char* kDescription =
     "Writes the toolpaths one behind the other, in the order given, as one: a printed core first, then patches, or "
     "plies of one surface. Strokes are numbered on, and between two toolpaths the tool travels: up along its axis by "
-    "--lift, across, and down. Notes and facts of all stay, and the history names all of them. --tools says which tool "
-    "of the machine lays each toolpath, as 0,1 for a printed core and a patch of fibre on it.";
+    "--lift, across, and down; if it does not stay upright, it stands up there and goes across above all that was laid "
+    "so far. Notes and facts of all stay, and the history names all of them.\n\n"
+    "--tools says which tool of the machine lays each toolpath, as 0,1 for a printed core and a patch of fibre on it. "
+    "--rotate and --translate move everything, as the same options of slice do: patches of a part that is printed "
+    "turned.";
 
 struct Options {
     assemble::Options job;
+    std::vector<double> rotate_deg{0, 0, 0}, translate{0, 0, 0}; // mm
 };
 
 cli::Spec spec(Options& o) {
@@ -31,12 +36,15 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "one toolpath",
-        .options = {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(
-                        0),
-                    cli::Option{"tools", &o.job.tools, "N,...",
-                                "tool of each toolpath in turn, the last one also of all that follow"}
-                        .at_least(0)
-                        .at_most(1000)},
+        .options =
+            {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(0),
+             cli::Option{"tools", &o.job.tools, "N,...",
+                         "tool of each toolpath in turn, the last one also of all that follow"}
+                 .at_least(0)
+                 .at_most(1000),
+             cli::Option{"rotate", &o.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(
+                 3),
+             cli::Option{"translate", &o.translate, "X,Y,Z", "mm to move by"}.numbers(3)},
         .examples =
             {{"geodesic part.stl --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > a.toolpath; "
               "surfpath ortheo part.surface --ply 1 --offset 0.2 > b.toolpath; assemble a.toolpath b.toolpath > "
@@ -59,7 +67,9 @@ void run(const Options& o, const cli::Io& io) {
         before.push_back(&readers.back()->header());
     }
     stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, before));
-    assemble::Job job(o.job);
+    assemble::Options options = o.job;
+    options.place = mesh::rigid(o.rotate_deg, o.translate);
+    assemble::Job job(options);
     for (const auto& reader : readers) {
         job.begin();
         while (auto frame = reader->next()) {

@@ -31,8 +31,9 @@ constexpr const char* kDescription =
     "--program checks finished machine code instead, from its lines alone: X Y Z and the rotary words of the profile, "
     "with the numbers of the tip or of the axes as the profile says, G0 and G1; other lines are counted. The figures "
     "are written instead of a toolpath. Beads are as wide and high as the comments WIDTH: and HEIGHT: of the program "
-    "or --bead say, and lie where the extruder goes forward. The part is where the program has it: use postproc "
-    "--place as-is, or say with --shift how to get from there to the meshes. Places are right to 0.002 mm.";
+    "or --bead say, and lie where the extruder goes forward, or between the codes of a valve or of a fibre. The part "
+    "is where the program has it: use postproc --place as-is, or say with --shift how to get from there to the meshes. "
+    "Places are right to 0.002 mm.";
 
 cli::Spec spec(survey::CollideOptions& o) {
     using cli::Option;

@@ -1,16 +1,19 @@
 // Several toolpaths as one.
 #pragma once
 
+#include "mesh/affine.hpp"
 #include "toolpath/path.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace filum::assemble {
 
 struct Options {
-    double lift = 5; // mm: along the tool axis, of travels from one toolpath to the next
+    double lift = 5; // mm: along the tool axis, of travels from one toolpath to the next, and above all laid before
     // Tool of each toolpath in turn, the last one also of all that follow; none: they keep their own.
     std::vector<double> tools{};
+    mesh::Affine place{}; // of everything; keeps lengths and angles
 };
 
 // Takes the spans of toolpaths in their order and gives back those of the job.
@@ -21,16 +24,21 @@ class Job {
     // The next toolpath begins.
     void begin();
 
-    // The span with its stroke numbered on from the toolpaths before; the first one of a toolpath behind a travel from
-    // where the last one ended: up along the tool axis there, across, and down along the axis here.
+    // The span, placed, with its stroke numbered on from the toolpaths before; the first one of a toolpath behind a
+    // travel from where the last one ended: up along the tool axis there, across, and down along the axis here.  Where
+    // one of the axes is not upright, across means: upright above all that was laid so far, for between two sides of a
+    // part the part itself stands in the way.
     std::vector<toolpath::Span> add(toolpath::Span span);
 
   private:
+    [[nodiscard]] toolpath::Span travel(const toolpath::Span& to) const;
+
     Options o_;
     std::size_t begun_count_ = 0;        // toolpaths
     std::uint32_t first_ = 0, next_ = 0; // strokes: of this toolpath, and behind the greatest
     bool fresh_ = false, begun_ = false;
     geom::Vec3 at_, axis_{0, 0, 1};
+    double top_ = -std::numeric_limits<double>::infinity(); // mm: of all so far
 };
 
 } // namespace filum::assemble

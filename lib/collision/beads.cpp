@@ -20,10 +20,16 @@ bool Growth::add(Move move, double width, double height) {
     return true;
 }
 
+std::uint32_t Growth::before() const {
+    const auto old = std::partition_point(ends_.begin(), ends_.end(), [&](double e) { return e <= way_ - fresh_; });
+    return static_cast<std::uint32_t>(beads.size() - static_cast<std::size_t>(ends_.end() - old));
+}
+
 Stance Walk::stance(const toolpath::Span& span, std::size_t i) const {
     Stance out{span.points[i], {0, 0, 1}, {1, 0, 0}};
     if (!span.normals.empty()) out.axis = span.normals[i];
-    if (machine_.rotary || !span.normals.empty()) out.side = {};
+    const bool goes_on = !toolpath::extrudes(span.role) && at_.side != Vec3{} && out.axis == Vec3{0, 0, 1};
+    if (machine_.rotary || !(span.normals.empty() || goes_on)) out.side = {};
     return out;
 }
 

@@ -18,6 +18,8 @@ class Growth {
     // Adds the move; its `before` is set here.  A width of 0 lays nothing.  Returns false, and adds nothing, if it
     // does not move.
     bool add(Move move, double width, double height);
+    // What the next move would have before it if it lays nothing.
+    [[nodiscard]] std::uint32_t before() const;
 
     std::vector<Move> moves;
     std::vector<Solid> beads; // born in their order
@@ -37,7 +39,7 @@ struct Machine {
 // Spans in their order.  Points with normals are followed as they say; a tool axis that changes between two spans
 // turns where it stands.  A travel without normals rises first, as postproc makes it: above all beads so far and its
 // own points. The carriage's x is the part's on machines with three axes and on spans without normals of no known
-// machine; otherwise it is taken as round.
+// machine, and on travels from there whose normals are upright; otherwise it is taken as round.
 class Walk {
   public:
     explicit Walk(const Machine& machine) : growth(machine.head.flat_radius), machine_(machine) {}

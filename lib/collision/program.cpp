@@ -103,6 +103,8 @@ class Reader {
         const auto& a = p_.axes;
         if (is(p_.extrusion.on)) return open_ = true, ++out_.ignored, true;
         if (is(p_.extrusion.off)) return open_ = false, ++out_.ignored, true;
+        if (p_.fibre.active() && is(p_.fibre.on)) return open_ = true, ++out_.ignored, true;
+        if (p_.fibre.active() && is(p_.fibre.off)) return open_ = false, ++out_.ignored, true;
         if (!a.active() || a.numbers != machine::Numbers::tip) return false;
         if (is(a.tcp_on)) return switch_to(true), ++out_.ignored, true;
         if (is(a.tcp_off)) return switch_to(false), ++out_.ignored, true;

@@ -62,9 +62,7 @@ Affine placement_map(const Placement& p, double unit) {
         if (s == 0) throw Error(Exit::usage, "cannot use '0' for --scale: nothing would be left");
         map.a[k][k] = s * unit;
     }
-    for (int axis = 0; axis < 3; ++axis) map = then(map, rotation(axis, p.rotate_deg[static_cast<std::size_t>(axis)]));
-    for (std::size_t k = 0; k < 3; ++k) map.t[k] += p.translate[k];
-    return map;
+    return then(map, rigid(p.rotate_deg, p.translate));
 }
 
 void drop_unused_vertices(Mesh& mesh) {
@@ -93,6 +91,13 @@ bool within_limits(const Box3& b) {
 }
 
 } // namespace
+
+Affine rigid(const std::vector<double>& rotate_deg, const std::vector<double>& translate) {
+    Affine map;
+    for (int axis = 0; axis < 3; ++axis) map = then(map, rotation(axis, rotate_deg[static_cast<std::size_t>(axis)]));
+    for (std::size_t k = 0; k < 3; ++k) map.t[k] += translate[k];
+    return map;
+}
 
 Box3 bounds(const Mesh& mesh) {
     Box3 out{mesh.vertices.front(), mesh.vertices.front()};

@@ -19,6 +19,9 @@ struct Placement {
     bool keep_z = false;                     // unless this is set
 };
 
+// The map that turns about the x axis, then y, then z, by degrees, and then moves by mm; three numbers each.
+Affine rigid(const std::vector<double>& rotate_deg, const std::vector<double>& translate);
+
 using geom::Box3;
 Box3 bounds(const Mesh& mesh); // precondition: a vertex
 

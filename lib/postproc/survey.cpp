@@ -209,7 +209,9 @@ std::map<std::string, double> placeholders(const Survey& s, const machine::Profi
     add("x_start", s.start.x + shift.x), add("y_start", s.start.y + shift.y), add("z_start", s.start.z);
     add("bed_x_min", bed.x_min), add("bed_x_max", bed.x_max);
     add("bed_y_min", bed.y_min), add("bed_y_max", bed.y_max), add("bed_z_max", bed.z_max);
-    add("z_park", std::min(s.part_high[2] + 10, bed.z_max));
+    // A side of the part that is turned up may be higher than the part is while all axes are at rest.
+    const double top = profile.axes.active() ? std::max(s.part_high[2], s.high[2].value) : s.part_high[2];
+    add("z_park", std::min(top + 10, bed.z_max));
     add("layer", 0), add("layers", s.layers), add("z", s.start.z), add("height", s.start.z);
     add("path_len", s.path_len), add("travel_len", s.travel_len), add("time", s.seconds);
     add("strokes", static_cast<double>(s.strokes));

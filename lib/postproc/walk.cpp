@@ -88,6 +88,7 @@ void Walk::leave(const toolpath::Span& span) {
         retracted_.insert(tool_);
     }
     risen_ = true;
+    if (routed(span)) return;
     const double clear = std::min(std::max(top_, highest(span)) + profile_->travel.lift, profile_->bed.z_max);
     if (clear > at_.z) {
         at_.z = clear;
@@ -110,6 +111,7 @@ void Walk::travel(const toolpath::Span& span) {
     const bool changes = span.tool != tool_ || profile_->fibre.lays(tool_);
     const bool plain = length(span) < profile_->travel.min_length && !risen_ && !changes;
     if (!plain) leave(span);
+    if (!plain && routed(span)) return follow(span);
     for (std::size_t i = 1; i < span.points.size(); ++i) {
         at_ = plain ? span.points[i] : Vec3{span.points[i].x, span.points[i].y, at_.z};
         put({.act = Act::travel,
@@ -118,6 +120,26 @@ void Walk::travel(const toolpath::Span& span) {
              .to = at_,
              .feed = profile_->feeds.travel,
              .tool = tool_});
+    }
+}
+
+// A travel that says its own way; where the tool changes the machine rises first.
+bool Walk::routed(const toolpath::Span& span) const { return !span.normals.empty() && span.tool == tool_; }
+
+// Its z is kept, at no more than the z axis can do.
+void Walk::follow(const toolpath::Span& span) {
+    for (std::size_t i = 1; i < span.points.size(); ++i) {
+        const Vec3 to = span.points[i], d = to - at_;
+        const bool upright = d.x == 0 && d.y == 0;
+        const double rise = std::abs(d.z), most = profile_->feeds.travel;
+        const double feed = rise * most > profile_->feeds.z * norm(d) ? profile_->feeds.z * norm(d) / rise : most;
+        put({.act = upright ? Act::climb : Act::travel,
+             .role = Role::travel,
+             .layer = span.layer,
+             .to = to,
+             .feed = feed,
+             .tool = tool_});
+        at_ = to;
     }
 }
 

@@ -56,6 +56,7 @@ struct Tubes::State {
     double thickness = 0;             // mm
     double width = 0.4, height = 0.2; // mm, of a typical bead
     double lift = 0;                  // mm from a bead's top, where the nozzle was, down to its axis
+    bool tilted = false;              // some beads lie on curved surfaces
 
     ~State() {
         if (scene != nullptr) rtcReleaseScene(scene);
@@ -64,6 +65,21 @@ struct Tubes::State {
     void measure(const Scene& s, bool travels);
     void fill(const Scene& s, const Tint& tint, bool travels);
     void stand(const Thing& thing);
+    // On a curved surface beads lie flat in all directions.  They are drawn as round rods that rise as a bead is high
+    // where they are as wide as it is: its crest, where the nozzle was, and its rims are true, and the part, or the
+    // neighbours, hide the rest.  Not thicker than twice the bead, or they would come out behind a thin wall.
+    [[nodiscard]] double radius(const toolpath::Span& s, std::size_t i) const {
+        const double w = width_of(s, i, 0.3 * 2 * thickness);
+        if (!tilted || !toolpath::extrudes(s.role)) return w / 2;
+        const double h = std::min(s.height_at(i), w / 2);
+        return std::min((w * w / 4 + h * h) / (2 * h), w);
+    }
+    [[nodiscard]] Vec3 axis(const toolpath::Span& s, std::size_t i, double radius) const {
+        const Vec3 p = s.points[i];
+        if (!tilted) return {p.x, p.y, p.z - lift};
+        if (!toolpath::extrudes(s.role)) return p;
+        return p - radius * (s.normals.empty() ? Vec3{0, 0, 1} : s.normals[i]);
+    }
     [[nodiscard]] RTCRay ray(Vec3 from, Vec3 d, float reach) const {
         return {static_cast<float>(from.x),
                 static_cast<float>(from.y),
@@ -87,16 +103,14 @@ void Tubes::State::measure(const Scene& s, bool travels) {
         widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
     }
     width = median(widths, 0.4), height = median(heights, 0.2);
-    // On a curved surface beads lie flat in all directions: they are drawn round, about the path.
-    const bool tilted = std::any_of(s.spans.begin(), s.spans.end(), [](const auto& x) { return !x.normals.empty(); });
+    tilted = std::any_of(s.spans.begin(), s.spans.end(), [](const auto& x) { return !x.normals.empty(); });
     if (tilted) height = width;
-    stretch = width / height, thickness = std::max(width, height) / 2, lift = tilted ? 0 : height / 2;
+    stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
     Box box;
     for (const auto& span : s.spans)
         for (std::size_t i = 0; drawn(span, travels) && i < span.points.size(); ++i) {
-            const double r = width_of(span, i, 0.3 * width) / 2;
-            const Vec3 p = span.points[i];
-            box.add({p.x, p.y, p.z - lift}, r, r / stretch);
+            const double r = radius(span, i);
+            box.add(axis(span, i, r), r, r / stretch);
         }
     for (const Thing& thing : s.meshes)
         for (const Vec3& p : thing.mesh.vertices) box.add(p, 0, 0);
@@ -137,10 +151,10 @@ void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
         double along = 0;
         for (std::size_t m = 0; m < kept[k].size(); ++m, ++at) {
             const std::size_t i = kept[k][m];
-            const Vec3 p = span.points[i] - centre;
-            const float v[4] = {static_cast<float>(p.x), static_cast<float>(p.y),
-                                static_cast<float>((p.z - lift) * stretch),
-                                static_cast<float>(fat * width_of(span, i, 0.3 * 2 * thickness))};
+            const double r = radius(span, i);
+            const Vec3 p = axis(span, i, r) - centre;
+            const float v[4] = {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z * stretch),
+                                static_cast<float>(2 * fat * r)};
             std::memcpy(vertex + 4 * std::size_t{at}, v, sizeof v);
             if (m + 1 == kept[k].size()) continue;
             if (shown[next]) {

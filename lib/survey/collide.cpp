@@ -1,14 +1,10 @@
 #include "survey/collide.hpp"
 
 #include "collision/report.hpp"
-#include "mesh/place.hpp"
-#include "step/step.hpp"
-#include "stream/crc32c.hpp"
+#include "mesh/read.hpp"
 #include "stream/spool.hpp"
+#include "survey/things.hpp"
 #include "wire/planar.hpp"
-
-#include <cmath>
-#include <cstdio>
 
 namespace filum::survey {
 
@@ -17,63 +13,12 @@ namespace {
 using collision::Against;
 using geom::Vec3;
 
-[[noreturn]] void too_far(const std::string& what) {
-    throw Error(Exit::bad_input, "cannot use " + what + ": a coordinate is beyond 10000 m; is its unit mm?");
-}
-
-void check_place(const Vec3& p, const std::string& what) {
-    constexpr double most = mesh::kMaxCoordinate;
-    if (!(std::abs(p.x) <= most) || !(std::abs(p.y) <= most) || !(std::abs(p.z) <= most)) too_far(what);
-}
-
-// What stands there from the start.
-struct Things {
-    std::array<std::vector<collision::Solid>, 4> solids;
-    Notes notes;
-    std::vector<stream::Setting> settings; // what identifies the files
-
-    void meshes(const std::string& files, Against against) {
-        if (!files.empty() && ("," + files + ",").find(",,") != std::string::npos)
-            throw Error(Exit::usage, "cannot use '" + files + "' as names of files: one is empty");
-        std::uint32_t crc = 0;
-        for (std::size_t at = 0; !files.empty() && at <= files.size();) {
-            const std::size_t comma = std::min(files.find(',', at), files.size());
-            const std::string path = files.substr(at, comma - at);
-            at = comma + 1;
-            const mesh::Bytes bytes = mesh::load(path);
-            crc = stream::crc32c(crc, bytes.data.get(), bytes.size);
-            const mesh::File file = step::read(bytes.view(), mesh::spoken_name(path));
-            for (const Vec3& p : file.mesh.vertices) check_place(p, mesh::spoken_name(path));
-            notes.insert(notes.end(), file.notes.begin(), file.notes.end());
-            collision::add(file.mesh, solids[static_cast<std::size_t>(against)]);
-        }
-        char text[9];
-        std::snprintf(text, sizeof text, "%08x", crc);
-        const char* name = collision::kAgainstNames[static_cast<std::size_t>(against)];
-        if (!files.empty()) settings.push_back({std::string(name) + "_crc32c", text, true});
-    }
-};
-
-Things things(const CollideOptions& o) {
-    Things out;
-    out.meshes(o.part, Against::part);
-    out.meshes(o.fixture, Against::fixture);
-    return out;
-}
-
 collision::Found check(Things& t, std::vector<collision::Solid> beads, const machine::Head& head,
                        const std::vector<collision::Move>& moves, const CollideOptions& o, int threads) {
     if (o.bed) t.solids[static_cast<std::size_t>(Against::bed)] = collision::bed(moves);
     const collision::Scene scene{collision::Tree(std::move(beads)), collision::Tree(std::move(t.solids[1])),
                                  collision::Tree(std::move(t.solids[2])), collision::Tree(std::move(t.solids[3]))};
     return collision::check(scene, head, moves, o.check, threads);
-}
-
-void write_places(const CollideOptions& o, const collision::Answer& answer) {
-    if (o.places.empty()) return;
-    stream::Sink sink(o.places, stream::Sink::Content::text);
-    sink.write(collision::places(answer));
-    sink.commit();
 }
 
 void program(const CollideOptions& o, const machine::Profile& profile, const cli::Io& io) {
@@ -84,10 +29,10 @@ void program(const CollideOptions& o, const machine::Profile& profile, const cli
     auto read = collision::read_program(bytes.view(), mesh::spoken_name(o.program), profile, how);
     if (read.moves.empty())
         throw Error(Exit::bad_input, "cannot find a move in the program " + mesh::spoken_name(o.program));
-    Things t = things(o);
+    Things t(o.part, o.fixture);
     const auto found = check(t, std::move(read.beads), profile.head, read.moves, o, io.threads);
     const collision::Answer answer{read.moves, found, o.check, collision::Source::line};
-    write_places(o, answer);
+    write_places(o.places, answer);
     auto figures = collision::summary(answer);
     figures.push_back({"program", "lines that move", read.lines});
     figures.push_back({"program", "from or to an unknown place", read.unknown});
@@ -103,8 +48,7 @@ void program(const CollideOptions& o, const machine::Profile& profile, const cli
 
 void toolpath(const CollideOptions& o, const collision::Machine& machine, const cli::Io& given) {
     cli::Io io = given;
-    for (const auto& [name, value, changed] : machine::settings(machine.head))
-        io.settings.push_back({name, value, changed});
+    add_settings(machine.head, io);
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Spool spool;
     collision::Walk walk(machine);
@@ -116,12 +60,12 @@ void toolpath(const CollideOptions& o, const collision::Machine& machine, const 
         }
         spool.add(std::move(*frame));
     }
-    Things t = things(o);
+    Things t(o.part, o.fixture);
     io.settings.insert(io.settings.end(), t.settings.begin(), t.settings.end());
     const auto& moves = walk.growth.moves;
     const auto found = check(t, std::move(walk.growth.beads), machine.head, moves, o, io.threads);
     const collision::Answer answer{moves, found, o.check, collision::Source::point};
-    write_places(o, answer);
+    write_places(o.places, answer);
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
     for (const Note& note : collision::notes(answer)) t.notes.push_back(note);
     stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, {&reader.header()}));
@@ -141,11 +85,7 @@ void toolpath(const CollideOptions& o, const collision::Machine& machine, const 
 void collide(const CollideOptions& o, const cli::Io& io) {
     if (o.machine.empty() && !o.program.empty())
         throw Error(Exit::usage, "cannot read --program without --machine; name its profile");
-    if (o.machine.empty() && !o.set.empty()) throw Error(Exit::usage, "cannot use --set without --machine");
-    machine::Profile profile;
-    if (!o.machine.empty()) profile = machine::load_profile(o.machine, o.set);
-    const bool own = !o.machine.empty() && o.head.name == "ordinary";
-    profile.head = own ? machine::altered(profile.head, o.head) : machine::head(o.head);
+    const machine::Profile profile = profile_of(o.machine, o.set, o.head);
     if (!o.program.empty()) {
         if (io.input != "-")
             throw Error(Exit::usage, "cannot check '" + io.input + "' and --program at once; give one");
@@ -156,7 +96,7 @@ void collide(const CollideOptions& o, const cli::Io& io) {
     }
     if (!o.bead.empty() || !o.shift.empty())
         throw Error(Exit::usage, "cannot use --bead or --shift without --program: a toolpath says both itself");
-    toolpath(o, {profile.head, profile.travel.lift, profile.travel.min_length, profile.axes.active()}, io);
+    toolpath(o, machine_of(profile), io);
 }
 
 } // namespace filum::survey

@@ -59,6 +59,7 @@ struct Span {
     std::vector<double> width;  // mm, per point, or one for all; empty for a travel
     std::vector<double> height; // likewise
     // Per point, unit: where the tool comes from, on a curved surface its normal; none: from above, (0, 0, 1).
+    // A travel with normals is to be followed as it is; one without may be raised above what is printed.
     std::vector<Vec3> normals{};
     std::uint32_t tool = 0; // of the machine, by number; of a travel, the one of the bead that follows
 

@@ -39,3 +39,11 @@ strokes() { peek --text "$1" | grep -c '^span.*bead'; }
     expect 3 assemble a square.surface
     [[ -z $out && $err == *square.surface* ]]
 }
+
+@test "a job is turned and moved as slice does it" {
+    assemble --rotate 90,0,0 --translate 1,2,3 a > turned
+    peek --text a | grep -A1 -m1 '^span.*bead' | grep -q '^  20 1 0 0 0 1$'
+    peek --text turned | grep -A1 -m1 '^span.*bead' | grep -q '^  21 2 4 0 -1 0$'
+    expect 2 assemble --rotate 90 a
+    [[ $err == *rotate* ]]
+}

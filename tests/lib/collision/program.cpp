@@ -77,6 +77,16 @@ TEST(Program, AValveOpensAndCloses) {
     EXPECT_EQ(read("G0 X0 Y0 Z0\nG1 X1\nM64 P0\nX2\nX3\nM65 P0\nX4\n", valve).beads.size(), 2U);
 }
 
+// Behind the anchor nothing feeds a fibre that the nozzle pulls: its codes tell where it lies.
+TEST(Program, AFibreLiesBetweenItsCodes) {
+    machine::Profile fibre = plain();
+    fibre.fibre.on = "M64 P1", fibre.fibre.off = "M65 P1";
+    const std::string text = "G0 X0 Y0 Z0\nM64 P1\nG1 X2 E1\nG1 X4\nG1 X6\nM65 P1\nG1 X8\n";
+    EXPECT_EQ(read(text, fibre).beads.size(), 1U) << "no fibre head";
+    fibre.fibre.cut_to_nozzle = 45;
+    EXPECT_EQ(read(text, fibre).beads.size(), 3U);
+}
+
 TEST(Program, BeadsAsTheCommentsSay) {
     const Program p = read(";WIDTH:0.8\n;HEIGHT:0.3\nG1 X0 Y0 Z1\nX5 E1\n(WIDTH:0.5)\nX9 E1\n", plain(), {});
     ASSERT_EQ(p.beads.size(), 2U);

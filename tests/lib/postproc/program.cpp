@@ -67,6 +67,35 @@ TEST(Program, ATravelRisesAboveAllThatIsPrinted) {
     for (const auto& m : interpreter::read(sample::write(top, spans).text).moves) EXPECT_LE(m.to.z, 400);
 }
 
+// Up, on a slope, along and down: each move at no more than the z axis can do.
+TEST(Program, ATravelWithNormalsGoesWhereItsPointsAre) {
+    auto spans = three_strokes();
+    ASSERT_EQ(spans[1].role, toolpath::Role::travel);
+    const geom::Vec3 a = spans[1].points.front(), b = spans[1].points.back();
+    spans[1].points = {a, a + geom::Vec3{0, 0, 2}, {a.x + 3, a.y + 4, 14.2}, {b.x, b.y, 14.2}, b};
+    spans[1].normals.assign(5, {0, 0, 1});
+    const auto p = sample::profile(kFilament, "[travel]\nlift = 1\nretract = 2\n");
+    const auto program = interpreter::read(sample::write(p, spans).text);
+    ASSERT_GT(program.moves.size(), 4U);
+    const auto before = program.moves[4].from; // 0 to 2: to the first stroke; 3: the stroke
+    std::vector<geom::Vec3> way;
+    for (std::size_t i = 4; i < program.moves.size(); ++i) {
+        const auto& m = program.moves[i];
+        if (m.de > 0) break;
+        if (m.to.z == m.from.z && m.xy() == 0) continue; // the retraction
+        way.push_back({m.to.x - before.x, m.to.y - before.y, m.to.z});
+        const double rise = std::abs(m.to.z - m.from.z), length = std::hypot(m.xy(), rise);
+        EXPECT_LE(m.feed / 60 * rise / length, 10 + 1e-3) << m.line;
+    }
+    ASSERT_EQ(way.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const geom::Vec3 want = spans[1].points[i + 1];
+        EXPECT_NEAR(way[i].x, want.x - a.x, 1e-3);
+        EXPECT_NEAR(way[i].y, want.y - a.y, 1e-3);
+        EXPECT_NEAR(way[i].z, want.z, 1e-3);
+    }
+}
+
 TEST(Program, AShortTravelNeitherLiftsNorRetracts) {
     const auto p = sample::profile(kFilament, "[travel]\nmin_length = 30\n");
     for (const auto& m : interpreter::read(sample::write(p, three_strokes()).text).moves) EXPECT_GE(m.de, 0);

@@ -204,6 +204,22 @@ TEST(tilted, feeds_keep_the_speeds_of_all_axes) {
     EXPECT_NEAR(sum, seconds, 0.02 * seconds);
 }
 
+// The far side of a long part, turned up, is higher than the part.
+TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
+    auto p = profile(kMachines[0]);
+    p.templates.end = "G0 Z{z_park}\n";
+    Span side{Role::bead, 0, 0, 0, {{-10, -150, 5}, {10, -150, 5}}, {1.0}, {0.2}, {{0, -1, 0}, {0, -1, 0}}};
+    double top = 0; // of the z axis
+    for (const Line& l : read(program(p, {side}, postproc::Place::as_is)))
+        if (l.laying) top = std::max(top, l.words.at('Z'));
+    EXPECT_GT(top, 100);
+    for (const auto numbers : {machine::Numbers::joints, machine::Numbers::tip}) {
+        p.axes.numbers = numbers;
+        p.axes.tcp_on = "M428", p.axes.tcp_off = "M429";
+        EXPECT_GE(read(program(p, {side}, postproc::Place::as_is)).back().words.at('Z'), top + 10 - 1e-3);
+    }
+}
+
 TEST(tilted, what_the_axes_cannot_reach_is_named) {
     const auto spans = dome(2, 40);
     const auto refused = [&](const std::string& more, const char* word) {
