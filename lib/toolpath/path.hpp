@@ -61,6 +61,7 @@ struct Span {
     // Per point, unit: where the tool comes from, on a curved surface its normal; none: from above, (0, 0, 1).
     // A travel with normals is to be followed as it is; one without may be raised above what is printed.
     std::vector<Vec3> normals{};
+    std::uint32_t tool = 0; // of the machine, by number; of a travel, the one of the bead that follows
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }
