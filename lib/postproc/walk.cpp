@@ -78,7 +78,7 @@ void Walk::end() {
     flush();
 }
 
-// Ends the stroke, takes back, rises, and changes the tool.
+// Ends the stroke, takes back, rises unless the travel has normals and the tool stays, and changes the tool.
 void Walk::leave(const toolpath::Span& span) {
     const auto mark = [&](Act act) {
         put({.act = act, .role = Role::travel, .layer = span.layer, .to = at_, .tool = tool_});
@@ -88,8 +88,9 @@ void Walk::leave(const toolpath::Span& span) {
         retracted_.insert(tool_);
     }
     risen_ = true;
-    if (routed(span)) return;
-    const double clear = std::min(std::max(top_, highest(span)) + profile_->travel.lift, profile_->bed.z_max);
+    const bool follows = !span.normals.empty() && span.tool == tool_;
+    const double clear =
+        follows ? at_.z : std::min(std::max(top_, highest(span)) + profile_->travel.lift, profile_->bed.z_max);
     if (clear > at_.z) {
         at_.z = clear;
         put({.act = Act::climb,
@@ -108,39 +109,30 @@ void Walk::travel(const toolpath::Span& span) {
     if (!started()) return; // there is nothing to leave; the first stroke is sought from wherever the nozzle is
     if (open_) put({.act = Act::close, .layer = span.layer, .to = at_, .tool = tool_});
     open_ = false;
-    const bool changes = span.tool != tool_ || profile_->fibre.lays(tool_);
+    const bool other = span.tool != tool_, changes = other || profile_->fibre.lays(tool_);
     const bool plain = length(span) < profile_->travel.min_length && !risen_ && !changes;
     if (!plain) leave(span);
-    if (!plain && routed(span)) return follow(span);
+    const bool follows = !span.normals.empty();
     for (std::size_t i = 1; i < span.points.size(); ++i) {
-        at_ = plain ? span.points[i] : Vec3{span.points[i].x, span.points[i].y, at_.z};
-        put({.act = Act::travel,
-             .role = Role::travel,
-             .layer = span.layer,
-             .to = at_,
-             .feed = profile_->feeds.travel,
-             .tool = tool_});
+        const Vec3 to = span.points[i];
+        // where another tool is, nobody knows: it comes from above
+        if (!follows || (other && i == 1)) go(plain ? to : Vec3{to.x, to.y, at_.z}, span);
+        if (follows) go(to, span);
     }
 }
 
-// A travel that says its own way; where the tool changes the machine rises first.
-bool Walk::routed(const toolpath::Span& span) const { return !span.normals.empty() && span.tool == tool_; }
-
-// Its z is kept, at no more than the z axis can do.
-void Walk::follow(const toolpath::Span& span) {
-    for (std::size_t i = 1; i < span.points.size(); ++i) {
-        const Vec3 to = span.points[i], d = to - at_;
-        const bool upright = d.x == 0 && d.y == 0;
-        const double rise = std::abs(d.z), most = profile_->feeds.travel;
-        const double feed = rise * most > profile_->feeds.z * norm(d) ? profile_->feeds.z * norm(d) / rise : most;
-        put({.act = upright ? Act::climb : Act::travel,
-             .role = Role::travel,
-             .layer = span.layer,
-             .to = to,
-             .feed = feed,
-             .tool = tool_});
-        at_ = to;
-    }
+// Straight to a place; along a way with normals up and down no faster than the z axis can do.
+void Walk::go(const Vec3& to, const toolpath::Span& travel) {
+    const Vec3 way = to - at_;
+    const double rise = std::abs(way.z), most = profile_->feeds.travel, slow = profile_->feeds.z;
+    const bool slows = !travel.normals.empty() && rise * most > slow * norm(way);
+    put({.act = slows && way.xy() == geom::Vec2{} ? Act::climb : Act::travel,
+         .role = Role::travel,
+         .layer = travel.layer,
+         .to = to,
+         .feed = slows ? slow * norm(way) / rise : most,
+         .tool = tool_});
+    at_ = to;
 }
 
 void Walk::begin_stroke(const toolpath::Span& span) {

@@ -88,7 +88,8 @@ std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Step
 
 // Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.
 // A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
-// machine), moves, comes down, primes and opens again; one with normals goes where its points are instead; one shorter
+// machine), moves, comes down, primes and opens again; one with normals goes where its points are instead, behind a
+// change of the tool from above the second of them; one shorter
 // than the profile's min_length only moves.
 // Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is a
 // whole number of mm/s where it is above one.
@@ -102,8 +103,7 @@ class Walk final : public Walker {
     void flush();
     void travel(const toolpath::Span& span) override;
     void leave(const toolpath::Span& travel);
-    void follow(const toolpath::Span& span);
-    [[nodiscard]] bool routed(const toolpath::Span& span) const;
+    void go(const Vec3& to, const toolpath::Span& travel);
     void begin_stroke(const toolpath::Span& span);
     void extrude(const toolpath::Span& span) override;
 

@@ -13,12 +13,14 @@ using collision::Move;
 using toolpath::Span;
 using Things = std::array<std::vector<collision::Solid>, 4>;
 
-// Attempts at tilting: how close to look, and how many mm farther than the margin the head stays away from solid things.
+// Attempts at tilting: how close to look, and how many mm farther than the margin the head stays away from solid
+// things.
 struct Round {
     Pace pace;
     double more;
 };
-constexpr std::array<Round, 4> kRounds{{{{1, false}, 0.05}, {{0.5, true}, 0}, {{0.25, true}, 0.05}, {{0.25, true}, 0.01}}};
+constexpr std::array<Round, 4> kRounds{
+    {{{1, false}, 0.05}, {{0.5, true}, 0}, {{0.25, true}, 0.05}, {{0.25, true}, 0.01}}};
 
 bool lays(const Span& s) { return toolpath::extrudes(s.role); }
 
@@ -105,6 +107,7 @@ class Router {
         for (std::size_t i = 0; i < gaps.size(); ++i) {
             for (; at < gaps[i].first; ++at) out.push_back(std::move(spans_[at]));
             Span span = std::move(spans_[at]);
+            span.tool = spans_[gaps[i].last - 1].tool; // of the bead that follows
             span.points.clear(), span.normals.clear();
             for (const Stance& s : ways[i].stances) {
                 if (!span.points.empty() && span.points.back() == s.tip && span.normals.back() == s.axis &&

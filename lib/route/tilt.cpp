@@ -29,10 +29,10 @@ struct State {
 
 // A place where the head is looked at.
 struct Look {
-    std::size_t point = 0; // of the dense stroke
+    std::size_t point = 0;           // of the dense stroke
     std::size_t first = 0, last = 0; // points that are nearest to it, or that one alone
-    double weight = 0;     // mm of path
-    bool stuck = false;    // none of the tilts looked at gives room
+    double weight = 0;               // mm of path
+    bool stuck = false;              // none of the tilts looked at gives room
 };
 
 // Where a tilt is chosen, for the looks about it.
@@ -207,7 +207,8 @@ Leaning report(const Dense& dense, const std::vector<Vec2>& tilts) {
 
 } // namespace
 
-Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, const Pace& pace, int threads) {
+Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, const Pace& pace,
+           int threads) {
     const Dense dense = densified(stroke, options.most / options.rate + kEase * kStiff, pace.spacing);
     Leaner leaner(room, dense, options, pace, threads);
     const auto tilts = leaner.run();

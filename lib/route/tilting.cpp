@@ -60,7 +60,8 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
         const Span &first = spans[a.first], &last = spans[a.last - 1];
         const std::size_t n = a.last - a.first - 1, end = segments(given_[a.last - 1]) - 1;
         if (!room.at(stance(first, 0), a.stroke.before[0][0])) block(a, 0, 0);
-        if (!room.at(stance(last, segments(last)), a.stroke.before[n][end])) block(a, n, static_cast<std::uint32_t>(end));
+        if (!room.at(stance(last, segments(last)), a.stroke.before[n][end]))
+            block(a, n, static_cast<std::uint32_t>(end));
     }
     for (const auto& place : found.collisions)
         if (!moves[place.move].travel) locate(moves[place.move], block);

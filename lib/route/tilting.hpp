@@ -11,9 +11,9 @@ class Tilting {
     // `rotary`: see collision::Machine.  Spans have two points at least.
     Tilting(const std::vector<toolpath::Span>& spans, bool rotary);
 
-    // Takes the collisions of the moves along `spans`, the last attempt, and whether the head has room where strokes begin
-    // and end, which is between two places that check() looks at; keeps the attempt at each stroke if it has fewer than
-    // all before.  True if another attempt at some stroke makes sense.
+    // Takes the collisions of the moves along `spans`, the last attempt, and whether the head has room where strokes
+    // begin and end, which is between two places that check() looks at; keeps the attempt at each stroke if it has
+    // fewer than all before.  True if another attempt at some stroke makes sense.
     bool judge(const std::vector<collision::Move>& moves, const collision::Found& found,
                const std::vector<toolpath::Span>& spans, const collision::Room& room);
 

@@ -31,7 +31,8 @@ struct Travel {
 // way across (the 2022 paper's travels, D. Kipping et al., with the height found out).  Of three ways the shortest that
 // is free:
 // straight, at the lift;
-// over: where that is blocked, corners are put above the place that rises most, at the least rise with room and the lift
+// over: where that is blocked, corners are put above the place that rises most, at the least rise with room and the
+// lift
 //   more (0.2 mm at least), until all is free; then corners that are not needed go;
 // around: at each of four heights from the lift to that of the way over, if that one costs more than 5 mm and a
 //   quarter of the straight one.
