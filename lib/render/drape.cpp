@@ -161,6 +161,8 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, d
         const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
         key.ramp(show.by + " " + end_text(s.lo, s.below), end_text(s.hi, s.above) + unit);
     }
+    for (std::size_t i = 0; i < c.scene.patches.size() && show.by.empty() && c.scene.patches.size() > 1; ++i)
+        key.swatch(patch_colour(i), c.scene.patches[i]);
     if (show.voids) key.swatch(void_colour(), "void " + fixed_text(100 * bare, 1) + "%");
     if (show.overlap) key.swatch(overlap_colour(), "overlap");
     if (!c.scene.spans.empty()) add_legend(key, tint);

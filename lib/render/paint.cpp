@@ -28,6 +28,7 @@ Vec3 blend(const std::vector<Vec3>& v, const mesh::Triangle& t, Vec3 shares) {
 Rgb void_colour() { return oklch(0.60, 0.23, 25); }
 Rgb overlap_colour() { return oklch(0.30, 0.10, 275); }
 Rgb unknown_colour() { return oklch(0.70, 0, 0); }
+Rgb patch_colour(std::size_t patch) { return mix(distinct(patch), {0.66F, 0.66F, 0.655F}, 0.3F); }
 
 const surface::Field& find_field(const surface::Sheet& sheet, const std::string& name, std::uint32_t components) {
     std::string all;
@@ -57,7 +58,7 @@ Scale scale_of(const surface::Field& field) {
 }
 
 Paint::Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan)
-    : sheet_(&*scene.sheet), laid_(&laid), show_(show), plan_(plan),
+    : scene_(&scene), sheet_(&*scene.sheet), laid_(&laid), show_(show), plan_(plan),
       lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)),
       normal_(curve::vertex_normals(scene.sheet->surface)), lines_({}) {
     if (!show.by.empty()) scale_ = scale_of(find_field(*sheet_, show.by, 0));
@@ -85,7 +86,7 @@ void Paint::draw_lines() {
 
 Rgb Paint::ground(std::uint32_t triangle, Vec3 shares) const {
     constexpr Rgb kGround{0.66F, 0.66F, 0.655F};
-    if (scale_.field == nullptr) return kGround;
+    if (scale_.field == nullptr) return scene_->patches.size() > 1 ? patch_colour(scene_->patch[triangle]) : kGround;
     const auto& t = sheet_->surface.triangles[triangle];
     const double v = shares.x * amount(*scale_.field, t[0]) + shares.y * amount(*scale_.field, t[1]) +
                      shares.z * amount(*scale_.field, t[2]);

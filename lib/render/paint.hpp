@@ -32,6 +32,7 @@ double amount(const surface::Field& field, std::size_t vertex); // the length of
 Rgb void_colour();
 Rgb overlap_colour();
 Rgb unknown_colour();
+Rgb patch_colour(std::size_t patch);
 
 class Paint {
   public:
@@ -44,6 +45,7 @@ class Paint {
     void draw_lines();
     [[nodiscard]] Rgb ground(std::uint32_t triangle, geom::Vec3 shares) const;
     [[nodiscard]] Rgb on_bead(const Cover& c, geom::Vec3& normal) const;
+    const Scene* scene_;
     const surface::Sheet* sheet_;
     const Laid* laid_;
     Show show_;

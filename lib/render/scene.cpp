@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace filum::render {
 
@@ -33,6 +34,41 @@ polygon::Loops turned(polygon::Loops loops, bool turn) {
     return loops;
 }
 
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+void append_fields(std::vector<surface::Field>& to, const std::vector<surface::Field>& more, std::size_t before,
+                   std::size_t after) {
+    for (const auto& f : more) {
+        const auto old = std::find_if(to.begin(), to.end(), [&](const auto& o) { return o.name == f.name; });
+        if (old == to.end()) {
+            to.push_back({f.name, std::vector<double>(before * f.components, kUnknown), f.components});
+            to.back().values.insert(to.back().values.end(), f.values.begin(), f.values.end());
+        } else if (old->components != f.components) {
+            throw Error(Exit::bad_input, "cannot draw the surfaces: their fields '" + f.name + "' are of two kinds");
+        } else {
+            old->values.insert(old->values.end(), f.values.begin(), f.values.end());
+        }
+    }
+    for (auto& f : to) f.values.resize(after * f.components, kUnknown);
+}
+
+void append(surface::Sheet& to, surface::Sheet more) {
+    auto &s = to.surface, &m = more.surface;
+    const auto v = static_cast<std::uint32_t>(s.vertices.size()), t = static_cast<std::uint32_t>(s.triangles.size());
+    append_fields(to.fields, more.fields, v, v + m.vertices.size());
+    for (auto& triangle : m.triangles)
+        for (auto& corner : triangle) corner += v;
+    for (auto& h : m.twin) h += h == surface::kNone ? 0 : 3 * t;
+    for (auto& line : more.isolines) {
+        for (auto& triangle : line.triangles) triangle += t;
+        to.isolines.push_back(std::move(line));
+    }
+    s.vertices.insert(s.vertices.end(), m.vertices.begin(), m.vertices.end());
+    s.triangles.insert(s.triangles.end(), m.triangles.begin(), m.triangles.end());
+    s.twin.insert(s.twin.end(), m.twin.begin(), m.twin.end());
+    s = surface::assemble(std::move(s.vertices), std::move(s.triangles), std::move(s.twin));
+}
+
 } // namespace
 
 void add(Scene& scene, const toolpath::Span& span, Range range) {
@@ -60,8 +96,13 @@ void add(Scene& scene, const polygon::Region& region, Range range) {
 }
 
 void add(Scene& scene, surface::Sheet sheet) {
-    if (scene.sheet) throw Error(Exit::bad_input, "cannot draw more than one surface; split the stream");
-    scene.sheet = std::move(sheet);
+    const auto count = static_cast<std::uint32_t>(scene.patches.size());
+    scene.patches.push_back(sheet.name.empty() ? std::to_string(count + 1) : sheet.name);
+    scene.patch.insert(scene.patch.end(), sheet.surface.triangles.size(), count);
+    if (scene.sheet)
+        append(*scene.sheet, std::move(sheet));
+    else
+        scene.sheet = std::move(sheet);
 }
 
 void fill_outlines(Scene& scene) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace filum::render {
@@ -21,7 +22,9 @@ struct Scene {
     std::vector<toolpath::Span> spans;
     std::vector<Outline> outlines;
     bool solid = false;                       // spans only stand for the outlines' solid: there are no beads
-    std::optional<surface::Sheet> sheet = {}; // that the spans lie on, or alone
+    std::optional<surface::Sheet> sheet = {}; // that the spans lie on, or alone; of several surfaces all triangles
+    std::vector<std::string> patches = {};    // the names of several surfaces, else none
+    std::vector<std::uint32_t> patch = {};    // per triangle: which of them
 
     [[nodiscard]] bool empty() const { return spans.empty() && outlines.empty() && !sheet; }
 };
@@ -36,7 +39,10 @@ void add(Scene& scene, const toolpath::Span& span, Range range);
 void add(Scene& scene, const toolpath::RegionPaths& paths, Range range); // curves as beads
 void add(Scene& scene, const polygon::Layer& layer, Range range);
 void add(Scene& scene, const polygon::Region& region, Range range);
-void add(Scene& scene, surface::Sheet sheet); // throws Error(bad_input) if there is one already
+
+// Another surface beside those before.  Fields that one of them has not are unknown there.  Throws Error(bad_input) if
+// they have a field of different kinds.
+void add(Scene& scene, surface::Sheet sheet);
 
 // Stands for the solid of the outlines: their borders, and lines a layer height apart that fill them, as beads as wide
 // as high.  For pictures in perspective of what has no beads yet.

@@ -1,0 +1,110 @@
+// partition - divide a surface into patches in which fibres can go one way
+// reads:  Surface
+// writes: Surface
+// memory: the surfaces, and some hundred bytes per vertex
+#include "partition/partition.hpp"
+#include "cli/command.hpp"
+#include "geodesic/lines.hpp"
+#include "model/model.hpp"
+#include "model/patches.hpp"
+#include "partition/names.hpp"
+#include "wire/surface.hpp"
+
+namespace {
+
+using namespace filum;
+using cli::Option;
+
+struct Options {
+    partition::Options how;
+    std::string cases, names, only, seam;
+    bool as_is = false;
+};
+
+constexpr const char* kDescription =
+    "Divides surfaces into patches in which neither directions nor normals are far from their mean, and writes a "
+    "surface for each, the greatest first, named A, B, C and so on. All fields go along; triangles are split where "
+    "smooth borders cross them. A surface that has a name is a patch already and passes as it is, so that patches of "
+    "several origins, also made by hand, come together: with --as-is surfaces without a name pass, too.\n\n"
+    "Directions are those of the greatest principal stress in the tangent plane, at each place that of the load case "
+    "that pulls most, as `stressfield` gives them, or of --field. They have no sign. Where there is little load they "
+    "count less, where there is none, or it points out of the surface, they are continued from around. Without "
+    "stresses, or with --by shape, normals alone count. Neighbouring places grow together while a patch's directions "
+    "keep to --angle and its normals to --bend, but for a twentieth of it, or until --patches are left. Then borders "
+    "move to where they are short, patches even, and few strong directions are cut. Edges that bend more than --crease "
+    "are always borders, those between CAD faces with --faces, and lines drawn onto the surface by --seam, a text of "
+    "points, three numbers a line, lines of points apart by an empty line; one that ends within a patch stays a "
+    "slit.\n\n"
+    "Patches below --least-area are joined to a neighbour; what edges keep from any is left out, and so is, with "
+    "--mask, what bears less load; both are noted with place and area. Facts tell for each patch its area, the mean "
+    "cosine between directions and their mean (coherence), and what 95 % of angles and bends stay below.";
+
+cli::Spec spec(Options& o) {
+    return {
+        .name = "partition",
+        .synopsis = "divide a surface into patches in which fibres can go one way",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::surface),
+        .out = cli::writes(stream::Payload::surface),
+        .memory = "the surfaces, and some hundred bytes per vertex",
+        .options =
+            {Option{"by", &o.how.pull.by, "", "what directions come from; auto: stress if there is one, else shape"}
+                 .one_of({"auto", "stress", "shape"}),
+             {"case", &o.cases, "NAME,...", "the load cases that count; none: all"},
+             {"field", &o.how.pull.field, "NAME", "a field of vectors whose directions count instead of stresses"},
+             Option{"angle", &o.how.limits.angle_deg, "DEG", "how far directions may be from their patch's mean"}
+                 .above(0)
+                 .at_most(90),
+             Option{"bend", &o.how.limits.bend_deg, "DEG", "how far normals may be from their patch's mean"}
+                 .above(0)
+                 .at_most(180),
+             Option{"crease", &o.how.seams.crease_deg, "DEG", "edges that bend more are borders"}.above(0).at_most(180),
+             Option{"seam", &o.seam, "FILE", "lines of points that are borders: a text, as geodesic's --source-lines"}
+                 .not_a_setting(),
+             {"faces", &o.how.seams.faces, "", "edges between CAD faces are borders"},
+             Option{"patches", &o.how.limits.patches, "N", "divide into so many, whatever the angles; 0: by the angles"}
+                 .at_least(0)
+                 .at_most(10000),
+             Option{"least-area", &o.how.limits.least_area, "MM2", "of a patch; 0: a hundredth of the surface"}
+                 .at_least(0),
+             Option{"mask", &o.how.mask, "SHARE", "leave out what bears less than this share of the greatest load"}
+                 .at_least(0)
+                 .at_most(1),
+             Option{"detail", &o.how.detail, "MM", "smaller things are smoothed; 0: a 50th of the root of the area"}
+                 .at_least(0),
+             {"as-is", &o.as_is, "", "do not divide: surfaces without a name are patches, too"},
+             {"names", &o.names, "NAME,...", "of the patches that have none, in order; none: letters"},
+             {"only", &o.only, "NAME,...", "write only these patches"}},
+        .examples = {{"geodesic part.stl | partition > part.patches", "the faces of a part"},
+                     {"geodesic part.stl | partition | partition --only B > face.surface", "one of them"}},
+        .see_also = {"stressfield", "surfpath", "geodesic", "render"},
+        .arguments = "[INPUT...]",
+        .many_inputs = true,
+    };
+}
+
+void run(const Options& o, const cli::Io& io) {
+    partition::Options how = o.how;
+    how.pull.cases = partition::words(o.cases, "case");
+    cli::Io self = io; // with what identifies the lines
+    if (!o.seam.empty())
+        how.lines = geodesic::read_lines(model::load(o.seam, "seam_crc32c", self).view(), mesh::spoken_name(o.seam));
+    const auto names = partition::words(o.names, "names"), only = partition::words(o.only, "only");
+    std::vector<cli::Whole> before;
+    std::vector<surface::Sheet> patches;
+    Notes notes;
+    const auto add = [&](const stream::RawFrame& f) {
+        surface::Sheet sheet = wire::sheet(f);
+        if (o.as_is || !sheet.name.empty()) return patches.push_back(std::move(sheet));
+        for (auto& p : partition::divide(std::move(sheet), how, notes)) patches.push_back(std::move(p));
+    };
+    for (const auto& input : io.inputs.empty() ? std::vector<std::string>{"-"} : io.inputs)
+        before.push_back(cli::read_all(input, stream::Payload::surface, add));
+    partition::name(patches, names);
+    partition::keep_only(patches, only);
+    model::write(before, patches, notes, partition::facts(patches, how.pull), self);
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

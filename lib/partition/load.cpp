@@ -1,0 +1,134 @@
+#include "partition/load.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <complex>
+
+#include <Eigen/SparseCholesky>
+
+namespace filum::partition {
+
+namespace {
+
+constexpr double kFull = 0.9;     // share of the area below the load of full trust
+constexpr double kLeast = 0.2;    // trust of directions where there is next to no load
+constexpr double kNothing = 1e-9; // keeps the system definite where nothing is known
+
+struct Case {
+    const surface::Field* d = nullptr;
+    const surface::Field* s = nullptr; // none: the vector's length
+};
+
+const surface::Field* find(const surface::Sheet& sheet, const std::string& name, std::uint32_t components) {
+    for (const auto& f : sheet.fields) {
+        if (f.name != name) continue;
+        if (f.components != components)
+            throw Error(Exit::bad_input,
+                        "cannot use field '" + name + "': it holds no " + (components == 3 ? "vectors" : "numbers"));
+        return &f;
+    }
+    return nullptr;
+}
+
+std::vector<Case> cases_of(const surface::Sheet& sheet, const PullOptions& o) {
+    if (!o.field.empty()) {
+        if (const auto* f = find(sheet, o.field, 3)) return {{f, nullptr}};
+        throw Error(Exit::usage, "cannot use --field: the surface has no field '" + o.field + "'; see 'peek --text'");
+    }
+    std::vector<Case> out;
+    if (o.by == "shape") return out;
+    const auto add = [&](const std::string& name) {
+        const Case c{find(sheet, "stress." + name + ".d1", 3), find(sheet, "stress." + name + ".s1", 1)};
+        if (c.d == nullptr)
+            throw Error(Exit::usage, "cannot use case '" + name + "': the surface has no field 'stress." + name +
+                                         ".d1'; use 'stressfield'");
+        out.push_back(c);
+    };
+    for (const auto& name : o.cases) add(name);
+    for (const auto& f : sheet.fields)
+        if (o.cases.empty() && f.name.starts_with("stress.") && f.name.ends_with(".d1"))
+            add(f.name.substr(7, f.name.size() - 10));
+    if (out.empty() && o.by == "stress")
+        throw Error(Exit::usage, "cannot divide by stress: the surface has no field 'stress.CASE.d1'; use "
+                                 "'stressfield', --field or --by shape");
+    return out;
+}
+
+// What a case does at a vertex: its direction there times the load, (0, 0, 0) if it is none.
+Vec3 pulled(const Case& c, std::size_t v, const Vec3& n) {
+    const Vec3 d = c.d->vector(v);
+    const double length = norm(d), s = c.s != nullptr ? c.s->values[v] : length;
+    if (!std::isfinite(length) || !std::isfinite(s) || !(length > 0) || !(s > 0)) return {};
+    const Vec3 flat = 1 / length * (d - dot(d, n) * n);
+    return s * norm(flat) * flat; // of length s (d . p)^2
+}
+
+using Complex = std::complex<double>;
+using Matrix = Eigen::SparseMatrix<Complex>;
+
+// `d` in the tangent plane across n, with its angle from across(n) doubled.
+Complex doubled(const Vec3& d, const Vec3& n) {
+    const Vec3 x = across(n);
+    const Complex z{dot(d, x), dot(d, cross(n, x))};
+    return z * z;
+}
+
+Matrix system(const Pull& p, const Cells& cells, double length) {
+    std::vector<Eigen::Triplet<Complex>> entries;
+    entries.reserve(p.load.size() + 3 * cells.sides.size());
+    const auto at = [](std::uint32_t v) { return static_cast<int>(v); };
+    for (std::uint32_t v = 0; v < p.load.size(); ++v)
+        entries.emplace_back(at(v), at(v), cells.area[v] * (kNothing + p.trust[v]));
+    for (const Side& side : cells.sides) {
+        const double w = length * length * side.conductance;
+        const Vec3 &na = cells.normal[side.a], &nb = cells.normal[side.b];
+        entries.emplace_back(at(side.a), at(side.a), w);
+        entries.emplace_back(at(side.b), at(side.b), w);
+        entries.emplace_back(at(side.b), at(side.a), -w * doubled(turned(across(na), na, nb), nb)); // lower triangle
+    }
+    const auto n = static_cast<int>(p.load.size());
+    Matrix out(n, n);
+    out.setFromTriplets(entries.begin(), entries.end());
+    return out;
+}
+
+} // namespace
+
+Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& options) {
+    const auto cases = cases_of(sheet, options);
+    const std::size_t n = sheet.surface.vertices.size();
+    Pull out{std::vector<Vec3>(n), std::vector<double>(n, 0), std::vector<double>(n, 0)};
+    std::vector<std::pair<double, double>> loads;
+    for (std::size_t v = 0; v < n; ++v) {
+        for (const Case& c : cases) {
+            const Vec3 d = pulled(c, v, cells.normal[v]);
+            if (const double load = norm(d); load > out.load[v]) out.load[v] = load, out.along[v] = 1 / load * d;
+        }
+        loads.emplace_back(out.load[v], cells.area[v]);
+    }
+    const double most = std::max_element(loads.begin(), loads.end())->first;
+    const double usual = percentile(std::move(loads), kFull), full = usual > 0 ? usual : most;
+    for (std::size_t v = 0; v < n && full > 0; ++v) out.trust[v] = std::min(1.0, out.load[v] / full);
+    return out;
+}
+
+void smooth(Pull& p, const Cells& cells, double length) {
+    if (std::none_of(p.trust.begin(), p.trust.end(), [](double t) { return t > 0; })) return;
+    Eigen::SimplicialLDLT<Matrix> factor(system(p, cells, length));
+    if (factor.info() != Eigen::Success)
+        throw Error(Exit::failure, "cannot smooth the directions: the surface's triangles are too uneven; remesh it");
+    Eigen::VectorXcd given(static_cast<Eigen::Index>(p.load.size()));
+    for (std::size_t v = 0; v < p.load.size(); ++v)
+        given[static_cast<Eigen::Index>(v)] = cells.area[v] * p.trust[v] * doubled(p.along[v], cells.normal[v]);
+    const Eigen::VectorXcd z = factor.solve(given);
+    for (std::size_t v = 0; v < p.load.size(); ++v) {
+        const Complex here = z[static_cast<Eigen::Index>(v)];
+        const double sure = std::abs(here), half = std::arg(here) / 2;
+        const Vec3 n = cells.normal[v], x = across(n);
+        p.along[v] = sure > 1e-6 ? std::cos(half) * x + std::sin(half) * cross(n, x) : Vec3{};
+        p.trust[v] = sure > 1e-6 ? std::min(1.0, sure) * std::max(kLeast, p.trust[v]) : 0;
+    }
+}
+
+} // namespace filum::partition

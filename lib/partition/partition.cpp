@@ -1,0 +1,242 @@
+#include "partition/partition.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "partition/lines.hpp"
+#include "partition/relax.hpp"
+#include "partition/split.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace filum::partition {
+
+namespace {
+
+constexpr double kLeastArea = 0.01; // of the surface
+constexpr double kDetail = 0.02;    // of the root of its area
+constexpr double kPeak = 0.99;      // share of the area below what counts as the greatest load: peaks mean little
+
+std::vector<std::uint32_t> all_triangles(const Sheet& sheet) {
+    std::vector<std::uint32_t> out(sheet.surface.triangles.size());
+    std::iota(out.begin(), out.end(), 0U);
+    return out;
+}
+
+double triangle_area(const Surface& s, std::uint32_t t) {
+    const auto& [a, b, c] = s.triangles[t];
+    return norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
+}
+
+// Connected pieces of patches, which can be joined.
+class Pieces {
+  public:
+    explicit Pieces(const Parts& parts) : s_(parts.sheet.surface), of_(pieces(parts)) {
+        for (std::uint32_t t = 0; t < of_.size(); ++t) {
+            if (of_[t] >= area_.size()) area_.push_back(0), facing_.emplace_back(), patch_.push_back(parts.patch[t]);
+            area_[of_[t]] += triangle_area(s_, t);
+            facing_[of_[t]] = facing_[of_[t]] + triangle_area(s_, t) * surface::normal(s_, t);
+        }
+    }
+
+    // Joins pieces of less area, the smallest first, to the neighbour with the longest border, if half_round() lets it.
+    void join_small(double least_area) {
+        std::vector<char> alone(area_.size(), 0);
+        for (;;) {
+            std::uint32_t small = kNone;
+            for (std::uint32_t p = 0; p < area_.size(); ++p)
+                if (area_[p] > 0 && area_[p] < least_area && alone[p] == 0 &&
+                    (small == kNone || area_[p] < area_[small]))
+                    small = p;
+            if (small == kNone) return;
+            std::map<std::uint32_t, double> border;
+            for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
+                if (of_[h / 3] == small && s_.twin[h] != kNone && of_[s_.twin[h] / 3] != small &&
+                    half_round(facing_[small] + facing_[of_[s_.twin[h] / 3]],
+                               area_[small] + area_[of_[s_.twin[h] / 3]]))
+                    border[of_[s_.twin[h] / 3]] += distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
+            const auto longest = std::max_element(border.begin(), border.end(),
+                                                  [](const auto& a, const auto& b) { return a.second < b.second; });
+            if (longest == border.end()) {
+                alone[small] = 1;
+                continue;
+            }
+            for (auto& p : of_) p = p == small ? longest->first : p;
+            area_[longest->first] += area_[small], area_[small] = 0;
+            facing_[longest->first] = facing_[longest->first] + facing_[small];
+        }
+    }
+
+    // Those that are left, by number; `triangles` in their order.
+    struct Piece {
+        double area = 0;
+        std::uint32_t patch = 0;
+        std::vector<std::uint32_t> triangles;
+    };
+    [[nodiscard]] std::vector<Piece> take() const {
+        std::vector<Piece> out(area_.size());
+        for (std::uint32_t p = 0; p < out.size(); ++p) out[p].area = area_[p], out[p].patch = patch_[p];
+        for (std::uint32_t t = 0; t < of_.size(); ++t) out[of_[t]].triangles.push_back(t);
+        std::erase_if(out, [](const Piece& p) { return p.triangles.empty(); });
+        return out;
+    }
+
+  private:
+    const Surface& s_;
+    std::vector<std::uint32_t> of_; // per triangle
+    std::vector<double> area_;      // per piece
+    std::vector<Vec3> facing_;      // of each the sum of normals, by area
+    std::vector<std::uint32_t> patch_;
+};
+
+// Sums what is left out for one reason.
+struct Left {
+    std::string what;
+    double area = 0;
+    std::size_t count = 0;
+    Vec3 at{};
+    double most = 0;
+
+    void add(const Surface& s, const Pieces::Piece& piece) {
+        area += piece.area, ++count;
+        if (piece.area <= most) return;
+        most = piece.area;
+        const auto& c = s.triangles[piece.triangles[piece.triangles.size() / 2]];
+        at = 1.0 / 3 * (s.vertices[c[0]] + s.vertices[c[1]] + s.vertices[c[2]]);
+    }
+    void note(Notes& notes) const {
+        if (count > 0)
+            notes.push_back(
+                {.stage = "", .what = what, .amount = area, .unit = "mm2", .count = count, .x = at.x, .y = at.y});
+    }
+};
+
+// Keeps what is loaded, with borders where the load, made smooth, reaches the mask's.
+void leave_unloaded(Sheet& sheet, const Options& o, double detail, double least_area, Notes& notes) {
+    const Cells c = cells(sheet.surface);
+    const Pull p = pull(sheet, c, o.pull);
+    std::vector<std::pair<double, double>> loads;
+    for (std::size_t v = 0; v < c.area.size(); ++v) loads.emplace_back(p.load[v], c.area[v]);
+    const double level = o.mask * percentile(std::move(loads), kPeak);
+    if (!(level > 0)) throw Error(Exit::usage, "cannot use --mask: the surface has no load; see 'stressfield'");
+    const Parts parts = split(sheet, c, above(p.load, level, c, detail));
+    Pieces pieces(parts);
+    pieces.join_small(least_area);
+    Left left{"surface without load left out"};
+    std::vector<std::uint32_t> kept;
+    for (const auto& piece : pieces.take()) {
+        if (piece.patch == 0)
+            left.add(parts.sheet.surface, piece);
+        else
+            kept.insert(kept.end(), piece.triangles.begin(), piece.triangles.end());
+    }
+    left.note(notes);
+    if (kept.empty()) throw Error(Exit::usage, "cannot use --mask: no patch of the surface is loaded so much");
+    std::sort(kept.begin(), kept.end());
+    sheet = take(parts.sheet, kept);
+}
+
+// The connected pieces of patches, small ones joined or left out.
+std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes) {
+    Pieces pieces(parts);
+    pieces.join_small(least_area);
+    Left left{"face too small for a patch left out"};
+    auto all = pieces.take();
+    std::erase_if(all, [&](const Pieces::Piece& p) {
+        if (p.area < least_area) left.add(parts.sheet.surface, p);
+        return p.area < least_area;
+    });
+    left.note(notes);
+    if (all.empty())
+        throw Error(Exit::usage, "cannot use --least-area: no patch of " + fixed_text(least_area, 1) +
+                                     " mm2 is to be had; ask for less");
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+    std::vector<Sheet> out;
+    for (const auto& piece : all) out.push_back(take(parts.sheet, piece.triangles));
+    return out;
+}
+
+void note_lost(const Sheet& sheet, Notes& notes) {
+    const auto gone = [&](const char* what, std::size_t count) {
+        if (count > 0) notes.push_back({.stage = "", .what = what, .amount = 0, .unit = "", .count = count});
+    };
+    gone("isoline of the surface before dropped", sheet.isolines.size());
+    gone("source of the surface before dropped", sheet.sources.vertices.size() + sheet.sources.segments.size());
+}
+
+// The sheet without joints at seams.
+Sheet opened(const Sheet& sheet, const std::vector<std::vector<Vec3>>& lines, const SeamOptions& options,
+             Notes& notes) {
+    Sheet out = sheet;
+    std::vector<char> drawn(sheet.surface.twin.size(), 0);
+    const double near = surface::mean_edge(sheet.surface);
+    for (const auto& line : lines)
+        if (const double off = draw(out, drawn, line); off > near)
+            notes.push_back({.stage = "", .what = "seam moved to the surface", .amount = off, .unit = "mm"});
+    const auto others = seams(out, options);
+    std::transform(drawn.begin(), drawn.end(), others.begin(), drawn.begin(), [](char a, char b) { return a | b; });
+    return take(out, all_triangles(out), drawn);
+}
+
+} // namespace
+
+std::vector<Sheet> divide(Sheet sheet, const Options& o, Notes& notes) {
+    const double size = surface::area(sheet.surface);
+    const double detail = o.detail > 0 ? o.detail : kDetail * std::sqrt(size);
+    Limits limits = o.limits;
+    if (limits.least_area == 0) limits.least_area = kLeastArea * size;
+    SeamOptions at = o.seams;
+    at.least_area = limits.least_area;
+    Sheet open = opened(sheet, o.lines, at, notes);
+    if (o.mask > 0) leave_unloaded(open, o, detail, limits.least_area, notes);
+    const Cells c = cells(open.surface);
+    Pull p = pull(open, c, o.pull);
+    smooth(p, c, detail);
+    const Borders borders = relax(merge(c, p, limits), c, p, detail);
+    auto out = gathered(split(open, c, borders), limits.least_area, notes);
+    if (out.size() == 1 && o.lines.empty() && out[0].surface.triangles.size() == sheet.surface.triangles.size()) {
+        out[0] = std::move(sheet);
+        return out;
+    }
+    note_lost(sheet, notes);
+    return out;
+}
+
+Figures figures(const Sheet& patch, const PullOptions& options) {
+    const Cells c = cells(patch.surface);
+    const Pull p = pull(patch, c, options);
+    Proxy mean;
+    for (std::size_t v = 0; v < c.area.size(); ++v) mean = joined(mean, proxy(c, p, v));
+    Figures out{.area = c.total, .pulled = mean.weight > 0};
+    std::vector<std::pair<double, double>> angles, bends;
+    double sum = 0;
+    for (std::size_t v = 0; v < c.area.size(); ++v) {
+        const double angle = angle_from(mean, c.normal[v], p.along[v]), weight = c.area[v] * p.trust[v];
+        angles.emplace_back(angle, weight), sum += weight * std::cos(angle);
+        bends.emplace_back(bend_from(mean, c.normal[v]), c.area[v]);
+    }
+    if (out.pulled) out.coherence = sum / mean.weight;
+    out.angle = percentile(std::move(angles), 0.95), out.bend = percentile(std::move(bends), 0.95);
+    return out;
+}
+
+Facts facts(const std::vector<Sheet>& patches, const PullOptions& options) {
+    Facts out{{"", "patches", static_cast<double>(patches.size()), ""}, {"", "area", 0, "mm2"}};
+    for (const Sheet& p : patches) {
+        const Figures f = figures(p, options);
+        const std::string name = "patch." + p.name + ".";
+        out[1].value += f.area;
+        out.push_back({"", name + "area", f.area, "mm2"});
+        if (f.pulled) {
+            out.push_back({"", name + "coherence", f.coherence, ""});
+            out.push_back({"", name + "angle", f.angle * 180 / std::numbers::pi, "deg"});
+        }
+        out.push_back({"", name + "bend", f.bend * 180 / std::numbers::pi, "deg"});
+    }
+    return out;
+}
+
+} // namespace filum::partition

@@ -1,0 +1,139 @@
+#include "partition/seams.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace filum::partition {
+
+namespace {
+
+constexpr double kBlunt = std::numbers::pi / 3;
+
+class Creases {
+  public:
+    Creases(const Surface& s, double least) : s_(s), seam_(s.twin.size(), 0) {
+        for (std::uint32_t t = 0; t < s.triangles.size(); ++t) normal_.push_back(surface::normal(s, t));
+        for (std::uint32_t h = 0; h < seam_.size(); ++h)
+            if (inner(h) && bend(h) > least) set(h, 1);
+    }
+
+    // Seams that lead nowhere, from their ends on.
+    void drop_dead_ends() {
+        std::vector<std::uint32_t> count(s_.vertices.size(), 0), todo;
+        for (std::uint32_t h = 0; h < seam_.size(); ++h)
+            if (seam_[h] != 0 || s_.twin[h] == kNone) {
+                ++count[s_.tail(h)];
+                if (s_.twin[h] == kNone) ++count[s_.head(h)];
+            }
+        for (std::uint32_t v = 0; v < count.size(); ++v)
+            if (count[v] == 1) todo.push_back(v);
+        while (!todo.empty()) {
+            const std::uint32_t v = todo.back();
+            todo.pop_back();
+            surface::each_outgoing(s_, v, [&](std::uint32_t h) {
+                if (count[v] != 1 || seam_[h] == 0) return;
+                set(h, 0), --count[v];
+                if (--count[s_.head(h)] == 1) todo.push_back(s_.head(h));
+            });
+        }
+    }
+
+    // Joins what is small to the neighbour with the longest crease between, if that is blunt, until nothing changes.
+    void drop_round_small(double least_area) {
+        for (bool changed = true; changed;) {
+            changed = false;
+            const std::vector<std::uint32_t> face = faces();
+            std::vector<double> area(1 + *std::max_element(face.begin(), face.end()), 0);
+            for (std::uint32_t t = 0; t < face.size(); ++t) area[face[t]] += size(t);
+            std::map<std::uint32_t, std::vector<std::uint32_t>> sides; // of what is small
+            for (std::uint32_t h = 0; h < seam_.size(); ++h)
+                if (seam_[h] != 0 && area[face[h / 3]] < least_area && face[h / 3] != face[s_.twin[h] / 3])
+                    sides[face[h / 3]].push_back(h);
+            for (const auto& [f, list] : sides) changed = drop_border(list, face) || changed;
+        }
+    }
+
+    std::vector<char> take() { return std::move(seam_); }
+
+  private:
+    struct Border {
+        double length = 0, bend = 0; // bend times length
+    };
+
+    [[nodiscard]] bool inner(std::uint32_t h) const { return s_.twin[h] != kNone; }
+    [[nodiscard]] double bend(std::uint32_t h) const {
+        const Vec3 &a = normal_[h / 3], &b = normal_[s_.twin[h] / 3];
+        return std::atan2(norm(cross(a, b)), dot(a, b));
+    }
+    void set(std::uint32_t h, char to) { seam_[h] = seam_[s_.twin[h]] = to; }
+    [[nodiscard]] double length(std::uint32_t h) const {
+        return distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
+    }
+    [[nodiscard]] double size(std::uint32_t t) const {
+        const auto& [a, b, c] = s_.triangles[t];
+        return norm(cross(s_.vertices[b] - s_.vertices[a], s_.vertices[c] - s_.vertices[a])) / 2;
+    }
+
+    // Per triangle what seams enclose, numbered.
+    [[nodiscard]] std::vector<std::uint32_t> faces() const {
+        std::vector<std::uint32_t> out(s_.triangles.size(), kNone), todo;
+        std::uint32_t count = 0;
+        for (std::uint32_t first = 0; first < out.size(); ++first) {
+            if (out[first] != kNone) continue;
+            out[first] = count;
+            todo.assign(1, first);
+            while (!todo.empty()) {
+                const std::uint32_t t = todo.back();
+                todo.pop_back();
+                for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+                    if (!inner(h) || seam_[h] != 0 || out[s_.twin[h] / 3] != kNone) continue;
+                    out[s_.twin[h] / 3] = count;
+                    todo.push_back(s_.twin[h] / 3);
+                }
+            }
+            ++count;
+        }
+        return out;
+    }
+
+    // `sides`: of one face, towards others.
+    bool drop_border(const std::vector<std::uint32_t>& sides, const std::vector<std::uint32_t>& face) {
+        std::map<std::uint32_t, Border> all;
+        for (const std::uint32_t h : sides) {
+            Border& b = all[face[s_.twin[h] / 3]];
+            b.length += length(h), b.bend += length(h) * bend(h);
+        }
+        const auto longest = std::max_element(
+            all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
+        if (longest->second.bend > kBlunt * longest->second.length) return false;
+        bool changed = false;
+        for (const std::uint32_t h : sides)
+            if (face[s_.twin[h] / 3] == longest->first && seam_[h] != 0) set(h, 0), changed = true;
+        return changed;
+    }
+
+    const Surface& s_;
+    std::vector<Vec3> normal_;
+    std::vector<char> seam_;
+};
+
+} // namespace
+
+std::vector<char> seams(const Sheet& sheet, const SeamOptions& options) {
+    const Surface& s = sheet.surface;
+    if (options.faces && sheet.faces.empty())
+        throw Error(Exit::usage, "cannot use --faces: the surface has no CAD faces; it comes from a mesh file");
+    Creases creases(s, options.crease_deg * std::numbers::pi / 180);
+    creases.drop_round_small(options.least_area);
+    creases.drop_dead_ends();
+    std::vector<char> out = creases.take();
+    for (std::uint32_t h = 0; h < out.size() && options.faces; ++h)
+        if (s.twin[h] != kNone && sheet.faces[h / 3] != sheet.faces[s.twin[h] / 3]) out[h] = 1;
+    return out;
+}
+
+} // namespace filum::partition
