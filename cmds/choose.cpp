@@ -15,7 +15,7 @@ using cli::Option;
 
 struct Options {
     choose::Options how;
-    std::string weights = "coverage=1,load=1,angle=0.5,cuts=0.5,overlap=0.5", report;
+    std::string algorithm = "best", weights = "coverage=1,load=1,angle=0.5,cuts=0.5,overlap=0.5", report;
 };
 
 constexpr const char* kDescription =
@@ -34,7 +34,8 @@ constexpr const char* kDescription =
     "the greatest hundredth of angles at a quarter of the spacing, over 90 degrees; cuts, 1 less cuts times "
     "--cut-length over the length of the fibre; overlap, 1 less the share of the fibre that lies on fibre. Of equal "
     "scores the first candidate counts. --report lists all candidates with what is known of them. A patch that no "
-    "candidate fills goes on without an algorithm, is noted with its area, and the command ends with 1.";
+    "candidate fills goes on without an algorithm, is noted with its area, and the command ends with 1. --algorithm "
+    "plans by hand instead: nothing else is tried, and the score is that of the algorithm with the patch's sources.";
 
 cli::Spec spec(Options& o) {
     auto& plan = o.how.plan;
@@ -46,7 +47,9 @@ cli::Spec spec(Options& o) {
         .out = cli::writes(stream::Payload::surface),
         .memory = "the patches, and windows of distance of one candidate per thread",
         .options =
-            {Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
+            {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
+                 {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+             Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
              Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.at_least(
                  0),
              Option{"finals", &o.how.finals, "N", "candidates to lay as asked"}.at_least(1).at_most(1000),
@@ -65,6 +68,7 @@ cli::Spec spec(Options& o) {
 void run(const Options& o, const cli::Io& io) {
     choose::Options how = o.how;
     how.weights = choose::weights(o.weights);
+    if (o.algorithm != "best") how.plan.algorithm = o.algorithm, how.by_hand = true;
     std::vector<surface::Sheet> sheets;
     const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
                                             [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
@@ -81,10 +85,10 @@ void run(const Options& o, const cli::Io& io) {
         const bool several = sheets.size() > 1;
         for (Note& note : own) note.what += several ? " on patch " + name : "", notes.push_back(std::move(note));
         for (Fact& fact : choose::facts(choice))
-            facts.push_back({"", (several ? name + "." : "") + fact.name, fact.value, fact.unit});
+            facts.push_back({"", (several ? "patch." + name + "." : "") + fact.name, fact.value, fact.unit});
         area += choice.area;
         if (choice.best == choose::kNothing)
-            without += (without.empty() ? "'" : ", '") + name + "'";
+            without += (without.empty() ? "'" : ", '") + name + "': " + choice.trials.front().failed;
         else
             sum += choice.area * choice.trials[choice.best].score;
         report += choose::report(name, choice);
@@ -97,7 +101,8 @@ void run(const Options& o, const cli::Io& io) {
         file.write(report);
         file.commit();
     }
-    if (!without.empty()) throw Error(Exit::failure, "cannot find a path for patch " + without + "; --report says why");
+    if (!without.empty())
+        throw Error(Exit::failure, "cannot find a path for patch " + without + "; --report tells of all");
 }
 
 } // namespace

@@ -31,7 +31,7 @@ constexpr const char* kDescription =
     "declared as hairpins. What cannot be placed is noted.\n\n"
     "Of several surfaces, patches of one part, each is filled in its turn. What `choose` has planned for a surface "
     "travels with it, and is followed unless an algorithm is named; without any plan it is geo-fiso. A patch without "
-    "a plan among others that have one is left out, and noted. Facts of several patches begin with their names.\n\n"
+    "a plan among others that have one is left out, and noted. Facts of several patches begin with 'patch.' and their names.\n\n"
     "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
     "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "

@@ -1,5 +1,6 @@
 #include "choose/choose.hpp"
 
+#include "base/error.hpp"
 #include "curve/carry.hpp"
 #include "geodesic/measure.hpp"
 #include "parallel/parallel.hpp"
@@ -32,13 +33,14 @@ Ground rough(const Sheet& sheet, const Options& o, double area) {
     const double scale = area < kSmall * kSmall * o.plan.spacing * o.plan.spacing ? 1 : kRough;
     out.plan.spacing *= scale, out.plan.least_radius *= scale;
     const double edge = out.plan.spacing;
-    if (surface::mean_edge(sheet.surface) < kFine * edge) {
-        Notes unsaid;
-        out.sheet.surface = surface::remesh(sheet.surface, edge, unsaid);
-        out.sheet.fields = curve::carried(sheet.surface, sheet.fields, out.sheet.surface);
-    } else {
-        out.sheet = sheet;
-    }
+    out.sheet = sheet;
+    if (surface::mean_edge(sheet.surface) < kFine * edge) try {
+            Notes unsaid;
+            Sheet coarse{surface::remesh(sheet.surface, edge, unsaid), {}, {}};
+            coarse.fields = curve::carried(sheet.surface, sheet.fields, coarse.surface);
+            out.sheet = std::move(coarse);
+        } catch (const Error&) { // of CGAL: then on the patch as it is
+        }
     out.pull = pulls(out.sheet);
     return out;
 }
@@ -104,15 +106,23 @@ void finals(std::vector<Trial>& trials, std::vector<std::size_t> left, const Gro
     }
 }
 
+std::vector<Candidate> by_hand(const Options& o) {
+    Seed given;
+    given.kind = Seed::Kind::given;
+    return {{o.plan.algorithm, given}};
+}
+
 } // namespace
 
 Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     Choice out;
     out.area = surface::area(sheet.surface);
+    const bool rings = o.plan.algorithm == "geo-fiso" || o.plan.algorithm == "geo-contour";
+    if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
     const Ground ground{sheet, pulls(sheet), o.plan, kStable[1]};
-    for (Candidate& c : candidates(sheet, ground.pull))
+    for (Candidate& c : o.by_hand ? by_hand(o) : candidates(sheet, ground.pull))
         out.trials.push_back({std::move(c), std::nan(""), {}, {}, 0, 0, {}});
-    const Ground small = rough(sheet, o, out.area);
+    const Ground small = o.by_hand ? Ground{} : rough(sheet, o, out.area);
     std::vector<std::size_t> all(out.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     each(out.trials, all, threads, [&](Trial& t) {

@@ -38,7 +38,7 @@ TEST(Patches, AreLaidOneAfterTheOther) {
     const auto by = algorithms(sheets, "planned");
     const auto patches = each_patch(sheets, by, 1, [&](std::size_t k) { return side(sheets[k]); });
     ASSERT_EQ(patches.facts.size(), 2);
-    EXPECT_EQ(patches.facts[1].name, "C.rows");
+    EXPECT_EQ(patches.facts[1].name, "patch.C.rows");
     ASSERT_EQ(patches.notes.size(), 3);
     EXPECT_EQ(patches.notes[0].what, "bare place on patch A");
     EXPECT_EQ(patches.notes[1].what, "patch without a plan on patch 2");
