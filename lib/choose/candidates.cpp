@@ -11,10 +11,11 @@ namespace filum::choose {
 
 namespace {
 
-constexpr int kDirections = 8;    // over 180 degrees
-constexpr double kAlike = 0.9962; // cosine of 5 degrees: nearer directions are one
-constexpr double kFlat = 0.3;     // of the mean normal: below, the patch faces all ways
-constexpr std::size_t kSides = 6; // of the rims
+constexpr int kDirections = 8;       // over 180 degrees
+constexpr double kAlike = 0.9962;    // cosine of 5 degrees: nearer directions are one
+constexpr double kUpright = 0.99985; // cosine of a degree
+constexpr double kFlat = 0.3;        // of the mean normal: below, the patch faces all ways
+constexpr std::size_t kSides = 6;    // of the rims
 
 struct Frame {
     Vec3 centre, normal, axis; // axis: the longest in the plane across the normal
@@ -89,13 +90,18 @@ std::vector<Vec3> directions(const Frame& f) {
     return out;
 }
 
-// The plane across `normal` at this part of the patch's extent; through the centre at 0.
+// The plane across `normal` at this part of the patch's extent; through the centre at 0.  Upright on an axis that is
+// within a degree, at a thousandth of the extent: by what a part is symmetric about.
 Seed plane(const Surface& s, const Vec3& centre, const Vec3& normal, double part) {
     Seed out;
     out.kind = Seed::Kind::plane;
-    double low = dot(normal, centre), high = low;
-    for (const Vec3& p : s.vertices) low = std::min(low, dot(normal, p)), high = std::max(high, dot(normal, p));
-    out.plane = {normal, part > 0 ? low + part * (high - low) : dot(normal, centre)};
+    Vec3 n = normal;
+    for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+        if (std::abs(dot(n, axis)) > kUpright) n = axis;
+    double low = dot(n, centre), high = low;
+    for (const Vec3& p : s.vertices) low = std::min(low, dot(n, p)), high = std::max(high, dot(n, p));
+    const double offset = part > 0 ? low + part * (high - low) : dot(n, centre), grain = (high - low) / 1000;
+    out.plane = {n, grain > 0 ? std::round(offset / grain) * grain : offset};
     return out;
 }
 

@@ -24,7 +24,8 @@ std::vector<Vec3> normals(const Surface& s);
 // itself comes back near, those whose normal is within 60 degrees of the vertex's.  Of the twelve nearest, the three
 // count that are the corners of the Delaunay triangle about the vertex in its tangent plane, linearly, as within the
 // faces that such samples are nodes of; where it lies beyond them, all twelve, by interpolating moving least squares
-// (Lancaster & Salkauskas 1981), linear in the tangent plane; a vertex farther from its nearest sample than twice the spacing there (to the sixth neighbour) has none.
+// (Lancaster & Salkauskas 1981), linear in the tangent plane; a vertex farther from its nearest sample than twice the
+// spacing there (to the sixth neighbour) has none.
 Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads);
 
 // Of elements: in the element that the vertex lies in, else on the nearest outer face (or shell) that faces as the

@@ -191,6 +191,34 @@ TEST(Choose, WhatThePatchCameWithIsLaidToo) {
     EXPECT_GE(c.trials[c.best].score, c.trials[0].score);
 }
 
+TEST(Choose, ByHandNothingElseIsTried) {
+    Sheet s = sheet(20, 12, flat, towards(0));
+    Options o = wide();
+    o.plan.algorithm = "geo-contour", o.by_hand = true;
+    Notes notes;
+    const Choice c = choose(s, o, 1, notes);
+    ASSERT_EQ(c.trials.size(), 1);
+    EXPECT_EQ(s.algorithm, "geo-contour");
+    o.plan.algorithm = "geo-spiral"; // rims are no point
+    const Choice none = choose(s, o, 1, notes);
+    EXPECT_EQ(none.best, kNothing);
+    EXPECT_NE(none.trials[0].failed, "");
+}
+
+TEST(Candidates, PlanesStandUprightOnAxesThatAreNear) {
+    const double lean = 0.01;
+    const Sheet s = sheet(
+        30, 20,
+        [&](Vec3 p) {
+            return Vec3{p.x - lean * p.y, p.y + lean * p.x, 0};
+        },
+        towards(0));
+    bool found = false;
+    for (const Candidate& c : candidates(s, pulls(s)))
+        if (c.seed.kind == Seed::Kind::plane && c.seed.plane.normal == Vec3{0, 1, 0}) found = true;
+    EXPECT_TRUE(found);
+}
+
 TEST(Choose, WhatNothingFillsIsNotedWithItsArea) {
     Sheet s = sheet(2, 2, flat, {});
     Options o;
