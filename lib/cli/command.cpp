@@ -39,6 +39,12 @@ stream::Header header(const Io& io, stream::Payload payload, const std::vector<c
     return out;
 }
 
+void write_text(const std::string& file, const std::string& text) {
+    stream::Sink out(file, stream::Sink::Content::text);
+    out.write(text);
+    out.commit();
+}
+
 void Report::add(const Note& note) {
     if (note.stage != io_->program) return;
     for (Note& sum : sums_) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace filum::postproc {
 
@@ -58,7 +59,7 @@ void TiltedWalk::go(const Pose& pose, const Leg& leg) {
 // The first stroke is sought along the tool axis, from wherever the start template left the tool.
 void TiltedWalk::approach(const toolpath::Span& first) {
     const Pose p = pose(first, 0, shift_);
-    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0};
+    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0, first.tool};
     go({p.tip + std::max(profile_->travel.lift, kApproach) * p.axis, p.axis}, leg);
     go(p, leg);
 }
@@ -66,7 +67,7 @@ void TiltedWalk::approach(const toolpath::Span& first) {
 void TiltedWalk::travel(const toolpath::Span& span) {
     if (!started()) return; // there is nothing to leave
     finish_stroke();
-    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0};
+    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool};
     if (!span.normals.empty()) {
         for (std::size_t i = 0; i < span.points.size(); ++i) go(pose(span, i, shift_), leg);
         return;
@@ -82,14 +83,19 @@ void TiltedWalk::travel(const toolpath::Span& span) {
 
 void TiltedWalk::extrude(const toolpath::Span& span) {
     if (poses_.empty()) approach(span);
+    if (!laid_) landing_ = poses_.size() - 1;
     const auto from = pose(span, 0, shift_);
     if (kinematics::angle(poses_.back().axis, from.axis) > kTouch) // the tool turns where it stands
-        go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0});
+        go(from,
+           {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool});
+    Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
+        const Laying how = laying(tip_, span, i);
         go(pose(span, i + 1, shift_),
-           {Act::extrude, span.role, span.layer, machine::bead_feed(tip_, span, i), toolpath::volume(span, i),
-            (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2});
+           {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
+            (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
+            how.fed, how.halt, std::exchange(first, Act::extrude)});
         top_ = std::max(top_, poses_.back().tip.z);
     }
     laid_ = true;
@@ -112,7 +118,9 @@ void TiltedWalk::finish_stroke() {
     const auto track = kinematics::track(a.chain, poses_, at_, a.orientation, a.limits);
     check(track);
     head();
-    emit(track.joints, durations(track.joints));
+    auto seconds = durations(track.joints);
+    if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
+    emit(track.joints, seconds);
     at_ = track.joints.back();
     poses_.clear(), legs_.clear();
     laid_ = false;
@@ -176,6 +184,13 @@ double TiltedWalk::swing(std::size_t i) const {
     return kinematics::angle(poses_[i - 1].axis, poses_[i].axis) / profile_->axes.tilt_speed;
 }
 
+// The leg of this stroke before which the tool is changed: behind the first one of a travel, which leads away from the
+// part.  None: poses_.size().
+std::size_t TiltedWalk::exchange() const {
+    if (legs_.back().tool == tool_) return poses_.size();
+    return layer_ < 0 ? 0 : std::min<std::size_t>(2, landing_);
+}
+
 void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<double>& seconds) {
     bool open = false;
     const auto mark = [&](Act act, std::size_t i, std::size_t at) {
@@ -185,17 +200,26 @@ void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<doubl
              .layer = legs_[i].layer,
              .to = tip ? poses_[at].tip : joints[at].xyz,
              .height = legs_[i].height,
-             .axes = joints[at].xyz});
+             .axes = joints[at].xyz,
+             .tool = tool_});
     };
-    if (layer_ >= 0) mark(Act::retract, 0, 0);
+    const std::size_t change = exchange();
+    if (layer_ >= 0 && !profile_->fibre.lays(tool_)) {
+        mark(Act::retract, 0, 0);
+        retracted_.insert(tool_);
+    }
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const Leg& leg = legs_[i];
+        const std::size_t last = i > 0 ? i - 1 : 0;
+        if (i == change) tool_ = leg.tool, mark(Act::tool, i, last);
+        if (laid_ && i == landing_ && profile_->fibre.lays(tool_)) mark(Act::push, i, last);
         if (leg.act == Act::extrude) {
             if (static_cast<std::int64_t>(leg.layer) != layer_) mark(Act::layer, i, i);
-            if (!open && layer_ >= 0) mark(Act::prime, i, i - 1);
-            if (!open) mark(Act::open, i, i - 1);
+            if (!open && retracted_.erase(tool_) > 0) mark(Act::prime, i, last);
+            if (!open) mark(Act::open, i, last);
             open = true, layer_ = leg.layer;
         }
+        if (leg.before != Act::extrude) mark(leg.before, i, last);
         move(leg, i, joints, seconds[i]);
     }
     if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
@@ -211,7 +235,7 @@ void TiltedWalk::move(const Leg& leg, std::size_t i, const std::vector<Joints>& 
     };
     std::uint32_t parts = 1;
     // The tip strays most in the middle of a part; by a quarter when parts are halved.
-    for (; a.numbers == machine::Numbers::joints && i > 0 && parts < kParts; parts *= 2) {
+    for (; a.numbers == machine::Numbers::joints && i > 0 && seconds > 0 && parts < kParts; parts *= 2) {
         double off = 0;
         for (std::uint32_t k = 0; k < parts; ++k) {
             const Joints l = between(k / static_cast<double>(parts)), r = between((k + 1.0) / parts);
@@ -238,13 +262,11 @@ void TiltedWalk::move(const Leg& leg, std::size_t i, const std::vector<Joints>& 
              .seconds = seconds / parts,
              .axes = here.xyz,
              .axis = poses_[i].axis,
-             .heading = headings_[i]});
+             .heading = headings_[i],
+             .tool = tool_,
+             .fed = leg.fed / parts,
+             .halt = leg.halt && k == parts});
     }
-}
-
-std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out) {
-    if (profile.axes.active()) return std::make_unique<TiltedWalk>(profile, shift, std::move(out));
-    return std::make_unique<Walk>(profile, std::move(out));
 }
 
 } // namespace filum::postproc

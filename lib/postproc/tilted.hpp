@@ -4,6 +4,8 @@
 #include "kinematics/track.hpp"
 #include "postproc/walk.hpp"
 
+#include <set>
+
 namespace filum::postproc {
 
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
@@ -27,6 +29,10 @@ class TiltedWalk final : public Walker {
         Role role = Role::travel;
         std::uint32_t layer = 0;
         double feed = 0, volume = 0, width = 0, height = 0;
+        std::uint32_t tool = 0;
+        double fed = 0;            // mm of fibre
+        bool halt = false;         // the tool stands at its end
+        Act before = Act::extrude; // what comes before it; Act::extrude for nothing
     };
     void approach(const toolpath::Span& first);
     void travel(const toolpath::Span& span) override;
@@ -35,6 +41,7 @@ class TiltedWalk final : public Walker {
     void finish_stroke();
     void check(const kinematics::Track& track) const;
     void emit(const std::vector<kinematics::Joints>& joints, const std::vector<double>& seconds);
+    [[nodiscard]] std::size_t exchange() const;
     void move(const Leg& leg, std::size_t to, const std::vector<kinematics::Joints>& joints, double seconds);
     [[nodiscard]] std::vector<double> durations(const std::vector<kinematics::Joints>& joints) const;
     void put(const Step& step);
@@ -53,7 +60,10 @@ class TiltedWalk final : public Walker {
     kinematics::Joints at_;               // after the last stroke
     double top_ = 0;
     std::int64_t layer_ = -1;
-    bool laid_ = false; // a bead of this stroke
+    bool laid_ = false;       // a bead of this stroke
+    std::size_t landing_ = 0; // the leg of this stroke that leads to its start
+    std::uint32_t tool_ = 0;
+    std::set<std::uint32_t> retracted_; // tools
 };
 
 } // namespace filum::postproc
