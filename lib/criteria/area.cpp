@@ -19,7 +19,6 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kSameWidth = 1.02;
 constexpr std::size_t kMostClasses = 64;
 constexpr std::size_t kGrain = 256;                         // triangles per piece of work
-constexpr double kStable = 1e-4;                            // of the surface
 constexpr double kFirstRow = 1.0 / 8, kLastRow = 1.0 / 128; // of the widest bead
 
 // Per segment its class, of ascending width.
@@ -167,7 +166,7 @@ double clearance(const Ground& ground, const PathField& field, std::uint32_t tri
     return least;
 }
 
-Area measure_area(const Ground& ground, const PathField& field, double strip_width, int threads) {
+Area measure_area(const Ground& ground, const PathField& field, double strip_width, int threads, double stable) {
     const Surface& s = ground.finer.surface;
     Area out;
     double widest = 0;
@@ -187,7 +186,7 @@ Area measure_area(const Ground& ground, const PathField& field, double strip_wid
     double before = -kFar;
     for (out.row = kFirstRow * widest;; out.row /= 2) {
         sum = swept(ground, field, rims ? &*rims : nullptr, strip_width, out.row, threads);
-        if (std::abs(sum.covered - before) < kStable * out.surface || out.row <= kLastRow * widest) break;
+        if (std::abs(sum.covered - before) < stable * out.surface || out.row <= kLastRow * widest) break;
         before = sum.covered;
     }
     out.covered = sum.covered, out.strip = sum.strip, out.strip_covered = sum.strip_covered;

@@ -35,8 +35,8 @@ struct Area {
 };
 
 // Areas are swept by rows in every triangle, with ends solved from the exact windows; rows come closer, from an eighth
-// of the widest bead to a 128th, until coverage changes by less than 1e-4.
-Area measure_area(const Ground& ground, const PathField& field, double strip_width, int threads);
+// of the widest bead to a 128th, until coverage changes by less than `stable`.  No strip along rims with a width of 0.
+Area measure_area(const Ground& ground, const PathField& field, double strip_width, int threads, double stable = 1e-4);
 
 // The paper's share (Kipping et al. 2022, 4.1.3): 1 - A_u / A_s, where A_u are triangles whose three corners are all
 // farther than `d` from the path.  Its text prints (1 - A_u) / A_s, but says what 0 and 1 mean.  Path points are the

@@ -39,11 +39,15 @@ double stress(const Surface& s, const surface::Field* s1, const curve::Place& at
     return std::isfinite(sum) ? std::abs(sum) : 0;
 }
 
-Vec3 at_nearest_corner(const Surface& s, const surface::Field& d1, const curve::Place& at) {
+std::uint32_t nearest_corner(const Surface& s, const curve::Place& at) {
     std::uint32_t best = s.triangles[at.triangle][0];
     for (const std::uint32_t v : s.triangles[at.triangle])
         if (distance(s.vertices[v], at.point) < distance(s.vertices[best], at.point)) best = v;
-    const Vec3 d = d1.vector(best);
+    return best;
+}
+
+Vec3 at_nearest_corner(const Surface& s, const surface::Field& d1, const curve::Place& at) {
+    const Vec3 d = d1.vector(nearest_corner(s, at));
     return known(d) ? 1 / norm(d) * d : Vec3{};
 }
 
@@ -120,6 +124,27 @@ PaperLoad paper_adequacy(std::span<const Sample> samples, const Surface& s, std:
     }
     if (n > 0) out.mean /= n, out.best /= n, out.random /= n;
     return out;
+}
+
+Pull pull(std::span<const LoadCase> loads, std::uint32_t vertex, const Vec3& t) {
+    Pull out;
+    for (const LoadCase& load : loads) {
+        const Vec3 d = load.d1->vector(vertex);
+        const double s = load.s1 != nullptr ? load.s1->values[vertex] : 1;
+        if (!known(d) || !std::isfinite(s) || !(s > 0)) continue;
+        out.along = std::max(out.along, s * std::abs(dot(d, t)) / norm(d));
+        out.most = std::max(out.most, s);
+    }
+    return out;
+}
+
+double pull_adequacy(std::span<const Sample> samples, const Surface& s, std::span<const LoadCase> loads) {
+    double along = 0, most = 0;
+    for (const Sample& p : samples) {
+        const Pull at = pull(loads, nearest_corner(s, p.foot), p.tangent);
+        along += p.length * at.along, most += p.length * at.most;
+    }
+    return most > 0 ? along / most : std::nan("");
 }
 
 } // namespace filum::criteria

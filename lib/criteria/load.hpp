@@ -41,4 +41,15 @@ struct PaperLoad {
 };
 PaperLoad paper_adequacy(std::span<const Sample> samples, const Surface& surface, std::span<const LoadCase> loads);
 
+// The paper's rule by sizes of the stress: the greatest pull along the path of any load case at each sample, over the
+// greatest pull there is: the sum of max_k(s_k |t . d_k|) over that of max_k(s_k), with s_k = max(0, s1), or 1 where no
+// s1 is known of the case; by length, at the nearest vertex of the triangle below.  nan if nothing pulls.
+double pull_adequacy(std::span<const Sample> samples, const Surface& surface, std::span<const LoadCase> loads);
+
+// The same of a place: the pull along the unit vector `t` at `vertex`, and the greatest that there is, MPa.
+struct Pull {
+    double along = 0, most = 0;
+};
+Pull pull(std::span<const LoadCase> loads, std::uint32_t vertex, const Vec3& t);
+
 } // namespace filum::criteria

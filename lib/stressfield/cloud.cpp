@@ -13,6 +13,7 @@ constexpr std::size_t kNear = 12;   // samples that speak for a vertex
 constexpr double kSteep = 0.7;      // off a vertex's plane per mm along it: 35 degrees
 constexpr double kAlike = 0.5;      // least cosine between normals of one side: 60 degrees
 constexpr double kHole = 2;         // spacings without a sample that are a hole in the data
+constexpr double kRound = 1e-9;     // of a triangle: rounding
 constexpr double kRidge = 1e-6;     // keeps slopes along which no samples lie at 0
 constexpr std::size_t kGrain = 512; // vertices or samples of a piece of work
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -80,8 +81,36 @@ std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const 
     return out;
 }
 
-// Weights of `found` at `p`, by the affine function that fits them best with weights that are infinite at distance 0
-// and 0 from the farthest on.
+// Weights of the corners of the triangle of `flat` that the origin lies in and whose circle holds no other of them
+// (Delaunay), the first of equals; empty if the origin lies in none.
+std::vector<double> in_triangle(const std::vector<geom::Vec2>& flat) {
+    const std::size_t n = flat.size();
+    const geom::Vec2 o{0, 0};
+    const auto empty = [&](std::size_t i, std::size_t j, std::size_t k) {
+        const geom::Vec2 a = flat[j] - flat[i], b = flat[k] - flat[i];
+        const double twice = 2 * cross(a, b), aa = norm2(a), bb = norm2(b);
+        const geom::Vec2 centre{(b.y * aa - a.y * bb) / twice, (a.x * bb - b.x * aa) / twice};
+        const double radius2 = norm2(centre);
+        for (std::size_t m = 0; m < n; ++m)
+            if (m != i && m != j && m != k && norm2(flat[m] - flat[i] - centre) < (1 - kRound) * radius2) return false;
+        return true;
+    };
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+            for (std::size_t k = j + 1; k < n; ++k) {
+                const double all = orient(flat[i], flat[j], flat[k]), size = norm2(flat[k] - flat[i]);
+                if (!(std::abs(all) > kRound * size)) continue;
+                const double wi = orient(o, flat[j], flat[k]) / all, wj = orient(flat[i], o, flat[k]) / all;
+                if (std::min({wi, wj, 1 - wi - wj}) < -kRound || !empty(i, j, k)) continue;
+                std::vector<double> out(n, 0);
+                out[i] = std::max(0.0, wi), out[j] = std::max(0.0, wj), out[k] = 1 - out[i] - out[j];
+                return out;
+            }
+    return {};
+}
+
+// Weights of `found` at `p`: linear in the triangle of them about it; beyond all of them, by the affine function that
+// fits them best with weights that are infinite at distance 0 and 0 from the farthest on.
 std::vector<double> weights(const std::vector<Near>& found, const std::vector<Vec3>& points, const Vec3& p,
                             const Vec3& normal) {
     std::vector<double> out(found.size(), 0);
@@ -91,12 +120,17 @@ std::vector<double> weights(const std::vector<Near>& found, const std::vector<Ve
         return out;
     }
     const Vec3 u = across(normal), v = cross(normal, u);
+    std::vector<geom::Vec2> flat;
+    for (const Near& f : found) {
+        const Vec3 e = (1 / radius) * (points[f.index] - p);
+        flat.push_back({dot(e, u), dot(e, v)});
+    }
+    if (auto linear = in_triangle(flat); !linear.empty()) return linear;
     Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
     std::vector<Eigen::Vector3d> rows(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
         const double d = found[k].distance, w = (radius - d) / d;
-        const Vec3 e = (1 / radius) * (points[found[k].index] - p);
-        const Eigen::Vector3d b(1, dot(e, u), dot(e, v));
+        const Eigen::Vector3d b(1, flat[k].x, flat[k].y);
         rows[k] = w * w * b;
         m += rows[k] * b.transpose();
     }

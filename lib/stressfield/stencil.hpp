@@ -21,9 +21,11 @@ std::vector<Vec3> normals(const Surface& s);
 
 // Of bare points.  Only samples on the surface count: not farther from it than `reach` (mm; 0: a quarter of the
 // distance to the next sample), so that the other side of a thin wall does not mix in; and of these, where the surface
-// itself comes back near, those whose normal is within 60 degrees of the vertex's. The weights are those of
-// interpolating moving least squares (Lancaster & Salkauskas 1981), linear in the tangent plane, over the twelve
-// nearest; a vertex farther from its nearest sample than twice the spacing there (to the sixth neighbour) has none.
+// itself comes back near, those whose normal is within 60 degrees of the vertex's.  Of the twelve nearest, the three
+// count that are the corners of the Delaunay triangle about the vertex in its tangent plane, linearly, as within the
+// faces that such samples are nodes of; where it lies beyond them, all twelve, by interpolating moving least squares
+// (Lancaster & Salkauskas 1981), linear in the tangent plane; a vertex farther from its nearest sample than twice the
+// spacing there (to the sixth neighbour) has none.
 Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads);
 
 // Of elements: in the element that the vertex lies in, else on the nearest outer face (or shell) that faces as the

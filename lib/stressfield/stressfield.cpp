@@ -183,7 +183,7 @@ void add(std::span<surface::Sheet> sheets, const Samples& samples, const Options
             throw Error(e.exit(), "patch '" + name + "': " + e.what());
         }
         for (Note& note : own) note.what += " on patch " + name, notes.push_back(std::move(note));
-        for (Fact& fact : found) fact.name = name + "." + fact.name, facts.push_back(std::move(fact));
+        for (Fact& fact : found) fact.name = "patch." + name + "." + fact.name, facts.push_back(std::move(fact));
     }
 }
 

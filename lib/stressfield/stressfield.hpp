@@ -26,8 +26,9 @@ struct Options {
 void add(surface::Sheet& sheet, const Samples& samples, const Options& options, int threads, Notes& notes,
          Facts& facts);
 
-// The same for every sheet of several, as the patches of a part; facts are named "PATCH.FACT" then, by the sheets'
-// names or their numbers from 1, and notes and errors name the patch.  Throws Error(bad_input) if there is no sheet.
+// The same for every sheet of several, as the patches of a part; facts are named "patch.PATCH.FACT" then, by the
+// sheets' names or their numbers from 1, and notes and errors name the patch.  Throws Error(bad_input) if there is no
+// sheet.
 void add(std::span<surface::Sheet> sheets, const Samples& samples, const Options& options, int threads, Notes& notes,
          Facts& facts);
 

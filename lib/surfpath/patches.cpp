@@ -58,7 +58,7 @@ Patches each_patch(std::span<const surface::Sheet> sheets, std::span<const std::
             out.notes.push_back(std::move(note));
         }
         for (Fact& fact : out.plans[k].facts) {
-            if (several) fact.name = spoken(sheets, k) + "." + fact.name;
+            if (several) fact.name = "patch." + spoken(sheets, k) + "." + fact.name;
             out.facts.push_back(std::move(fact));
         }
         out.plans[k].notes.clear(), out.plans[k].facts.clear();

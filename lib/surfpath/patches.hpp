@@ -24,9 +24,9 @@ struct Patches {
     Facts facts;
 };
 
-// Every surface planned by `plan(k)`, on `threads` threads.  Of several surfaces, facts are named "PATCH.FACT", notes
-// end with "on patch PATCH", and errors begin with "patch 'PATCH':".  A surface without an algorithm has an empty plan
-// and a note, "patch without a plan", with its area and place.  The first error, by patches, is thrown.
+// Every surface planned by `plan(k)`, on `threads` threads.  Of several surfaces, facts are named "patch.PATCH.FACT",
+// notes end with "on patch PATCH", and errors begin with "patch 'PATCH':".  A surface without an algorithm has an empty
+// plan and a note, "patch without a plan", with its area and place.  The first error, by patches, is thrown.
 Patches each_patch(std::span<const surface::Sheet> sheets, std::span<const std::string> algorithms, int threads,
                    const std::function<Plan(std::size_t)>& plan);
 

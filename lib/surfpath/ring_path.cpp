@@ -1,5 +1,6 @@
 #include "surfpath/ring_path.hpp"
 
+#include "base/error.hpp"
 #include "curve/ease.hpp"
 #include "curve/walk.hpp"
 #include "surfpath/rings.hpp"
@@ -146,6 +147,8 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
         const Line line = gentle(s, course.line, o.least_radius, made.spacing);
         out.strokes.push_back({pieces(s, line, o.least_radius)});
     }
+    if (out.strokes.empty())
+        throw Error(Exit::failure, "cannot lay rings: none is closed; make other triangles by geodesic --remesh");
     std::set<std::uint32_t> components; // that have rings
     for (const Line& line : made.lines) components.insert(s.component[line.places[0].triangle]);
     tell(out, apart + 1 - components.size());

@@ -28,6 +28,7 @@ constexpr double kTightPart = 0.01, kTighter = 0.8; // of the length, may turn t
 constexpr double kFall = 1.1;                       // spacings that radii may fall by from one level to the next
 constexpr double kMost = 1e4;                       // spacings from the sources to the farthest place
 constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
+constexpr double kSame = 1e-7, kApart = 1e-5; // spacings: a level that is a vertex's distance, and is moved from it
 
 // The sources, and all sides of rims that are none yet.
 surface::Sources all_sources(const surface::Sheet& sheet) {
@@ -48,6 +49,19 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
         throw Error(Exit::bad_input, "cannot lay rings on a closed surface without a source; run geodesic --source "
                                      "vertex:ID (or another) first");
     return out;
+}
+
+// The levels, each a little higher where that is just the distance of a vertex, as on a grid: there isolines fall apart
+// by rounding.
+std::vector<double> off_vertices(std::vector<double> levels, std::vector<double> distance, double spacing) {
+    std::sort(distance.begin(), distance.end());
+    for (double& level : levels)
+        while (true) {
+            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kSame * spacing);
+            if (near == distance.end() || *near > level + kSame * spacing) break;
+            level = *near + kApart * spacing;
+        }
+    return levels;
 }
 
 // The spacing near `d` for which the farthest place is a whole number of them and a half away; if there is none, one
@@ -114,6 +128,7 @@ class Making {
             d_ = d;
             levels_.clear();
             for (double l = d / 2; l < farthest_; l += d) levels_.push_back(l);
+            levels_ = off_vertices(std::move(levels_), far_, d);
             outer_ = geodesic::isolines(s_, field_, levels_);
             if (d <= o.spacing || one_ridge()) break; // so there is no harm to others
         }

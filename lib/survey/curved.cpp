@@ -24,10 +24,12 @@ void refuse(const metrics::Options& o) {
 figures::Figures curved(const Options& options, const cli::Io& io) {
     refuse(options.plane);
     surface::Sheet sheet;
+    std::size_t surfaces = 0;
     const auto ground = cli::read_all(options.surface, stream::Payload::surface,
-                                      [&](const stream::RawFrame& f) { sheet = wire::sheet(f); });
-    if (sheet.surface.triangles.empty())
-        throw Error(Exit::bad_input, "cannot measure on '" + options.surface + "': it holds no surface");
+                                      [&](const stream::RawFrame& f) { sheet = wire::sheet(f), ++surfaces; });
+    if (surfaces != 1)
+        throw Error(Exit::bad_input, "cannot measure on '" + options.surface + "': it holds " +
+                                         std::to_string(surfaces) + " surfaces, not one");
     criteria::Fibres fibres;
     const auto path = cli::read_all(io.input, stream::Payload::toolpath,
                                     [&](const stream::RawFrame& f) { criteria::add(fibres, wire::span(f)); });

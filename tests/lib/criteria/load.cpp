@@ -101,5 +101,33 @@ TEST(Load, UnknownStress) {
     EXPECT_THROW((void)load_cases(wrong.sheet), Error);
 }
 
+// Of two pulls across each other, 3 along x and 1 along y, the path along x has all of the greater, one along y a
+// third; pressure is none.
+TEST(Load, PullsCountByTheirSize) {
+    Loaded p;
+    p.add(
+        "x", [](const Vec3&) { return at(0); }, [](const Vec3&) { return 3.0; });
+    p.add("y", [](const Vec3&) { return at(kPi / 2); });
+    p.add(
+        "pressed", [](const Vec3&) { return at(kPi / 2); }, [](const Vec3&) { return -9.0; });
+    const auto loads = load_cases(p.sheet);
+    const Ground ground(p.sheet.surface, 1);
+    const auto adequacy = [&](std::vector<Vec3> points) {
+        toolpath::Span span{toolpath::Role::bead, 0, 0, 0, std::move(points), {1}, {1}, {}};
+        Fibres fibres;
+        add(fibres, span);
+        return pull_adequacy(samples(fibres, ground, 0.25, 1), p.sheet.surface, loads);
+    };
+    EXPECT_NEAR(adequacy({{1, 5, 0}, {9, 5, 0}}), 1, 1e-9);
+    EXPECT_NEAR(adequacy({{5, 1, 0}, {5, 9, 0}}), 1.0 / 3, 1e-9);
+    const double a = std::atan2(3, 4);
+    EXPECT_NEAR(adequacy({{1, 1, 0}, {9, 7, 0}}), std::cos(a), 1e-9);
+    Loaded none;
+    none.add(
+        "pressed", [](const Vec3&) { return at(0); }, [](const Vec3&) { return -1.0; });
+    EXPECT_TRUE(std::isnan(pull_adequacy({}, none.sheet.surface, load_cases(none.sheet))));
+    EXPECT_EQ(pull(load_cases(none.sheet), 0, {1, 0, 0}).most, 0);
+}
+
 } // namespace
 } // namespace filum::criteria

@@ -32,6 +32,28 @@ TEST(Cloud, AffineFieldsAreExact) {
         EXPECT_NEAR(value(stencils, v, f), 3 + 2 * s.vertices[v].x - 5 * s.vertices[v].y, 1e-3);
 }
 
+// Inside the samples three of them speak, those of the Delaunay triangle: no value lies beyond theirs, and no other
+// sample within the circle through them.
+TEST(Cloud, TheThreeAboutAVertexSpeak) {
+    const auto s = square(9, 10);
+    std::vector<Vec3> points;
+    Dice dice;
+    scatter(points, 10, 1.1, 0, dice);
+    const auto stencils = in_cloud(s, points, 0, 1);
+    for (std::size_t v = 0; v < s.vertices.size(); ++v) {
+        std::vector<Vec3> corners;
+        for (std::uint32_t k = stencils.start[v]; k < stencils.start[v + 1]; ++k) {
+            EXPECT_GE(stencils.weight[k], 0);
+            if (stencils.weight[k] > 0) corners.push_back(points[stencils.sample[k]]);
+        }
+        ASSERT_EQ(corners.size(), 3);
+        const Vec3 a = corners[1] - corners[0], b = corners[2] - corners[0];
+        const double twice = 2 * (a.x * b.y - a.y * b.x), aa = dot(a, a), bb = dot(b, b);
+        const Vec3 centre = corners[0] + Vec3{(b.y * aa - a.y * bb) / twice, (a.x * bb - b.x * aa) / twice, 0};
+        for (const Vec3& p : points) EXPECT_GE(distance(p, centre), distance(corners[0], centre) - 1e-6);
+    }
+}
+
 TEST(Cloud, ASampleAtAVertexSpeaksAlone) {
     const auto s = square(4, 4);
     const auto stencils = in_cloud(s, s.vertices, 0, 1);

@@ -195,6 +195,16 @@ TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
     EXPECT_NEAR(curve::length(line) * 2 / (48 * 32), 0.95, 0.06);
 }
 
+// A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
+TEST(geo_contour, rings_through_vertices_are_whole) {
+    const auto s = sheet(32, 24, everywhere);
+    const Plan p = plan(s, {.algorithm = "geo-contour", .spacing = 1.6});
+    ASSERT_EQ(p.strokes.size(), 1);
+    double length = 0;
+    for (const Piece& piece : p.strokes[0].pieces) length += curve::length(piece.line);
+    EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
+}
+
 TEST(geo_contour, asks_for_a_source_on_a_closed_surface) {
     mesh::Mesh m;
     m.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};

@@ -1,0 +1,110 @@
+// choose - an algorithm and a seed for every patch of a surface
+// reads:  Surface
+// writes: Surface
+// memory: the patches, and windows of distance of one candidate per thread
+#include "choose/choose.hpp"
+#include "cli/command.hpp"
+#include "stream/sink.hpp"
+#include "surfpath/patches.hpp"
+#include "wire/surface.hpp"
+
+namespace {
+
+using namespace filum;
+using cli::Option;
+
+struct Options {
+    choose::Options how;
+    std::string algorithm = "best", weights = "coverage=1,load=1,angle=0.5,cuts=0.5,overlap=0.5", report;
+};
+
+constexpr const char* kDescription =
+    "Proposes for every surface of the stream, the patches of a part, by which of surfpath's algorithms and from where "
+    "to fill it: writes the same surfaces with the algorithm, its sources and the distances from them, which "
+    "`surfpath` "
+    "follows. Candidates are fina and fexa along, and ortheo across, planes in directions from the mean pull of the "
+    "patch on, its principal axes, lines that follow the pull, sides of its rims; geo-contour and geo-fiso within the "
+    "rims; geo-spiral about its middle; and what the patch came with: sources from `geodesic`, an algorithm. All are "
+    "judged by how much of the pull would run along such lines, the promising ones laid roughly, twice as far apart, "
+    "and the best --finals of them as asked.\n\n"
+    "The score is the mean, by --weights, of five terms from 0 to 1: coverage, the share of the area within half a "
+    "bead of the path; load, how much of the greatest pull of all load cases runs along the path (the greatest s1 "
+    "|t . d1| over the greatest s1, by length; left out without stresses from `stressfield`); angle, 1 less the mean "
+    "of "
+    "the greatest hundredth of angles at a quarter of the spacing, over 90 degrees; cuts, 1 less cuts times "
+    "--cut-length over the length of the fibre; overlap, 1 less the share of the fibre that lies on fibre. Of equal "
+    "scores the first candidate counts. --report lists all candidates with what is known of them. A patch that no "
+    "candidate fills goes on without an algorithm, is noted with its area, and the command ends with 1. --algorithm "
+    "plans by hand instead: nothing else is tried, and the score is that of the algorithm with the patch's sources.";
+
+cli::Spec spec(Options& o) {
+    auto& plan = o.how.plan;
+    return {
+        .name = "choose",
+        .synopsis = "choose the path of every patch of a surface",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::surface),
+        .out = cli::writes(stream::Payload::surface),
+        .memory = "the patches, and windows of distance of one candidate per thread",
+        .options =
+            {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
+                 {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+             Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
+             Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.at_least(
+                 0),
+             Option{"finals", &o.how.finals, "N", "candidates to lay as asked"}.at_least(1).at_most(1000),
+             Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.above(0),
+             Option{"least-radius", &plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             Option{"turns", &plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
+                 .one_of({"none", "hairpin", "wide"}),
+             Option{"min-length", &plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}.at_least(
+                 0),
+             Option{"report", &o.report, "FILE", "also all candidates and their criteria, as TSV"}.not_a_setting()},
+        .examples = {{"geodesic part.stl --cut 0,0,1,0.9 | choose --spacing 1 | surfpath --spacing 1 > part.toolpath",
+                      "the path that scores best on a surface, here a part without its top"}},
+        .see_also = {"partition", "stressfield", "surfpath"}};
+}
+
+void run(const Options& o, const cli::Io& io) {
+    choose::Options how = o.how;
+    how.weights = choose::weights(o.weights);
+    if (o.algorithm != "best") how.plan.algorithm = o.algorithm, how.by_hand = true;
+    std::vector<surface::Sheet> sheets;
+    const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
+                                            [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
+    if (sheets.empty()) throw Error(Exit::bad_input, "cannot choose a path: the stream holds no surface");
+    Notes notes;
+    Facts facts;
+    std::string report = choose::head(), without;
+    std::vector<stream::RawFrame> frames;
+    double area = 0, sum = 0;
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        const std::string name = surfpath::spoken(sheets, k);
+        Notes own;
+        const auto choice = choose::choose(sheets[k], how, io.threads, own);
+        const bool several = sheets.size() > 1;
+        for (Note& note : own) note.what += several ? " on patch " + name : "", notes.push_back(std::move(note));
+        for (Fact& fact : choose::facts(choice))
+            facts.push_back({"", (several ? "patch." + name + "." : "") + fact.name, fact.value, fact.unit});
+        area += choice.area;
+        if (choice.best == choose::kNothing)
+            without += (without.empty() ? "'" : ", '") + name + "': " + choice.trials.front().failed;
+        else
+            sum += choice.area * choice.trials[choice.best].score;
+        report += choose::report(name, choice);
+        frames.push_back(wire::frame(sheets[k]));
+    }
+    if (sheets.size() > 1) facts.push_back({"", "score", sum / area, ""});
+    cli::write_all(io, cli::header(io, stream::Payload::surface, {&before.header}), before, notes, facts, frames);
+    if (!o.report.empty()) {
+        stream::Sink file(o.report, stream::Sink::Content::text);
+        file.write(report);
+        file.commit();
+    }
+    if (!without.empty())
+        throw Error(Exit::failure, "cannot find a path for patch " + without + "; --report tells of all");
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

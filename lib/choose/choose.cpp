@@ -1,0 +1,153 @@
+#include "choose/choose.hpp"
+
+#include "base/error.hpp"
+#include "curve/carry.hpp"
+#include "geodesic/measure.hpp"
+#include "parallel/parallel.hpp"
+#include "surface/remesh.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace filum::choose {
+
+namespace {
+
+constexpr double kRough = 2;               // spacings and radii of the rough patch, of those asked for
+constexpr double kSmall = 25;              // spacings square: smaller patches are not laid roughly
+constexpr double kStable[] = {2e-3, 1e-4}; // of the area: to what coverage is measured, roughly and at last
+constexpr double kFine = 0.75;             // of the sides asked for: a mean edge below is made longer
+const std::map<std::string, std::size_t> kPromising{{"fina", 4}, {"fexa", 2}, {"ortheo", 2}}; // others: 1
+
+// A patch to lay candidates on, by these options.
+struct Ground {
+    Sheet sheet;
+    std::vector<Vec3> pull;
+    surfpath::Options plan;
+    double stable; // to what coverage is measured
+};
+
+Ground rough(const Sheet& sheet, const Options& o, double area) {
+    Ground out{{}, {}, o.plan, kStable[0]};
+    const double scale = area < kSmall * kSmall * o.plan.spacing * o.plan.spacing ? 1 : kRough;
+    out.plan.spacing *= scale, out.plan.least_radius *= scale;
+    const double edge = out.plan.spacing;
+    out.sheet = sheet;
+    if (surface::mean_edge(sheet.surface) < kFine * edge) try {
+            Notes unsaid;
+            Sheet coarse{surface::remesh(sheet.surface, edge, unsaid), {}, {}};
+            coarse.fields = curve::carried(sheet.surface, sheet.fields, coarse.surface);
+            out.sheet = std::move(coarse);
+        } catch (const Error&) { // of CGAL: then on the patch as it is
+        }
+    out.pull = pulls(out.sheet);
+    return out;
+}
+
+Criteria lay(const Ground& ground, const Candidate& candidate) {
+    Sheet sheet{ground.sheet.surface, {}, {}, sources(ground.sheet, ground.pull, candidate.seed)};
+    surfpath::Options plan = ground.plan;
+    plan.algorithm = candidate.algorithm;
+    criteria::Fibres fibres;
+    surfpath::Laying laying;
+    laying.width = plan.spacing;
+    for (const auto& span : surfpath::spans(sheet.surface, surfpath::plan(sheet, plan), laying))
+        criteria::add(fibres, span);
+    return measure(fibres, ground.sheet, plan.spacing, ground.stable);
+}
+
+// Does `work` for the trials of these numbers; what it throws is why they failed.
+template <class Work>
+void each(std::vector<Trial>& trials, const std::vector<std::size_t>& which, int threads, const Work& work) {
+    parallel::for_chunks(which.size(), 1, threads, [&](std::size_t k, std::size_t) {
+        Trial& trial = trials[which[k]];
+        try {
+            work(trial);
+        } catch (const std::exception& e) {
+            trial.failed = e.what();
+        }
+    });
+}
+
+// The trials that are worth laying roughly.
+std::vector<std::size_t> promising(const std::vector<Trial>& trials) {
+    std::vector<std::size_t> order(trials.size()), out;
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto worth = [&](std::size_t i) { return std::isnan(trials[i].estimate) ? 0 : trials[i].estimate; };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
+    std::map<std::string, std::size_t> taken;
+    for (const std::size_t i : order) {
+        const Candidate& c = trials[i].candidate;
+        if (!trials[i].failed.empty() || c.seed.kind == Seed::Kind::given) continue;
+        const auto most = kPromising.find(c.algorithm);
+        if (taken[c.algorithm]++ < (most == kPromising.end() ? 1 : most->second)) out.push_back(i);
+    }
+    return out;
+}
+
+void finals(std::vector<Trial>& trials, std::vector<std::size_t> left, const Ground& ground, const Options& o,
+            int threads) {
+    std::erase_if(left, [&](std::size_t i) { return !trials[i].rough; });
+    std::sort(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
+        return trials[a].rough_score > trials[b].rough_score ||
+               (trials[a].rough_score == trials[b].rough_score && a < b);
+    });
+    std::vector<std::size_t> now;
+    for (std::size_t i = 0; i < trials.size(); ++i)
+        if (trials[i].candidate.seed.kind == Seed::Kind::given) now.push_back(i);
+    for (std::size_t next = 0, found = 0; found == 0 && (next < left.size() || !now.empty()); now.clear()) {
+        for (std::int64_t k = 0; k < o.finals && next < left.size(); ++k) now.push_back(left[next++]);
+        each(trials, now, threads, [&](Trial& t) {
+            t.found = lay(ground, t.candidate);
+            t.score = score(*t.found, o.weights, o.cut_length);
+        });
+        for (const std::size_t i : now) found += trials[i].found ? 1 : 0;
+    }
+}
+
+std::vector<Candidate> by_hand(const Options& o) {
+    Seed given;
+    given.kind = Seed::Kind::given;
+    return {{o.plan.algorithm, given}};
+}
+
+} // namespace
+
+Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
+    Choice out;
+    out.area = surface::area(sheet.surface);
+    const bool rings = o.plan.algorithm == "geo-fiso" || o.plan.algorithm == "geo-contour";
+    if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
+    const Ground ground{sheet, pulls(sheet), o.plan, kStable[1]};
+    for (Candidate& c : o.by_hand ? by_hand(o) : candidates(sheet, ground.pull))
+        out.trials.push_back({std::move(c), std::nan(""), {}, {}, 0, 0, {}});
+    const Ground small = o.by_hand ? Ground{} : rough(sheet, o, out.area);
+    std::vector<std::size_t> all(out.trials.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    each(out.trials, all, threads, [&](Trial& t) {
+        if (t.candidate.seed.kind != Seed::Kind::given) t.estimate = estimate(small.sheet, small.pull, t.candidate);
+    });
+    const auto some = promising(out.trials);
+    each(out.trials, some, threads, [&](Trial& t) {
+        t.rough = lay(small, t.candidate);
+        t.rough_score = score(*t.rough, o.weights, o.cut_length);
+    });
+    finals(out.trials, some, ground, o, threads);
+    for (std::size_t i = 0; i < out.trials.size(); ++i)
+        if (out.trials[i].found && (out.best == kNothing || out.trials[i].score > out.trials[out.best].score))
+            out.best = i;
+    sheet.isolines.clear();
+    if (out.best == kNothing) {
+        sheet.algorithm.clear();
+        const Vec3& p = sheet.surface.vertices.front();
+        notes.push_back({.stage = "", .what = "no path found", .amount = out.area, .unit = "mm2", .x = p.x, .y = p.y});
+        return out;
+    }
+    const Candidate& best = out.trials[out.best].candidate;
+    sheet.algorithm = best.algorithm;
+    geodesic::measure(sheet, sources(sheet, ground.pull, best.seed), {}, notes);
+    return out;
+}
+
+} // namespace filum::choose

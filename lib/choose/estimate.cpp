@@ -1,0 +1,41 @@
+#include "choose/candidates.hpp"
+#include "criteria/load.hpp"
+#include "geodesic/exact.hpp"
+
+namespace filum::choose {
+
+namespace {
+
+// The slope of what is linear between the values at the corners.
+Vec3 slope(const Surface& s, std::uint32_t t, const std::vector<double>& value) {
+    const auto [a, b, c] = s.triangles[t];
+    const Vec3 u = s.vertices[b] - s.vertices[a], v = s.vertices[c] - s.vertices[a], n = cross(u, v);
+    return 1 / dot(n, n) * cross((value[b] - value[a]) * v - (value[c] - value[a]) * u, n);
+}
+
+} // namespace
+
+double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candidate& candidate) {
+    const Surface& s = sheet.surface;
+    const auto loads = criteria::load_cases(sheet);
+    if (loads.empty()) return std::nan("");
+    const bool planes = candidate.algorithm == "fexa" && candidate.seed.kind == Seed::Kind::plane;
+    const auto from = sources(sheet, pull, candidate.seed);
+    const auto distance = planes ? std::vector<double>{} : geodesic::exact_distances(s, from).distance;
+    double along = 0, most = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& corners = s.triangles[t];
+        const Vec3 a = s.vertices[corners[0]];
+        const Vec3 n = cross(s.vertices[corners[1]] - a, s.vertices[corners[2]] - a);
+        const Vec3 up = planes ? candidate.seed.plane.normal : slope(s, t, distance);
+        const Vec3 way = candidate.algorithm == "ortheo" ? up : cross(n, up);
+        if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;
+        for (const std::uint32_t v : corners) {
+            const auto at = criteria::pull(loads, v, 1 / norm(way) * way);
+            along += norm(n) * at.along, most += norm(n) * at.most;
+        }
+    }
+    return most > 0 ? along / most : std::nan("");
+}
+
+} // namespace filum::choose

@@ -1,0 +1,83 @@
+#include "choose/score.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "criteria/area.hpp"
+#include "criteria/curvature.hpp"
+#include "criteria/load.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace filum::choose {
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+double& named(Weights& w, std::string_view name) {
+    if (name == "coverage") return w.coverage;
+    if (name == "load") return w.load;
+    if (name == "angle") return w.angle;
+    if (name == "cuts") return w.cuts;
+    if (name == "overlap") return w.overlap;
+    throw Error(Exit::usage,
+                "cannot weigh '" + std::string(name) + "'; --weights knows coverage, load, angle, cuts and overlap");
+}
+
+} // namespace
+
+Weights weights(std::string_view words) {
+    Weights out;
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(','), words.size());
+        const std::string_view word = words.substr(0, end);
+        const std::size_t equals = word.find('=');
+        if (equals == std::string_view::npos)
+            throw Error(Exit::usage, "cannot use --weights '" + std::string(word) + "'; say NAME=NUMBER");
+        double& weight = named(out, word.substr(0, equals));
+        weight = parse_number(word.substr(equals + 1), "--weights");
+        if (!std::isfinite(weight) || weight < 0)
+            throw Error(Exit::usage, "cannot use --weights '" + std::string(word) + "'; weights are 0 or more");
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    if (!(out.coverage + out.load + out.angle + out.cuts + out.overlap > 0))
+        throw Error(Exit::usage, "cannot use --weights that are all 0");
+    return out;
+}
+
+Criteria measure(const criteria::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable) {
+    if (fibres.chains.empty()) throw Error(Exit::failure, "nothing is laid");
+    const criteria::Ground ground(sheet.surface, spacing);
+    const auto samples = criteria::samples(fibres, ground, spacing / 4, 1);
+    const auto shadow = criteria::shadow(fibres, ground, {0, 0, spacing / 2}, 1);
+    const auto area = criteria::measure_area(ground, criteria::path_field(ground, shadow), 0, 1, stable);
+    const auto loads = criteria::load_cases(sheet);
+    Criteria out;
+    out.area = area.surface;
+    out.coverage = area.covered / area.surface;
+    out.load = criteria::pull_adequacy(samples, sheet.surface, loads);
+    out.paper_load = loads.empty() ? std::nan("") : criteria::paper_adequacy(samples, sheet.surface, loads).mean;
+    out.angle = criteria::paper_angle(fibres, spacing / 4) * kDegrees;
+    out.cuts = static_cast<double>(fibres.chains.size() - 1);
+    out.length = criteria::length(fibres);
+    out.overlap = std::max(0.0, 1 - area.covered / (out.length * spacing));
+    return out;
+}
+
+double score(const Criteria& c, const Weights& w, double cut_length) {
+    double sum = 0, all = 0;
+    const auto add = [&](double weight, double term) {
+        if (std::isnan(term)) return;
+        sum += weight * std::clamp(term, 0.0, 1.0), all += weight;
+    };
+    add(w.coverage, c.coverage);
+    add(w.load, c.load);
+    add(w.angle, 1 - c.angle / 90);
+    add(w.cuts, 1 - c.cuts * cut_length / c.length);
+    add(w.overlap, 1 - c.overlap);
+    return all > 0 ? sum / all : 0;
+}
+
+} // namespace filum::choose
