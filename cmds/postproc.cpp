@@ -100,6 +100,10 @@ void run(const postproc::Options& o, const cli::Io& io) {
         spool.rewind();
     }
     const auto survey = measure.end();
+    cli::Report report(io);
+    Notes own;
+    postproc::add_efforts(profile, survey, io.program, own, facts);
+    for (const Note& note : own) report.add(note), notes.push_back(note);
 
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
@@ -109,6 +113,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     written->end();
     program->end();
     sink.commit();
+    report.say();
 }
 
 } // namespace

@@ -62,6 +62,7 @@ class Reader {
           height_(options.height) {
         at_.fill(std::numeric_limits<double>::quiet_NaN());
         at_[3] = at_[4] = 0;
+        if (p_.axes.chain.carrier == kinematics::Carrier::polar) at_[1] = p_.axes.chain.turn_point.y; // no word for it
         tip_ = !p_.axes.active() || (p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty());
     }
 

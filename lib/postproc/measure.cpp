@@ -29,6 +29,7 @@ bool Measure::again() {
 Survey Measure::end() {
     walk_->end();
     Survey survey = surveyor_.end();
+    survey.efforts = walk_->efforts();
     if (!rotary_) shift_ = placement(survey, profile_->bed, place_);
     check_limits(survey, *profile_, program_shift());
     return survey;

@@ -121,7 +121,7 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
     text_ += code;
     const char letters[] = {'X', 'Y', 'Z', profile_->axes.tilt_letter, profile_->axes.turn_letter};
     for (std::size_t k = 0; k < to.size(); ++k) {
-        if (to[k] == at_[k]) continue;
+        if (to[k] == at_[k] || (k == 1 && profile_->axes.chain.carrier == kinematics::Carrier::polar)) continue;
         text_ += ' ';
         text_ += letters[k];
         append_units(text_, to[k], k < 3 ? profile_->format.xyz_decimals : profile_->axes.angle_decimals);
@@ -186,6 +186,7 @@ void Program::move(const Step& step) {
     const double degrees = 180 / std::numbers::pi * power_of_ten(profile_->axes.angle_decimals);
     std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
                                    units(step.to.z, xyz_scale_), at_[3], at_[4]};
+    if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
     if (rotary) to[3] = units(step.tilt, degrees), to[4] = units(step.turn, degrees);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
     const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;

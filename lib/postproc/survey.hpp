@@ -25,6 +25,7 @@ struct Survey {
     double seconds = 0;
     std::uint64_t moves = 0, strokes = 0;
     std::uint32_t layers = 0;                        // highest index + 1
+    Efforts efforts;                                 // of rotary axes
     std::array<double, toolpath::kRoles> role_len{}; // mm, by Role
 };
 

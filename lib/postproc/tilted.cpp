@@ -51,8 +51,29 @@ void TiltedWalk::end() {
 }
 
 void TiltedWalk::go(const Pose& pose, const Leg& leg) {
-    poses_.push_back(pose);
-    legs_.push_back(leg);
+    const auto add = [this](const Pose& p, const Leg& l) { stroke_.poses.push_back(p), stroke_.legs.push_back(l); };
+    Leg rest = leg;
+    if (const double f = over_axis(pose); f > 0) { // twice: a polar machine turns there where it stands
+        const Pose from = stroke_.poses.back();
+        const Vec3 axis = (1 - f) * from.axis + f * pose.axis;
+        const Pose middle{from.tip + f * (pose.tip - from.tip), norm(axis) > 0 ? 1 / norm(axis) * axis : pose.axis};
+        Leg part = leg;
+        part.volume = f * leg.volume, rest.volume -= part.volume;
+        add(middle, part);
+        part.volume = 0;
+        add(middle, part);
+    }
+    add(pose, rest);
+}
+
+// At which share of the way to `pose` the tip crosses the axis of a polar machine; 0 if it does not.
+double TiltedWalk::over_axis(const Pose& pose) const {
+    const auto& chain = profile_->axes.chain;
+    if (chain.carrier != kinematics::Carrier::polar || stroke_.poses.empty()) return 0;
+    const Vec2 a = stroke_.poses.back().tip.xy() - chain.turn_point.xy(),
+               d = pose.tip.xy() - stroke_.poses.back().tip.xy();
+    const double f = dot(d, d) > 0 ? -dot(a, d) / dot(d, d) : 0;
+    return f > 0 && f < 1 && norm(a + f * d) < kinematics::kOnAxis ? f : 0;
 }
 
 // The first stroke is sought along the tool axis, from wherever the start template left the tool.
@@ -81,55 +102,72 @@ void TiltedWalk::travel(const toolpath::Span& span) {
 }
 
 void TiltedWalk::extrude(const toolpath::Span& span) {
-    if (poses_.empty()) approach(span);
+    if (stroke_.poses.empty()) approach(span);
     const auto from = pose(span, 0, shift_);
-    if (kinematics::angle(poses_.back().axis, from.axis) > kTouch) // the tool turns where it stands
+    if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
         go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0});
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
         go(pose(span, i + 1, shift_),
            {Act::extrude, span.role, span.layer, machine::bead_feed(tip_, span, i), toolpath::volume(span, i),
             (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2});
-        top_ = std::max(top_, poses_.back().tip.z);
+        top_ = std::max(top_, stroke_.poses.back().tip.z);
     }
     laid_ = true;
 }
 
 void TiltedWalk::check(const kinematics::Track& track) const {
     const auto& a = profile_->axes;
-    if (track.stuck < poses_.size())
-        throw Error(Exit::failure, "cannot reach " + text(poses_[track.stuck].tip) + " on '" + profile_->name +
+    if (track.stuck < stroke_.poses.size())
+        throw Error(Exit::failure, "cannot reach " + text(stroke_.poses[track.stuck].tip) + " on '" + profile_->name +
                                        "': " + track.why + "; turn the part, or break the stroke there");
     if (a.chain.carrier != kinematics::Carrier::frame && track.off > a.orientation * (1 + 1e-6) + 1e-6)
-        throw Error(Exit::failure, "cannot keep the tool's axis at " + text(poses_[track.off_at].tip) +
+        throw Error(Exit::failure, "cannot keep the tool's axis at " + text(stroke_.poses[track.off_at].tip) +
                                        ": it leans by " + fixed_text(track.off / kDegree, 2) +
                                        " degrees; raise kinematics.orientation_deg");
 }
 
+void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics::Lifting> places) {
+    const auto& poses = stroke_.poses;
+    for (std::size_t k = 1; k < track.pieces.size(); ++k) {
+        const std::size_t at = track.pieces[k].first;
+        if (places[at] == kinematics::Lifting::air) continue;
+        if (efforts_.unwinds++ == 0) efforts_.unwind = poses[at].tip, efforts_.unwind_layer = stroke_.legs[at].layer;
+        efforts_.unwinds_in_turns += places[at] == kinematics::Lifting::turn ? 1 : 0;
+    }
+    if (track.off > efforts_.lean) efforts_.lean = track.off, efforts_.lean_at = poses[track.off_at].tip;
+    if (track.clipped > efforts_.clipped)
+        efforts_.clipped = track.clipped, efforts_.clipped_at = poses[track.clipped_at].tip;
+}
+
 void TiltedWalk::finish_stroke() {
-    if (poses_.empty()) return;
+    if (stroke_.poses.empty()) return;
     const auto& a = profile_->axes;
-    const auto track = kinematics::track(a.chain, poses_, at_, a.orientation, a.limits);
+    const auto places = liftings(stroke_.legs, layer_ < 0);
+    const auto track = kinematics::track(a.chain, stroke_.poses, at_, a.orientation, a.limits, places);
     check(track);
+    if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
+    const double lift = profile_->travel.lift;
+    stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
     head();
-    emit(track.joints, durations(track.joints));
-    at_ = track.joints.back();
-    poses_.clear(), legs_.clear();
+    emit(durations());
+    at_ = stroke_.joints.back();
+    stroke_ = {};
     laid_ = false;
 }
 
 // Where a robot's tool points its x axis: along x of the part, or along the path, each as far as it lies across the
 // tool axis; where it hardly does, as before.
 void TiltedWalk::head() {
-    headings_.assign(poses_.size(), heading_);
+    headings_.assign(stroke_.poses.size(), heading_);
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return;
     constexpr double least = 0.05; // of a unit vector's part across
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < poses_.size() ? i + 1 : i;
-        const Vec3 way = poses_[b].tip - poses_[a].tip;
+    for (std::size_t i = 0; i < stroke_.poses.size(); ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < stroke_.poses.size() ? i + 1 : i;
+        const Vec3 way = stroke_.poses[b].tip - stroke_.poses[a].tip;
         const bool follow = profile_->axes.spin == machine::Spin::follow && norm(way) > 0;
         Vec3 to = follow ? 1 / norm(way) * way : profile_->axes.spin == machine::Spin::fixed ? Vec3{1, 0, 0} : heading_;
-        const Vec3& axis = poses_[i].axis;
+        const Vec3& axis = stroke_.poses[i].axis;
         Vec3 across = to - dot(to, axis) * axis;
         if (norm(across) < least) across = heading_ - dot(heading_, axis) * axis;
         if (norm(across) < least)
@@ -139,7 +177,8 @@ void TiltedWalk::head() {
 }
 
 // Per leg; the very first takes none: nobody knows whence it comes.
-std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
+std::vector<double> TiltedWalk::durations() const {
+    const auto& j = stroke_.joints;
     const auto& a = profile_->axes;
     const bool robot = a.chain.carrier == kinematics::Carrier::frame;
     std::vector<double> out(j.size(), 0);
@@ -148,7 +187,7 @@ std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
             std::max({distance(at_.xyz, j[0].xyz) / profile_->feeds.travel,
                       std::abs(j[0].tilt - at_.tilt) / a.tilt_speed, std::abs(j[0].turn - at_.turn) / a.turn_speed});
     for (std::size_t i = 1; i < j.size(); ++i)
-        out[i] = std::max({distance(poses_[i - 1].tip, poses_[i].tip) / legs_[i].feed,
+        out[i] = std::max({distance(stroke_.poses[i - 1].tip, stroke_.poses[i].tip) / stroke_.legs[i].feed,
                            distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
                            robot ? 0 : std::abs(j[i].xyz.z - j[i - 1].xyz.z) / profile_->motion.max_speed_z,
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
@@ -173,72 +212,90 @@ std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
 // How long a robot needs to turn the tool on the way to pose i.
 double TiltedWalk::swing(std::size_t i) const {
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return 0;
-    return kinematics::angle(poses_[i - 1].axis, poses_[i].axis) / profile_->axes.tilt_speed;
+    return kinematics::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
 }
 
-void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<double>& seconds) {
+void TiltedWalk::emit(const std::vector<double>& seconds) {
+    const auto& joints = stroke_.joints;
     bool open = false;
     const auto mark = [&](Act act, std::size_t i, std::size_t at) {
         const bool tip = profile_->axes.numbers == machine::Numbers::tip;
         put({.act = act,
-             .role = legs_[i].role,
-             .layer = legs_[i].layer,
-             .to = tip ? poses_[at].tip : joints[at].xyz,
-             .height = legs_[i].height,
+             .role = stroke_.legs[i].role,
+             .layer = stroke_.legs[i].layer,
+             .to = tip ? stroke_.poses[at].tip : joints[at].xyz,
+             .height = stroke_.legs[i].height,
              .axes = joints[at].xyz});
     };
     if (layer_ >= 0) mark(Act::retract, 0, 0);
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        const Leg& leg = legs_[i];
+        const Leg& leg = stroke_.legs[i];
         if (leg.act == Act::extrude) {
             if (static_cast<std::int64_t>(leg.layer) != layer_) mark(Act::layer, i, i);
             if (!open && layer_ >= 0) mark(Act::prime, i, i - 1);
             if (!open) mark(Act::open, i, i - 1);
             open = true, layer_ = leg.layer;
+        } else if (open) { // a break to unwind
+            mark(Act::close, i - 1, i - 1), mark(Act::retract, i, i - 1);
+            open = false;
         }
-        move(leg, i, joints, seconds[i]);
+        move(i, seconds[i]);
     }
     if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
 }
 
-void TiltedWalk::move(const Leg& leg, std::size_t i, const std::vector<Joints>& joints, double seconds) {
+// In how many parts the axes go straight to pose i, so that the tip keeps to its line.
+std::uint32_t TiltedWalk::parts(std::size_t i) const {
     const auto& a = profile_->axes;
-    const Joints &to = joints[i], &from = i > 0 ? joints[i - 1] : to;
-    const Vec3 &tip = poses_[i].tip, &begin = i > 0 ? poses_[i - 1].tip : tip;
-    const auto between = [&](double f) {
-        return kinematics::place(a.chain, begin + f * (tip - begin), from.tilt + f * (to.tilt - from.tilt),
-                                 from.turn + f * (to.turn - from.turn));
-    };
+    if (a.numbers == machine::Numbers::tip || i == 0 || !stroke_.legs[i].straight) return 1;
+    const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
+    const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
+    const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
     std::uint32_t parts = 1;
     // The tip strays most in the middle of a part; by a quarter when parts are halved.
-    for (; a.numbers == machine::Numbers::joints && i > 0 && parts < kParts; parts *= 2) {
+    for (; parts < kParts; parts *= 2) {
         double off = 0;
+        Joints l = at(0);
         for (std::uint32_t k = 0; k < parts; ++k) {
-            const Joints l = between(k / static_cast<double>(parts)), r = between((k + 1.0) / parts);
+            const Joints r = at((k + 1.0) / parts);
             const double middle = (k + 0.5) / parts;
             const Joints m{0.5 * (l.xyz + r.xyz), (l.tilt + r.tilt) / 2, (l.turn + r.turn) / 2};
             off = std::max(off, distance(kinematics::forward(a.chain, m).tip, begin + middle * (tip - begin)));
+            l = r;
         }
         if (off <= a.chord) break;
     }
-    for (std::uint32_t k = 1; k <= parts; ++k) {
-        const double f = k == parts ? 1 : k / static_cast<double>(parts);
-        const Joints here = k == parts ? to : between(f);
+    return parts;
+}
+
+void TiltedWalk::move(std::size_t i, double seconds) {
+    const auto& a = profile_->axes;
+    const Leg& leg = stroke_.legs[i];
+    const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
+    const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
+    const std::uint32_t n = parts(i);
+    Joints last = from;
+    for (std::uint32_t k = 1; k <= n; ++k) {
+        const double f = k == n ? 1 : k / static_cast<double>(n);
+        const Joints here = k == n ? to : kinematics::between(a.chain, begin, from, tip, to, f);
+        // A polar machine turns most where it passes the axis.
+        const double turning = seconds > 0 ? std::abs(here.turn - last.turn) / a.turn_speed : 0;
         put({.act = leg.act,
              .role = leg.role,
              .layer = leg.layer,
              .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
              .feed = leg.feed,
-             .volume = leg.volume / parts,
+             .volume = leg.volume / n,
              .width = leg.width,
              .height = leg.height,
              .tilt = here.tilt,
              .turn = here.turn,
-             .length = distance(begin, tip) / parts,
-             .seconds = seconds / parts,
+             .length = distance(begin, tip) / n,
+             .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
              .axes = here.xyz,
-             .axis = poses_[i].axis,
+             .axis = stroke_.poses[i].axis,
              .heading = headings_[i]});
+        last = here;
     }
 }
 

@@ -44,18 +44,29 @@ struct Step {
 
 using Steps = std::function<void(std::span<const Step>)>;
 
+// What it took to bring the axes of a machine with rotary ones along the path.
+struct Efforts {
+    std::uint64_t unwinds = 0, unwinds_in_turns = 0; // breaks of a stroke to turn the axes back; in tight turns
+    Vec3 unwind;                                     // where the first one is, as placed
+    std::uint32_t unwind_layer = 0;
+    double lean = 0, clipped = 0; // rad: the most a tool leans off its axis; the most of it to keep the tilt's limits
+    Vec3 lean_at, clipped_at;
+};
+
 // Turns spans, in their order, into steps.
 class Walker {
   public:
     virtual ~Walker() = default;
     // Throws Error(bad_input) with the place if the span does not begin where the one before ended.
     void add(const toolpath::Span& span);
-    virtual void end() = 0; // closes the last stroke
+    virtual void end() = 0;                                           // closes the last stroke
+    [[nodiscard]] const Efforts& efforts() const { return efforts_; } // once it has ended
 
   protected:
     virtual void travel(const toolpath::Span& span) = 0;
     virtual void extrude(const toolpath::Span& span) = 0;
     [[nodiscard]] bool started() const { return started_; } // a span came before
+    Efforts efforts_;
 
   private:
     Vec3 path_; // end of the span before
