@@ -17,20 +17,19 @@ constexpr const char* kDescription =
     "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
     "travel with the retraction and lift of the machine's profile. Within a stroke there is no move without material "
     "and nothing is taken back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
-    "The toolpath is read to its end before the first line is written, because the head of the program holds the time "
-    "and the material, the part is centred on the bed, and limits are checked first. So a toolpath that is cut short "
-    "or breaks a limit gives no program at all. A program cut short later (a full disk, a killed process) lacks its "
-    "last line, 'end of program'.\n\n"
+    "The toolpath is read to its end before the first line is written: a toolpath that is cut short or breaks a limit "
+    "gives no program at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of "
+    "program'.\n\n"
     "A machine is a TOML file: NAME.toml in the folders of $FILUM_PROFILES or in share/filum/profiles, or any file "
-    "given by its path. Copy the nearest one and edit it; each key is explained there. Known are marlin, klipper, "
-    "reprapfirmware (filament), linuxcnc (three axes and an extruder axis), cellink-inkredible and bio-x (valves), and "
-    "syringe (a plunger). A bead above limits.section, a place off the bed, a feed above motion.max_speed is an error "
+    "given by its path. Copy the nearest one and edit it; each key is explained there. A bead "
+    "above limits.section, a place off the bed, a feed above motion.max_speed is an error "
     "that names the place or the key; feeds are lowered by themselves to keep limits.flow and motion.max_speed_z.\n\n"
-    "A profile with a section [kinematics] has two rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, open5x-duet, "
-    "klipper-xyzac): the tool follows the normals that the toolpath carries, upright where it has none. The numbers "
-    "are the tip in the part's frame where the controller works out the axes, else where the axes stand, cut so fine "
-    "that the tip keeps to its line; the head of the program says which. Of both ways to stand the one is taken whose "
-    "axes travel least over the stroke; near upright the tool may lean a little, so that the turn axis does not spin. "
+    "A profile with a section [kinematics] has rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, linuxcnc-head-table, "
+    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac): the tool follows the toolpath's normals, upright "
+    "without. The numbers are the tip in the part's frame, or where the axes stand, cut so fine that the tip keeps to "
+    "its line; the program's head says which. Of both ways to stand that one is taken whose axes travel least over the "
+    "stroke and keep their limits; where none goes on, the stroke is broken and the axes unwound in the air, which a "
+    "note and the fact 'unwinds' tell. Near upright the tool may lean a little, so that the turn axis does not spin. "
     "Rotary speeds slow the path down, never the reverse. kuka-krl, abb-rapid and ur write tool frames in the "
     "languages of robots. What the axes cannot reach is an error with the place.\n\n"
     "Templates in the profile hold the codes of the start, the end, and each layer; {names} in them stand for "
@@ -52,16 +51,17 @@ cli::Spec spec(postproc::Options& o) {
                                 "where the part goes: center puts the middle of the toolpath on the middle of the "
                                 "bed, as-is keeps its coordinates"}
                         .one_of({"center", "as-is"}),
+                    {"orient", &o.orient, "",
+                     "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, "
+                     "then z; up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
                     {"set", &o.set, "KEY=VALUE,...",
                      "change keys of the profile, as feeds.bead=40; a key without a section is one of [values], as "
                      "nozzle_temp=230"}},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
                       "G-code for a filament printer"},
-                     {"slice part.stl | regions | sequence | fill | link3d | postproc --machine klipper --set "
-                      "nozzle_temp=230,feeds.bead=80 -o part.gcode",
-                      "the same, hotter and faster"},
-                     {"slice part.stl | regions | sequence | fill | link3d | postproc --machine linuxcnc -o part.ngc",
-                      "for LinuxCNC"}},
+                     {"slice part.stl | regions | sequence | fill | link3d | postproc --machine linuxcnc --set "
+                      "feeds.bead=40 -o part.ngc",
+                      "for LinuxCNC, slower"}},
         .see_also = {"link3d", "metrics", "sequence"}};
 }
 
@@ -86,7 +86,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    postproc::Measure measure(profile, o.place == "center" ? postproc::Place::center : postproc::Place::as_is);
+    postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient));
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
         if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
@@ -100,19 +100,18 @@ void run(const postproc::Options& o, const cli::Io& io) {
         spool.rewind();
     }
     const auto survey = measure.end();
-    cli::Report report(io);
-    Notes own;
-    postproc::add_efforts(profile, survey, io.program, own, facts);
-    for (const Note& note : own) report.add(note), notes.push_back(note);
+    postproc::add_efforts(profile, survey, io.program, notes, facts);
 
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
     program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
     const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
-    while (const auto frame = spool.next()) written->add(wire::span(*frame));
+    while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
     written->end();
     program->end();
     sink.commit();
+    cli::Report report(io);
+    for (const Note& note : notes) report.add(note);
     report.say();
 }
 

@@ -62,12 +62,11 @@ std::vector<std::string> axes(const machine::Profile& profile) {
     if (a.chain.carrier == kinematics::Carrier::frame)
         return {" numbers: tool frames in the part's frame, z out of the nozzle; the robot works out its axes"};
     const char* carriers[] = {"", "turn axis on tilt axis, both under the part", "tilting head, turning table",
-                              "tilting head on a turning one",
-                              "tilting head, turning table, X the radius"};
+                              "tilting head on a turning one", "tilting head, turning table, X the radius"};
     const auto& u = a.chain.tilt_axis;
-    std::string chain = std::string(a.chain.carrier == kinematics::Carrier::polar ? " axes: X Z " : " axes: X Y Z ") + a.tilt_letter + " (tilt, about " + (u.x + u.y < 0 ? "-" : "") +
-                        (u.x != 0 ? "x" : "y") + ") " + a.turn_letter + " (turn, about " +
-                        (a.chain.turn_sign < 0 ? "-z): " : "z): ") +
+    std::string chain = std::string(a.chain.carrier == kinematics::Carrier::polar ? " axes: X Z " : " axes: X Y Z ") +
+                        a.tilt_letter + " (tilt, about " + (u.x + u.y < 0 ? "-" : "") + (u.x != 0 ? "x" : "y") + ") " +
+                        a.turn_letter + " (turn, about " + (a.chain.turn_sign < 0 ? "-z): " : "z): ") +
                         carriers[static_cast<std::size_t>(a.chain.carrier)];
     std::string numbers = a.numbers == machine::Numbers::tip
                               ? " numbers: X Y Z is the tip in the part's frame; the controller works out the axes"
@@ -115,8 +114,8 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
         notes.push_back({stage, "stroke broken to unwind the axes", static_cast<double>(e.unwinds), "breaks", e.unwinds,
                          static_cast<std::int64_t>(e.unwind_layer), e.unwind.x, e.unwind.y});
     if (e.unwinds_in_turns > 0)
-        notes.push_back({stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks",
-                         e.unwinds_in_turns});
+        notes.push_back(
+            {stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks", e.unwinds_in_turns});
     constexpr double told = 0.01; // degrees
     if (degrees(e.clipped) > told)
         notes.push_back({stage, "tool leans to keep the limits of the tilt axis", degrees(e.clipped), "deg", 1, -1,
@@ -131,6 +130,7 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
+    if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
     pipeline(stages, lines);
     remarks(notes, lines);
     for (const Fact& f : facts) {

@@ -12,6 +12,7 @@ namespace filum::postproc {
 struct Options {
     std::string machine = "marlin"; // profile: name or file
     std::string place = "center";   // center | as-is
+    std::string orient = "as-is";   // see parse_orient
     std::string set;                // changes to the profile: "feeds.bead=40,nozzle_temp=230"
 };
 
