@@ -13,8 +13,11 @@ double near(double angle, double to) {
     return angle + 2 * std::numbers::pi * std::round((to - angle) / (2 * std::numbers::pi));
 }
 
+constexpr double kTaut = 0.95; // share of the tolerance that is used at poses; the rest is for between them
+
 // How far the turn may be off at a pose, rad.
-double play(const Pose& p, double tolerance) {
+double play(const Pose& p, double allowed) {
+    const double tolerance = kTaut * allowed;
     const double tilt = angle(p.axis, {0, 0, 1});
     if (!(tolerance > 0)) return 0;
     if (tilt <= tolerance) return std::numeric_limits<double>::infinity();

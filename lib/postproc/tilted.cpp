@@ -30,6 +30,15 @@ Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
     return {span.points[i] + shift, span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i]};
 }
 
+// By how much the last decimals may move the tip, mm.
+double rounding(const machine::Profile& profile, const Joints& at) {
+    const double linear = std::pow(10.0, -profile.format.xyz_decimals) / 2;
+    const double angular = std::pow(10.0, -profile.axes.angle_decimals) / 2 * kDegree;
+    const auto& c = profile.axes.chain;
+    const double arm = norm(at.xyz) + norm(c.tip_to_tilt) + norm(c.tilt_to_turn);
+    return std::sqrt(3.0) * linear + 2 * angular * arm;
+}
+
 } // namespace
 
 TiltedWalk::TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out)
@@ -251,6 +260,7 @@ std::uint32_t TiltedWalk::parts(std::size_t i) const {
     const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
     const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
     const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
+    const double chord = std::max(a.chord - rounding(*profile_, to), a.chord / 2);
     std::uint32_t parts = 1;
     // The tip strays most in the middle of a part; by a quarter when parts are halved.
     for (; parts < kParts; parts *= 2) {
@@ -263,7 +273,7 @@ std::uint32_t TiltedWalk::parts(std::size_t i) const {
             off = std::max(off, distance(kinematics::forward(a.chain, m).tip, begin + middle * (tip - begin)));
             l = r;
         }
-        if (off <= a.chord) break;
+        if (off <= chord) break;
     }
     return parts;
 }

@@ -8,7 +8,7 @@ namespace filum::postproc {
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
 // that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
 // joints the axes move straight, so they are cut in equal parts until the tip is off its line by no more than the
-// profile's chord.
+// profile's chord, its last decimals included.
 //
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
