@@ -13,6 +13,7 @@ double near(double angle, double to) {
     return angle + 2 * std::numbers::pi * std::round((to - angle) / (2 * std::numbers::pi));
 }
 
+constexpr double kEdge = 1e-8; // rad beyond limits: what route() allows, and a little
 constexpr double kTaut = 0.95; // share of the tolerance that is used at poses; the rest is for between them
 
 // How far the turn may be off at a pose, rad.
@@ -88,8 +89,8 @@ void spin_on_axis(std::span<const Pose> poses, const Chain& c, std::span<double>
 
 // A tilt that its limits allow.
 double clipped(double tilt, double tolerance, const Limits& l) {
-    if (tilt < l.tilt_min && tilt >= l.tilt_min - tolerance) return l.tilt_min;
-    if (tilt > l.tilt_max && tilt <= l.tilt_max + tolerance) return l.tilt_max;
+    if (tilt < l.tilt_min && tilt >= l.tilt_min - tolerance - kEdge) return l.tilt_min;
+    if (tilt > l.tilt_max && tilt <= l.tilt_max + tolerance + kEdge) return l.tilt_max;
     return tilt;
 }
 
@@ -129,8 +130,9 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             if (off > out.off) out.off = off, out.off_at = first + k;
             if (std::abs(wanted - tilt) > out.clipped)
                 out.clipped = std::abs(wanted - tilt), out.clipped_at = first + k;
-            const bool turned_out = turn[k] < limits.turn_min || turn[k] > limits.turn_max;
-            if (out.stuck == poses.size() && (turned_out || tilt < limits.tilt_min || tilt > limits.tilt_max)) {
+            const bool turned_out = turn[k] < limits.turn_min - kEdge || turn[k] > limits.turn_max + kEdge;
+            if (out.stuck == poses.size() &&
+                (turned_out || tilt < limits.tilt_min - kEdge || tilt > limits.tilt_max + kEdge)) {
                 out.stuck = first + k;
                 out.why = turned_out ? "the turn axis would leave its limits" : "the tilt axis would leave its limits";
             }

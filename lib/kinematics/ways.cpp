@@ -98,8 +98,9 @@ class Programme {
 
     // Whether the tool's axis stays near on the way to pose i.
     [[nodiscard]] bool passes(std::size_t i, const State& from, double turn, double tilt) const {
-        if (std::abs(turn - from.turn) < kTurn / 8 || lifting_.empty()) return true;
-        if (lifting_[i] == Lifting::air && (i == 0 || lifting_[i - 1] == Lifting::air)) return true;
+        if (std::abs(turn - from.turn) < kTurn / 8 || (i == 0 && lifting_.empty())) return true;
+        if (!lifting_.empty() && lifting_[i] == Lifting::air && (i == 0 || lifting_[i - 1] == Lifting::air))
+            return true;
         const Vec3 a = i > 0 ? poses_[i - 1].axis : forward(c_, before_).axis, b = poses_[i].axis;
         const Vec3 half = a + b;
         if (norm(half) == 0) return false;

@@ -39,7 +39,7 @@ struct Route {
 // least travel of both rotary axes (ties: the first way, the lowest turn, the earliest lift).  Dynamic programme over
 // ways and whole turns.  A tilt may be out of its limits by `lean` rad.  The tool does not go from one way to the other
 // where its axis would swing off on the way by more than `lean` and the change of the poses' axes, but in the air.
-// `lifting`: per pose, or empty: no lifts, and any swing.  Where the first pose is in the air the route may begin with
+// `lifting`: per pose, or empty: no lifts, from the air.  Where the first pose is in the air the route may begin with
 // any whole turn.  First without the turn's limits, whole turns then added to keep them; if none do, with them.
 Route route(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
             std::span<const Lifting> lifting);
