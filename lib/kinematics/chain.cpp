@@ -57,13 +57,13 @@ Vec3 swing(const Chain& c, double tilt, double turn) {
     return c.tip_to_tilt + c.tilt_to_turn - turned_by_turn(c, tilted + c.tilt_to_turn, turn);
 }
 
-std::array<Joints, 2> polar(const Chain& c, const Pose& pose) {
+std::array<Angles, 2> polar(const Chain& c, const Pose& pose) {
     const geom::Vec2 d = pose.tip.xy() - c.turn_point.xy();
     const double heading = norm(d) > 0 ? std::atan2(d.y, d.x) : 0;
-    std::array<Joints, 2> out;
+    std::array<Angles, 2> out;
     for (std::size_t k = 0; k < 2; ++k) {
-        const double turn = wrapped(c.turn_sign * ((k == 0 ? 0 : std::numbers::pi) - heading));
-        out[k] = place(c, pose.tip, best_tilt(c, pose.axis, turn), turn);
+        out[k].turn = wrapped(c.turn_sign * ((k == 0 ? 0 : std::numbers::pi) - heading));
+        out[k].tilt = best_tilt(c, pose.axis, out[k].turn);
     }
     return out;
 }
@@ -72,8 +72,11 @@ std::array<Joints, 2> polar(const Chain& c, const Pose& pose) {
 
 Pose forward(const Chain& c, const Joints& j) {
     if (!rotary(c)) return {j.xyz, kUp};
-    const Vec3 axis = turned_by_turn(c, before_turn(c, kUp, j.tilt), turn_to_part(c) * j.turn);
-    return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), axis};
+    return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), tool_axis(c, j.tilt, j.turn)};
+}
+
+Vec3 tool_axis(const Chain& c, double tilt, double turn) {
+    return rotary(c) ? turned_by_turn(c, before_turn(c, kUp, tilt), turn_to_part(c) * turn) : kUp;
 }
 
 Vec3 tool_side(const Chain& c, const Joints& j) {
@@ -87,22 +90,26 @@ Joints place(const Chain& c, const Vec3& tip, double tilt, double turn) {
     return {carried(c, tip, tilt, turn) - swing(c, tilt, turn), tilt, turn};
 }
 
-std::array<Joints, 2> inverse(const Chain& c, const Pose& pose) {
-    if (!rotary(c)) return {Joints{pose.tip, 0, 0}, Joints{pose.tip, 0, 0}};
+std::array<Angles, 2> angles(const Chain& c, const Pose& pose) {
+    if (!rotary(c)) return {};
     if (c.carrier == Carrier::polar) return polar(c, pose);
     // Tilting brings the upright axis towards -v: so the level part of the axis must come to lie along v or -v.
     const Vec3 v = cross(kUp, c.tilt_axis);
     const double level = std::hypot(pose.axis.x, pose.axis.y);
     const double heading = level > 0 ? std::atan2(pose.axis.y, pose.axis.x) : std::atan2(-v.y, -v.x);
-    std::array<Joints, 2> out;
+    std::array<Angles, 2> out;
     for (int k = 0; k < 2; ++k) {
         const double side = k == 0 ? -1 : 1; // along -v first: tools tilt by positive angles there
         const double to = std::atan2(side * v.y, side * v.x);
-        const double turn = wrapped(c.turn_sign * -turn_to_part(c) * (to - heading));
-        const double tilt = std::atan2(-side * level, pose.axis.z) * (tilts_tool(c) ? 1 : -1);
-        out[static_cast<std::size_t>(k)] = place(c, pose.tip, tilt, turn);
+        out[static_cast<std::size_t>(k)] = {std::atan2(-side * level, pose.axis.z) * (tilts_tool(c) ? 1 : -1),
+                                            wrapped(c.turn_sign * -turn_to_part(c) * (to - heading))};
     }
     return out;
+}
+
+std::array<Joints, 2> inverse(const Chain& c, const Pose& pose) {
+    const auto both = angles(c, pose);
+    return {place(c, pose.tip, both[0].tilt, both[0].turn), place(c, pose.tip, both[1].tilt, both[1].turn)};
 }
 
 double best_tilt(const Chain& c, const Vec3& axis, double turn) {

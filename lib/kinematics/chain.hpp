@@ -43,6 +43,9 @@ struct Joints {
 
 Pose forward(const Chain& chain, const Joints& joints);
 
+// The axis of forward() alone.
+Vec3 tool_axis(const Chain& chain, double tilt, double turn);
+
 // Where what is along x of the tool at rest points to, in the part's frame; across the pose's axis.
 Vec3 tool_side(const Chain& chain, const Joints& joints);
 
@@ -54,6 +57,12 @@ Joints place(const Chain& chain, const Vec3& tip, double tilt, double turn);
 // Of a polar machine the tip's heading gives the turn (0 and pi on the axis), and the tilt is the best of that turn:
 // what of the axis lies along the way round is lost.  The second way has a negative x.
 std::array<Joints, 2> inverse(const Chain& chain, const Pose& pose);
+
+// The angles of both alone.
+struct Angles {
+    double tilt = 0, turn = 0; // rad
+};
+std::array<Angles, 2> angles(const Chain& chain, const Pose& pose);
 
 // On the straight way of tip and axes between two poses, at `f` in [0, 1] of it; a polar machine's turn goes with the
 // tip.

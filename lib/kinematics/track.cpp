@@ -126,7 +126,7 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
         for (std::size_t k = 0; k < turn.size(); ++k) {
             const double wanted = best_tilt(chain, part[k].axis, turn[k]), tilt = clipped(wanted, tolerance, limits);
             piece.joints.push_back(place(chain, part[k].tip, tilt, turn[k]));
-            const double off = angle(forward(chain, piece.joints.back()).axis, part[k].axis);
+            const double off = angle(tool_axis(chain, tilt, turn[k]), part[k].axis);
             if (off > out.off) out.off = off, out.off_at = first + k;
             if (std::abs(wanted - tilt) > out.clipped)
                 out.clipped = std::abs(wanted - tilt), out.clipped_at = first + k;

@@ -69,7 +69,7 @@ class Programme {
     }
 
     [[nodiscard]] Stand stand_at(std::size_t i, const Stand& before) const {
-        const auto both = inverse(c_, poses_[i]);
+        const auto both = angles(c_, poses_[i]);
         const double level = std::hypot(poses_[i].axis.x, poses_[i].axis.y);
         Stand out;
         if (c_.carrier == Carrier::polar)
@@ -81,7 +81,9 @@ class Programme {
             out.tilt[k] = level <= kUpright ? 0 : both[k].tilt;
             const bool tilts =
                 out.tilt[k] >= limits_.tilt_min - lean_ - kEdge && out.tilt[k] <= limits_.tilt_max + lean_ + kEdge;
-            out.able[k] = tilts && (c_.carrier != Carrier::polar || both[k].xyz.x >= limits_.radius_min - 1e-6);
+            out.able[k] =
+                tilts && (c_.carrier != Carrier::polar ||
+                          place(c_, poses_[i].tip, both[k].tilt, both[k].turn).xyz.x >= limits_.radius_min - 1e-6);
         }
         return out;
     }
@@ -101,10 +103,10 @@ class Programme {
         if (std::abs(turn - from.turn) < kTurn / 8 || (i == 0 && lifting_.empty())) return true;
         if (!lifting_.empty() && lifting_[i] == Lifting::air && (i == 0 || lifting_[i - 1] == Lifting::air))
             return true;
-        const Vec3 a = i > 0 ? poses_[i - 1].axis : forward(c_, before_).axis, b = poses_[i].axis;
+        const Vec3 a = i > 0 ? poses_[i - 1].axis : tool_axis(c_, before_.tilt, before_.turn), b = poses_[i].axis;
         const Vec3 half = a + b;
         if (norm(half) == 0) return false;
-        const Vec3 axis = forward(c_, {{}, (from.tilt + tilt) / 2, (from.turn + turn) / 2}).axis;
+        const Vec3 axis = tool_axis(c_, (from.tilt + tilt) / 2, (from.turn + turn) / 2);
         return angle(axis, half) <= lean_ + angle(a, b) + kUpright;
     }
 

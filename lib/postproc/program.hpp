@@ -44,7 +44,7 @@ class Program final : public Writer {
     void reset_extruder();
 
     Vec2 shift_;
-    double xyz_scale_, e_scale_, f_scale_, e_per_mm3_;
+    double xyz_scale_, degrees_scale_, e_scale_, f_scale_, e_per_mm3_;
     std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
     std::int64_t f_ = -1;            // likewise
     double tilt_ = 0, turn_ = 0;     // rad, of the step before

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace filum::postproc {
 
@@ -202,14 +203,16 @@ std::vector<double> TiltedWalk::durations() const {
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
                            std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i)});
     // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
+    bool eased = true;
     const auto ease = [&](std::size_t i, double before, double after, double acceleration) {
         const double change = std::abs(after / out[i + 1] - before / out[i]);
         const double can = acceleration * (out[i] + out[i + 1]) / 2;
         if (change <= can) return;
+        eased = true;
         double& slow = std::abs(after) / out[i + 1] > std::abs(before) / out[i] ? out[i + 1] : out[i];
         slow *= std::min(change / can, 1.3);
     };
-    for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (int sweep = 0; sweep < kSweeps && std::exchange(eased, false); ++sweep)
         for (std::size_t i = 1; i + 1 < j.size(); ++i) {
             if (!(out[i] > 0) || !(out[i + 1] > 0)) continue;
             ease(i, j[i].tilt - j[i - 1].tilt, j[i + 1].tilt - j[i].tilt, a.tilt_acceleration);
