@@ -22,6 +22,9 @@ constexpr double kApproach = 5;        // mm above its place from where the firs
 constexpr int kSweeps = 30;            // over a stroke, until rotary axes can follow
 constexpr std::uint32_t kParts = 4096; // of a move, at most
 constexpr double kDegree = std::numbers::pi / 180;
+// rad that the tool's axis may change between two poses; near upright the profile's orientation, but for the last.
+constexpr double kStep = 5 * kDegree, kFineStep = 0.25 * kDegree;
+constexpr double kOpposite = 179 * kDegree; // beyond that no way from one axis to the other is the shortest
 
 std::string text(const Vec3& p) {
     return "x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3);
@@ -29,6 +32,12 @@ std::string text(const Vec3& p) {
 
 Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
     return {span.points[i] + shift, span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i]};
+}
+
+// At `f` of the way from one direction to another, along the great circle.
+Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
+    const double whole = kinematics::angle(a, b), s = std::sin(whole);
+    return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
 }
 
 // By how much the last decimals may move the tip, mm.
@@ -62,18 +71,40 @@ void TiltedWalk::end() {
 
 void TiltedWalk::go(const Pose& pose, const Leg& leg) {
     const auto add = [this](const Pose& p, const Leg& l) { stroke_.poses.push_back(p), stroke_.legs.push_back(l); };
-    Leg rest = leg;
-    if (const double f = over_axis(pose); f > 0) { // twice: a polar machine turns there where it stands
+    double done = 0;
+    for (const double f : cuts(pose)) {
         const Pose from = stroke_.poses.back();
-        const Vec3 axis = (1 - f) * from.axis + f * pose.axis;
-        const Pose middle{from.tip + f * (pose.tip - from.tip), norm(axis) > 0 ? 1 / norm(axis) * axis : pose.axis};
+        const double g = done < 1 ? (f - done) / (1 - done) : 0; // of what is left of the way
         Leg part = leg;
-        part.volume = f * leg.volume, rest.volume -= part.volume;
-        add(middle, part);
-        part.volume = 0;
-        add(middle, part);
+        part.volume = (f - done) * leg.volume;
+        add({from.tip + g * (pose.tip - from.tip), slerp(from.axis, pose.axis, g)}, part);
+        done = f;
     }
+    Leg rest = leg;
+    if (done > 0) rest.volume = (1 - done) * leg.volume;
     add(pose, rest);
+}
+
+// Shares of the way to `pose`, ascending, where it needs a pose between, because the axes go straight from one to the
+// next: the tool would lean where its axis changes much, most so near upright.  Twice where the tip passes the axis of
+// a polar machine, which turns there where it stands.
+std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
+    std::vector<double> out;
+    const auto& a = profile_->axes;
+    if (stroke_.poses.empty() || a.chain.carrier == kinematics::Carrier::frame) return out;
+    const Vec3 &from = stroke_.poses.back().axis, &to = pose.axis;
+    const double change = kinematics::angle(from, to);
+    if (change > kFineStep && change < kOpposite) {
+        const double upright = std::acos(std::clamp(std::max(from.z, to.z), -1.0, 1.0));
+        const double fine = std::max(a.orientation, kFineStep);
+        const int n =
+            static_cast<int>(std::ceil(change / (upright < 10 * fine ? std::min(fine, kStep) : kStep) - 1e-9));
+        for (int k = 1; k < n; ++k) out.push_back(k / static_cast<double>(n));
+    }
+    if (const double f = over_axis(pose); f > 0) {
+        out.insert(std::upper_bound(out.begin(), out.end(), f), 2, f);
+    }
+    return out;
 }
 
 // At which share of the way to `pose` the tip crosses the axis of a polar machine; 0 if it does not.

@@ -35,6 +35,7 @@ class TiltedWalk final : public Walker {
     void put(const Step& step);
     void head();
     [[nodiscard]] double swing(std::size_t i) const;
+    [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
     [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
     [[nodiscard]] std::uint32_t parts(std::size_t i) const;
 

@@ -21,7 +21,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Rows over a dome of radius 60, the tool upright to it, joined by travels that rise along the normals.
-std::vector<Span> dome(int rows, double most) {
+std::vector<Span> dome(int rows, double most, int half = 30) {
     std::vector<Span> out;
     const auto at = [&](double x, double y) {
         const double r = 60, z = std::sqrt(r * r - x * x - y * y);
@@ -29,8 +29,8 @@ std::vector<Span> dome(int rows, double most) {
     };
     for (int j = 0; j < rows; ++j) {
         Span s{Role::bead, static_cast<std::uint32_t>(j), 0, 0, {}, {1.0}, {0.2}, {}};
-        for (int i = 0; i <= 60; ++i) {
-            const auto [p, n] = at(most * (i / 30.0 - 1), 3.0 * (j - (rows - 1) / 2.0));
+        for (int i = 0; i <= 2 * half; ++i) {
+            const auto [p, n] = at(most * (i / static_cast<double>(half) - 1), 3.0 * (j - (rows - 1) / 2.0));
             s.points.push_back(p), s.normals.push_back(n);
         }
         if (!out.empty()) {
@@ -160,6 +160,40 @@ TEST(tilted, joints_bring_the_tip_along_the_beads) {
         EXPECT_LE(off, 0.005) << machine;
         EXPECT_LE(lean, 1.05 * kPi / 180) << machine;
     }
+}
+
+// Where the toolpath's own points are far apart, the tool still stays along the straight way between their normals.
+TEST(tilted, few_points_do_not_make_the_tool_lean) {
+    const auto spans = dome(5, 35, 3); // 11 mm and up to 15 degrees a move
+    for (const char* machine : kMachines)
+        for (const char* numbers : {"", "numbers = \"tip\"\ntcp_on = \"M428\"\n"}) {
+            const bool polar = std::string(machine).find("polar") != std::string::npos;
+            if (polar) continue; // its axis lies on the radius, not on the way between two
+            const auto p = profile(std::string(machine) + numbers + "orientation_deg = 1\n");
+            const auto lines = read(program(p, spans, postproc::Place::as_is));
+            double lean = 0;
+            for (std::size_t i = 1; i < lines.size(); ++i) {
+                if (!lines[i].laying) continue;
+                const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
+                for (double f = 0.125; f <= 1; f += 0.125) {
+                    kinematics::Joints here{a.xyz + f * (b.xyz - a.xyz), a.tilt + f * (b.tilt - a.tilt),
+                                            a.turn + f * (b.turn - a.turn)};
+                    auto pose = kinematics::forward(p.axes.chain, here);
+                    if (*numbers != '\0') pose.tip = here.xyz;
+                    double least = 1e9; // to the axis that the nearest way asks for
+                    Vec3 want;
+                    for (const Span& s : spans)
+                        for (std::size_t k = 0; s.role == Role::bead && k + 1 < s.points.size(); ++k) {
+                            const Vec3 d = s.points[k + 1] - s.points[k];
+                            const double t = std::clamp(dot(pose.tip - s.points[k], d) / dot(d, d), 0.0, 1.0);
+                            const double off = distance(pose.tip, s.points[k] + t * d);
+                            if (off < least) least = off, want = (1 - t) * s.normals[k] + t * s.normals[k + 1];
+                        }
+                    lean = std::max(lean, kinematics::angle(pose.axis, want));
+                }
+            }
+            EXPECT_LE(lean, 1.05 * kPi / 180) << machine << numbers;
+        }
 }
 
 // Numbers are the tip: X Y Z are the toolpath's own, the rotary words those of the other program.
