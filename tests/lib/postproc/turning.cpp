@@ -1,5 +1,5 @@
 // How a part is turned on the machine: the narrowest cone of its tool axes, and the turn that brings it upright.
-#include "postproc/turning.hpp"
+#include "postproc/measure.hpp"
 
 #include "base/error.hpp"
 
@@ -23,7 +23,54 @@ Vec3 direction(double tilt, double heading) {
     return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
 }
 
+// A bead over a cap of radius 60, `half` to both sides of `up`, the tool upright to it.
+toolpath::Span cap(const postproc::Turning& lying, double half) {
+    toolpath::Span s{toolpath::Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
+    for (int i = 0; i <= 40; ++i) {
+        const Vec3 n = lying(direction(half * std::abs(i / 20.0 - 1), i < 20 ? 0 : kPi));
+        s.points.push_back(60 * n), s.normals.push_back(n);
+    }
+    return s;
+}
+
+postproc::Survey measured(const toolpath::Span& span, const std::string& orient, const std::string& more = "") {
+    const auto p = machine::parse_profile("name = \"test\"\n[bed]\nx = [-300, 300]\ny = [-300, 300]\nz = [-300, 400]\n"
+                                          "[extrusion]\nkind = \"filament\"\ndiameter = 1.75\n[kinematics]\n"
+                                          "carrier = \"table-table\"\ntilt_deg = [-50, 30]\norientation_deg = 1\n" +
+                                              more,
+                                          "test.toml");
+    postproc::Measure measure(p, postproc::Place::center, postproc::parse_orient(orient));
+    do measure.add(span);
+    while (measure.again());
+    return measure.end();
+}
+
 } // namespace
+
+TEST(turning, brings_a_part_within_the_tilts_of_the_machine) {
+    const auto lying = postproc::turning({70, 30, 10});
+    const auto refused = [](const toolpath::Span& span, const std::string& orient,
+                            const std::vector<const char*>& words) {
+        try {
+            measured(span, orient);
+            ADD_FAILURE() << orient;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::failure);
+            for (const char* word : words) EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+        }
+    };
+    refused(cap(lying, 0.8), "as-is", {"the tilt axis reaches -50 to 30", "--orient auto"});
+    const auto survey = measured(cap(lying, 0.8), "auto");
+    EXPECT_NE(survey.placed.find("placed: the toolpath turned by"), std::string::npos);
+    EXPECT_EQ(survey.efforts.unwinds, 0U);
+    EXPECT_NO_THROW(measured(cap(lying, 0.8), "up:" + std::to_string(lying.z.x) + "," + std::to_string(lying.z.y) +
+                                                  "," + std::to_string(lying.z.z)));
+    // 50 degrees and the lean of one: what is a little beyond leans, what is more is refused with what it would need.
+    const auto leaning = measured(cap(lying, 50.6 * kPi / 180), "auto");
+    EXPECT_NEAR(leaning.efforts.clipped, 0.6 * kPi / 180, 1e-5);
+    refused(cap(lying, 1.2), "auto", {"tilt by 68.8 degrees", "no way to turn the part needs less"});
+    refused(cap(lying, 2.0), "auto", {"no way to turn the part needs less"});
+}
 
 TEST(turning, finds_the_cone_that_axes_were_drawn_from) {
     std::mt19937 engine{3};
