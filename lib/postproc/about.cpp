@@ -55,12 +55,28 @@ std::string pivots(const kinematics::Chain& c) {
     return out;
 }
 
+// How a robot's language says a frame.
+std::string frames(machine::Dialect dialect) {
+    switch (dialect) {
+    case machine::Dialect::krl:
+        return "X Y Z mm in the BASE, A B C degrees about z, the new y, the new x";
+    case machine::Dialect::rapid:
+        return "mm in the work object, unit quaternion from its real part on";
+    case machine::Dialect::urscript:
+        return "m in the robot's base, rotation vector in rad";
+    case machine::Dialect::gcode:
+        break;
+    }
+    return "";
+}
+
 // Which frame the numbers are in: the same words mean other places on other machines.
 std::vector<std::string> axes(const machine::Profile& profile) {
     const auto& a = profile.axes;
     if (!a.active()) return {};
     if (a.chain.carrier == kinematics::Carrier::frame)
-        return {" numbers: tool frames in the part's frame, z out of the nozzle; the robot works out its axes"};
+        return {" axes: those of a robot, which works them out",
+                " numbers: tool frames in the part's frame, z out of the nozzle; " + frames(profile.format.dialect)};
     const char* carriers[] = {"", "turn axis on tilt axis, both under the part", "tilting head, turning table",
                               "tilting head on a turning one", "tilting head, turning table, X the radius"};
     const auto& u = a.chain.tilt_axis;
