@@ -215,7 +215,8 @@ TEST(track, looks_ahead_over_the_whole_stroke) {
     expect_within(c, t, poses, limits);
 }
 
-// Turning back gains whole turns: two on an axis of a little more than two.  So one break serves three turns, and a free axis needs none.
+// Turning back gains whole turns: two on an axis of a little more than two.  So one break serves three turns, and a
+// free axis needs none.
 TEST(track, lifts_as_seldom_as_it_can) {
     const Chain c = machine(Carrier::head_table, {0, 1, 0});
     const auto poses = cone(0.5, 0, 6.5 * kPi);
