@@ -6,6 +6,7 @@
 #include "cli/command.hpp"
 #include "wire/planar.hpp"
 
+#include <cmath>
 #include <memory>
 
 namespace {
@@ -15,7 +16,8 @@ using namespace filum;
 constexpr const char* kDescription =
     "Writes the toolpaths one behind the other, in the order given, as one: a printed core first, then patches, or "
     "plies of one surface. Strokes are numbered on, and between two toolpaths the tool travels: up along its axis by "
-    "--lift, across, and down. Notes and facts of all stay, and the history names all of them.";
+    "--lift, across, and down. Notes and facts of all stay, and the history names all of them. --tools says which tool "
+    "of the machine lays each toolpath, as 0,1 for a printed core and a patch of fibre on it.";
 
 struct Options {
     assemble::Options job;
@@ -30,7 +32,11 @@ cli::Spec spec(Options& o) {
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "one toolpath",
         .options = {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(
-            0)},
+                        0),
+                    cli::Option{"tools", &o.job.tools, "N,...",
+                                "tool of each toolpath in turn, the last one also of all that follow"}
+                        .at_least(0)
+                        .at_most(1000)},
         .examples =
             {{"geodesic part.stl --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > a.toolpath; "
               "surfpath ortheo part.surface --ply 1 --offset 0.2 > b.toolpath; assemble a.toolpath b.toolpath > "
@@ -43,6 +49,8 @@ cli::Spec spec(Options& o) {
 }
 
 void run(const Options& o, const cli::Io& io) {
+    for (const double tool : o.job.tools)
+        if (tool != std::floor(tool)) throw Error(Exit::usage, "cannot use '--tools': a tool is a whole number");
     const auto names = io.inputs.empty() ? std::vector<std::string>{"-"} : io.inputs;
     std::vector<std::unique_ptr<stream::Reader>> readers;
     std::vector<const stream::Header*> before;

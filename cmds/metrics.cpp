@@ -22,7 +22,8 @@ constexpr const char* kDescription =
     "do not follow each other.\n\n"
     "Sharp turns follow the authors of the Connected Fermat Spirals: the path cuts a disc of one bead width's radius "
     "in two, and the turn is sharp where the smaller part is below 0.3 of the disc. Areas are swept by rows with exact "
-    "ends: their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with look-ahead.\n\n"
+    "ends: their spacing shows in the fourth digit or so. The print time is by trapezoidal speeds with look-ahead; a "
+    "job of several tools, or with fibre by the profile of --machine, is told tool by tool, too.\n\n"
     "--pores is for scaffolds: porosity by extruded volume, by covered area, and 1 - width / spacing of an endless "
     "lattice; strands and their spacing; pore size, the largest circle in each window of a layer and the ones that "
     "cross it; and throats, the largest balls that fall straight through, or roll between two strands.\n\n"
@@ -55,7 +56,9 @@ cli::Spec spec(survey::Options& all) {
              Option{"turn-samples", &o.turn_samples, "N", "places tested for sharp turns"}.at_least(1).at_most(1e8),
              Option{"machine", &o.machine, "NAME|FILE", "machine profile of the print time"}.not_a_setting(),
              {"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as feeds.bead=40"},
-             Option{"density", &o.density, "G/CM3", "density of the material"}.above(0),
+             Option{"density", &o.density, "G/CM3",
+                    "density of the material where the profile says none; of fibre, only the profile does"}
+                 .above(0),
              Option{"surface", &all.surface, "FILE", "the Surface stream that the path lies on"}.not_a_setting(),
              Option{"voids", &all.voids, "FILE", "also the surface with its distances from the path; needs --surface"}
                  .not_a_setting(),

@@ -4,6 +4,7 @@
 // memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
 #include "cli/command.hpp"
 #include "postproc/about.hpp"
+#include "postproc/job.hpp"
 #include "postproc/measure.hpp"
 #include "postproc/program.hpp"
 #include "stream/spool.hpp"
@@ -17,26 +18,24 @@ constexpr const char* kDescription =
     "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
     "travel with the retraction and lift of the machine's profile. Within a stroke there is no move without material "
     "and nothing is taken back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
-    "The toolpath is read to its end before the first line is written: a toolpath that is cut short or breaks a limit "
-    "gives no program at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of "
-    "program'.\n\n"
+    "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
+    "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
+    "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
     "A machine is a TOML file: NAME.toml in the folders of $FILUM_PROFILES or in share/filum/profiles, or any file "
-    "given by its path. Copy the nearest one and edit it; each key is explained there. A bead "
-    "above limits.section, a place off the bed, a feed above motion.max_speed is an error "
-    "that names the place or the key; feeds are lowered by themselves to keep limits.flow and motion.max_speed_z.\n\n"
+    "given by its path. Copy the nearest one and edit it; each key is explained there. Known are marlin, klipper, "
+    "reprapfirmware, linuxcnc (filament), cellink-inkredible and bio-x (valves), syringe. A bead above limits.section "
+    "or a place off the bed is an error; feeds are lowered to keep limits.flow and motion.max_speed_z.\n\n"
     "A profile with a section [kinematics] has rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, linuxcnc-head-table, "
-    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac): the tool follows the toolpath's normals, upright "
-    "without. The numbers are the tip in the part's frame, or where the axes stand, cut so fine that the tip keeps to "
-    "its line; the program's head says which. Of both ways to stand that one is taken whose axes travel least over the "
-    "stroke and keep their limits; where none goes on, the stroke is broken and the axes unwound in the air, which a "
-    "note and the fact 'unwinds' tell. Near upright the tool may lean a little, so that the turn axis does not spin. "
-    "Rotary speeds slow the path down, never the reverse. kuka-krl, abb-rapid and ur write tool frames in the "
-    "languages of robots. What the axes cannot reach is an error with the place.\n\n"
+    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac): the tool follows the toolpath's normals. The numbers "
+    "are the tip in the part's frame, or where the axes stand, cut so fine that the tip keeps to its line; the "
+    "program's head says which. The axes travel the least over a stroke that keeps their limits; where none goes on, "
+    "it is broken and they unwind in the air, which a note and the fact 'unwinds' tell. Near upright the tool may lean "
+    "a little. kuka-krl, abb-rapid and ur write tool frames. What axes cannot reach is an error with the place.\n\n"
+    "A profile with a section [fibre] (fibre-marlin, fibre-xyzac) lays continuous fibre by one of the tools that "
+    "'assemble --tools' gave: a stroke is anchored slowly, then pulled or fed, and cut as far before its end as the "
+    "cutter is from the nozzle; a stroke too short for that is an error with its place, or left out (--short).\n\n"
     "Templates in the profile hold the codes of the start, the end, and each layer; {names} in them stand for "
-    "numbers: every name of the profile's [values], and x_min x_max y_min y_max z_min z_max (the part), x_start "
-    "y_start z_start (the first stroke), bed_x_min bed_x_max bed_y_min bed_y_max bed_z_max, z_park (10 mm above the "
-    "part), layer layers z height, path_len travel_len (mm), time (s), strokes, material_mm3, material_e (in units of "
-    "the extruder), travel_feed z_feed (mm/min).";
+    "numbers: every name of the profile's [values], and those that marlin.toml lists, as {x_min} or {layer}.";
 
 cli::Spec spec(postproc::Options& o) {
     return {
@@ -46,40 +45,43 @@ cli::Spec spec(postproc::Options& o) {
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
         .memory = "one span; what else arrives is kept, beyond 48 MiB in a temporary file in $TMPDIR",
-        .options = {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
-                    cli::Option{"place", &o.place, "",
-                                "where the part goes: center puts the middle of the toolpath on the middle of the "
-                                "bed, as-is keeps its coordinates"}
-                        .one_of({"center", "as-is"}),
-                    {"orient", &o.orient, "",
-                     "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, "
-                     "then z; up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
-                    {"set", &o.set, "KEY=VALUE,...",
-                     "change keys of the profile, as feeds.bead=40; a key without a section is one of [values], as "
-                     "nozzle_temp=230"}},
-        .examples = {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
-                      "G-code for a filament printer"},
-                     {"slice part.stl | regions | sequence | fill | link3d | postproc --machine linuxcnc --set "
-                      "feeds.bead=40 -o part.ngc",
-                      "for LinuxCNC, slower"}},
+        .options =
+            {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
+             cli::Option{"place", &o.place, "",
+                         "where the part goes: center puts the middle of the toolpath on the middle of the "
+                         "bed, as-is keeps its coordinates"}
+                 .one_of({"center", "as-is"}),
+             {"orient", &o.orient, "",
+              "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
+              "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
+             {"set", &o.set, "KEY=VALUE,...",
+              "change keys of the profile, as feeds.bead=40; a key without a section is one of [values], as "
+              "nozzle_temp=230"},
+             cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
+                 {"error", "drop"}),
+             cli::Option{"report", &o.report, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
+        .examples =
+            {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
+              "G-code for a filament printer"},
+             {"slice part.stl | regions | sequence | fill | link3d | postproc --set feeds.bead=80 -o part.gcode",
+              "the same, faster"}},
         .see_also = {"link3d", "metrics", "sequence"}};
 }
 
 std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io& io, const machine::Profile& profile) {
     std::vector<postproc::Stage> out;
-    const auto add = [&out](const std::string& program, const std::vector<stream::Setting>& settings) {
-        out.push_back({program, {}});
-        for (const auto& s : settings) out.back().settings.emplace_back(s.name, s.value);
-    };
-    for (const auto& run : before.history) add(run.program, run.settings);
-    add(io.program, io.settings);
+    for (const auto& run : cli::header(io, stream::Payload::unknown, {&before}).history) {
+        out.push_back({run.program, {}});
+        for (const auto& s : run.settings) out.back().settings.emplace_back(s.name, s.value);
+    }
     auto& own = out.back().settings;
     own.insert(own.begin(), {"machine", profile.name + " (profile " + profile.fingerprint + ")"});
     return out;
 }
 
 void run(const postproc::Options& o, const cli::Io& io) {
-    const auto profile = machine::load_profile(o.machine, o.set);
+    auto profile = machine::load_profile(o.machine, o.set);
+    profile.fibre.omit_short = o.short_strokes == "drop";
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;
@@ -95,12 +97,16 @@ void run(const postproc::Options& o, const cli::Io& io) {
         spool.add(std::move(*frame));
         progress.step();
     }
-    while (measure.again()) {
+    for (; measure.again(); spool.rewind())
         while (const auto frame = spool.next()) measure.add(wire::span(*frame));
-        spool.rewind();
-    }
     const auto survey = measure.end();
+    cli::Report said(io);
+    for (const Note& n : postproc::omissions(survey, io.program)) notes.push_back(n);
     postproc::add_efforts(profile, survey, io.program, notes, facts);
+    for (const Note& n : notes) said.add(n);
+    said.say();
+    if (!o.report.empty())
+        cli::write_text(o.report, figures::text(postproc::job(profile, survey), figures::Format::tsv));
 
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
@@ -110,9 +116,6 @@ void run(const postproc::Options& o, const cli::Io& io) {
     written->end();
     program->end();
     sink.commit();
-    cli::Report report(io);
-    for (const Note& note : notes) report.add(note);
-    report.say();
 }
 
 } // namespace

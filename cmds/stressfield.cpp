@@ -23,7 +23,8 @@ struct Options {
 };
 
 constexpr const char* kDescription =
-    "Reads stresses from the file of --stress and adds fields to the vertices of the surface, which keeps all it has: "
+    "Reads stresses from the file of --stress and adds fields to the vertices of the surface, or of each patch of a "
+    "divided one, which keeps all it has: "
     "stress.CASE.s1, .s2 and .s3, the principal stresses in MPa, and stress.CASE.d1, the unit vector along which the "
     "greatest one, s1, pulls. A direction and its opposite are the same: the one is taken whose largest component is "
     "positive. Unknown values are infinite. Without --stress nothing is added.\n\n"
@@ -78,8 +79,6 @@ void run(const Options& o, const cli::Io& io) {
     std::vector<surface::Sheet> sheets;
     const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
                                             [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
-    if (sheets.size() != 1)
-        throw Error(Exit::bad_input, "cannot use the stream: it holds " + std::to_string(sheets.size()) + " surfaces");
     cli::Io self = io; // with what identifies the file
     Notes notes;
     Facts facts;
@@ -89,20 +88,11 @@ void run(const Options& o, const cli::Io& io) {
         std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
         self.settings.push_back({"stress_crc32c", crc});
         const auto samples = stressfield::read(bytes.view(), mesh::spoken_name(o.file), o.read, notes);
-        stressfield::add(sheets[0], samples, o.place, io.threads, notes, facts);
+        stressfield::add(sheets, samples, o.place, io.threads, notes, facts);
     }
-    stream::Writer writer(io.output, cli::header(self, stream::Payload::surface, {&before.header}));
-    cli::Report report(io);
-    for (const Note& note : before.notes) writer.write(note);
-    for (const Fact& fact : before.facts) writer.write(fact);
-    for (Note& note : notes) {
-        note.stage = io.program;
-        writer.write(note), report.add(note);
-    }
-    for (const Fact& fact : facts) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-    writer.write(wire::frame(sheets[0]));
-    writer.close();
-    report.say();
+    std::vector<stream::RawFrame> frames;
+    for (const auto& sheet : sheets) frames.push_back(wire::frame(sheet));
+    cli::write_all(io, cli::header(self, stream::Payload::surface, {&before.header}), before, notes, facts, frames);
 }
 
 } // namespace

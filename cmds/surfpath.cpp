@@ -5,6 +5,7 @@
 #include "surfpath/surfpath.hpp"
 #include "cli/command.hpp"
 #include "kipping2022/kipping2022.hpp"
+#include "surfpath/patches.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -14,7 +15,7 @@ using namespace filum;
 using cli::Option;
 
 struct Options {
-    surfpath::Options plan;
+    surfpath::Options plan{.algorithm = "planned"};
     surfpath::Laying laying;
     std::int64_t ply = 0;
     std::vector<double> plane;
@@ -28,6 +29,9 @@ constexpr const char* kDescription =
     "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Rows are taken "
     "some apart, so that turns are wide; those that must be tighter than --least-radius are spans of their own, "
     "declared as hairpins. What cannot be placed is noted.\n\n"
+    "Of several surfaces, patches of one part, each is filled in its turn. What `choose` has planned for a surface "
+    "travels with it, and is followed unless an algorithm is named; without any plan it is geo-fiso. A patch without "
+    "a plan among others that have one is left out, and noted. Facts of several patches begin with their names.\n\n"
     "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
     "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
@@ -44,7 +48,7 @@ cli::Spec spec(Options& o) {
         .memory = "the model, and windows of distance",
         .options =
             {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
-                 .one_of({"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+                 .one_of({"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
              Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
@@ -63,13 +67,10 @@ cli::Spec spec(Options& o) {
              Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}
                  .at_least(1)
                  .at_most(9999),
-             Option{"savgol-degree", &o.paper.degree, "", "of its polynomials, below the window"}.at_least(0).at_most(
-                 9),
+             Option{"savgol-degree", &o.paper.degree, "", "of its polynomials"}.at_least(0).at_most(9),
              Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
-             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 spacing"}.at_least(
-                 0),
-             Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 spacing"}.at_least(
-                 0),
+             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}.at_least(0),
+             Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}.at_least(0),
              Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
                  0)},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
@@ -82,36 +83,35 @@ cli::Spec spec(Options& o) {
         .leading = "algorithm"};
 }
 
-surfpath::Plan planned(const surface::Sheet& sheet, const Options& o) {
-    if (o.plan.method != "kipping2022") return surfpath::plan(sheet, o.plan);
+surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
+    surfpath::Options plan = o.plan;
+    plan.algorithm = algorithm;
+    if (plan.method != "kipping2022") return surfpath::plan(sheet, plan);
     kipping2022::Options paper = o.paper;
-    paper.algorithm = o.plan.algorithm, paper.spacing = o.plan.spacing;
+    paper.algorithm = algorithm, paper.spacing = plan.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
     return kipping2022::plan(sheet, paper);
 }
 
 void run(const Options& o, const cli::Io& io) {
-    surface::Sheet sheet;
+    std::vector<surface::Sheet> sheets;
     auto whole = cli::read_all(io.input, stream::Payload::surface,
-                               [&](const stream::RawFrame& frame) { sheet = wire::sheet(frame); });
-    surfpath::Plan plan = planned(sheet, o);
+                               [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
+    const auto algorithms = surfpath::algorithms(sheets, o.plan.algorithm);
+    auto patches = surfpath::each_patch(sheets, algorithms, io.threads,
+                                        [&](std::size_t k) { return lay(sheets[k], o, algorithms[k]); });
     surfpath::Laying laying = o.laying;
-    laying.width = o.plan.spacing;
-    laying.layer = static_cast<std::uint32_t>(o.ply);
-    const auto spans = surfpath::spans(sheet.surface, plan, laying);
+    laying.width = o.plan.spacing, laying.layer = static_cast<std::uint32_t>(o.ply);
+    const auto spans = surfpath::spans(sheets, patches.plans, laying);
+    cli::Io self = io; // with what was followed
+    for (auto& s : self.settings)
+        if (s.name == "algorithm" && sheets.size() == 1)
+            s.value = algorithms[0], s.changed = s.value != surfpath::algorithms(sheets, "planned")[0];
     whole.header.expected = spans.size();
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, {&whole.header}));
-    cli::Report report(io);
-    for (const auto& note : whole.notes) writer.write(note);
-    for (const auto& fact : whole.facts) writer.write(fact);
-    for (auto note : plan.notes) {
-        note.stage = io.program;
-        report.add(note), writer.write(note);
-    }
-    for (const auto& fact : plan.facts) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-    for (const auto& span : spans) writer.write(wire::frame(span));
-    report.say();
-    writer.close();
+    std::vector<stream::RawFrame> frames;
+    for (const auto& span : spans) frames.push_back(wire::frame(span));
+    cli::write_all(io, cli::header(self, stream::Payload::toolpath, {&whole.header}), whole, patches.notes,
+                   patches.facts, frames);
 }
 
 } // namespace

@@ -39,6 +39,12 @@ stream::Header header(const Io& io, stream::Payload payload, const std::vector<c
     return out;
 }
 
+void write_text(const std::string& file, const std::string& text) {
+    stream::Sink out(file, stream::Sink::Content::text);
+    out.write(text);
+    out.commit();
+}
+
 void Report::add(const Note& note) {
     if (note.stage != io_->program) return;
     for (Note& sum : sums_) {
@@ -240,6 +246,22 @@ int fail(const std::string& program, Exit exit, const std::string& what) {
 }
 
 } // namespace
+
+void write_all(const Io& io, const stream::Header& header, const Whole& before, Notes notes, const Facts& facts,
+               std::span<const stream::RawFrame> frames) {
+    stream::Writer writer(io.output, header);
+    Report report(io);
+    for (const Note& note : before.notes) writer.write(note);
+    for (const Fact& fact : before.facts) writer.write(fact);
+    for (Note& note : notes) {
+        note.stage = io.program;
+        report.add(note), writer.write(note);
+    }
+    for (const Fact& fact : facts) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
+    for (const auto& frame : frames) writer.write(frame);
+    writer.close();
+    report.say();
+}
 
 int guarded(const std::string& program, const std::function<int()>& work) {
     std::signal(SIGPIPE, SIG_DFL); // a reader that leaves ends us quietly

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,12 @@ struct Whole {
 };
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame);
 Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)>& frame);
+
+// Writes a text file, whole or not at all.
+void write_text(const std::string& file, const std::string& text);
+// Shape "fold" of such: writes what came by the stream before, then notes and facts as this program's, then all frames.
+void write_all(const Io& io, const stream::Header& header, const Whole& before, Notes notes, const Facts& facts,
+               std::span<const stream::RawFrame> frames);
 
 // Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.
 int guarded(const std::string& program, const std::function<int()>& work);

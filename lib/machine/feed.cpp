@@ -38,4 +38,10 @@ double bead_feed(const Profile& p, const toolpath::Span& span, std::size_t i) {
     return most >= 1 ? std::floor(most) : most;
 }
 
+double fibre_feed(const Profile& p, const toolpath::Span& span, std::size_t i, double feed) {
+    const double rise = std::abs(span.points[i + 1].z - span.points[i].z);
+    if (!(rise > 0)) return feed;
+    return std::min(feed, p.motion.max_speed_z * geom::distance(span.points[i], span.points[i + 1]) / rise);
+}
+
 } // namespace filum::machine

@@ -10,4 +10,7 @@ namespace filum::machine {
 // lowered so that limits.flow and motion.max_speed_z are kept; a lowered feed is a whole number where it is above one.
 double bead_feed(const Profile& profile, const toolpath::Span& span, std::size_t i);
 
+// The same of a fibre that is to be laid at `feed`: lowered so that motion.max_speed_z is kept, and for nothing else.
+double fibre_feed(const Profile& profile, const toolpath::Span& span, std::size_t i, double feed);
+
 } // namespace filum::machine

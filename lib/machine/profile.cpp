@@ -72,6 +72,7 @@ void read_extrusion(Document& doc, Extrusion& e) {
     if (e.feeding == Feeding::plunger || e.feeding == Feeding::filament) doc.require("extrusion.diameter");
     doc.number("extrusion.diameter", e.diameter, {0.1, 200});
     doc.number("extrusion.flow", e.flow, above_zero(100));
+    doc.number("extrusion.density", e.density, {0, 100});
     doc.text("extrusion.on", e.on);
     doc.text("extrusion.off", e.off);
     if (e.feeding == Feeding::valve && (e.on.empty() || e.off.empty()))
@@ -137,6 +138,19 @@ void check_robot(const Document& doc, const Profile& p) {
         doc.fail("extrusion.kind", "URScript knows no extruder axis: use a valve");
 }
 
+// Speeds of the fibre keep to the machine's own, and a fibre head is reached by a change of tools or is the only one.
+void check_fibre(const Document& doc, const Profile& p) {
+    const Fibre& f = p.fibre;
+    if (!f.active()) return;
+    const std::pair<const char*, double> speeds[] = {
+        {"fibre.anchor_feed", f.anchor_feed}, {"fibre.feed", f.feed}, {"fibre.tail_feed", f.tail_feed}};
+    for (const auto& [key, speed] : speeds)
+        if (speed > p.motion.max_speed)
+            doc.fail(key, "it must not be above motion.max_speed, " + shortest_text(p.motion.max_speed));
+    if (f.tool != 0 && p.tools.change.empty())
+        doc.fail("tools.change", "a fibre head beside tool 0 needs the codes that change tools");
+}
+
 void read_templates(Document& doc, Profile& p) {
     const auto one = [&](const std::string& key, std::string& out) {
         doc.text(key, out);
@@ -155,6 +169,11 @@ void read_templates(Document& doc, Profile& p) {
     one("templates.end", p.templates.end);
     one("extrusion.on", p.extrusion.on);
     one("extrusion.off", p.extrusion.off);
+    one("tools.change", p.tools.change);
+    one("fibre.cut", p.fibre.cut);
+    one("fibre.tension", p.fibre.tension);
+    one("fibre.on", p.fibre.on);
+    one("fibre.off", p.fibre.off);
 }
 
 } // namespace
@@ -184,6 +203,9 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     p.axes.limits.radius_min = p.bed.x_min;
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");
+    read_tools(doc, p.tools);
+    read_fibre(doc, p.fibre);
+    check_fibre(doc, p);
     read_format(doc, p.format);
     check_robot(doc, p);
     doc.numbers("values", p.values);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geom/vec.hpp"
+#include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
 
@@ -34,6 +35,7 @@ struct Extrusion {
     bool relative = true;                 // per move, or counted on from the last reset
     double diameter = 1.75;               // mm, of the filament or of the syringe's bore
     double flow = 1;                      // factor on all material
+    double density = 0;                   // g/cm3; 0: unknown
     std::string on, off;                  // codes before the first and after the last move of a stroke, may be empty
     [[nodiscard]] double per_mm3() const; // extruder units for one mm3 of bead
 };
@@ -101,6 +103,8 @@ struct Profile {
     Travel travel;
     Motion motion;
     MultiAxis axes;
+    Tools tools;
+    Fibre fibre;
     Format format;
     Templates templates;
     std::map<std::string, double> values; // the user's own placeholders: nozzle_temp, bed_temp, ...

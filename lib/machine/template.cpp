@@ -39,10 +39,12 @@ Piece next_piece(std::string_view& rest) {
 
 const std::vector<std::string>& known_placeholders() {
     static const std::vector<std::string> names = {
-        "x_min",   "x_max",   "y_min",        "y_max",      "z_min",       "z_max",     "x_start",
-        "y_start", "z_start", "bed_x_min",    "bed_x_max",  "bed_y_min",   "bed_y_max", "bed_z_max",
-        "z_park",  "layer",   "layers",       "z",          "height",      "path_len",  "travel_len",
-        "time",    "strokes", "material_mm3", "material_e", "travel_feed", "z_feed"};
+        "x_min",         "x_max",           "y_min",      "y_max",     "z_min",     "z_max",
+        "x_start",       "y_start",         "z_start",    "bed_x_min", "bed_x_max", "bed_y_min",
+        "bed_y_max",     "bed_z_max",       "z_park",     "layer",     "layers",    "z",
+        "height",        "path_len",        "travel_len", "time",      "strokes",   "material_mm3",
+        "material_e",    "travel_feed",     "z_feed",     "tool_no",   "cut_dwell", "cut_dwell_ms",
+        "tension_dwell", "tension_dwell_ms"};
     return names;
 }
 

@@ -5,6 +5,7 @@
 #include "metrics/directions.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace filum::metrics {
@@ -34,7 +35,51 @@ void continuity(const Course& c, Figures& out) {
     if (c.jumps > 0) out.push_back({g, "unmarked jumps", count(c.jumps)});
 }
 
-void lengths(const Course& c, double seconds, const Options& o, Figures& out) {
+double fibre_volume(const Input& input) {
+    double sum = 0;
+    for (const auto& [number, tool] : input.tools) sum += tool.fibre ? tool.volume : 0;
+    return sum;
+}
+
+// g; not a number if the density of fibre counts and is not known.
+double mass(const Options& o, double plastic, double fibre) {
+    const double known = o.fibre_density > 0 ? o.fibre_density : std::numeric_limits<double>::quiet_NaN();
+    return plastic / 1000 * o.density + (fibre > 0 ? fibre / 1000 * known : 0);
+}
+
+void tool_figures(const std::string& g, const ToolShare& t, double mass, Figures& out) {
+    out.push_back({g, "strokes", count(t.strokes)});
+    out.push_back({g, "cuts", count(t.cuts)});
+    if (t.fibre) out.push_back({g, "fibre strokes too short to be laid", count(t.too_short)});
+    out.push_back({g, "laid", t.laid, 1, "mm"});
+    out.push_back({g, "travel", t.travel, 1, "mm"});
+    out.push_back({g, "volume", t.volume, 2, "mm3"});
+    out.push_back({g, "mass", mass, 3, "g"});
+    out.push_back({g, "print time", t.print_seconds, 1, "s"});
+    out.push_back({g, "travel time", t.travel_seconds, 1, "s"});
+}
+
+// A group per tool and one of the job, where there are several or one lays fibre.
+void tools(const Input& input, const Options& o, Figures& out) {
+    const auto fibre = [](const auto& t) { return t.second.fibre; };
+    if (input.tools.size() < 2 && std::none_of(input.tools.begin(), input.tools.end(), fibre)) return;
+    ToolShare all;
+    double plastic = 0;
+    for (const auto& [number, t] : input.tools) {
+        tool_figures("tool " + std::to_string(number) + (t.fibre ? " (fibre)" : ""), t,
+                     mass(o, t.fibre ? 0 : t.volume, t.fibre ? t.volume : 0), out);
+        all.fibre = all.fibre || t.fibre;
+        all.strokes += t.strokes, all.cuts += t.cuts, all.too_short += t.too_short;
+        all.laid += t.laid, all.travel += t.travel, all.volume += t.volume;
+        all.print_seconds += t.print_seconds, all.travel_seconds += t.travel_seconds;
+        plastic += t.fibre ? 0 : t.volume;
+    }
+    tool_figures("job", all, mass(o, plastic, all.volume - plastic), out);
+}
+
+void lengths(const Input& input, const Options& o, Figures& out) {
+    const Course& c = input.course;
+    const double seconds = input.seconds, of_fibre = fibre_volume(input);
     double extruded = 0, volume = 0;
     for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector, Role::hairpin})
         extruded += c.length[role(r)], volume += c.volume[role(r)];
@@ -49,11 +94,12 @@ void lengths(const Course& c, double seconds, const Options& o, Figures& out) {
     out.push_back({g, "moves", count(c.extruding_moves)});
     const std::string m = "time and material";
     if (seconds >= 0) out.push_back({m, "print time", seconds, 1, "s"});
-    const double filament = volume / (std::numbers::pi * o.filament_diameter * o.filament_diameter / 4) / 1000;
+    const double filament =
+        (volume - of_fibre) / (std::numbers::pi * o.filament_diameter * o.filament_diameter / 4) / 1000;
     out.push_back({m, "volume", volume, 2, "mm3"});
     out.push_back({m, "of it to be removed", c.volume[role(Role::connector)], 2, "mm3"});
     if (o.filament_diameter > 0) out.push_back({m, "filament", filament, 3, "m"});
-    out.push_back({m, "mass", volume / 1000 * o.density, 2, "g"});
+    out.push_back({m, "mass", mass(o, volume - of_fibre, of_fibre), 2, "g"});
 }
 
 Cover total(const std::vector<LayerFigures>& layers) {
@@ -199,7 +245,10 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     region_figures(layers, out);
     if (input.pores) pore_figures(*input.pores, out);
     shape(beads, regions, w, options, threads, out);
-    if (input.whole_program) lengths(input.course, input.seconds, options, out);
+    if (input.whole_program) {
+        tools(input, options, out);
+        lengths(input, options, out);
+    }
     if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
     figures::said_before(input.notes, input.facts, out);
     return out;

@@ -6,6 +6,7 @@
 #include "figures/figures.hpp"
 #include "metrics/course.hpp"
 #include "metrics/layers.hpp"
+#include "metrics/pace.hpp"
 #include "metrics/pores.hpp"
 #include "metrics/turns.hpp"
 #include "metrics/widths.hpp"
@@ -21,7 +22,8 @@ struct Options {
     std::string machine = "marlin", set;        // profile of the print time, and changes to it
     double pixel = 0;             // mm between the rows that areas are swept by; 0: a sixteenth of the bead width
     double filament_diameter = 0; // mm, from the profile; 0: the machine is not fed with filament
-    double density = 1.24;        // g/cm3
+    double density = 1.24;        // g/cm3, but of fibre
+    double fibre_density = 0;     // g/cm3, from the profile; 0: unknown
     std::int64_t turn_samples = 50000;
 };
 
@@ -30,7 +32,8 @@ struct Input {
     bool whole_program = true; // a Toolpath; false for the curves of a fill, which have no course
     bool outlines = true;      // Regions were given
     Course course;
-    double seconds = -1;         // print time; below 0: unknown
+    double seconds = -1; // print time; below 0: unknown
+    std::map<std::uint32_t, ToolShare> tools;
     Notes notes;                 // what the stages before dropped or repaired
     Facts facts;                 // and what they found out
     double claimed_unplaced = 0; // mm2, by the fill's own account

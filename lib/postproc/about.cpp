@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "postproc/digits.hpp"
+#include "postproc/job.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -114,6 +115,7 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
         if (const double l = s.role_len[static_cast<std::size_t>(role)]; l > 0)
             path += std::string(", ") + name + " " + fixed_text(l, 1);
     lines.push_back(path);
+    for (auto& line : job_lines(profile, s)) lines.push_back(std::move(line));
 }
 
 } // namespace

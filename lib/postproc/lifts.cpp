@@ -16,10 +16,10 @@ class Lifter {
         : profile_(profile), chain_(profile.axes.chain), out_(out), rise_(rise), clear_(clear) {}
 
     // From how the axes stand at the last pose to how they stand at the same one as `to`.
-    void change(const Joints& to, bool in_air, std::uint32_t layer) {
+    void change(const Joints& to, bool in_air, std::uint32_t layer, std::uint32_t tool) {
         const Pose at = out_.poses.back();
         const Joints from = out_.joints.back();
-        const Leg leg{Act::travel, Role::travel, layer, profile_.feeds.travel, 0, 0, 0};
+        const Leg leg{Act::travel, Role::travel, layer, profile_.feeds.travel, 0, 0, 0, tool};
         const Vec3 up = at.tip + (in_air ? 0 : rise_) * at.axis, high{up.x, up.y, std::max(up.z, clear_)};
         if (!in_air) add(up, from, leg);
         const auto& l = profile_.axes.limits;
@@ -74,7 +74,9 @@ Motion lifted(const machine::Profile& profile, Motion motion, const kinematics::
     Lifter lifter(profile, out, rise, clear);
     for (const auto& piece : track.pieces) {
         const bool first = out.poses.empty();
-        if (!first) lifter.change(piece.joints[0], places[piece.first] == Lifting::air, motion.legs[piece.first].layer);
+        if (!first)
+            lifter.change(piece.joints[0], places[piece.first] == Lifting::air, motion.legs[piece.first].layer,
+                          motion.legs.back().tool);
         for (std::size_t k = first ? 0 : 1; k < piece.joints.size(); ++k) {
             out.poses.push_back(motion.poses[piece.first + k]);
             out.legs.push_back(motion.legs[piece.first + k]);

@@ -12,7 +12,11 @@ struct Leg { // to one pose
     Role role = Role::travel;
     std::uint32_t layer = 0;
     double feed = 0, volume = 0, width = 0, height = 0;
-    bool straight = true; // false: the axes go straight, wherever that takes the tip
+    std::uint32_t tool = 0;
+    double fed = 0;            // mm of fibre
+    bool halt = false;         // the tool stands at its end
+    Act before = Act::extrude; // what comes before it; Act::extrude for nothing
+    bool straight = true;      // false: the axes go straight, wherever that takes the tip
 };
 
 // What a stroke's axes do, pose by pose.
@@ -20,6 +24,11 @@ struct Motion {
     std::vector<kinematics::Pose> poses;
     std::vector<Leg> legs; // legs[i] leads to poses[i]
     std::vector<kinematics::Joints> joints;
+};
+
+// How many poses a change adds.
+struct Lifts {
+    static constexpr std::size_t kFromAir = 3, kFromPart = 5;
 };
 
 // What leaving the part costs at each pose that `legs` lead to; `flying`: the first of them is in the air.

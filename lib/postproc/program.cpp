@@ -43,8 +43,7 @@ Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shi
     : Writer(profile, placeholders(survey, profile, shift), std::move(out)), shift_(shift),
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
       degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
-      e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)),
-      e_per_mm3_(profile.extrusion.per_mm3()) {
+      e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)) {
     at_.fill(kUnknown);
 }
 
@@ -107,6 +106,22 @@ void Program::layer(const Step& step) {
     // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
     // offset could halt the stroke.
     if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
+}
+
+// Between tools the controller works with its own axes and feeds; where it stands then, nobody knows.
+void Program::change_tool(const Step& step) {
+    end_axes();
+    tool(step);
+    begin_axes();
+    at_.fill(kUnknown);
+    f_ = -1;
+    if (counts() && !profile_->extrusion.relative) reset_extruder();
+}
+
+void Program::push() {
+    extruder_only(static_cast<std::int64_t>(std::nearbyint(profile_->fibre.prime * e_scale_)),
+                  profile_->fibre.prime_speed);
+    if (counts() && !profile_->extrusion.relative && profile_->fibre.prime > 0) reset_extruder();
 }
 
 void Program::bead_comments(const Step& step) {
@@ -196,7 +211,7 @@ void Program::move(const Step& step) {
     } else if (step.act == Act::travel) {
         if (!words(to, rotary && step.seconds > 0 ? "G1" : profile_->format.travel_code)) return;
     } else {
-        laid_ += step.volume * e_per_mm3_;
+        laid_ += feeds(step);
         bead_comments(step);
         if (!words(to, "G1")) return; // too short to see: its material goes on with the next
         if (counts()) material(due());
@@ -224,11 +239,11 @@ void Program::add(std::span<const Step> steps) {
             layer(step);
             break;
         case Act::open:
-            code(profile_->extrusion.on);
+            code(on(step));
             break;
         case Act::close:
             extruder_only(due(), t.retract_speed);
-            code(profile_->extrusion.off);
+            code(off(step));
             role_ = Role::travel;
             break;
         case Act::retract:
@@ -236,6 +251,21 @@ void Program::add(std::span<const Step> steps) {
             break;
         case Act::prime:
             extruder_only(units(t.retract) + units(t.extra), t.retract_speed);
+            break;
+        case Act::tool:
+            change_tool(step);
+            break;
+        case Act::push:
+            push();
+            break;
+        case Act::tension:
+            code(profile_->fibre.tension);
+            break;
+        case Act::cut:
+            (void)due(); // what rounding left over could not be fed any more
+            code(profile_->fibre.cut);
+            break;
+        case Act::omit:
             break;
         case Act::travel:
         case Act::climb:

@@ -13,6 +13,7 @@ namespace {
 using machine::Dialect;
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kAxisSpeed = 5000; // mm/s: the extruder keeps up with the path
 
 } // namespace
 
@@ -53,7 +54,7 @@ std::array<double, 3> rotation_vector(const Orientation& o) {
 }
 
 RobotProgram::RobotProgram(const machine::Profile& profile, const Survey& survey, Text out)
-    : Writer(profile, placeholders(survey, profile, {}), std::move(out)) {}
+    : Writer(profile, placeholders(survey, profile, {}), std::move(out)), axis_speed_(kAxisSpeed) {}
 
 void RobotProgram::number(double value, int decimals) {
     append_units(text_, std::llround(value * std::pow(10.0, decimals)), decimals);
@@ -93,7 +94,7 @@ void RobotProgram::krl(const Step& step, const Orientation& o) {
     text_ += ',';
     for (std::size_t k = 0; k < 3; ++k) text_ += names[k], number(angles[k] / kDegree, profile_->axes.angle_decimals);
     if (counts()) text_ += ",E1 ", number(laid_, profile_->format.e_decimals);
-    text_ += "} C_DIS";
+    text_ += step.halt ? "}" : "} C_DIS";
 }
 
 void RobotProgram::rapid(const Step& step, const Orientation& o) {
@@ -107,10 +108,16 @@ void RobotProgram::rapid(const Step& step, const Orientation& o) {
     else
         text_ += "9E9";
     text_ += ",9E9,9E9,9E9,9E9,9E9]],[", number(step.feed, 3);
-    text_ += ",500,5000,1000],[FALSE,";
-    const double zone[] = {b, 1.5 * b, 1.5 * b, 0.15 * b, 1.5 * b, 0.15 * b};
-    list(zone, 3);
-    text_ += "],tFilum\\WObj:=wFilum;";
+    text_ += ",500,", number(axis_speed_, 3);
+    text_ += ",1000],";
+    if (step.halt) {
+        text_ += "fine";
+    } else {
+        const double zone[] = {b, 1.5 * b, 1.5 * b, 0.15 * b, 1.5 * b, 0.15 * b};
+        text_ += "[FALSE,", list(zone, 3);
+        text_ += ']';
+    }
+    text_ += ",tFilum\\WObj:=wFilum;";
 }
 
 void RobotProgram::urscript(const Step& step, const Orientation& o) {
@@ -119,30 +126,47 @@ void RobotProgram::urscript(const Step& step, const Orientation& o) {
     text_ += ',', list(rotation_vector(o), 7);
     text_ += "],a=", number(profile_->motion.acceleration / 1000, 4);
     text_ += ",v=", number(step.feed / 1000, 6);
-    text_ += ",r=", number(profile_->axes.blend / 1000, 6);
+    text_ += ",r=", number(step.halt ? 0 : profile_->axes.blend / 1000, 6);
     text_ += ')';
 }
 
 void RobotProgram::move(const Step& step) {
-    laid_ += step.volume * profile_->extrusion.per_mm3();
+    laid_ += feeds(step);
     if (step.length == 0 && step.seconds == 0 && lines_ > 0) return;
-    const Orientation o = orientation(step.axis, step.heading);
     // Where the tool turns more than it goes, it goes slower than its feed.
     Step slow = step;
     if (step.seconds > 0) slow.feed = std::max(step.length / step.seconds, 0.01);
+    write(slow);
+}
+
+void RobotProgram::write(const Step& step) {
+    const Orientation o = orientation(step.axis, step.heading);
     switch (profile_->format.dialect) {
     case Dialect::krl:
-        krl(slow, o);
+        krl(step, o);
         break;
     case Dialect::rapid:
-        rapid(slow, o);
+        rapid(step, o);
         break;
     default:
-        urscript(slow, o);
+        urscript(step, o);
     }
     end_line();
-    speed_ = slow.feed;
+    speed_ = step.feed;
+    last_ = step;
     ++lines_;
+}
+
+// Pushes fibre where the tool is: the extruder moves alone.
+void RobotProgram::push() {
+    if (!counts() || profile_->fibre.prime == 0) return;
+    laid_ += profile_->fibre.prime;
+    axis_speed_ = profile_->fibre.prime_speed;
+    Step still = last_;
+    still.feed = profile_->fibre.prime_speed;
+    still.halt = true;
+    write(still);
+    axis_speed_ = kAxisSpeed;
 }
 
 void RobotProgram::add(std::span<const Step> steps) {
@@ -153,16 +177,31 @@ void RobotProgram::add(std::span<const Step> steps) {
             code(profile_->templates.layer);
             break;
         case Act::open:
-            code(profile_->extrusion.on);
+            code(on(step));
             break;
         case Act::close:
-            code(profile_->extrusion.off);
+            code(off(step));
             break;
         case Act::retract: // taken back and given again on the way: with the next move
             laid_ -= profile_->travel.retract;
             break;
         case Act::prime:
             laid_ += profile_->travel.retract + profile_->travel.extra;
+            break;
+        case Act::tool:
+            tool(step);
+            speed_ = -1;
+            break;
+        case Act::push:
+            push();
+            break;
+        case Act::tension:
+            code(profile_->fibre.tension);
+            break;
+        case Act::cut:
+            code(profile_->fibre.cut);
+            break;
+        case Act::omit:
             break;
         case Act::travel:
         case Act::climb:

@@ -35,11 +35,15 @@ class RobotProgram final : public Writer {
     void number(double value, int decimals);
     void list(std::span<const double> values, int decimals);
     void move(const Step& step);
+    void write(const Step& step);
+    void push();
     void krl(const Step& step, const Orientation& o);
     void rapid(const Step& step, const Orientation& o);
     void urscript(const Step& step, const Orientation& o);
     double laid_ = 0;   // extruder units
     double speed_ = -1; // mm/s, as last said
+    double axis_speed_; // mm/s at most, of the extruder
+    Step last_;         // written
     std::uint64_t lines_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace filum::postproc {
 
@@ -47,8 +48,43 @@ void Surveyor::visit(const Step& step, bool extruding) {
     }
 }
 
+// Charges the tool in use with the time since the last charge: for printing within a stroke, else for travel.
+void Surveyor::spend() {
+    const double now = clock_.total(), time = now - std::exchange(spent_, now);
+    if (!(time > 0)) return;
+    auto& tool = survey_.tools[tool_];
+    (open_ ? tool.print_seconds : tool.travel_seconds) += time;
+}
+
+void Surveyor::move(const Step& step) {
+    const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
+    const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
+    const double length = rotary ? step.length : geom::norm(d);
+    const bool extruding = step.act == Act::extrude;
+    if (extruding && step.volume > 0 && !fibre) check_section(step, length);
+    if (rotary)
+        clock_.pause(step.seconds);
+    else
+        clock_.move(d, step.feed, extruding);
+    visit(step, extruding);
+    auto& tool = survey_.tools[step.tool];
+    (extruding ? survey_.path_len : survey_.travel_len) += length;
+    (extruding ? tool.path_len : tool.travel_len) += length;
+    survey_.role_len[static_cast<std::size_t>(extruding ? step.role : Role::travel)] += length;
+    tool.volume += step.volume;
+    if (fibre)
+        tool.fibre_len += extruding ? length : 0;
+    else
+        survey_.volume += step.volume;
+    survey_.moves += length > 0 ? 1 : 0;
+    at_ = step.to;
+    tool_ = step.tool;
+    placed_ = true;
+}
+
 void Surveyor::add(std::span<const Step> steps) {
     const auto& t = profile_->travel;
+    const auto& f = profile_->fibre;
     for (const Step& step : steps) {
         switch (step.act) {
         case Act::layer:
@@ -56,9 +92,14 @@ void Surveyor::add(std::span<const Step> steps) {
             break;
         case Act::open:
             if (survey_.strokes++ == 0) survey_.start = step.to;
+            ++survey_.tools[step.tool].strokes;
             visit(step, true);
+            spend();
+            open_ = true;
             break;
         case Act::close:
+            spend();
+            open_ = false;
             break;
         case Act::retract:
             clock_.pause(t.retract / t.retract_speed);
@@ -66,34 +107,65 @@ void Surveyor::add(std::span<const Step> steps) {
         case Act::prime:
             clock_.pause((t.retract + t.extra) / t.retract_speed);
             break;
+        case Act::tool:
+            spend();
+            placed_ = false; // where it is, nobody knows
+            break;
+        case Act::push:
+            clock_.pause(f.prime / f.prime_speed);
+            survey_.tools[step.tool].fibre_len += f.prime;
+            break;
+        case Act::tension:
+            clock_.pause(f.tension_dwell);
+            break;
+        case Act::cut:
+            clock_.pause(f.cut_dwell);
+            ++survey_.tools[step.tool].cuts;
+            break;
+        case Act::omit:
+            omit(step);
+            break;
         case Act::travel:
         case Act::climb:
-        case Act::extrude: {
-            const bool rotary = profile_->axes.active();
-            const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
-            const double length = rotary ? step.length : geom::norm(d);
-            const bool extruding = step.act == Act::extrude;
-            if (extruding && step.volume > 0) check_section(step, length);
-            if (rotary)
-                clock_.pause(step.seconds);
-            else
-                clock_.move(d, step.feed, extruding);
-            visit(step, extruding);
-            (extruding ? survey_.path_len : survey_.travel_len) += length;
-            survey_.role_len[static_cast<std::size_t>(extruding ? step.role : Role::travel)] += length;
-            survey_.volume += step.volume;
-            survey_.moves += length > 0 ? 1 : 0;
-            at_ = step.to;
-            placed_ = true;
-        }
+        case Act::extrude:
+            move(step);
+            break;
         }
     }
 }
 
+void Surveyor::omit(const Step& step) {
+    Omitted& o = survey_.omitted;
+    if (o.count == 0 || step.length < o.shortest) o.shortest = step.length, o.at = step.to, o.layer = step.layer;
+    o.longest = std::max(o.longest, step.length);
+    o.length += step.length;
+    ++o.count;
+}
+
+void Surveyor::check_fibre() const {
+    const auto& f = profile_->fibre;
+    const Omitted& o = survey_.omitted;
+    if (o.count > 0 && !f.omit_short)
+        throw Error(Exit::failure,
+                    "cannot lay " + std::to_string(o.count) + (o.count > 1 ? " fibre strokes" : " fibre stroke") +
+                        " below the " + fixed_text(f.least_path, 3) + " mm of fibre.least_path: the shortest, " +
+                        fixed_text(o.shortest, 3) + " mm, begins " + place(o.layer, o.at) +
+                        " of the toolpath; join or lengthen them before postproc, or leave them out by --short drop");
+    double used = 0;
+    for (const auto& [number, tool] : survey_.tools) used += tool.fibre_len;
+    if (f.spool > 0 && used > f.spool)
+        throw Error(Exit::failure, "cannot lay " + fixed_text(used, 1) + " mm of fibre: '" + profile_->name + "' has " +
+                                       fixed_text(f.spool, 1) +
+                                       " mm on its spool; divide the job, or raise fibre.spool");
+}
+
 Survey Surveyor::end() {
+    check_fibre();
     if (survey_.strokes == 0 || !(survey_.path_len > 0))
         throw Error(Exit::bad_input, "cannot write a program: the toolpath lays no bead");
     survey_.seconds = clock_.total();
+    spend();
+    for (auto& [number, tool] : survey_.tools) tool.fibre = profile_->fibre.lays(number);
     return survey_;
 }
 
@@ -147,6 +219,10 @@ std::map<std::string, double> placeholders(const Survey& s, const machine::Profi
     add("material_e",
         profile.extrusion.feeding == machine::Feeding::valve ? 0 : s.volume * profile.extrusion.per_mm3());
     add("travel_feed", profile.feeds.travel * 60), add("z_feed", profile.feeds.z * 60);
+    const auto& f = profile.fibre;
+    add("tool_no", profile.tools.first);
+    add("cut_dwell", f.cut_dwell), add("cut_dwell_ms", f.cut_dwell * 1000);
+    add("tension_dwell", f.tension_dwell), add("tension_dwell_ms", f.tension_dwell * 1000);
     return out;
 }
 

@@ -6,6 +6,7 @@
 #include "postproc/walk.hpp"
 
 #include <array>
+#include <map>
 
 namespace filum::postproc {
 
@@ -16,36 +17,65 @@ struct Extreme {
     std::uint32_t layer = 0;
 };
 
+// What one tool does.
+struct ToolTotals {
+    bool fibre = false;
+    double path_len = 0, travel_len = 0;          // mm
+    double volume = 0;                            // mm3 of bead, as the toolpath says
+    double print_seconds = 0, travel_seconds = 0; // with the pauses of either
+    double fibre_len = 0;                         // mm of fibre that is used: laid, and pushed into the air
+    std::uint64_t strokes = 0, cuts = 0;
+};
+
+// Fibre strokes that are too short to be laid.
+struct Omitted {
+    std::uint64_t count = 0;
+    double length = 0;                // mm, of all
+    double shortest = 0, longest = 0; // mm
+    Vec3 at;                          // where the shortest begins, as the toolpath says
+    std::uint32_t layer = 0;          // of that one
+};
+
 struct Survey {
     std::array<Extreme, 3> low, high;              // x, y, z of the linear axes over every point that the nozzle visits
     std::array<double, 3> part_low{}, part_high{}; // the same over extruding moves only
     Vec3 start;                                    // of the first stroke
     double path_len = 0, travel_len = 0;           // mm
-    double volume = 0;                             // mm3 of bead, as the toolpath says
+    double volume = 0;                             // mm3 of bead but for fibre, as the toolpath says
     double seconds = 0;
     std::uint64_t moves = 0, strokes = 0;
     std::uint32_t layers = 0;                        // highest index + 1
     Efforts efforts;                                 // of rotary axes
     std::string placed;                              // how the numbers' frame lies to the toolpath's; may be empty
     std::array<double, toolpath::kRoles> role_len{}; // mm, by Role
+    std::map<std::uint32_t, ToolTotals> tools;
+    Omitted omitted;
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is
-// above the profile's limit.
+// above the profile's limit; of fibre, which that limit is not about, none is.
 class Surveyor {
   public:
     explicit Surveyor(const machine::Profile& profile);
     void add(std::span<const Step> steps);
-    Survey end(); // throws Error(bad_input) if nothing is extruded
+    // Throws Error(failure) for fibre strokes that are too short, unless the profile omits them, or for more fibre than
+    // there is on the spool; Error(bad_input) if nothing is extruded.
+    Survey end();
 
   private:
+    void move(const Step& step);
+    void spend();
+    void omit(const Step& step);
+    void check_fibre() const;
     void visit(const Step& step, bool extruding);
     void check_section(const Step& step, double length) const;
     const machine::Profile* profile_;
     machine::Clock clock_;
     Survey survey_;
     Vec3 at_;
-    bool placed_ = false;
+    double spent_ = 0; // s of the clock that tools were charged with
+    std::uint32_t tool_ = 0;
+    bool placed_ = false, open_ = false;
 };
 
 enum class Place : std::uint8_t {

@@ -71,17 +71,18 @@ void TiltedWalk::end() {
 
 void TiltedWalk::go(const Pose& pose, const Leg& leg) {
     const auto add = [this](const Pose& p, const Leg& l) { stroke_.poses.push_back(p), stroke_.legs.push_back(l); };
+    Leg rest = leg;
     double done = 0;
     for (const double f : cuts(pose)) {
         const Pose from = stroke_.poses.back();
         const double g = done < 1 ? (f - done) / (1 - done) : 0; // of what is left of the way
-        Leg part = leg;
-        part.volume = (f - done) * leg.volume;
+        Leg part = rest;
+        part.volume = (f - done) * leg.volume, part.fed = (f - done) * leg.fed, part.halt = false;
         add({from.tip + g * (pose.tip - from.tip), slerp(from.axis, pose.axis, g)}, part);
         done = f;
+        rest.before = Act::extrude;
     }
-    Leg rest = leg;
-    if (done > 0) rest.volume = (1 - done) * leg.volume;
+    if (done > 0) rest.volume = (1 - done) * leg.volume, rest.fed = (1 - done) * leg.fed;
     add(pose, rest);
 }
 
@@ -120,7 +121,7 @@ double TiltedWalk::over_axis(const Pose& pose) const {
 // The first stroke is sought along the tool axis, from wherever the start template left the tool.
 void TiltedWalk::approach(const toolpath::Span& first) {
     const Pose p = pose(first, 0, shift_);
-    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0};
+    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0, first.tool};
     go({p.tip + std::max(profile_->travel.lift, kApproach) * p.axis, p.axis}, leg);
     go(p, leg);
 }
@@ -128,7 +129,7 @@ void TiltedWalk::approach(const toolpath::Span& first) {
 void TiltedWalk::travel(const toolpath::Span& span) {
     if (!started()) return; // there is nothing to leave
     finish_stroke();
-    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0};
+    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool};
     if (!span.normals.empty()) {
         for (std::size_t i = 0; i < span.points.size(); ++i) go(pose(span, i, shift_), leg);
         return;
@@ -144,14 +145,19 @@ void TiltedWalk::travel(const toolpath::Span& span) {
 
 void TiltedWalk::extrude(const toolpath::Span& span) {
     if (stroke_.poses.empty()) approach(span);
+    if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
     if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
-        go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0});
+        go(from,
+           {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool});
+    Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
+        const Laying how = laying(tip_, span, i);
         go(pose(span, i + 1, shift_),
-           {Act::extrude, span.role, span.layer, machine::bead_feed(tip_, span, i), toolpath::volume(span, i),
-            (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2});
+           {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
+            (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
+            how.fed, how.halt, std::exchange(first, Act::extrude)});
         top_ = std::max(top_, stroke_.poses.back().tip.z);
     }
     laid_ = true;
@@ -172,7 +178,13 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
     const auto& poses = stroke_.poses;
     for (std::size_t k = 1; k < track.pieces.size(); ++k) {
         const std::size_t at = track.pieces[k].first;
-        if (places[at] == kinematics::Lifting::air) continue;
+        const bool flying = places[at] == kinematics::Lifting::air;
+        if (at < landing_) landing_ += flying ? Lifts::kFromAir : Lifts::kFromPart;
+        if (flying) continue;
+        if (profile_->fibre.lays(stroke_.legs[at].tool))
+            throw Error(Exit::failure, "cannot go on at " + text(poses[at].tip) + " on '" + profile_->name +
+                                           "': the axes must unwind, and a stroke of fibre cannot be lifted; break the "
+                                           "stroke there");
         if (efforts_.unwinds++ == 0) efforts_.unwind = poses[at].tip, efforts_.unwind_layer = stroke_.legs[at].layer;
         efforts_.unwinds_in_turns += places[at] == kinematics::Lifting::turn ? 1 : 0;
     }
@@ -191,7 +203,9 @@ void TiltedWalk::finish_stroke() {
     const double lift = profile_->travel.lift;
     stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
     head();
-    emit(durations());
+    auto seconds = durations();
+    if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
+    emit(seconds);
     at_ = stroke_.joints.back();
     stroke_ = {};
     laid_ = false;
@@ -258,6 +272,13 @@ double TiltedWalk::swing(std::size_t i) const {
     return kinematics::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
 }
 
+// The leg of this stroke before which the tool is changed: behind the first one of a travel, which leads away from the
+// part.  None: stroke_.poses.size().
+std::size_t TiltedWalk::exchange() const {
+    if (stroke_.legs.back().tool == tool_) return stroke_.poses.size();
+    return layer_ < 0 ? 0 : std::min<std::size_t>(2, landing_);
+}
+
 void TiltedWalk::emit(const std::vector<double>& seconds) {
     const auto& joints = stroke_.joints;
     bool open = false;
@@ -268,29 +289,38 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
              .layer = stroke_.legs[i].layer,
              .to = tip ? stroke_.poses[at].tip : joints[at].xyz,
              .height = stroke_.legs[i].height,
-             .axes = joints[at].xyz});
+             .axes = joints[at].xyz,
+             .tool = tool_});
     };
-    if (layer_ >= 0) mark(Act::retract, 0, 0);
+    const std::size_t change = exchange();
+    if (layer_ >= 0 && !profile_->fibre.lays(tool_)) {
+        mark(Act::retract, 0, 0);
+        retracted_.insert(tool_);
+    }
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const Leg& leg = stroke_.legs[i];
+        const std::size_t last = i > 0 ? i - 1 : 0;
+        if (i == change) tool_ = leg.tool, mark(Act::tool, i, last);
+        if (laid_ && i == landing_ && profile_->fibre.lays(tool_)) mark(Act::push, i, last);
         if (leg.act == Act::extrude) {
             if (static_cast<std::int64_t>(leg.layer) != layer_) mark(Act::layer, i, i);
-            if (!open && layer_ >= 0) mark(Act::prime, i, i - 1);
-            if (!open) mark(Act::open, i, i - 1);
+            if (!open && retracted_.erase(tool_) > 0) mark(Act::prime, i, last);
+            if (!open) mark(Act::open, i, last);
             open = true, layer_ = leg.layer;
         } else if (open) { // a break to unwind
             mark(Act::close, i - 1, i - 1), mark(Act::retract, i, i - 1);
             open = false;
         }
+        if (leg.before != Act::extrude) mark(leg.before, i, last);
         move(i, seconds[i]);
     }
     if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
 }
 
 // In how many parts the axes go straight to pose i, so that the tip keeps to its line.
-std::uint32_t TiltedWalk::parts(std::size_t i) const {
+std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
     const auto& a = profile_->axes;
-    if (a.numbers == machine::Numbers::tip || i == 0 || !stroke_.legs[i].straight) return 1;
+    if (a.numbers == machine::Numbers::tip || i == 0 || !(seconds > 0) || !stroke_.legs[i].straight) return 1;
     const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
     const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
     const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
@@ -317,7 +347,7 @@ void TiltedWalk::move(std::size_t i, double seconds) {
     const Leg& leg = stroke_.legs[i];
     const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
     const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
-    const std::uint32_t n = parts(i);
+    const std::uint32_t n = parts(i, seconds);
     Joints last = from;
     for (std::uint32_t k = 1; k <= n; ++k) {
         const double f = k == n ? 1 : k / static_cast<double>(n);
@@ -338,14 +368,12 @@ void TiltedWalk::move(std::size_t i, double seconds) {
              .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
              .axes = here.xyz,
              .axis = stroke_.poses[i].axis,
-             .heading = headings_[i]});
+             .heading = headings_[i],
+             .tool = tool_,
+             .fed = leg.fed / n,
+             .halt = leg.halt && k == n});
         last = here;
     }
-}
-
-std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out) {
-    if (profile.axes.active()) return std::make_unique<TiltedWalk>(profile, shift, std::move(out));
-    return std::make_unique<Walk>(profile, std::move(out));
 }
 
 } // namespace filum::postproc

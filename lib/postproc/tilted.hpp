@@ -3,6 +3,8 @@
 
 #include "postproc/lifts.hpp"
 
+#include <set>
+
 namespace filum::postproc {
 
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
@@ -32,12 +34,13 @@ class TiltedWalk final : public Walker {
     void emit(const std::vector<double>& seconds);
     void move(std::size_t to, double seconds);
     [[nodiscard]] std::vector<double> durations() const;
+    [[nodiscard]] std::size_t exchange() const;
     void put(const Step& step);
     void head();
     [[nodiscard]] double swing(std::size_t i) const;
     [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
     [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
-    [[nodiscard]] std::uint32_t parts(std::size_t i) const;
+    [[nodiscard]] std::uint32_t parts(std::size_t i, double seconds) const;
 
     const machine::Profile* profile_;
     machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
@@ -50,7 +53,10 @@ class TiltedWalk final : public Walker {
     kinematics::Joints at_;      // after the last stroke
     double top_ = 0;
     std::int64_t layer_ = -1;
-    bool laid_ = false; // a bead of this stroke
+    bool laid_ = false;       // a bead of this stroke
+    std::size_t landing_ = 0; // the leg of this stroke that leads to its start
+    std::uint32_t tool_ = 0;
+    std::set<std::uint32_t> retracted_; // tools
 };
 
 } // namespace filum::postproc

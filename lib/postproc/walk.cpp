@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace filum::postproc {
 
@@ -43,7 +44,20 @@ void Walk::flush() {
     buffer_.clear();
 }
 
-void Walker::add(const toolpath::Span& span) {
+Walker::Laying Walker::laying(const machine::Profile& profile, const toolpath::Span& span, std::size_t i) const {
+    if (!profile.fibre.lays(span.tool)) return {machine::bead_feed(profile, span, i), 0, false};
+    const double fed = how_.fed * distance(span.points[i], span.points[i + 1]);
+    return {machine::fibre_feed(profile, span, i, how_.feed), fed, halt_ && i + 2 == span.points.size()};
+}
+
+Act Walker::before() const {
+    return how_.before == machine::Event::cut       ? Act::cut
+           : how_.before == machine::Event::tension ? Act::tension
+                                                    : Act::extrude;
+}
+
+void Walker::add(const toolpath::Span& span, const machine::Stretch& how, bool halt) {
+    how_ = how, halt_ = halt;
     const Vec3 from = span.points.front();
     if (started_ && distance(from, path_) > kTouch)
         throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
@@ -59,47 +73,71 @@ void Walker::add(const toolpath::Span& span) {
 }
 
 void Walk::end() {
-    if (open_) put({.act = Act::close, .layer = static_cast<std::uint32_t>(layer_), .to = at_});
+    if (open_) put({.act = Act::close, .layer = static_cast<std::uint32_t>(layer_), .to = at_, .tool = tool_});
     open_ = false;
     flush();
 }
 
+// Ends the stroke, takes back, rises, and changes the tool.
+void Walk::leave(const toolpath::Span& span) {
+    const auto mark = [&](Act act) {
+        put({.act = act, .role = Role::travel, .layer = span.layer, .to = at_, .tool = tool_});
+    };
+    if (!profile_->fibre.lays(tool_) && !risen_) {
+        mark(Act::retract);
+        retracted_.insert(tool_);
+    }
+    risen_ = true;
+    const double clear = std::min(std::max(top_, highest(span)) + profile_->travel.lift, profile_->bed.z_max);
+    if (clear > at_.z) {
+        at_.z = clear;
+        put({.act = Act::climb,
+             .role = Role::travel,
+             .layer = span.layer,
+             .to = at_,
+             .feed = profile_->feeds.z,
+             .tool = tool_});
+    }
+    if (span.tool == tool_) return;
+    tool_ = span.tool;
+    mark(Act::tool);
+}
+
 void Walk::travel(const toolpath::Span& span) {
     if (!started()) return; // there is nothing to leave; the first stroke is sought from wherever the nozzle is
-    const auto& t = profile_->travel;
-    const auto go = [&](Act act, Vec3 to, double feed) {
-        put({.act = act, .role = Role::travel, .layer = span.layer, .to = to, .feed = feed});
-        at_ = to;
-    };
-    if (open_) put({.act = Act::close, .layer = span.layer, .to = at_});
+    if (open_) put({.act = Act::close, .layer = span.layer, .to = at_, .tool = tool_});
     open_ = false;
-    if (length(span) < t.min_length && !retracted_) {
-        for (std::size_t i = 1; i < span.points.size(); ++i) go(Act::travel, span.points[i], profile_->feeds.travel);
-        return;
+    const bool changes = span.tool != tool_ || profile_->fibre.lays(tool_);
+    const bool plain = length(span) < profile_->travel.min_length && !risen_ && !changes;
+    if (!plain) leave(span);
+    for (std::size_t i = 1; i < span.points.size(); ++i) {
+        at_ = plain ? span.points[i] : Vec3{span.points[i].x, span.points[i].y, at_.z};
+        put({.act = Act::travel,
+             .role = Role::travel,
+             .layer = span.layer,
+             .to = at_,
+             .feed = profile_->feeds.travel,
+             .tool = tool_});
     }
-    if (!retracted_) put({.act = Act::retract, .role = Role::travel, .layer = span.layer, .to = at_});
-    retracted_ = true;
-    const double clear = std::min(std::max(top_, highest(span)) + t.lift, profile_->bed.z_max);
-    if (clear > at_.z) go(Act::climb, {at_.x, at_.y, clear}, profile_->feeds.z);
-    for (std::size_t i = 1; i < span.points.size(); ++i)
-        go(Act::travel, {span.points[i].x, span.points[i].y, at_.z}, profile_->feeds.travel);
 }
 
 void Walk::begin_stroke(const toolpath::Span& span) {
     const Vec3 to = span.points.front();
     const auto go = [&](Act act, Vec3 where, double feed) {
-        put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed});
+        put({.act = act, .role = Role::travel, .layer = span.layer, .to = where, .feed = feed, .tool = tool_});
     };
     if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
+        if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
         const double clear = std::min(to.z + std::max(profile_->travel.lift, kApproach), profile_->bed.z_max);
         go(Act::climb, {to.x, to.y, clear}, profile_->feeds.z);
         go(Act::travel, {to.x, to.y, clear}, profile_->feeds.travel);
     }
     at_ = to;
+    if (profile_->fibre.lays(tool_)) go(Act::push, to, 0); // in the air
     go(Act::climb, to, profile_->feeds.z);
-    if (retracted_) put({.act = Act::prime, .role = Role::travel, .layer = span.layer, .to = to});
-    put({.act = Act::open, .role = span.role, .layer = span.layer, .to = to});
-    retracted_ = false;
+    if (retracted_.erase(tool_) > 0) go(Act::prime, to, 0);
+    put({.act = Act::open, .role = span.role, .layer = span.layer, .to = to, .tool = tool_});
+    risen_ = false;
     open_ = true;
 }
 
@@ -111,21 +149,27 @@ void Walk::extrude(const toolpath::Span& span) {
              .role = span.role,
              .layer = span.layer,
              .to = {at_.x, at_.y, z},
-             .height = span.height_at(0)});
+             .height = span.height_at(0),
+             .tool = tool_});
     if (!open_) begin_stroke(span);
+    if (before() != Act::extrude) put({.act = before(), .layer = span.layer, .to = at_, .tool = tool_});
     layer_ = span.layer;
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const Vec3 a = span.points[i], b = span.points[i + 1];
         if (distance(a, b) == 0) continue;
         const double volume = toolpath::volume(span, i);
+        const Laying how = laying(*profile_, span, i);
         put({.act = Act::extrude,
              .role = span.role,
              .layer = span.layer,
              .to = b,
-             .feed = machine::bead_feed(*profile_, span, i),
+             .feed = how.feed,
              .volume = volume,
              .width = (span.width_at(i) + span.width_at(i + 1)) / 2,
-             .height = (span.height_at(i) + span.height_at(i + 1)) / 2});
+             .height = (span.height_at(i) + span.height_at(i + 1)) / 2,
+             .tool = tool_,
+             .fed = how.fed,
+             .halt = how.halt});
         top_ = std::max(top_, b.z);
     }
     at_ = span.points.back();

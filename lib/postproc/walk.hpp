@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,11 @@ enum class Act : std::uint8_t {
     travel,  // move without material
     climb,   // move along z alone, without material
     extrude, // move and lay `volume`
+    tool,    // another tool takes over; where the tip is then, nobody knows
+    push,    // push fibre into the air
+    tension, // wait for the fibre's tension to settle
+    cut,     // cut the fibre
+    omit,    // nothing: a fibre stroke of `length` mm that begins at `to` is left out
 };
 
 struct Step {
@@ -40,6 +46,9 @@ struct Step {
     double tilt = 0, turn = 0, length = 0, seconds = 0;
     Vec3 axes{};
     Vec3 axis{0, 0, 1}, heading{1, 0, 0}; // of a robot: up the tool, and whereto its x axis points; unit
+    std::uint32_t tool = 0;
+    double fed = 0;    // mm of fibre, fed on the way
+    bool halt = false; // the tool comes to a stand there: what follows belongs to that very place
 };
 
 using Steps = std::function<void(std::span<const Step>)>;
@@ -58,11 +67,20 @@ class Walker {
   public:
     virtual ~Walker() = default;
     // Throws Error(bad_input) with the place if the span does not begin where the one before ended.
-    void add(const toolpath::Span& span);
+    void add(const toolpath::Span& span) { add(span, {}); }
+    // Likewise; a span of fibre is to be laid as `how` says, and the tool to stand at its end if `halt`.
+    void add(const toolpath::Span& span, const machine::Stretch& how, bool halt = false);
     virtual void end() = 0;                                           // closes the last stroke
     [[nodiscard]] const Efforts& efforts() const { return efforts_; } // once it has ended
 
   protected:
+    // How the span that is being added is laid.
+    struct Laying {
+        double feed = 0, fed = 0; // mm/s; mm of fibre
+        bool halt = false;
+    };
+    [[nodiscard]] Laying laying(const machine::Profile& profile, const toolpath::Span& span, std::size_t i) const;
+    [[nodiscard]] Act before() const; // what comes before its first move; Act::extrude for nothing
     virtual void travel(const toolpath::Span& span) = 0;
     virtual void extrude(const toolpath::Span& span) = 0;
     [[nodiscard]] bool started() const { return started_; } // a span came before
@@ -71,9 +89,12 @@ class Walker {
   private:
     Vec3 path_; // end of the span before
     bool started_ = false;
+    machine::Stretch how_;
+    bool halt_ = false;
 };
 
-// Of three axes: a Walk, whose steps are not placed; of more: a TiltedWalk of what is placed by `shift`.
+// Of three axes: a Walk, whose steps are not placed; of more: a TiltedWalk of what is placed by `shift`; before either
+// a FibreWalk.
 std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out);
 
 // Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.
@@ -90,6 +111,7 @@ class Walk final : public Walker {
     void put(const Step& step);
     void flush();
     void travel(const toolpath::Span& span) override;
+    void leave(const toolpath::Span& travel);
     void begin_stroke(const toolpath::Span& span);
     void extrude(const toolpath::Span& span) override;
 
@@ -100,7 +122,9 @@ class Walk final : public Walker {
     Vec3 at_;        // of the nozzle
     double top_ = 0; // highest point printed so far
     std::int64_t layer_ = -1;
-    bool open_ = false, retracted_ = false;
+    std::uint32_t tool_ = 0;
+    std::set<std::uint32_t> retracted_; // tools
+    bool open_ = false, risen_ = false;
 };
 
 } // namespace filum::postproc

@@ -13,7 +13,7 @@ constexpr std::size_t kBlock = std::size_t{64} << 10;
 } // namespace
 
 Writer::Writer(const machine::Profile& profile, machine::Values values, Text out)
-    : profile_(&profile), values_(std::move(values)), out_(std::move(out)) {
+    : profile_(&profile), values_(std::move(values)), per_mm3_(profile.extrusion.per_mm3()), out_(std::move(out)) {
     text_.reserve(kBlock + 1024);
 }
 
@@ -31,6 +31,19 @@ void Writer::code(const std::string& text) {
             text_ += c;
     }
     if (text.back() != '\n') end_line();
+}
+
+void Writer::tool(const Step& step) {
+    values_["tool_no"] = profile_->tools.first + static_cast<double>(step.tool);
+    code(profile_->tools.change);
+}
+
+const std::string& Writer::on(const Step& step) const {
+    return lays_fibre(step) ? profile_->fibre.on : profile_->extrusion.on;
+}
+
+const std::string& Writer::off(const Step& step) const {
+    return lays_fibre(step) ? profile_->fibre.off : profile_->extrusion.off;
 }
 
 void Writer::spill() {

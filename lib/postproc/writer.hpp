@@ -28,6 +28,13 @@ class Writer {
     void code(const std::string& text); // of the profile, its placeholders filled in
     void spill();                       // hands the text on when it has grown to a block
     void flush();
+    void tool(const Step& step); // the codes that change to it
+    [[nodiscard]] bool lays_fibre(const Step& step) const { return profile_->fibre.lays(step.tool); }
+    // Codes before and after a stroke.
+    [[nodiscard]] const std::string& on(const Step& step) const;
+    [[nodiscard]] const std::string& off(const Step& step) const;
+    // What a step feeds, in units of its tool's extruder.
+    [[nodiscard]] double feeds(const Step& step) const { return lays_fibre(step) ? step.fed : step.volume * per_mm3_; }
     [[nodiscard]] bool counts() const { return profile_->extrusion.feeding != machine::Feeding::valve; }
 
     const machine::Profile* profile_;
@@ -35,6 +42,7 @@ class Writer {
     machine::Values values_; // of the placeholders
 
   private:
+    double per_mm3_;
     Text out_;
 };
 

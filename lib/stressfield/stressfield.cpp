@@ -169,4 +169,22 @@ void add(surface::Sheet& sheet, const Samples& samples, const Options& options, 
     for (const Case& c : samples.cases) add_case(sheet, c, stencils, normal, options, threads, notes, facts);
 }
 
+void add(std::span<surface::Sheet> sheets, const Samples& samples, const Options& options, int threads, Notes& notes,
+         Facts& facts) {
+    if (sheets.empty()) throw Error(Exit::bad_input, "cannot place stresses: the stream holds no surface");
+    if (sheets.size() == 1) return add(sheets[0], samples, options, threads, notes, facts);
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        const std::string name = sheets[k].name.empty() ? std::to_string(k + 1) : sheets[k].name;
+        Notes own;
+        Facts found;
+        try {
+            add(sheets[k], samples, options, threads, own, found);
+        } catch (const Error& e) {
+            throw Error(e.exit(), "patch '" + name + "': " + e.what());
+        }
+        for (Note& note : own) note.what += " on patch " + name, notes.push_back(std::move(note));
+        for (Fact& fact : found) fact.name = name + "." + fact.name, facts.push_back(std::move(fact));
+    }
+}
+
 } // namespace filum::stressfield

@@ -6,6 +6,8 @@
 #include "stressfield/samples.hpp"
 #include "surface/sheet.hpp"
 
+#include <span>
+
 namespace filum::stressfield {
 
 struct Options {
@@ -22,6 +24,11 @@ struct Options {
 // plane by more than 45 degrees: there it says nothing about the surface's own directions.
 // Throws Error(bad_input) if no vertex has a stress, Error(usage) if a case's fields are there already.
 void add(surface::Sheet& sheet, const Samples& samples, const Options& options, int threads, Notes& notes,
+         Facts& facts);
+
+// The same for every sheet of several, as the patches of a part; facts are named "PATCH.FACT" then, by the sheets'
+// names or their numbers from 1, and notes and errors name the patch.  Throws Error(bad_input) if there is no sheet.
+void add(std::span<surface::Sheet> sheets, const Samples& samples, const Options& options, int threads, Notes& notes,
          Facts& facts);
 
 } // namespace filum::stressfield

@@ -58,10 +58,14 @@ class Layer {
 
 } // namespace
 
-std::vector<Span> spans(const Surface& surface, const Plan& plan, const Laying& laying) {
-    std::vector<Span> out;
+void add_spans(const Surface& surface, const Plan& plan, const Laying& laying, std::vector<Span>& out) {
     Layer layer(surface, laying);
     for (std::uint32_t i = 0; i < plan.strokes.size(); ++i) layer.lay(plan.strokes[i], laying.stroke + i, out);
+}
+
+std::vector<Span> spans(const Surface& surface, const Plan& plan, const Laying& laying) {
+    std::vector<Span> out;
+    add_spans(surface, plan, laying, out);
     return out;
 }
 

@@ -45,4 +45,7 @@ struct Laying {
 // each other in one span.
 std::vector<toolpath::Span> spans(const Surface& surface, const Plan& plan, const Laying& laying);
 
+// Adds the same to a toolpath that has begun elsewhere, as on another surface: behind a travel from where it ended.
+void add_spans(const Surface& surface, const Plan& plan, const Laying& laying, std::vector<toolpath::Span>& out);
+
 } // namespace filum::surfpath

@@ -9,6 +9,4 @@ figures::Figures planar(const metrics::Options& options, const cli::Io& io);
 
 figures::Figures curved(const Options& options, const cli::Io& io);
 
-void write_text(const std::string& file, const std::string& text);
-
 } // namespace filum::survey

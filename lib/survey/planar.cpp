@@ -20,6 +20,8 @@ figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
     metrics::Options options = given;
     const auto profile = machine::load_profile(options.machine, options.set);
     if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
+    if (profile.extrusion.density > 0) options.density = profile.extrusion.density;
+    options.fibre_density = profile.fibre.density;
     if (options.pores && options.regions.empty())
         throw Error(Exit::usage, "cannot measure pores without outlines; name them by --regions");
     const auto regions = outlines(options.regions);
@@ -48,11 +50,12 @@ figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
         }
     }
     input.seconds = pace.seconds();
+    input.tools = pace.tools();
     const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
     if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
     auto measured = metrics::report(input, beads, regions, layers, options, io.threads);
-    if (!options.per_region.empty()) write_text(options.per_region, metrics::region_table(layers));
-    if (!options.per_layer.empty()) write_text(options.per_layer, metrics::layer_table(layers, input.pores));
+    if (!options.per_region.empty()) cli::write_text(options.per_region, metrics::region_table(layers));
+    if (!options.per_layer.empty()) cli::write_text(options.per_layer, metrics::layer_table(layers, input.pores));
     return measured;
 }
 

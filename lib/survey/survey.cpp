@@ -5,12 +5,6 @@
 
 namespace filum::survey {
 
-void write_text(const std::string& file, const std::string& text) {
-    stream::Sink out(file, stream::Sink::Content::text);
-    out.write(text);
-    out.commit();
-}
-
 void run(const Options& options, const cli::Io& io) {
     for (const auto& [name, given] : {std::pair{"--voids", !options.voids.empty()},
                                       {"--spacing", options.curved.spacing > 0},
@@ -19,7 +13,7 @@ void run(const Options& options, const cli::Io& io) {
             throw Error(Exit::usage,
                         "cannot use '" + std::string(name) + "' without the surface; name it by --surface");
     const auto figures = options.surface.empty() ? planar(options.plane, io) : curved(options, io);
-    write_text(io.output, figures::text(figures, figures::format_named(options.plane.format)));
+    cli::write_text(io.output, figures::text(figures, figures::format_named(options.plane.format)));
 }
 
 } // namespace filum::survey

@@ -60,6 +60,7 @@ struct Span {
     std::vector<double> height; // likewise
     // Per point, unit: where the tool comes from, on a curved surface its normal; none: from above, (0, 0, 1).
     std::vector<Vec3> normals{};
+    std::uint32_t tool = 0; // of the machine, by number; of a travel, the one of the bead that follows
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }

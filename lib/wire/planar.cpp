@@ -255,6 +255,7 @@ toolpath::Span span(const RawFrame& frame) {
         bad("span", "a travel has a bead");
     }
     out.normals = normals(m, xy.size());
+    out.tool = m.tool();
     return out;
 }
 
@@ -264,6 +265,7 @@ RawFrame frame(const toolpath::Span& span) {
     m.set_stroke(span.stroke);
     m.set_layer(span.layer);
     m.set_region(span.region);
+    m.set_tool(span.tool);
     const auto n = static_cast<int>(span.points.size());
     m.mutable_x()->Reserve(n);
     m.mutable_y()->Reserve(n);

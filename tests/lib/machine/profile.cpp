@@ -164,7 +164,8 @@ TEST(Profile, AnUnknownNameListsTheKnown) {
         FAIL();
     } catch (const Error& e) {
         EXPECT_EQ(e.exit(), Exit::usage);
-        const std::string known = "abb-rapid, bio-x, cellink-inkredible, klipper, klipper-xyzac, kuka-krl, linuxcnc";
+        const std::string known = "abb-rapid, bio-x, cellink-inkredible, fibre-marlin, fibre-xyzac, klipper, "
+                                  "klipper-xyzac, kuka-krl, linuxcnc";
         EXPECT_NE(std::string(e.what()).find(known), std::string::npos) << e.what();
     }
     EXPECT_THROW((void)machine::load_profile(""), Error);

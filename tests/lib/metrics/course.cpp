@@ -97,6 +97,47 @@ TEST(Pace, ATravelRetractsRisesAndComesBack) {
     EXPECT_GE(broken.seconds(), standing - 0.05); // corners are passed a little faster
 }
 
+// A stroke of plastic, then two of fibre: 100 mm of it, and 20 mm that no head of 45 mm can lay.
+TEST(Pace, ChargesEachToolWithWhatItDoes) {
+    auto p = profile();
+    p.fibre.cut_to_nozzle = p.fibre.least_path = 45;
+    p.fibre.anchor = 6, p.fibre.anchor_feed = 0.5, p.fibre.feed = 10, p.fibre.tail_feed = 5;
+    p.fibre.tension_dwell = 2, p.fibre.cut_dwell = 3, p.fibre.prime = 7, p.fibre.prime_speed = 3.5;
+    const auto of_fibre = [](toolpath::Span span) {
+        span.tool = 1;
+        return span;
+    };
+    Pace pace(p);
+    pace.add(bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1));
+    pace.add(travel({30, 0, 0.2}, {0, 10, 0.2}));
+    pace.add(of_fibre(bead({{0, 10, 0.2}, {60, 10, 0.2}}, 1, 0.2, 1)));
+    pace.add(of_fibre(bead({{60, 10, 0.2}, {60, 50, 0.2}}, 1, 0.2, 1)));
+    pace.add(of_fibre(travel({60, 50, 0.2}, {0, 70, 0.2})));
+    pace.add(of_fibre(bead({{0, 70, 0.2}, {20, 70, 0.2}}, 1, 0.2, 1)));
+    const double all = pace.seconds();
+    ASSERT_EQ(pace.tools().size(), 2U);
+    const ToolShare &plastic = pace.tools().at(0), &fibre = pace.tools().at(1);
+    EXPECT_FALSE(plastic.fibre);
+    EXPECT_EQ(plastic.strokes, 1U);
+    EXPECT_EQ(plastic.cuts, 0U);
+    EXPECT_NEAR(plastic.laid, 30, 1e-9);
+    EXPECT_NEAR(plastic.volume, 30 * 0.08, 1e-9);
+    EXPECT_NEAR(plastic.print_seconds, 27.0 / 60 + 2 * 60.0 / 1200, 1e-9);
+    EXPECT_TRUE(fibre.fibre);
+    EXPECT_EQ(fibre.strokes, 2U);
+    EXPECT_EQ(fibre.cuts, 2U);
+    EXPECT_EQ(fibre.too_short, 1U);
+    EXPECT_NEAR(fibre.laid, 120, 1e-9);
+    EXPECT_NEAR(fibre.volume, 24, 1e-9);
+    EXPECT_NEAR(fibre.travel, std::hypot(60, 20), 1e-9);
+    // anchor, pause, 49 mm pulled, cut, tail; the short one at its feed, cut as it begins
+    const double laid = 6 / 0.5 + 2 + 4.9 + 3 + 9 + 2 + 3;
+    EXPECT_NEAR(fibre.print_seconds, laid, 0.1);
+    EXPECT_GE(fibre.print_seconds, laid);
+    EXPECT_GT(fibre.travel_seconds, 4); // twice 7 mm into the air
+    EXPECT_NEAR(plastic.print_seconds + plastic.travel_seconds + fibre.print_seconds + fibre.travel_seconds, all, 1e-9);
+}
+
 TEST(Pace, OfNothing) {
     Pace pace(profile());
     EXPECT_EQ(pace.seconds(), 0);

@@ -1,0 +1,86 @@
+#include "postproc/job.hpp"
+
+#include "base/number.hpp"
+#include "postproc/digits.hpp"
+
+namespace filum::postproc {
+
+namespace {
+
+// A tool's, or everyone's.
+struct Sum {
+    std::string name;
+    ToolTotals totals;
+    double volume = 0, mass = 0; // mm3 with the flow factor, g
+    bool weighed = true;         // every density is known
+};
+
+Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t) {
+    const double density = t.fibre ? p.fibre.density : p.extrusion.density;
+    const double volume = t.volume * (t.fibre ? 1 : p.extrusion.flow);
+    return {"tool " + std::to_string(number) + (t.fibre ? " (fibre)" : ""), t, volume, volume / 1000 * density,
+            density > 0 || volume == 0};
+}
+
+std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
+    std::vector<Sum> out;
+    Sum all{"job", {}, 0, 0, true};
+    for (const auto& [number, totals] : survey.tools) {
+        out.push_back(of_tool(profile, number, totals));
+        const Sum& s = out.back();
+        auto& t = all.totals;
+        t.fibre = t.fibre || totals.fibre;
+        t.strokes += totals.strokes, t.cuts += totals.cuts;
+        t.path_len += totals.path_len, t.travel_len += totals.travel_len, t.fibre_len += totals.fibre_len;
+        t.print_seconds += totals.print_seconds, t.travel_seconds += totals.travel_seconds;
+        all.volume += s.volume, all.mass += s.mass;
+        all.weighed = all.weighed && s.weighed;
+    }
+    out.push_back(all);
+    return out;
+}
+
+} // namespace
+
+figures::Figures job(const machine::Profile& profile, const Survey& survey) {
+    figures::Figures out;
+    for (const Sum& s : sums(profile, survey)) {
+        const ToolTotals& t = s.totals;
+        out.push_back({s.name, "strokes", t.strokes});
+        out.push_back({s.name, "cuts", t.cuts});
+        out.push_back({s.name, "laid", t.path_len, 1, "mm"});
+        if (t.fibre) out.push_back({s.name, "fibre used", t.fibre_len, 1, "mm"});
+        out.push_back({s.name, "travel", t.travel_len, 1, "mm"});
+        out.push_back({s.name, "material", s.volume, 2, "mm3"});
+        if (s.weighed) out.push_back({s.name, "mass", s.mass, 3, "g"});
+        out.push_back({s.name, "print time", t.print_seconds, 1, "s"});
+        out.push_back({s.name, "travel time", t.travel_seconds, 1, "s"});
+    }
+    return out;
+}
+
+std::vector<std::string> job_lines(const machine::Profile& profile, const Survey& survey) {
+    const auto all = sums(profile, survey);
+    std::vector<std::string> out;
+    if (all.size() < 3 && !all.back().totals.fibre) return out;
+    for (const Sum& s : all) {
+        const ToolTotals& t = s.totals;
+        std::string line = " " + s.name + ": " + std::to_string(t.strokes) + " strokes, " + std::to_string(t.cuts) +
+                           " cuts, " + fixed_text(t.path_len, 1) + " mm laid";
+        if (t.fibre) line += ", " + fixed_text(t.fibre_len, 1) + " mm of fibre";
+        line += ", " + fixed_text(s.volume, 2) + " mm3";
+        if (s.weighed) line += ", " + fixed_text(s.mass, 3) + " g";
+        line += ", printing " + duration(t.print_seconds) + ", travel " + duration(t.travel_seconds);
+        out.push_back(std::move(line));
+    }
+    return out;
+}
+
+Notes omissions(const Survey& survey, const std::string& stage) {
+    const Omitted& o = survey.omitted;
+    if (o.count == 0) return {};
+    return {{stage, "fibre stroke too short to be laid, left out", o.length, "mm", o.count,
+             static_cast<std::int64_t>(o.layer), o.at.x, o.at.y}};
+}
+
+} // namespace filum::postproc

@@ -1,0 +1,80 @@
+#include "surfpath/patches.hpp"
+
+#include "base/error.hpp"
+#include "parallel/parallel.hpp"
+
+#include <algorithm>
+
+namespace filum::surfpath {
+
+namespace {
+
+Note unplanned(const surface::Sheet& sheet) {
+    Note out{.stage = "", .what = "patch without a plan", .amount = surface::area(sheet.surface), .unit = "mm2"};
+    const Vec3& p = sheet.surface.vertices.front();
+    out.x = p.x, out.y = p.y;
+    return out;
+}
+
+// As error of one patch of several.
+Plan told(const std::function<Plan(std::size_t)>& plan, std::size_t k, const std::string& name) {
+    try {
+        return plan(k);
+    } catch (const Error& e) {
+        throw Error(e.exit(), "patch '" + name + "': " + e.what());
+    }
+}
+
+} // namespace
+
+std::string spoken(std::span<const surface::Sheet> sheets, std::size_t k) {
+    return sheets[k].name.empty() ? std::to_string(k + 1) : sheets[k].name;
+}
+
+std::vector<std::string> algorithms(std::span<const surface::Sheet> sheets, const std::string& asked) {
+    if (sheets.empty()) throw Error(Exit::bad_input, "cannot lay a path: the stream holds no surface");
+    if (asked != "planned") return std::vector<std::string>(sheets.size(), asked);
+    std::vector<std::string> out;
+    for (const auto& s : sheets) out.push_back(s.algorithm);
+    const bool none = std::all_of(out.begin(), out.end(), [](const std::string& a) { return a.empty(); });
+    if (none) out.assign(out.size(), "geo-fiso");
+    return out;
+}
+
+Patches each_patch(std::span<const surface::Sheet> sheets, std::span<const std::string> algorithms, int threads,
+                   const std::function<Plan(std::size_t)>& plan) {
+    const bool several = sheets.size() > 1;
+    Patches out;
+    out.plans.resize(sheets.size());
+    parallel::for_chunks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
+        if (algorithms[k].empty())
+            out.plans[k].notes.push_back(unplanned(sheets[k]));
+        else
+            out.plans[k] = several ? told(plan, k, spoken(sheets, k)) : plan(k);
+    });
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        for (Note& note : out.plans[k].notes) {
+            if (several) note.what += " on patch " + spoken(sheets, k);
+            out.notes.push_back(std::move(note));
+        }
+        for (Fact& fact : out.plans[k].facts) {
+            if (several) fact.name = spoken(sheets, k) + "." + fact.name;
+            out.facts.push_back(std::move(fact));
+        }
+        out.plans[k].notes.clear(), out.plans[k].facts.clear();
+    }
+    return out;
+}
+
+std::vector<toolpath::Span> spans(std::span<const surface::Sheet> sheets, std::span<const Plan> plans,
+                                  const Laying& laying) {
+    std::vector<toolpath::Span> out;
+    Laying now = laying;
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        add_spans(sheets[k].surface, plans[k], now, out);
+        now.stroke += static_cast<std::uint32_t>(plans[k].strokes.size());
+    }
+    return out;
+}
+
+} // namespace filum::surfpath

@@ -1,0 +1,153 @@
+#!/usr/bin/env bats
+# Continuous fibre from the outside: finished programs, read by a script that knows nothing of the planner.
+
+load common
+
+report=$BATS_TEST_DIRNAME/../../scripts/fibre-report
+
+# A core of plastic, and fibre on a dome over a wedge: rows in one stroke, and ten lines of 22 to 60 mm.
+setup_file() {
+    cd "$BATS_FILE_TMPDIR"
+    flat_box_stl > part.stl
+    slice part.stl | regions | sequence | fill | link3d > core.toolpath
+    awk 'BEGIN {
+        n = 20; s = 40
+        printf "OFF\n%d %d 0\n", (n + 1) * (n + 1), 2 * n * n
+        for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) {
+            y = s * (j / n - 0.5); x = (s + y) * (i / n - 0.5)
+            printf "%.6f %.6f %.6f\n", x, y, sqrt(3600 - x * x - y * y) - 40
+        }
+        for (j = 0; j < n; j++) for (i = 0; i < n; i++) {
+            a = j * (n + 1) + i
+            printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1
+        }
+    }' > dome.off
+    geodesic dome.off --source plane:0,1,0,0 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > patch.toolpath
+    geodesic dome.off --source plane:1,0,0,0 | surfpath --quiet ortheo --spacing 4 --height 0.1 > lines.toolpath
+    assemble --tools 0,1 core.toolpath patch.toolpath lines.toolpath > job.toolpath
+    assemble --tools 1 lines.toolpath > lines.fibre
+}
+
+setup() {
+    cd "$BATS_FILE_TMPDIR"
+    export FILUM_PROFILES=$BATS_TEST_DIRNAME/../../lib/machine/profiles
+}
+
+@test "every cut of a job of plastic and fibre comes where the tail needs it, on every kind of machine" {
+    for with in fibre-marlin fibre-xyzac "fibre-xyzac --set kinematics.numbers=joints,kinematics.tilt_point_y=20" \
+        "fibre-xyzac --set fibre.mode=push,fibre.ratio=1.05,fibre.tension_every=50" \
+        "fibre-xyzac --set fibre.cut_to_nozzle=12.5"; do
+        postproc --short drop --machine $with job.toolpath > job.nc 2> said
+        "$report" --machine $with job.nc > table
+        cat table
+        [ "$(grep -c '^tail  ' table)" -eq 1 ]
+    done
+    [ ! -s said ] # 12.5 mm: every line can be laid
+    grep -q '^strokes 11, cuts 11, ' table
+}
+
+@test "robots cut there, too" {
+    local with="fibre.cut_to_nozzle=45,fibre.tool=1,fibre.on=LAY,fibre.off=LAID,fibre.cut=CUT,tools.change=T{tool_no}"
+    for m in kuka-krl abb-rapid ur; do
+        postproc --short drop --machine $m --set "$with" job.toolpath > job.$m
+        FILUM_PROFILES=$FILUM_PROFILES "$report" --machine $m --set "$with" job.$m
+    done
+}
+
+@test "the script finds a cut that comes too late, and a stroke that nothing cuts" {
+    postproc --machine fibre-marlin --set fibre.cut_to_nozzle=30 --short drop job.toolpath > job.nc
+    run "$report" --machine fibre-marlin job.nc
+    [ "$status" -eq 1 ]
+    [[ "$output" == *"the cut comes 30 mm before the end, not 45"* || "$output" == *"the cut comes 30.000 mm"* ]]
+    grep -v '^M42' job.nc > uncut.nc
+    run "$report" --machine fibre-marlin --set fibre.cut_to_nozzle=30 uncut.nc
+    [ "$status" -eq 1 ]
+    [[ "$output" == *"0 cuts"* ]]
+}
+
+@test "a stroke that is too short is an error with its place, or left out and told" {
+    run postproc --machine fibre-xyzac --set fibre.cut_to_nozzle=40 lines.fibre -o lines.ngc
+    [ "$status" -eq 1 ]
+    [ ! -e lines.ngc ]
+    [[ "$output" == "postproc: cannot lay 5 fibre strokes below the 40 mm of fibre.least_path: the shortest, 22.2"*" mm, begins on layer 0 at x "*"leave them out by --short drop" ]]
+    postproc --machine fibre-xyzac --set fibre.cut_to_nozzle=40 --short drop lines.fibre > lines.ngc 2> said
+    grep -q '^postproc: fibre stroke too short to be laid, left out: 5 cases, 152.6[0-9]* mm' said
+    grep -q 'note: postproc: fibre stroke too short to be laid, left out, 5 x, 152.6' lines.ngc
+    "$report" --machine fibre-xyzac --set fibre.cut_to_nozzle=40 lines.ngc | grep -q '^strokes 5, cuts 5'
+}
+
+@test "the job is told tool by tool, in the head and in a table" {
+    postproc --machine fibre-xyzac --set fibre.cut_to_nozzle=12.5 --report job.tsv job.toolpath > job.ngc
+    grep -q '^( tool 0: ' job.ngc
+    grep -q '^( tool 1 \[fibre\]: ' job.ngc
+    grep -q '^( job: ' job.ngc
+    of() { awk -F'\t' -v g="$1" -v n="$2" '$1 == g && $2 == n { print $3 }' job.tsv; }
+    [ "$(of 'tool 1 (fibre)' cuts)" = "$(grep -c '^M64 P0' job.ngc)" ]
+    awk -v a="$(of 'tool 0' laid)" -v b="$(of 'tool 1 (fibre)' laid)" -v c="$(of job laid)" \
+        'BEGIN { exit !(b > 100 && a + b - c < 0.11 && c - a - b < 0.11) }'
+    awk -v m="$(of 'tool 1 (fibre)' material)" -v g="$(of 'tool 1 (fibre)' mass)" \
+        'BEGIN { d = m * 1.4 / 1000 - g; exit !(g > 0 && d < 0.001 && d > -0.001) }'
+}
+
+@test "metrics counts the same from the toolpath alone" {
+    set_to=fibre.cut_to_nozzle=12.5,fibre.feed=8
+    postproc --machine fibre-marlin --set $set_to --report job.tsv job.toolpath > job.gcode
+    metrics --machine fibre-marlin --set $set_to --format tsv job.toolpath > metrics.tsv
+    for name in strokes cuts laid "print time" mass; do
+        for group in "tool 0" "tool 1 (fibre)" job; do
+            awk -F'\t' -v g="$group" -v n="$name" '$1 == g && $2 == n { v[++k] = $3 }
+                END { exit !(k == 2 && v[1] > 0 + (n == "cuts" ? -1 : 0) && (v[1] - v[2]) ^ 2 <= 1e-4 * (v[1] + 0.05) ^ 2) }' \
+                job.tsv metrics.tsv || { echo "$group: $name"; cat job.tsv metrics.tsv; false; }
+        done
+    done
+    # who has no fibre head is told of no cuts, and one tool alone needs no table
+    metrics --format tsv job.toolpath | awk -F'\t' '$1 == "tool 1" && $2 == "cuts" { exit !($3 == 0) }'
+    run metrics core.toolpath
+    [[ "$output" != *"tool 0"* ]]
+    metrics --machine fibre-marlin --set fibre.cut_to_nozzle=40 --format tsv lines.fibre |
+        awk -F'\t' '$1 == "job" && $2 ~ /too short/ { n = $3 } END { exit !(n == 5) }'
+}
+
+@test "a toolpath of two tools needs a machine that has them" {
+    run postproc --machine marlin job.toolpath
+    [ "$status" -eq 3 ]
+    [[ "$output" == *"cannot take tool 1"*"'marlin' has no codes to change tools"* ]]
+    run assemble --tools 0.5 core.toolpath
+    [ "$status" -eq 2 ]
+    run assemble --tools -1 core.toolpath
+    [ "$status" -eq 2 ]
+}
+
+@test "LinuxCNC's own interpreter accepts programs of fibre, in both forms" {
+    command -v rs274 > /dev/null || skip "rs274 is not installed (Debian: linuxcnc-uspace)"
+    mkdir -p subs
+    for m in 428 429; do printf 'o<m%s> sub\no<m%s> endsub\nM2\n' $m $m > subs/m$m.ngc; done
+    cat > axes.ini <<'INI'
+[EMC]
+VERSION = 1.1
+[DISPLAY]
+PROGRAM_PREFIX = .
+[RS274NGC]
+PARAMETER_FILE = p.var
+SUBROUTINE_PATH = ./subs
+REMAP = M428 modalgroup=10 ngc=m428
+REMAP = M429 modalgroup=10 ngc=m429
+[KINS]
+KINEMATICS = trivkins coordinates=XYZABC
+JOINTS = 6
+[TRAJ]
+COORDINATES = XYZABC
+LINEAR_UNITS = mm
+ANGULAR_UNITS = degree
+[EMCIO]
+TOOL_TABLE = t.tbl
+INI
+    printf 'T1 P1 Z0 D0.4\nT2 P2 Z0 D1\n' > t.tbl
+    : > p.var
+    for form in tip joints; do
+        postproc --machine fibre-xyzac --set kinematics.numbers=$form --short drop job.toolpath > job.ngc
+        rs274 -g -i axes.ini -t t.tbl -v p.var job.ngc canon.txt
+        [ "$(grep -c STRAIGHT_FEED canon.txt)" -eq "$(grep -c '^G1 ' job.ngc)" ]
+        [ "$(grep -c 'SELECT_TOOL(2)\|CHANGE_TOOL(2)\|CHANGE_TOOL' canon.txt)" -ge 2 ]
+    done
+}
