@@ -16,8 +16,8 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
-    "travel with the retraction and lift of the machine's profile. Within a stroke there is no move without material "
-    "and nothing is taken back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
+    "travel with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken "
+    "back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
     "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
     "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
@@ -48,18 +48,16 @@ cli::Spec spec(postproc::Options& o) {
         .options =
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
              cli::Option{"place", &o.place, "",
-                         "where the part goes: center puts the middle of the toolpath on the middle of the "
-                         "bed, as-is keeps its coordinates"}
+                         "where the part goes: center, the middle of the bed; or as-is, where it is"}
                  .one_of({"center", "as-is"}),
              {"orient", &o.orient, "",
               "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
               "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
              {"set", &o.set, "KEY=VALUE,...",
-              "change keys of the profile, as feeds.bead=40; a key without a section is one of [values], as "
-              "nozzle_temp=230"},
+              "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
              cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
                  {"error", "drop"}),
-             cli::Option{"report", &o.report, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
+             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},
@@ -105,8 +103,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     postproc::add_efforts(profile, survey, io.program, notes, facts);
     for (const Note& n : notes) said.add(n);
     said.say();
-    if (!o.report.empty())
-        cli::write_text(o.report, figures::text(postproc::job(profile, survey), figures::Format::tsv));
+    if (!o.job.empty()) cli::write_text(o.job, figures::text(postproc::job(profile, survey), figures::Format::tsv));
 
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });

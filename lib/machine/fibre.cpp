@@ -84,7 +84,7 @@ std::vector<Stretch> stretches(const Fibre& f, double length) {
     // Places by their number, so that no error adds up.
     for (double k = 0, from = anchored; from < cut; ++k) {
         const double to = std::min(anchored + (k + 1) * step, cut);
-        add({from, to, f.feed, f.push ? f.ratio : 0, pauses ? Event::tension : Event::none});
+        add({from, to, f.feed, f.push ? f.ratio : 0, pauses && from > 0 ? Event::tension : Event::none});
         from = to;
     }
     add({cut, length, f.tail_feed, 0, Event::cut});

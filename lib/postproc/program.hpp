@@ -15,7 +15,7 @@ struct Options {
     std::string orient = "as-is";        // see parse_orient
     std::string set;                     // changes to the profile: "feeds.bead=40,nozzle_temp=230"
     std::string short_strokes = "error"; // of fibre: error | drop
-    std::string report;                  // file
+    std::string job;                     // file
 };
 
 // Writes the program of the steps that `survey` was made of, moved by `shift`.

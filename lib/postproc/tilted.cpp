@@ -309,6 +309,7 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
             open = true, layer_ = leg.layer;
         } else if (open) { // a break to unwind
             mark(Act::close, i - 1, i - 1), mark(Act::retract, i, i - 1);
+            retracted_.insert(tool_);
             open = false;
         }
         if (leg.before != Act::extrude) mark(leg.before, i, last);

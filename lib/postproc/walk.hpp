@@ -70,8 +70,8 @@ class Walker {
     void add(const toolpath::Span& span) { add(span, {}); }
     // Likewise; a span of fibre is to be laid as `how` says, and the tool to stand at its end if `halt`.
     void add(const toolpath::Span& span, const machine::Stretch& how, bool halt = false);
-    virtual void end() = 0;                                           // closes the last stroke
-    [[nodiscard]] const Efforts& efforts() const { return efforts_; } // once it has ended
+    virtual void end() = 0;                                                   // closes the last stroke
+    [[nodiscard]] virtual const Efforts& efforts() const { return efforts_; } // once it has ended
 
   protected:
     // How the span that is being added is laid.

@@ -95,6 +95,7 @@ Record record(const toolpath::Span& s) {
                 {"stroke", whole(s.stroke)},
                 {"layer", whole(s.layer)},
                 {"region", whole(s.region)}}};
+    if (s.tool != 0) out.fields.emplace_back("tool", whole(s.tool));
     std::vector<double> x, y, z;
     for (const auto& p : s.points) x.push_back(p.x), y.push_back(p.y), z.push_back(p.z);
     Table table{{"x", std::move(x)}, {"y", std::move(y)}, {"z", std::move(z)}};

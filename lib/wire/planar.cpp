@@ -255,6 +255,7 @@ toolpath::Span span(const RawFrame& frame) {
         bad("span", "a travel has a bead");
     }
     out.normals = normals(m, xy.size());
+    if (m.tool() > 1000) bad("span", "a tool above 1000");
     out.tool = m.tool();
     return out;
 }

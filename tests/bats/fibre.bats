@@ -77,7 +77,7 @@ setup() {
 }
 
 @test "the job is told tool by tool, in the head and in a table" {
-    postproc --machine fibre-xyzac --set fibre.cut_to_nozzle=12.5 --report job.tsv job.toolpath > job.ngc
+    postproc --machine fibre-xyzac --set fibre.cut_to_nozzle=12.5 --job job.tsv job.toolpath > job.ngc
     grep -q '^( tool 0: ' job.ngc
     grep -q '^( tool 1 \[fibre\]: ' job.ngc
     grep -q '^( job: ' job.ngc
@@ -91,7 +91,7 @@ setup() {
 
 @test "metrics counts the same from the toolpath alone" {
     set_to=fibre.cut_to_nozzle=12.5,fibre.feed=8
-    postproc --machine fibre-marlin --set $set_to --report job.tsv job.toolpath > job.gcode
+    postproc --machine fibre-marlin --set $set_to --job job.tsv job.toolpath > job.gcode
     metrics --machine fibre-marlin --set $set_to --format tsv job.toolpath > metrics.tsv
     for name in strokes cuts laid "print time" mass; do
         for group in "tool 0" "tool 1 (fibre)" job; do

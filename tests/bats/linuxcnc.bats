@@ -27,7 +27,7 @@ simulate() {
     cp "$machine"/{machine.ini,sampler.hal,drive.py} "$1"
     cp -r "$subs" "$1/subs"
     cp "$1.ngc" "$1/program.ngc"
-    echo 'T1 P1 Z0 D0.4 ;nozzle' > "$1/tool.tbl"
+    printf 'T1 P1 Z0 D0.4 ;nozzle\nT2 P2 Z0 D1 ;fibre\n' > "$1/tool.tbl"
     local as=()
     if [ "$(id -u)" -eq 0 ]; then
         chmod -R a+rwX .
@@ -40,14 +40,19 @@ simulate() {
 
 teardown() { [ -z "${room:-}" ] || rm -rf "$room"; }
 
-@test "a surface path runs alike as tip numbers and as joints" {
+# A room for the controller's user to work in, whatever TMPDIR is; skips where there is no controller.
+enter_room() {
     command -v linuxcnc > /dev/null || skip "LinuxCNC is not installed (Debian: linuxcnc-uspace)"
     [ -z "${FILUM_SANITIZED:-}" ] || skip "the same programs as without sanitizers"
     subs=$(find /usr/share/doc/linuxcnc -type d -path '*table-rotary-tilting/remap_subs' 2> /dev/null | head -n 1)
     [ -n "$subs" ] || skip "LinuxCNC came without its examples, which hold M428 and M429"
-    room=$(mktemp -d --tmpdir=/tmp) # where its user may go, whatever TMPDIR is
+    room=$(mktemp -d --tmpdir=/tmp)
     cd "$room"
     dome > dome.off
+}
+
+@test "a surface path runs alike as tip numbers and as joints" {
+    enter_room
     geodesic dome.off --source plane:0,1,0,8 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > dome.toolpath
     for form in tip joints; do
         postproc --machine linuxcnc-xyzac --set "kinematics.numbers=$form,tolerance=0.005,extrusion.kind=valve,\
@@ -57,4 +62,18 @@ kinematics.tilt_point_z=10,kinematics.turn_speed_deg=60,kinematics.tilt_speed_de
     done
     "$machine/compare.py" tip/samples.txt joints/samples.txt | tee result
     awk '{ exit !($1 <= 0.02 && $3 <= 0.05) }' result
+}
+
+# The output of the cutter is sampled with the joints: it comes on where the program says, and the machine stands still.
+@test "the fibre is cut where the program says, by a machine that stands still" {
+    enter_room
+    geodesic dome.off --source plane:0,1,0,8 | surfpath --quiet fina --spacing 6 --height 0.1 --least-radius 5 |
+        assemble --tools 1 > dome.toolpath
+    postproc --machine fibre-xyzac --set "kinematics.numbers=joints,tolerance=0.05,extrusion.kind=valve,\
+extrusion.on=M62 P2,extrusion.off=M63 P2,fibre.cut_to_nozzle=8,fibre.anchor=1,fibre.anchor_feed=5,fibre.feed=15,\
+fibre.tail_feed=15,kinematics.tilt_point_y=20,kinematics.tilt_point_z=10,kinematics.turn_speed_deg=60,\
+kinematics.tilt_speed_deg=40" dome.toolpath > joints.ngc
+    simulate joints
+    "$machine/cutter.py" joints.ngc joints/samples.txt | tee result
+    awk '{ exit !($1 <= 0.001 && $2 <= 0.001) }' result
 }

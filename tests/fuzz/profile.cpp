@@ -17,6 +17,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         const auto profile = filum::machine::parse_profile({text + cut, size - cut}, "fuzz.toml", set);
         if (!(profile.bed.x_min < profile.bed.x_max) || !(profile.extrusion.per_mm3() > 0)) std::abort();
+        if (const auto& fibre = profile.fibre; fibre.active()) {
+            const double length = fibre.cut_to_nozzle + 100;
+            const auto parts = filum::machine::stretches(fibre, length);
+            if (parts.empty() || parts.front().from != 0 || parts.back().to != length) std::abort();
+            if (parts.back().before != filum::machine::Event::cut) std::abort();
+        }
     } catch (const filum::Error& e) {
         if (e.exit() != filum::Exit::bad_input && e.exit() != filum::Exit::usage) std::abort();
     }

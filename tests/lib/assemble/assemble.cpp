@@ -32,5 +32,23 @@ TEST(assemble, numbers_strokes_on_and_travels_along_both_axes) {
     EXPECT_EQ(job.add(bead(1, {0, 40, 5}, {0, 50, 5}))[0].stroke, 4U);
 }
 
+TEST(assemble, gives_each_toolpath_its_tool) {
+    Job job({.lift = 4, .tools = {0, 2}});
+    std::vector<std::uint32_t> beads, travels;
+    for (int k = 0; k < 3; ++k) {
+        job.begin();
+        Span span = bead(0, {0, 9.0 * k, 1}, {10, 9.0 * k, 1});
+        span.tool = 7;
+        for (const Span& s : job.add(span)) (s.role == Role::travel ? travels : beads).push_back(s.tool);
+    }
+    EXPECT_EQ(beads, (std::vector<std::uint32_t>{0, 2, 2}));
+    EXPECT_EQ(travels, (std::vector<std::uint32_t>{2, 2})); // each that of the bead behind it
+    Job own({.lift = 4});
+    own.begin();
+    Span span = bead(0, {0, 0, 1}, {10, 0, 1});
+    span.tool = 7;
+    EXPECT_EQ(own.add(span)[0].tool, 7U);
+}
+
 } // namespace
 } // namespace filum::assemble

@@ -116,6 +116,9 @@ TEST(Stretches, a_cut_may_come_within_the_anchor_or_at_once) {
     ASSERT_EQ(s.size(), 1U);
     EXPECT_EQ(s[0].before, Event::cut);
     EXPECT_EQ(s[0].from, 0);
+    Fibre f = head();
+    f.anchor = 0; // nothing to wait for before anything is laid
+    EXPECT_EQ(stretches(f, 100)[0].before, Event::none);
 }
 
 } // namespace

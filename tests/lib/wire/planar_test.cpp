@@ -52,7 +52,8 @@ toolpath::Span good_span() {
             {{0, 0, 0.2}, {1, 0, 0.3}, {1, 1, 0.4}},
             {0.4, 0.4, 0.5},
             {0.2},
-            {{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}}};
+            {{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}},
+            5};
 }
 
 TEST(planar, everything_comes_out_as_it_went_in) {
@@ -78,6 +79,7 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_EQ(s.width, good_span().width);
     EXPECT_EQ(s.role, toolpath::Role::jog);
     EXPECT_EQ(s.normals, good_span().normals);
+    EXPECT_EQ(s.tool, 5U);
 }
 
 TEST(planar, an_empty_layer_is_allowed) {
@@ -140,11 +142,12 @@ TEST(planar, broken_paths_are_refused) {
 TEST(planar, broken_spans_are_refused) {
     using M = proto::Span;
     refuse<M>(Tag::span, good_span(), span,
-              {[](M& m) { m.set_role(static_cast<proto::Role>(9)); }, [](M& m) { m.set_role(proto::TRAVEL); },
-               [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); }, [](M& m) { m.clear_z(); },
-               [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); }, [](M& m) { m.set_height(0, 0); },
-               [](M& m) { m.clear_x(), m.clear_y(); }, [](M& m) { m.set_nz(0, 0.9); }, [](M& m) { m.add_nx(1); },
-               [](M& m) { m.set_ny(1, kNan); }, [](M& m) { m.clear_nx(), m.clear_ny(), m.clear_nz(), m.add_nx(1); }});
+              {[](M& m) { m.set_role(static_cast<proto::Role>(9)); }, [](M& m) { m.set_tool(1001); },
+               [](M& m) { m.set_role(proto::TRAVEL); }, [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); },
+               [](M& m) { m.clear_z(); }, [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); },
+               [](M& m) { m.set_height(0, 0); }, [](M& m) { m.clear_x(), m.clear_y(); }, [](M& m) { m.set_nz(0, 0.9); },
+               [](M& m) { m.add_nx(1); }, [](M& m) { m.set_ny(1, kNan); },
+               [](M& m) { m.clear_nx(), m.clear_ny(), m.clear_nz(), m.add_nx(1); }});
 }
 
 TEST(planar, a_frame_of_another_kind_is_refused) {
