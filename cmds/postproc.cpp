@@ -16,8 +16,8 @@ using namespace filum;
 
 constexpr const char* kDescription =
     "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
-    "travel with the retraction and lift of the machine's profile. Within a stroke there is no move without material "
-    "and nothing is taken back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
+    "travel with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken "
+    "back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
     "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
     "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
@@ -25,12 +25,12 @@ constexpr const char* kDescription =
     "given by its path. Copy the nearest one and edit it; each key is explained there. Known are marlin, klipper, "
     "reprapfirmware, linuxcnc (filament), cellink-inkredible and bio-x (valves), syringe. A bead above limits.section "
     "or a place off the bed is an error; feeds are lowered to keep limits.flow and motion.max_speed_z.\n\n"
-    "A profile with a section [kinematics] has two rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, open5x-duet, "
-    "klipper-xyzac): the tool follows the normals that the toolpath carries, else it is upright. The numbers "
-    "are the tip in the part's frame where the controller works out the axes, else where the axes stand, cut so fine "
-    "that the tip keeps to its line; the head of the program says which. Of both ways to stand the one is taken whose "
-    "axes travel least over the stroke; near upright the tool may lean a little, so that the turn axis does not spin. "
-    "kuka-krl, abb-rapid and ur write the tool frames of robots. What axes cannot reach is an error with the place.\n\n"
+    "A profile with a section [kinematics] has rotary axes (linuxcnc-xyzac, linuxcnc-xyzbc, linuxcnc-head-table, "
+    "linuxcnc-head-head, polar-xzbc, open5x-duet, klipper-xyzac): the tool follows the toolpath's normals. The numbers "
+    "are the tip in the part's frame, or where the axes stand, cut so fine that the tip keeps to its line; the "
+    "program's head says which. The axes travel the least over a stroke that keeps their limits; where none goes on, "
+    "it is broken and they unwind in the air, which a note and the fact 'unwinds' tell. Near upright the tool may lean "
+    "a little. kuka-krl, abb-rapid and ur write tool frames. What axes cannot reach is an error with the place.\n\n"
     "A profile with a section [fibre] (fibre-marlin, fibre-xyzac) lays continuous fibre by one of the tools that "
     "'assemble --tools' gave: a stroke is anchored slowly, then pulled or fed, and cut as far before its end as the "
     "cutter is from the nozzle; a stroke too short for that is an error with its place, or left out (--short).\n\n"
@@ -48,12 +48,13 @@ cli::Spec spec(postproc::Options& o) {
         .options =
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
              cli::Option{"place", &o.place, "",
-                         "where the part goes: center puts the middle of the toolpath on the middle of the "
-                         "bed, as-is keeps its coordinates"}
+                         "where the part goes: center, the middle of the bed; or as-is, where it is"}
                  .one_of({"center", "as-is"}),
+             {"orient", &o.orient, "",
+              "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
+              "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
              {"set", &o.set, "KEY=VALUE,...",
-              "change keys of the profile, as feeds.bead=40; a key without a section is one of [values], as "
-              "nozzle_temp=230"},
+              "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
              cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
                  {"error", "drop"}),
              cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
@@ -61,9 +62,7 @@ cli::Spec spec(postproc::Options& o) {
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},
              {"slice part.stl | regions | sequence | fill | link3d | postproc --set feeds.bead=80 -o part.gcode",
-              "the same, faster"},
-             {"slice part.stl | regions | sequence | fill | link3d | postproc --machine linuxcnc -o part.ngc",
-              "for LinuxCNC"}},
+              "the same, faster"}},
         .see_also = {"link3d", "metrics", "sequence"}};
 }
 
@@ -87,7 +86,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    postproc::Measure measure(profile, o.place == "center" ? postproc::Place::center : postproc::Place::as_is);
+    postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient));
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
         if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
@@ -100,7 +99,9 @@ void run(const postproc::Options& o, const cli::Io& io) {
         while (const auto frame = spool.next()) measure.add(wire::span(*frame));
     const auto survey = measure.end();
     cli::Report said(io);
-    for (const Note& n : postproc::omissions(survey, io.program)) said.add(n), notes.push_back(n);
+    for (const Note& n : postproc::omissions(survey, io.program)) notes.push_back(n);
+    postproc::add_efforts(profile, survey, io.program, notes, facts);
+    for (const Note& n : notes) said.add(n);
     said.say();
     if (!o.job.empty()) cli::write_text(o.job, figures::text(postproc::job(profile, survey), figures::Format::tsv));
 
@@ -108,7 +109,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
     program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
     const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
-    while (const auto frame = spool.next()) written->add(wire::span(*frame));
+    while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
     written->end();
     program->end();
     sink.commit();

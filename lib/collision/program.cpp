@@ -60,8 +60,7 @@ class Reader {
     Reader(const std::string& name, const machine::Profile& profile, const ProgramOptions& options)
         : name_(name), p_(profile), o_(options), growth_(profile.head.flat_radius), width_(options.width),
           height_(options.height) {
-        at_.fill(std::numeric_limits<double>::quiet_NaN());
-        at_[3] = at_[4] = 0;
+        lose_place();
         tip_ = !p_.axes.active() || (p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty());
     }
 
@@ -71,6 +70,12 @@ class Reader {
         remark(trimmed(line.comment));
         if (line.code.empty() || line.code == "%") return;
         if (!special(line.code)) words(line.code);
+    }
+
+    // Nobody knows where X, Y and Z are, but that a polar machine has no Y.
+    void lose_place() {
+        at_[0] = at_[1] = at_[2] = std::numeric_limits<double>::quiet_NaN();
+        if (p_.axes.chain.carrier == kinematics::Carrier::polar) at_[1] = p_.axes.chain.turn_point.y;
     }
 
     Program finish() {
@@ -195,7 +200,7 @@ class Reader {
         }
         if (other == Other::offset && moves) fail("moves the zero of an axis with G92");
         if (other == Other::offset && extruder) extruder_ = *extruder;
-        if (other == Other::home) at_[0] = at_[1] = at_[2] = std::numeric_limits<double>::quiet_NaN();
+        if (other == Other::home) lose_place();
         if (moves && (other == Other::none || says_so)) return go(to, extruder);
         if (other == Other::none && extruder) pushed(*extruder);
         ++out_.ignored;

@@ -20,7 +20,8 @@ Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
 Vec3 turned_by_turn(const Chain& c, const Vec3& v, double turn) { return turned(v, kUp, c.turn_sign * turn); }
 Vec3 turned_by_tilt(const Chain& c, const Vec3& v, double tilt) { return turned(v, c.tilt_axis, tilt); }
 
-bool tilts_tool(const Chain& c) { return c.carrier == Carrier::head_table || c.carrier == Carrier::head_head; }
+bool turning_table_only(const Chain& c) { return c.carrier == Carrier::head_table || c.carrier == Carrier::polar; }
+bool tilts_tool(const Chain& c) { return turning_table_only(c) || c.carrier == Carrier::head_head; }
 
 // What is along v of the tool at rest, in the frame that the turn axis turns, at a tilt of the tool or the part.
 Vec3 before_turn(const Chain& c, const Vec3& v, double tilt) {
@@ -39,12 +40,12 @@ double wrapped(double a) {
 Vec3 carried(const Chain& c, const Vec3& p, double tilt, double turn) {
     if (c.carrier == Carrier::head_head || !rotary(c)) return p;
     const Vec3 q = c.turn_point + turned_by_turn(c, p - c.turn_point, turn);
-    return c.carrier == Carrier::head_table ? q : c.tilt_point + turned_by_tilt(c, q - c.tilt_point, tilt);
+    return turning_table_only(c) ? q : c.tilt_point + turned_by_tilt(c, q - c.tilt_point, tilt);
 }
 
 Vec3 carried_back(const Chain& c, const Vec3& r, double tilt, double turn) {
     if (c.carrier == Carrier::head_head || !rotary(c)) return r;
-    const Vec3 q = c.carrier == Carrier::head_table ? r : c.tilt_point + turned_by_tilt(c, r - c.tilt_point, -tilt);
+    const Vec3 q = turning_table_only(c) ? r : c.tilt_point + turned_by_tilt(c, r - c.tilt_point, -tilt);
     return c.turn_point + turned_by_turn(c, q - c.turn_point, -turn);
 }
 
@@ -52,16 +53,30 @@ Vec3 carried_back(const Chain& c, const Vec3& r, double tilt, double turn) {
 Vec3 swing(const Chain& c, double tilt, double turn) {
     if (!tilts_tool(c)) return {};
     const Vec3 tilted = turned_by_tilt(c, c.tip_to_tilt, tilt);
-    if (c.carrier == Carrier::head_table) return c.tip_to_tilt - tilted;
+    if (turning_table_only(c)) return c.tip_to_tilt - tilted;
     return c.tip_to_tilt + c.tilt_to_turn - turned_by_turn(c, tilted + c.tilt_to_turn, turn);
+}
+
+std::array<Angles, 2> polar(const Chain& c, const Pose& pose) {
+    const geom::Vec2 d = pose.tip.xy() - c.turn_point.xy();
+    const double heading = norm(d) > 0 ? std::atan2(d.y, d.x) : 0;
+    std::array<Angles, 2> out;
+    for (std::size_t k = 0; k < 2; ++k) {
+        out[k].turn = wrapped(c.turn_sign * ((k == 0 ? 0 : std::numbers::pi) - heading));
+        out[k].tilt = best_tilt(c, pose.axis, out[k].turn);
+    }
+    return out;
 }
 
 } // namespace
 
 Pose forward(const Chain& c, const Joints& j) {
     if (!rotary(c)) return {j.xyz, kUp};
-    const Vec3 axis = turned_by_turn(c, before_turn(c, kUp, j.tilt), turn_to_part(c) * j.turn);
-    return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), axis};
+    return {carried_back(c, j.xyz + swing(c, j.tilt, j.turn), j.tilt, j.turn), tool_axis(c, j.tilt, j.turn)};
+}
+
+Vec3 tool_axis(const Chain& c, double tilt, double turn) {
+    return rotary(c) ? turned_by_turn(c, before_turn(c, kUp, tilt), turn_to_part(c) * turn) : kUp;
 }
 
 Vec3 tool_side(const Chain& c, const Joints& j) {
@@ -75,27 +90,48 @@ Joints place(const Chain& c, const Vec3& tip, double tilt, double turn) {
     return {carried(c, tip, tilt, turn) - swing(c, tilt, turn), tilt, turn};
 }
 
-std::array<Joints, 2> inverse(const Chain& c, const Pose& pose) {
-    if (!rotary(c)) return {Joints{pose.tip, 0, 0}, Joints{pose.tip, 0, 0}};
+std::array<Angles, 2> angles(const Chain& c, const Pose& pose) {
+    if (!rotary(c)) return {};
+    if (c.carrier == Carrier::polar) return polar(c, pose);
     // Tilting brings the upright axis towards -v: so the level part of the axis must come to lie along v or -v.
     const Vec3 v = cross(kUp, c.tilt_axis);
     const double level = std::hypot(pose.axis.x, pose.axis.y);
     const double heading = level > 0 ? std::atan2(pose.axis.y, pose.axis.x) : std::atan2(-v.y, -v.x);
-    std::array<Joints, 2> out;
+    std::array<Angles, 2> out;
     for (int k = 0; k < 2; ++k) {
         const double side = k == 0 ? -1 : 1; // along -v first: tools tilt by positive angles there
         const double to = std::atan2(side * v.y, side * v.x);
-        const double turn = wrapped(c.turn_sign * -turn_to_part(c) * (to - heading));
-        const double tilt = std::atan2(-side * level, pose.axis.z) * (tilts_tool(c) ? 1 : -1);
-        out[static_cast<std::size_t>(k)] = place(c, pose.tip, tilt, turn);
+        out[static_cast<std::size_t>(k)] = {std::atan2(-side * level, pose.axis.z) * (tilts_tool(c) ? 1 : -1),
+                                            wrapped(c.turn_sign * -turn_to_part(c) * (to - heading))};
     }
     return out;
+}
+
+std::array<Joints, 2> inverse(const Chain& c, const Pose& pose) {
+    const auto both = angles(c, pose);
+    return {place(c, pose.tip, both[0].tilt, both[0].turn), place(c, pose.tip, both[1].tilt, both[1].turn)};
 }
 
 double best_tilt(const Chain& c, const Vec3& axis, double turn) {
     const Vec3 before = turned_by_turn(c, axis, -turn_to_part(c) * turn);
     const Vec3 v = cross(kUp, c.tilt_axis);
     return std::atan2(-dot(before, v), before.z) * (tilts_tool(c) ? 1 : -1);
+}
+
+Joints between(const Chain& c, const Vec3& from_tip, const Joints& from, const Vec3& to_tip, const Joints& to,
+               double f) {
+    const Vec3 tip = from_tip + f * (to_tip - from_tip);
+    const double tilt = from.tilt + f * (to.tilt - from.tilt), turn = from.turn + f * (to.turn - from.turn);
+    const auto off_axis = [&](const Vec3& p) { return distance(p.xy(), c.turn_point.xy()) >= kOnAxis; };
+    if (c.carrier != Carrier::polar || !off_axis(tip)) return place(c, tip, tilt, turn);
+    // The way to stand is that of an end off the axis, the whole turns those of the straight way.
+    const bool begins = off_axis(from_tip);
+    const auto way = [&](const Vec3& p, double turn_there) {
+        return std::lround((turn_there - polar(c, {p, kUp})[0].turn) / std::numbers::pi) % 2 != 0;
+    };
+    const bool second = begins ? way(from_tip, from.turn) : way(to_tip, to.turn);
+    const double under = polar(c, {tip, kUp})[second ? 1 : 0].turn;
+    return place(c, tip, tilt, under + 2 * std::numbers::pi * std::round((turn - under) / (2 * std::numbers::pi)));
 }
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }

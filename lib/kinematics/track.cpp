@@ -8,55 +8,17 @@ namespace filum::kinematics {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kUpright = 1e-9; // rad: tilts below have no heading at all
-
 // `angle` plus the whole turns that bring it next to `to`.
-double beside(double angle, double to) { return angle + kTurn * std::round((to - angle) / kTurn); }
-
-struct Way {
-    double cost = 0, turn = 0, tilt = 0;
-    int from = 0; // way of the pose before
-};
-
-// The least travel of both rotary axes over all poses with a heading; others repeat their predecessor's.
-std::vector<std::array<Way, 2>> programme(const Chain& c, std::span<const Pose> poses, const Joints& before) {
-    std::vector<std::array<Way, 2>> all(poses.size());
-    std::array<Way, 2> last{Way{0, before.turn, before.tilt, 0}, Way{0, before.turn, before.tilt, 1}};
-    bool begun = false;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        const bool heading = std::hypot(poses[i].axis.x, poses[i].axis.y) > kUpright;
-        const auto ways = inverse(c, poses[i]);
-        for (int k = 0; k < 2; ++k) {
-            Way best{std::numeric_limits<double>::infinity(), 0, 0, 0};
-            for (int from = 0; from < 2; ++from) {
-                const Way& w = last[static_cast<std::size_t>(from)];
-                const Joints& j = ways[static_cast<std::size_t>(k)];
-                const double turn = heading ? beside(j.turn, w.turn) : w.turn, tilt = heading ? j.tilt : 0;
-                if (!heading && begun && from != k) continue;
-                const double cost = w.cost + std::abs(turn - w.turn) + std::abs(tilt - w.tilt);
-                if (cost < best.cost) best = {cost, turn, tilt, from};
-            }
-            all[i][static_cast<std::size_t>(k)] = best;
-        }
-        last = all[i];
-        begun = begun || heading;
-    }
-    return all;
+double near(double angle, double to) {
+    return angle + 2 * std::numbers::pi * std::round((to - angle) / (2 * std::numbers::pi));
 }
 
-std::vector<double> turns(const std::vector<std::array<Way, 2>>& all) {
-    std::vector<double> out(all.size());
-    auto k = static_cast<std::size_t>(all.back()[1].cost < all.back()[0].cost ? 1 : 0);
-    for (std::size_t i = all.size(); i-- > 0;) {
-        out[i] = all[i][k].turn;
-        k = static_cast<std::size_t>(all[i][k].from);
-    }
-    return out;
-}
+constexpr double kEdge = 1e-8; // rad beyond limits: what route() allows, and a little
+constexpr double kTaut = 0.95; // share of the tolerance that is used at poses; the rest is for between them
 
 // How far the turn may be off at a pose, rad.
-double play(const Pose& p, double tolerance) {
+double play(const Pose& p, double allowed) {
+    const double tolerance = kTaut * allowed;
     const double tilt = angle(p.axis, {0, 0, 1});
     if (!(tolerance > 0)) return 0;
     if (tilt <= tolerance) return std::numeric_limits<double>::infinity();
@@ -103,7 +65,8 @@ std::vector<double> taut(std::span<const double> at, std::span<const double> low
     return out;
 }
 
-void loosen(std::span<const Pose> poses, double tolerance, double before, std::vector<double>& turn) {
+void loosen(std::span<const Pose> poses, double tolerance, double before, const Limits& limits,
+            std::span<double> turn) {
     const std::size_t n = poses.size();
     std::vector<double> at(n, 0), low(n), high(n);
     bool any = false;
@@ -111,40 +74,70 @@ void loosen(std::span<const Pose> poses, double tolerance, double before, std::v
         if (i > 0) at[i] = at[i - 1] + std::max(geom::distance(poses[i - 1].tip, poses[i].tip), 1e-9);
         const double p = play(poses[i], tolerance);
         any = any || p > 0;
-        low[i] = turn[i] - p, high[i] = turn[i] + p;
+        low[i] = std::min(std::max(turn[i] - p, limits.turn_min), turn[i]);
+        high[i] = std::max(std::min(turn[i] + p, limits.turn_max), turn[i]);
     }
-    if (any) turn = taut(at, low, high, before);
+    if (any) std::ranges::copy(taut(at, low, high, before), turn.begin());
 }
 
-// Whole turns that bring the track into its limits, if any do.
-double unwound(const std::vector<double>& turn, const Limits& limits) {
-    const auto [lo, hi] = std::minmax_element(turn.begin(), turn.end());
-    if (*lo < limits.turn_min) return kTurn * std::ceil((limits.turn_min - *lo) / kTurn);
-    if (*hi > limits.turn_max) return -kTurn * std::ceil((*hi - limits.turn_max) / kTurn);
-    return 0;
+// Over the axis of a polar machine the tip stays while the turn axis goes on to where the way leads from there.
+void spin_on_axis(std::span<const Pose> poses, const Chain& c, std::span<double> turn) {
+    for (std::size_t i = turn.size() - 1; i-- > 1;)
+        if (distance(poses[i].tip, poses[i - 1].tip) == 0 && distance(poses[i].tip.xy(), c.turn_point.xy()) < kOnAxis)
+            turn[i] = turn[i + 1];
+}
+
+// A tilt that its limits allow.
+double clipped(double tilt, double tolerance, const Limits& l) {
+    if (tilt < l.tilt_min && tilt >= l.tilt_min - tolerance - kEdge) return l.tilt_min;
+    if (tilt > l.tilt_max && tilt <= l.tilt_max + tolerance + kEdge) return l.tilt_max;
+    return tilt;
 }
 
 } // namespace
 
 Track track(const Chain& chain, std::span<const Pose> poses, const Joints& before, double tolerance,
-            const Limits& limits) {
+            const Limits& limits, std::span<const Lifting> lifting) {
     Track out;
     if (poses.empty()) return out;
-    auto turn = turns(programme(chain, poses, before));
-    loosen(poses, tolerance, before.turn, turn);
-    const double shift = unwound(turn, limits);
-    out.stuck = poses.size();
-    out.joints.reserve(poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        const double t = turn[i] + shift, tilt = best_tilt(chain, poses[i].axis, t);
-        out.joints.push_back(place(chain, poses[i].tip, tilt, t));
-        const double off = angle(forward(chain, out.joints.back()).axis, poses[i].axis);
-        if (off > out.off) out.off = off, out.off_at = i;
-        const bool turned_out = t < limits.turn_min || t > limits.turn_max;
-        if (out.stuck == poses.size() && (turned_out || tilt < limits.tilt_min || tilt > limits.tilt_max)) {
-            out.stuck = i;
-            out.why = turned_out ? "the turn axis would leave its limits" : "the tilt axis would leave its limits";
+    const Route way = route(chain, poses, before, tolerance, limits, lifting);
+    out.stuck = way.stuck;
+    if (way.stuck < poses.size()) {
+        const auto both = inverse(chain, poses[way.stuck]);
+        const auto tilts = [&](const Joints& j) {
+            return j.tilt >= limits.tilt_min - tolerance && j.tilt <= limits.tilt_max + tolerance;
+        };
+        out.why = tilts(both[0]) || tilts(both[1]) ? "the turn axis would leave its limits"
+                                                   : "the tilt axis would leave its limits";
+        return out;
+    }
+    std::vector<double> turn;
+    for (std::size_t i = 0; i < way.stops.size();) {
+        const std::size_t first = way.stops[i].pose;
+        turn.assign(1, way.stops[i].turn);
+        for (++i; i < way.stops.size() && !way.stops[i].lifted; ++i) turn.push_back(way.stops[i].turn);
+        const auto part = poses.subspan(first, turn.size());
+        if (chain.carrier == Carrier::polar)
+            spin_on_axis(part, chain, turn);
+        else
+            loosen(part, tolerance, first == 0 ? near(before.turn, turn[0]) : turn[0], limits, turn);
+        Piece piece{first, {}};
+        piece.joints.reserve(turn.size());
+        for (std::size_t k = 0; k < turn.size(); ++k) {
+            const double wanted = best_tilt(chain, part[k].axis, turn[k]), tilt = clipped(wanted, tolerance, limits);
+            piece.joints.push_back(place(chain, part[k].tip, tilt, turn[k]));
+            const double off = angle(tool_axis(chain, tilt, turn[k]), part[k].axis);
+            if (off > out.off) out.off = off, out.off_at = first + k;
+            if (std::abs(wanted - tilt) > out.clipped)
+                out.clipped = std::abs(wanted - tilt), out.clipped_at = first + k;
+            const bool turned_out = turn[k] < limits.turn_min - kEdge || turn[k] > limits.turn_max + kEdge;
+            if (out.stuck == poses.size() &&
+                (turned_out || tilt < limits.tilt_min - kEdge || tilt > limits.tilt_max + kEdge)) {
+                out.stuck = first + k;
+                out.why = turned_out ? "the turn axis would leave its limits" : "the tilt axis would leave its limits";
+            }
         }
+        out.pieces.push_back(std::move(piece));
     }
     return out;
 }

@@ -83,15 +83,20 @@ void program(Document& doc, MultiAxis& m) {
 
 void read_multi_axis(Document& doc, MultiAxis& m) {
     std::string carrier = "none";
-    doc.choice("kinematics.carrier", carrier, {"none", "table-table", "head-table", "head-head", "frame"});
+    doc.choice("kinematics.carrier", carrier, {"none", "table-table", "head-table", "head-head", "polar", "frame"});
     m.chain.carrier = carrier == "table-table"  ? Carrier::table_table
                       : carrier == "head-table" ? Carrier::head_table
                       : carrier == "head-head"  ? Carrier::head_head
+                      : carrier == "polar"      ? Carrier::polar
                       : carrier == "frame"      ? Carrier::frame
                                                 : Carrier::none;
     letters(doc, m);
     speeds(doc, m);
     program(doc, m);
+    if (m.chain.carrier == Carrier::polar && m.chain.tilt_axis.x != 0)
+        doc.fail("kinematics.tilt_about", "a polar machine tilts about y or -y, across its radius");
+    if (m.chain.carrier == Carrier::polar && m.numbers == Numbers::tip)
+        doc.fail("kinematics.numbers", "a polar machine's numbers are its joints");
     point(doc, "kinematics.tilt_point", m.chain.tilt_point);
     point(doc, "kinematics.turn_point", m.chain.turn_point);
     point(doc, "kinematics.tip_to_tilt", m.chain.tip_to_tilt);

@@ -200,6 +200,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_travel(doc, p.travel);
     if (p.extrusion.feeding == Feeding::valve) p.travel.retract = p.travel.extra = 0; // it has nothing to take back
     read_multi_axis(doc, p.axes);
+    p.axes.limits.radius_min = p.bed.x_min;
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");
     read_tools(doc, p.tools);

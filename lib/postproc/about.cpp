@@ -5,6 +5,7 @@
 #include "postproc/job.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace filum::postproc {
 
@@ -41,26 +42,58 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
     }
 }
 
+// Where the axes pass, which the numbers of joints depend on.
+std::string pivots(const kinematics::Chain& c) {
+    using kinematics::Carrier;
+    const auto text = [](const Vec3& p) {
+        return fixed_text(p.x, 3) + ", " + fixed_text(p.y, 3) + ", " + fixed_text(p.z, 3);
+    };
+    std::string out = " at rest [mm]:";
+    if (c.carrier != Carrier::head_head) out += " turn axis through " + text(c.turn_point) + ";";
+    if (c.carrier == Carrier::table_table) out += " tilt axis through " + text(c.tilt_point);
+    if (c.carrier != Carrier::table_table) out += " tilt axis off the tip by " + text(c.tip_to_tilt);
+    if (c.carrier == Carrier::head_head) out += "; turn axis off the tilt axis by " + text(c.tilt_to_turn);
+    return out;
+}
+
+// How a robot's language says a frame.
+std::string frames(machine::Dialect dialect) {
+    switch (dialect) {
+    case machine::Dialect::krl:
+        return "X Y Z mm in the BASE, A B C degrees about z, the new y, the new x";
+    case machine::Dialect::rapid:
+        return "mm in the work object, unit quaternion from its real part on";
+    case machine::Dialect::urscript:
+        return "m in the robot's base, rotation vector in rad";
+    case machine::Dialect::gcode:
+        break;
+    }
+    return "";
+}
+
 // Which frame the numbers are in: the same words mean other places on other machines.
 std::vector<std::string> axes(const machine::Profile& profile) {
     const auto& a = profile.axes;
     if (!a.active()) return {};
     if (a.chain.carrier == kinematics::Carrier::frame)
-        return {" numbers: tool frames in the part's frame, z out of the nozzle; the robot works out its axes"};
+        return {" axes: those of a robot, which works them out",
+                " numbers: tool frames in the part's frame, z out of the nozzle; " + frames(profile.format.dialect)};
     const char* carriers[] = {"", "turn axis on tilt axis, both under the part", "tilting head, turning table",
-                              "tilting head on a turning one"};
+                              "tilting head on a turning one", "tilting head, turning table, X the radius"};
     const auto& u = a.chain.tilt_axis;
-    std::string chain = std::string(" axes: X Y Z ") + a.tilt_letter + " (tilt, about " + (u.x + u.y < 0 ? "-" : "") +
-                        (u.x != 0 ? "x" : "y") + ") " + a.turn_letter + " (turn, about " +
-                        (a.chain.turn_sign < 0 ? "-z): " : "z): ") +
+    std::string chain = std::string(a.chain.carrier == kinematics::Carrier::polar ? " axes: X Z " : " axes: X Y Z ") +
+                        a.tilt_letter + " (tilt, about " + (u.x + u.y < 0 ? "-" : "") + (u.x != 0 ? "x" : "y") + ") " +
+                        a.turn_letter + " (turn, about " + (a.chain.turn_sign < 0 ? "-z): " : "z): ") +
                         carriers[static_cast<std::size_t>(a.chain.carrier)];
     std::string numbers = a.numbers == machine::Numbers::tip
                               ? " numbers: X Y Z is the tip in the part's frame; the controller works out the axes"
+                          : a.chain.carrier == kinematics::Carrier::polar
+                              ? " numbers: X Z is where the axes stand, X from the turn axis; Y does not exist"
                               : " numbers: X Y Z is where the axes stand; the controller must not correct for tilt";
     std::string feed = a.feed_word == machine::FeedWord::inverse   ? "1 / minutes of the move"
                        : a.feed_word == machine::FeedWord::seconds ? "seconds of the move"
                                                                    : "mm/min of X Y Z, degrees/min without";
-    return {chain, numbers, " feed: F is " + feed};
+    return {chain, pivots(a.chain), numbers, " feed: F is " + feed};
 }
 
 void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
@@ -87,11 +120,35 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 
 } // namespace
 
+void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
+                 Facts& facts) {
+    const auto& a = profile.axes;
+    if (!a.active() || a.chain.carrier == kinematics::Carrier::frame) return;
+    const Efforts& e = survey.efforts;
+    const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
+    facts.push_back({stage, "unwinds", static_cast<double>(e.unwinds), ""});
+    facts.push_back({stage, "largest-lean", degrees(e.lean), "deg"});
+    if (e.unwinds > 0)
+        notes.push_back({stage, "stroke broken to unwind the axes", static_cast<double>(e.unwinds), "breaks", e.unwinds,
+                         static_cast<std::int64_t>(e.unwind_layer), e.unwind.x, e.unwind.y});
+    if (e.unwinds_in_turns > 0)
+        notes.push_back(
+            {stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks", e.unwinds_in_turns});
+    constexpr double told = 0.01; // degrees
+    if (degrees(e.clipped) > told)
+        notes.push_back({stage, "tool leans to keep the limits of the tilt axis", degrees(e.clipped), "deg", 1, -1,
+                         e.clipped_at.x, e.clipped_at.y});
+    if (a.chain.carrier == kinematics::Carrier::polar && degrees(e.lean) > told)
+        notes.push_back({stage, "tool leans sideways, which this machine cannot follow", degrees(e.lean), "deg", 1, -1,
+                         e.lean_at.x, e.lean_at.y});
+}
+
 std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
                                const Notes& notes, const Facts& facts) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
+    if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
     pipeline(stages, lines);
     remarks(notes, lines);
     for (const Fact& f : facts) {

@@ -17,6 +17,10 @@ struct Stage {
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
+// What the axes cost the path, as notes and facts of `stage`: added where there is any.
+void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
+                 Facts& facts);
+
 // The lines, without comment marks.  `notes` (of all stages) are summed by stage and phrase, in the order they came;
 // `facts` stand as they are.
 std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,

@@ -17,6 +17,7 @@ class FibreWalk final : public Walker {
   public:
     FibreWalk(const machine::Profile& profile, std::unique_ptr<Walker> inner, Steps out);
     void end() override;
+    [[nodiscard]] const Efforts& efforts() const override { return inner_->efforts(); }
 
   private:
     void travel(const toolpath::Span& span) override;

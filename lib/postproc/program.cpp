@@ -41,8 +41,9 @@ const char* type_name(Role role) {
 
 Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out)
     : Writer(profile, placeholders(survey, profile, shift), std::move(out)), shift_(shift),
-      xyz_scale_(power_of_ten(profile.format.xyz_decimals)), e_scale_(power_of_ten(profile.format.e_decimals)),
-      f_scale_(power_of_ten(profile.format.f_decimals)) {
+      xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
+      degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
+      e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)) {
     at_.fill(kUnknown);
 }
 
@@ -137,7 +138,7 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
     text_ += code;
     const char letters[] = {'X', 'Y', 'Z', profile_->axes.tilt_letter, profile_->axes.turn_letter};
     for (std::size_t k = 0; k < to.size(); ++k) {
-        if (to[k] == at_[k]) continue;
+        if (to[k] == at_[k] || (k == 1 && profile_->axes.chain.carrier == kinematics::Carrier::polar)) continue;
         text_ += ' ';
         text_ += letters[k];
         append_units(text_, to[k], k < 3 ? profile_->format.xyz_decimals : profile_->axes.angle_decimals);
@@ -199,10 +200,10 @@ void Program::extruder_only(std::int64_t units, double speed) {
 void Program::move(const Step& step) {
     const auto units = [](double v, double scale) { return static_cast<std::int64_t>(std::nearbyint(v * scale)); };
     const bool rotary = profile_->axes.active();
-    const double degrees = 180 / std::numbers::pi * power_of_ten(profile_->axes.angle_decimals);
     std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
                                    units(step.to.z, xyz_scale_), at_[3], at_[4]};
-    if (rotary) to[3] = units(step.tilt, degrees), to[4] = units(step.turn, degrees);
+    if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
+    if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
     const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
     if (step.act == Act::climb) {

@@ -12,6 +12,7 @@ namespace filum::postproc {
 struct Options {
     std::string machine = "marlin";      // profile: name or file
     std::string place = "center";        // center | as-is
+    std::string orient = "as-is";        // see parse_orient
     std::string set;                     // changes to the profile: "feeds.bead=40,nozzle_temp=230"
     std::string short_strokes = "error"; // of fibre: error | drop
     std::string job;                     // file
@@ -47,7 +48,7 @@ class Program final : public Writer {
     void reset_extruder();
 
     Vec2 shift_;
-    double xyz_scale_, e_scale_, f_scale_;
+    double xyz_scale_, degrees_scale_, e_scale_, f_scale_;
     std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
     std::int64_t f_ = -1;            // likewise
     double tilt_ = 0, turn_ = 0;     // rad, of the step before

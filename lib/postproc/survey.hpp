@@ -45,6 +45,8 @@ struct Survey {
     double seconds = 0;
     std::uint64_t moves = 0, strokes = 0;
     std::uint32_t layers = 0;                        // highest index + 1
+    Efforts efforts;                                 // of rotary axes
+    std::string placed;                              // how the numbers' frame lies to the toolpath's; may be empty
     std::array<double, toolpath::kRoles> role_len{}; // mm, by Role
     std::map<std::uint32_t, ToolTotals> tools;
     Omitted omitted;
@@ -80,6 +82,8 @@ enum class Place : std::uint8_t {
     center, // the middle of the visited box goes to the middle of the bed
     as_is,  // coordinates stay
 };
+
+Place parse_place(const std::string& text); // "center" or "as-is"
 
 // How far to move the toolpath in x and y: a whole number of um.
 Vec2 placement(const Survey& survey, const machine::Bed& bed, Place place);

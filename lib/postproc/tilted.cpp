@@ -22,6 +22,9 @@ constexpr double kApproach = 5;        // mm above its place from where the firs
 constexpr int kSweeps = 30;            // over a stroke, until rotary axes can follow
 constexpr std::uint32_t kParts = 4096; // of a move, at most
 constexpr double kDegree = std::numbers::pi / 180;
+// rad that the tool's axis may change between two poses; near upright the profile's orientation, but for the last.
+constexpr double kStep = 5 * kDegree, kFineStep = 0.25 * kDegree;
+constexpr double kOpposite = 179 * kDegree; // beyond that no way from one axis to the other is the shortest
 
 std::string text(const Vec3& p) {
     return "x " + fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3);
@@ -29,6 +32,21 @@ std::string text(const Vec3& p) {
 
 Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
     return {span.points[i] + shift, span.normals.empty() ? Vec3{0, 0, 1} : span.normals[i]};
+}
+
+// At `f` of the way from one direction to another, along the great circle.
+Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
+    const double whole = kinematics::angle(a, b), s = std::sin(whole);
+    return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
+}
+
+// By how much the last decimals may move the tip, mm.
+double rounding(const machine::Profile& profile, const Joints& at) {
+    const double linear = std::pow(10.0, -profile.format.xyz_decimals) / 2;
+    const double angular = std::pow(10.0, -profile.axes.angle_decimals) / 2 * kDegree;
+    const auto& c = profile.axes.chain;
+    const double arm = norm(at.xyz) + norm(c.tip_to_tilt) + norm(c.tilt_to_turn);
+    return std::sqrt(3.0) * linear + 2 * angular * arm;
 }
 
 } // namespace
@@ -52,8 +70,52 @@ void TiltedWalk::end() {
 }
 
 void TiltedWalk::go(const Pose& pose, const Leg& leg) {
-    poses_.push_back(pose);
-    legs_.push_back(leg);
+    const auto add = [this](const Pose& p, const Leg& l) { stroke_.poses.push_back(p), stroke_.legs.push_back(l); };
+    Leg rest = leg;
+    double done = 0;
+    for (const double f : cuts(pose)) {
+        const Pose from = stroke_.poses.back();
+        const double g = done < 1 ? (f - done) / (1 - done) : 0; // of what is left of the way
+        Leg part = rest;
+        part.volume = (f - done) * leg.volume, part.fed = (f - done) * leg.fed, part.halt = false;
+        add({from.tip + g * (pose.tip - from.tip), slerp(from.axis, pose.axis, g)}, part);
+        done = f;
+        rest.before = Act::extrude;
+    }
+    if (done > 0) rest.volume = (1 - done) * leg.volume, rest.fed = (1 - done) * leg.fed;
+    add(pose, rest);
+}
+
+// Shares of the way to `pose`, ascending, where it needs a pose between, because the axes go straight from one to the
+// next: the tool would lean where its axis changes much, most so near upright.  Twice where the tip passes the axis of
+// a polar machine, which turns there where it stands.
+std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
+    std::vector<double> out;
+    const auto& a = profile_->axes;
+    if (stroke_.poses.empty() || a.chain.carrier == kinematics::Carrier::frame) return out;
+    const Vec3 &from = stroke_.poses.back().axis, &to = pose.axis;
+    const double change = kinematics::angle(from, to);
+    if (change > kFineStep && change < kOpposite) {
+        const double upright = std::acos(std::clamp(std::max(from.z, to.z), -1.0, 1.0));
+        const double fine = std::max(a.orientation, kFineStep);
+        const int n =
+            static_cast<int>(std::ceil(change / (upright < 10 * fine ? std::min(fine, kStep) : kStep) - 1e-9));
+        for (int k = 1; k < n; ++k) out.push_back(k / static_cast<double>(n));
+    }
+    if (const double f = over_axis(pose); f > 0) {
+        out.insert(std::upper_bound(out.begin(), out.end(), f), 2, f);
+    }
+    return out;
+}
+
+// At which share of the way to `pose` the tip crosses the axis of a polar machine; 0 if it does not.
+double TiltedWalk::over_axis(const Pose& pose) const {
+    const auto& chain = profile_->axes.chain;
+    if (chain.carrier != kinematics::Carrier::polar || stroke_.poses.empty()) return 0;
+    const Vec2 a = stroke_.poses.back().tip.xy() - chain.turn_point.xy(),
+               d = pose.tip.xy() - stroke_.poses.back().tip.xy();
+    const double f = dot(d, d) > 0 ? -dot(a, d) / dot(d, d) : 0;
+    return f > 0 && f < 1 && norm(a + f * d) < kinematics::kOnAxis ? f : 0;
 }
 
 // The first stroke is sought along the tool axis, from wherever the start template left the tool.
@@ -82,10 +144,10 @@ void TiltedWalk::travel(const toolpath::Span& span) {
 }
 
 void TiltedWalk::extrude(const toolpath::Span& span) {
-    if (poses_.empty()) approach(span);
-    if (!laid_) landing_ = poses_.size() - 1;
+    if (stroke_.poses.empty()) approach(span);
+    if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
-    if (kinematics::angle(poses_.back().axis, from.axis) > kTouch) // the tool turns where it stands
+    if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
         go(from,
            {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool});
     Act first = before();
@@ -96,48 +158,71 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
            {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
             (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
             how.fed, how.halt, std::exchange(first, Act::extrude)});
-        top_ = std::max(top_, poses_.back().tip.z);
+        top_ = std::max(top_, stroke_.poses.back().tip.z);
     }
     laid_ = true;
 }
 
 void TiltedWalk::check(const kinematics::Track& track) const {
     const auto& a = profile_->axes;
-    if (track.stuck < poses_.size())
-        throw Error(Exit::failure, "cannot reach " + text(poses_[track.stuck].tip) + " on '" + profile_->name +
+    if (track.stuck < stroke_.poses.size())
+        throw Error(Exit::failure, "cannot reach " + text(stroke_.poses[track.stuck].tip) + " on '" + profile_->name +
                                        "': " + track.why + "; turn the part, or break the stroke there");
     if (a.chain.carrier != kinematics::Carrier::frame && track.off > a.orientation * (1 + 1e-6) + 1e-6)
-        throw Error(Exit::failure, "cannot keep the tool's axis at " + text(poses_[track.off_at].tip) +
+        throw Error(Exit::failure, "cannot keep the tool's axis at " + text(stroke_.poses[track.off_at].tip) +
                                        ": it leans by " + fixed_text(track.off / kDegree, 2) +
                                        " degrees; raise kinematics.orientation_deg");
 }
 
+void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics::Lifting> places) {
+    const auto& poses = stroke_.poses;
+    for (std::size_t k = 1; k < track.pieces.size(); ++k) {
+        const std::size_t at = track.pieces[k].first;
+        const bool flying = places[at] == kinematics::Lifting::air;
+        if (at < landing_) landing_ += flying ? Lifts::kFromAir : Lifts::kFromPart;
+        if (flying) continue;
+        if (profile_->fibre.lays(stroke_.legs[at].tool))
+            throw Error(Exit::failure, "cannot go on at " + text(poses[at].tip) + " on '" + profile_->name +
+                                           "': the axes must unwind, and a stroke of fibre cannot be lifted; break the "
+                                           "stroke there");
+        if (efforts_.unwinds++ == 0) efforts_.unwind = poses[at].tip, efforts_.unwind_layer = stroke_.legs[at].layer;
+        efforts_.unwinds_in_turns += places[at] == kinematics::Lifting::turn ? 1 : 0;
+    }
+    if (track.off > efforts_.lean) efforts_.lean = track.off, efforts_.lean_at = poses[track.off_at].tip;
+    if (track.clipped > efforts_.clipped)
+        efforts_.clipped = track.clipped, efforts_.clipped_at = poses[track.clipped_at].tip;
+}
+
 void TiltedWalk::finish_stroke() {
-    if (poses_.empty()) return;
+    if (stroke_.poses.empty()) return;
     const auto& a = profile_->axes;
-    const auto track = kinematics::track(a.chain, poses_, at_, a.orientation, a.limits);
+    const auto places = liftings(stroke_.legs, layer_ < 0);
+    const auto track = kinematics::track(a.chain, stroke_.poses, at_, a.orientation, a.limits, places);
     check(track);
+    if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
+    const double lift = profile_->travel.lift;
+    stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
     head();
-    auto seconds = durations(track.joints);
+    auto seconds = durations();
     if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
-    emit(track.joints, seconds);
-    at_ = track.joints.back();
-    poses_.clear(), legs_.clear();
+    emit(seconds);
+    at_ = stroke_.joints.back();
+    stroke_ = {};
     laid_ = false;
 }
 
 // Where a robot's tool points its x axis: along x of the part, or along the path, each as far as it lies across the
 // tool axis; where it hardly does, as before.
 void TiltedWalk::head() {
-    headings_.assign(poses_.size(), heading_);
+    headings_.assign(stroke_.poses.size(), heading_);
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return;
     constexpr double least = 0.05; // of a unit vector's part across
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < poses_.size() ? i + 1 : i;
-        const Vec3 way = poses_[b].tip - poses_[a].tip;
+    for (std::size_t i = 0; i < stroke_.poses.size(); ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < stroke_.poses.size() ? i + 1 : i;
+        const Vec3 way = stroke_.poses[b].tip - stroke_.poses[a].tip;
         const bool follow = profile_->axes.spin == machine::Spin::follow && norm(way) > 0;
         Vec3 to = follow ? 1 / norm(way) * way : profile_->axes.spin == machine::Spin::fixed ? Vec3{1, 0, 0} : heading_;
-        const Vec3& axis = poses_[i].axis;
+        const Vec3& axis = stroke_.poses[i].axis;
         Vec3 across = to - dot(to, axis) * axis;
         if (norm(across) < least) across = heading_ - dot(heading_, axis) * axis;
         if (norm(across) < least)
@@ -147,7 +232,8 @@ void TiltedWalk::head() {
 }
 
 // Per leg; the very first takes none: nobody knows whence it comes.
-std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
+std::vector<double> TiltedWalk::durations() const {
+    const auto& j = stroke_.joints;
     const auto& a = profile_->axes;
     const bool robot = a.chain.carrier == kinematics::Carrier::frame;
     std::vector<double> out(j.size(), 0);
@@ -156,20 +242,22 @@ std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
             std::max({distance(at_.xyz, j[0].xyz) / profile_->feeds.travel,
                       std::abs(j[0].tilt - at_.tilt) / a.tilt_speed, std::abs(j[0].turn - at_.turn) / a.turn_speed});
     for (std::size_t i = 1; i < j.size(); ++i)
-        out[i] = std::max({distance(poses_[i - 1].tip, poses_[i].tip) / legs_[i].feed,
+        out[i] = std::max({distance(stroke_.poses[i - 1].tip, stroke_.poses[i].tip) / stroke_.legs[i].feed,
                            distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
                            robot ? 0 : std::abs(j[i].xyz.z - j[i - 1].xyz.z) / profile_->motion.max_speed_z,
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
                            std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i)});
     // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
+    bool eased = true;
     const auto ease = [&](std::size_t i, double before, double after, double acceleration) {
         const double change = std::abs(after / out[i + 1] - before / out[i]);
         const double can = acceleration * (out[i] + out[i + 1]) / 2;
         if (change <= can) return;
+        eased = true;
         double& slow = std::abs(after) / out[i + 1] > std::abs(before) / out[i] ? out[i + 1] : out[i];
         slow *= std::min(change / can, 1.3);
     };
-    for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (int sweep = 0; sweep < kSweeps && std::exchange(eased, false); ++sweep)
         for (std::size_t i = 1; i + 1 < j.size(); ++i) {
             if (!(out[i] > 0) || !(out[i + 1] > 0)) continue;
             ease(i, j[i].tilt - j[i - 1].tilt, j[i + 1].tilt - j[i].tilt, a.tilt_acceleration);
@@ -181,25 +269,26 @@ std::vector<double> TiltedWalk::durations(const std::vector<Joints>& j) const {
 // How long a robot needs to turn the tool on the way to pose i.
 double TiltedWalk::swing(std::size_t i) const {
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return 0;
-    return kinematics::angle(poses_[i - 1].axis, poses_[i].axis) / profile_->axes.tilt_speed;
+    return kinematics::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
 }
 
 // The leg of this stroke before which the tool is changed: behind the first one of a travel, which leads away from the
-// part.  None: poses_.size().
+// part.  None: stroke_.poses.size().
 std::size_t TiltedWalk::exchange() const {
-    if (legs_.back().tool == tool_) return poses_.size();
+    if (stroke_.legs.back().tool == tool_) return stroke_.poses.size();
     return layer_ < 0 ? 0 : std::min<std::size_t>(2, landing_);
 }
 
-void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<double>& seconds) {
+void TiltedWalk::emit(const std::vector<double>& seconds) {
+    const auto& joints = stroke_.joints;
     bool open = false;
     const auto mark = [&](Act act, std::size_t i, std::size_t at) {
         const bool tip = profile_->axes.numbers == machine::Numbers::tip;
         put({.act = act,
-             .role = legs_[i].role,
-             .layer = legs_[i].layer,
-             .to = tip ? poses_[at].tip : joints[at].xyz,
-             .height = legs_[i].height,
+             .role = stroke_.legs[i].role,
+             .layer = stroke_.legs[i].layer,
+             .to = tip ? stroke_.poses[at].tip : joints[at].xyz,
+             .height = stroke_.legs[i].height,
              .axes = joints[at].xyz,
              .tool = tool_});
     };
@@ -209,7 +298,7 @@ void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<doubl
         retracted_.insert(tool_);
     }
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        const Leg& leg = legs_[i];
+        const Leg& leg = stroke_.legs[i];
         const std::size_t last = i > 0 ? i - 1 : 0;
         if (i == change) tool_ = leg.tool, mark(Act::tool, i, last);
         if (laid_ && i == landing_ && profile_->fibre.lays(tool_)) mark(Act::push, i, last);
@@ -218,54 +307,73 @@ void TiltedWalk::emit(const std::vector<Joints>& joints, const std::vector<doubl
             if (!open && retracted_.erase(tool_) > 0) mark(Act::prime, i, last);
             if (!open) mark(Act::open, i, last);
             open = true, layer_ = leg.layer;
+        } else if (open) { // a break to unwind
+            mark(Act::close, i - 1, i - 1), mark(Act::retract, i, i - 1);
+            retracted_.insert(tool_);
+            open = false;
         }
         if (leg.before != Act::extrude) mark(leg.before, i, last);
-        move(leg, i, joints, seconds[i]);
+        move(i, seconds[i]);
     }
     if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
 }
 
-void TiltedWalk::move(const Leg& leg, std::size_t i, const std::vector<Joints>& joints, double seconds) {
+// In how many parts the axes go straight to pose i, so that the tip keeps to its line.
+std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
     const auto& a = profile_->axes;
-    const Joints &to = joints[i], &from = i > 0 ? joints[i - 1] : to;
-    const Vec3 &tip = poses_[i].tip, &begin = i > 0 ? poses_[i - 1].tip : tip;
-    const auto between = [&](double f) {
-        return kinematics::place(a.chain, begin + f * (tip - begin), from.tilt + f * (to.tilt - from.tilt),
-                                 from.turn + f * (to.turn - from.turn));
-    };
+    if (a.numbers == machine::Numbers::tip || i == 0 || !(seconds > 0) || !stroke_.legs[i].straight) return 1;
+    const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
+    const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
+    const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
+    const double chord = std::max(a.chord - rounding(*profile_, to), a.chord / 2);
     std::uint32_t parts = 1;
     // The tip strays most in the middle of a part; by a quarter when parts are halved.
-    for (; a.numbers == machine::Numbers::joints && i > 0 && seconds > 0 && parts < kParts; parts *= 2) {
+    for (; parts < kParts; parts *= 2) {
         double off = 0;
+        Joints l = at(0);
         for (std::uint32_t k = 0; k < parts; ++k) {
-            const Joints l = between(k / static_cast<double>(parts)), r = between((k + 1.0) / parts);
+            const Joints r = at((k + 1.0) / parts);
             const double middle = (k + 0.5) / parts;
             const Joints m{0.5 * (l.xyz + r.xyz), (l.tilt + r.tilt) / 2, (l.turn + r.turn) / 2};
             off = std::max(off, distance(kinematics::forward(a.chain, m).tip, begin + middle * (tip - begin)));
+            l = r;
         }
-        if (off <= a.chord) break;
+        if (off <= chord) break;
     }
-    for (std::uint32_t k = 1; k <= parts; ++k) {
-        const double f = k == parts ? 1 : k / static_cast<double>(parts);
-        const Joints here = k == parts ? to : between(f);
+    return parts;
+}
+
+void TiltedWalk::move(std::size_t i, double seconds) {
+    const auto& a = profile_->axes;
+    const Leg& leg = stroke_.legs[i];
+    const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
+    const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
+    const std::uint32_t n = parts(i, seconds);
+    Joints last = from;
+    for (std::uint32_t k = 1; k <= n; ++k) {
+        const double f = k == n ? 1 : k / static_cast<double>(n);
+        const Joints here = k == n ? to : kinematics::between(a.chain, begin, from, tip, to, f);
+        // A polar machine turns most where it passes the axis.
+        const double turning = seconds > 0 ? std::abs(here.turn - last.turn) / a.turn_speed : 0;
         put({.act = leg.act,
              .role = leg.role,
              .layer = leg.layer,
              .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
              .feed = leg.feed,
-             .volume = leg.volume / parts,
+             .volume = leg.volume / n,
              .width = leg.width,
              .height = leg.height,
              .tilt = here.tilt,
              .turn = here.turn,
-             .length = distance(begin, tip) / parts,
-             .seconds = seconds / parts,
+             .length = distance(begin, tip) / n,
+             .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
              .axes = here.xyz,
-             .axis = poses_[i].axis,
+             .axis = stroke_.poses[i].axis,
              .heading = headings_[i],
              .tool = tool_,
-             .fed = leg.fed / parts,
-             .halt = leg.halt && k == parts});
+             .fed = leg.fed / n,
+             .halt = leg.halt && k == n});
+        last = here;
     }
 }
 

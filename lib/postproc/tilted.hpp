@@ -1,8 +1,7 @@
 // From the spans of a toolpath to the steps of a machine with rotary axes.
 #pragma once
 
-#include "kinematics/track.hpp"
-#include "postproc/walk.hpp"
+#include "postproc/lifts.hpp"
 
 #include <set>
 
@@ -11,53 +10,47 @@ namespace filum::postproc {
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
 // that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
 // joints the axes move straight, so they are cut in equal parts until the tip is off its line by no more than the
-// profile's chord.
+// profile's chord, its last decimals included.
 //
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
 // its speed faster than it can, so the path slows down, never the reverse.
-// Throws Error(failure) naming the place that the
-// axes cannot reach, or where the tool would lean off its axis by more than the profile's orientation.
+// Where an axis would leave its limits the stroke is broken and the axes turned back in the air (see lifts.hpp), which
+// the efforts count.  Throws Error(failure) naming the place that the axes cannot reach, or where the tool would lean
+// off its axis by more than the profile's orientation.
 class TiltedWalk final : public Walker {
   public:
     TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out);
     void end() override;
 
   private:
-    struct Leg { // to one pose
-        Act act = Act::travel;
-        Role role = Role::travel;
-        std::uint32_t layer = 0;
-        double feed = 0, volume = 0, width = 0, height = 0;
-        std::uint32_t tool = 0;
-        double fed = 0;            // mm of fibre
-        bool halt = false;         // the tool stands at its end
-        Act before = Act::extrude; // what comes before it; Act::extrude for nothing
-    };
     void approach(const toolpath::Span& first);
     void travel(const toolpath::Span& span) override;
     void extrude(const toolpath::Span& span) override;
     void go(const kinematics::Pose& pose, const Leg& leg);
     void finish_stroke();
     void check(const kinematics::Track& track) const;
-    void emit(const std::vector<kinematics::Joints>& joints, const std::vector<double>& seconds);
+    void note(const kinematics::Track& track, std::span<const kinematics::Lifting> places);
+    void emit(const std::vector<double>& seconds);
+    void move(std::size_t to, double seconds);
+    [[nodiscard]] std::vector<double> durations() const;
     [[nodiscard]] std::size_t exchange() const;
-    void move(const Leg& leg, std::size_t to, const std::vector<kinematics::Joints>& joints, double seconds);
-    [[nodiscard]] std::vector<double> durations(const std::vector<kinematics::Joints>& joints) const;
     void put(const Step& step);
     void head();
     [[nodiscard]] double swing(std::size_t i) const;
+    [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
+    [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
+    [[nodiscard]] std::uint32_t parts(std::size_t i, double seconds) const;
 
     const machine::Profile* profile_;
     machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
     Vec3 shift_;
     Steps out_;
     std::vector<Step> buffer_;
-    std::vector<kinematics::Pose> poses_; // of the stroke being read
-    std::vector<Leg> legs_;               // legs_[i] leads to poses_[i]
-    std::vector<Vec3> headings_;          // of robots, per pose: where the tool's x axis points
-    Vec3 heading_{1, 0, 0};               // the last one
-    kinematics::Joints at_;               // after the last stroke
+    Motion stroke_;              // being read; its joints only when it is finished
+    std::vector<Vec3> headings_; // of robots, per pose: where the tool's x axis points
+    Vec3 heading_{1, 0, 0};      // the last one
+    kinematics::Joints at_;      // after the last stroke
     double top_ = 0;
     std::int64_t layer_ = -1;
     bool laid_ = false;       // a bead of this stroke

@@ -53,6 +53,15 @@ struct Step {
 
 using Steps = std::function<void(std::span<const Step>)>;
 
+// What it took to bring the axes of a machine with rotary ones along the path.
+struct Efforts {
+    std::uint64_t unwinds = 0, unwinds_in_turns = 0; // breaks of a stroke to turn the axes back; in tight turns
+    Vec3 unwind;                                     // where the first one is, as placed
+    std::uint32_t unwind_layer = 0;
+    double lean = 0, clipped = 0; // rad: the most a tool leans off its axis; the most of it to keep the tilt's limits
+    Vec3 lean_at, clipped_at;
+};
+
 // Turns spans, in their order, into steps.
 class Walker {
   public:
@@ -61,7 +70,8 @@ class Walker {
     void add(const toolpath::Span& span) { add(span, {}); }
     // Likewise; a span of fibre is to be laid as `how` says, and the tool to stand at its end if `halt`.
     void add(const toolpath::Span& span, const machine::Stretch& how, bool halt = false);
-    virtual void end() = 0; // closes the last stroke
+    virtual void end() = 0;                                                   // closes the last stroke
+    [[nodiscard]] virtual const Efforts& efforts() const { return efforts_; } // once it has ended
 
   protected:
     // How the span that is being added is laid.
@@ -74,6 +84,7 @@ class Walker {
     virtual void travel(const toolpath::Span& span) = 0;
     virtual void extrude(const toolpath::Span& span) = 0;
     [[nodiscard]] bool started() const { return started_; } // a span came before
+    Efforts efforts_;
 
   private:
     Vec3 path_; // end of the span before

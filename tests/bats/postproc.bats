@@ -16,7 +16,7 @@ absent() {
     if grep "$@"; then return 1; fi
 }
 
-machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syringe linuxcnc-xyzac linuxcnc-xyzbc open5x-duet klipper-xyzac fibre-marlin fibre-xyzac"
+machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syringe linuxcnc-xyzac linuxcnc-xyzbc linuxcnc-head-table linuxcnc-head-head polar-xzbc open5x-duet klipper-xyzac fibre-marlin fibre-xyzac"
 
 @test "every machine gives a whole program, silently" {
     for m in $machines; do
@@ -95,7 +95,7 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
 @test "an unknown machine is a usage error that lists the known" {
     run postproc --machine nosuch part.toolpath
     [ "$status" -eq 2 ]
-    [[ "$output" == *"unknown machine 'nosuch'; known are abb-rapid, bio-x, cellink-inkredible, fibre-marlin, fibre-xyzac, klipper, klipper-xyzac, kuka-krl, linuxcnc, linuxcnc-xyzac, linuxcnc-xyzbc, marlin, open5x-duet, reprapfirmware, syringe, ur"* ]]
+    [[ "$output" == *"unknown machine 'nosuch'; known are abb-rapid, bio-x, cellink-inkredible, fibre-marlin, fibre-xyzac, klipper, klipper-xyzac, kuka-krl, linuxcnc, linuxcnc-head-head, linuxcnc-head-table, linuxcnc-xyzac, linuxcnc-xyzbc, marlin, open5x-duet, polar-xzbc, reprapfirmware, syringe, ur"* ]]
 }
 
 @test "profiles are found by path and in FILUM_PROFILES" {

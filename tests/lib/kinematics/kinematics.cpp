@@ -115,8 +115,8 @@ TEST(track, passes_the_pole_without_a_spin) {
     const Track exact = track(c, poses, {}, 0), eased = track(c, poses, {}, tolerance);
     const auto most = [](const Track& t) {
         double out = 0;
-        for (std::size_t i = 1; i < t.joints.size(); ++i)
-            out = std::max(out, std::abs(t.joints[i].turn - t.joints[i - 1].turn));
+        for (std::size_t i = 1; i < t.pieces[0].joints.size(); ++i)
+            out = std::max(out, std::abs(t.pieces[0].joints[i].turn - t.pieces[0].joints[i - 1].turn));
         return out;
     };
     EXPECT_LT(exact.off, 1e-9);
@@ -124,9 +124,9 @@ TEST(track, passes_the_pole_without_a_spin) {
     EXPECT_LT(most(eased), 0.1);
     EXPECT_LE(eased.off, tolerance * 1.0001);
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        EXPECT_LT(distance(forward(c, eased.joints[i]).tip, poses[i].tip), 1e-9);
+        EXPECT_LT(distance(forward(c, eased.pieces[0].joints[i]).tip, poses[i].tip), 1e-9);
         const bool far = std::abs(poses[i].tip.x) > 20; // from the pole nothing changes
-        EXPECT_LT(angle(forward(c, eased.joints[i]).axis, poses[i].axis), far ? 1e-9 : tolerance * 1.0001);
+        EXPECT_LT(angle(forward(c, eased.pieces[0].joints[i]).axis, poses[i].axis), far ? 1e-9 : tolerance * 1.0001);
     }
 }
 
@@ -141,16 +141,147 @@ TEST(track, turns_on_without_wrapping_until_its_limits) {
     }
     const Track free = track(c, poses, {}, 0.01);
     for (std::size_t i = 1; i < poses.size(); ++i)
-        EXPECT_NEAR(std::abs(free.joints[i].turn - free.joints[i - 1].turn), 2 * kPi / 100, 1e-6);
-    EXPECT_NEAR(std::abs(free.joints.back().turn - free.joints.front().turn), 6 * kPi, 1e-6);
+        EXPECT_NEAR(std::abs(free.pieces[0].joints[i].turn - free.pieces[0].joints[i - 1].turn), 2 * kPi / 100, 1e-6);
+    EXPECT_NEAR(std::abs(free.pieces[0].joints.back().turn - free.pieces[0].joints.front().turn), 6 * kPi, 1e-6);
     EXPECT_EQ(free.stuck, poses.size());
     const Track shifted = track(c, poses, {}, 0.01, {-10, 10, -100, -30});
     EXPECT_EQ(shifted.stuck, poses.size());
-    EXPECT_LT(shifted.joints.front().turn, -30);
+    EXPECT_LT(shifted.pieces[0].joints.front().turn, -30);
     const Track stuck = track(c, poses, {}, 0.01, {-10, 10, -2 * kPi, 2 * kPi});
     EXPECT_LT(stuck.stuck, poses.size());
     EXPECT_NE(stuck.why.find("turn"), std::string::npos);
     EXPECT_EQ(track(c, poses, {}, 0.01, {0.5, 1, -100, 100}).stuck, 0U);
+}
+
+// Poses round a cone of half angle `tilt`, from heading a to b, one a degree.
+std::vector<Pose> cone(double tilt, double a, double b) {
+    std::vector<Pose> out;
+    const int n = static_cast<int>(std::ceil(std::abs(b - a) * 180 / kPi));
+    for (int i = 0; i <= n; ++i) {
+        const double h = a + (b - a) * i / n;
+        out.push_back({{10 * std::cos(h), 10 * std::sin(h), 5},
+                       {std::sin(tilt) * std::cos(h), std::sin(tilt) * std::sin(h), std::cos(tilt)}});
+    }
+    return out;
+}
+
+void expect_within(const Chain& c, const Track& t, const std::vector<Pose>& poses, const Limits& l) {
+    ASSERT_EQ(t.stuck, poses.size());
+    std::size_t next = 0;
+    for (const Piece& piece : t.pieces) {
+        EXPECT_EQ(piece.first, next);
+        for (std::size_t k = 0; k < piece.joints.size(); ++k) {
+            const Joints& j = piece.joints[k];
+            EXPECT_TRUE(j.turn >= l.turn_min - 1e-9 && j.turn <= l.turn_max + 1e-9) << j.turn;
+            EXPECT_TRUE(j.tilt >= l.tilt_min - 1e-9 && j.tilt <= l.tilt_max + 1e-9) << j.tilt;
+            EXPECT_LT(distance(forward(c, j).tip, poses[piece.first + k].tip), 1e-9);
+            EXPECT_LT(angle(forward(c, j).axis, poses[piece.first + k].axis), 1e-6);
+        }
+        next = piece.first + piece.joints.size() - 1;
+    }
+    EXPECT_EQ(next, poses.size() - 1);
+}
+
+// What a greedy choice takes: at each pose the nearest way within the limits; the pose where it can't go on.
+std::size_t greedy(const Chain& c, const std::vector<Pose>& poses, Joints at, const Limits& l) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        double best = 1e9;
+        Joints next;
+        for (const Joints& j : inverse(c, poses[i])) {
+            const double turn = j.turn + 2 * kPi * std::round((at.turn - j.turn) / (2 * kPi));
+            const double cost = std::abs(turn - at.turn) + std::abs(j.tilt - at.tilt);
+            const bool jumps = i > 0 && std::abs(turn - at.turn) > kPi / 2;
+            if (jumps || turn < l.turn_min || turn > l.turn_max || cost >= best) continue;
+            best = cost, next = place(c, poses[i].tip, j.tilt, turn);
+        }
+        if (best == 1e9) return i;
+        at = next;
+    }
+    return poses.size();
+}
+
+// The nearer way to begin runs into the limit of the turn; the other one, half a turn off, goes through.
+TEST(track, looks_ahead_over_the_whole_stroke) {
+    const Chain c = machine(Carrier::table_table, {0, 1, 0});
+    const auto poses = cone(0.6, 0.2, 0.2 + 1.5 * kPi);
+    const Limits limits{-2, 2, -4, 4};
+    const std::vector<Lifting> lifting(poses.size(), Lifting::bead);
+    std::vector<Lifting> from_air = lifting;
+    from_air[0] = Lifting::air;
+    const Joints before = inverse(c, poses[0])[0];
+    EXPECT_LT(greedy(c, poses, before, limits), poses.size());
+    const Track t = track(c, poses, before, 1e-6, limits, from_air);
+    EXPECT_EQ(t.pieces.size(), 1U);
+    expect_within(c, t, poses, limits);
+}
+
+// Turning back gains whole turns: two on an axis of a little more than two.  So one break serves three turns, and a
+// free axis needs none.
+TEST(track, lifts_as_seldom_as_it_can) {
+    const Chain c = machine(Carrier::head_table, {0, 1, 0});
+    const auto poses = cone(0.5, 0, 6.5 * kPi);
+    std::vector<Lifting> lifting(poses.size(), Lifting::bead);
+    lifting[0] = Lifting::air;
+    const Limits limits{-0.1, 2, -2.25 * kPi, 2.25 * kPi};
+    const Track t = track(c, poses, {}, 1e-6, limits, lifting);
+    EXPECT_EQ(t.pieces.size(), 2U);
+    expect_within(c, t, poses, limits);
+    EXPECT_EQ(track(c, poses, {}, 1e-6, {-0.1, 2}, lifting).pieces.size(), 1U);
+}
+
+// A break goes where it shows least: into a join if there is one, never into a tight turn if that can be had.
+TEST(track, lifts_where_it_shows_least) {
+    const Chain c = machine(Carrier::table_table, {1, 0, 0});
+    const auto poses = cone(0.5, 0, 2.5 * kPi);
+    const Limits limits{-1, 0.1, -1.25 * kPi, 1.25 * kPi};
+    std::vector<Lifting> lifting(poses.size(), Lifting::turn);
+    lifting[0] = Lifting::air;
+    lifting[100] = Lifting::bead;
+    auto t = track(c, poses, {}, 1e-6, limits, lifting);
+    ASSERT_EQ(t.pieces.size(), 2U);
+    EXPECT_EQ(t.pieces[1].first, 100U);
+    expect_within(c, t, poses, limits);
+    lifting[90] = Lifting::join;
+    t = track(c, poses, {}, 1e-6, limits, lifting);
+    ASSERT_EQ(t.pieces.size(), 2U);
+    EXPECT_EQ(t.pieces[1].first, 90U);
+}
+
+// Of both ways that one is taken whose tilts the machine has, all along; an axis a little out of reach leans.
+TEST(track, keeps_the_limits_of_the_tilt) {
+    const Chain c = machine(Carrier::table_table, {1, 0, 0});
+    const auto poses = cone(1.0, 0, 2);
+    const std::vector<Lifting> lifting(poses.size(), Lifting::bead);
+    for (const Limits& l : {Limits{-0.2, 1.1}, Limits{-1.1, 0.2}})
+        expect_within(c, track(c, poses, {}, 0.03, l), poses, l);
+    const Track leaning = track(c, poses, {}, 0.03, {-0.2, 0.98}, lifting);
+    EXPECT_EQ(leaning.stuck, poses.size());
+    EXPECT_NEAR(leaning.clipped, 0.02, 1e-9);
+    EXPECT_NEAR(leaning.off, 0.02, 1e-6);
+    for (const Joints& j : leaning.pieces[0].joints) EXPECT_LE(j.tilt, 0.98);
+    EXPECT_EQ(track(c, poses, {}, 0.03, {-0.2, 0.9}, lifting).stuck, 0U);
+}
+
+// x is the radius: the tip lies on the machine's x-z plane, positions are kept, the axis as far as it lies radially.
+TEST(chain, polar_has_no_y) {
+    Chain c = machine(Carrier::polar, {0, 1, 0});
+    Random random;
+    for (const double sign : {1.0, -1.0})
+        for (int i = 0; i < 100; ++i) {
+            c.turn_sign = sign;
+            const Vec3 tip{random(-50, 50), random(-50, 50), random(0, 50)};
+            const geom::Vec2 d = tip.xy() - c.turn_point.xy();
+            const double out = random(-1, 1); // lean of the axis, outwards
+            const Vec3 axis{std::sin(out) * d.x / norm(d), std::sin(out) * d.y / norm(d), std::cos(out)};
+            const auto both = inverse(c, {tip, axis});
+            for (const Joints& j : both) {
+                EXPECT_NEAR(j.xyz.y, c.turn_point.y, 1e-9);
+                EXPECT_LT(distance(forward(c, j).tip, tip), 1e-9);
+                EXPECT_LT(angle(forward(c, j).axis, axis), 1e-9);
+            }
+            const double swing = c.tip_to_tilt.x * (1 - std::cos(out)) - c.tip_to_tilt.z * std::sin(out);
+            EXPECT_NEAR(both[0].xyz.x, c.turn_point.x + norm(d) - swing, 1e-9);
+        }
 }
 
 } // namespace

@@ -21,7 +21,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Rows over a dome of radius 60, the tool upright to it, joined by travels that rise along the normals.
-std::vector<Span> dome(int rows, double most) {
+std::vector<Span> dome(int rows, double most, int half = 30) {
     std::vector<Span> out;
     const auto at = [&](double x, double y) {
         const double r = 60, z = std::sqrt(r * r - x * x - y * y);
@@ -29,8 +29,8 @@ std::vector<Span> dome(int rows, double most) {
     };
     for (int j = 0; j < rows; ++j) {
         Span s{Role::bead, static_cast<std::uint32_t>(j), 0, 0, {}, {1.0}, {0.2}, {}};
-        for (int i = 0; i <= 60; ++i) {
-            const auto [p, n] = at(most * (i / 30.0 - 1), 3.0 * (j - (rows - 1) / 2.0));
+        for (int i = 0; i <= 2 * half; ++i) {
+            const auto [p, n] = at(most * (i / static_cast<double>(half) - 1), 3.0 * (j - (rows - 1) / 2.0));
             s.points.push_back(p), s.normals.push_back(n);
         }
         if (!out.empty()) {
@@ -62,7 +62,10 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans, p
     if (seconds) *seconds = survey.seconds;
     std::string out;
     postproc::Program program(p, survey, measure.program_shift(), [&](std::string_view text) { out += text; });
-    program.begin(postproc::about(p, survey, {}, {}, {}));
+    Notes notes;
+    Facts facts;
+    postproc::add_efforts(p, survey, "postproc", notes, facts);
+    program.begin(postproc::about(p, survey, {}, notes, facts));
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { program.add(steps); });
     for (const Span& s : spans) walk->add(s);
     walk->end();
@@ -101,9 +104,9 @@ std::vector<Line> read(const std::string& text) {
 
 kinematics::Joints joints(const machine::MultiAxis& a, const Line& l) {
     const double degree = kPi / 180;
-    return {{l.words.at('X'), l.words.at('Y'), l.words.at('Z')},
-            l.words.at(a.tilt_letter) * degree,
-            l.words.at(a.turn_letter) * degree};
+    const double y = a.chain.carrier == kinematics::Carrier::polar ? 0 : l.words.at('Y');
+    return {
+        {l.words.at('X'), y, l.words.at('Z')}, l.words.at(a.tilt_letter) * degree, l.words.at(a.turn_letter) * degree};
 }
 
 double to_line(const Vec3& p, const std::vector<Span>& spans, const Vec3& shift) {
@@ -125,13 +128,14 @@ const char* const kMachines[] = {
     "carrier = \"table-table\"\ntilt_letter = \"B\"\ntilt_about = \"-y\"\nturn_reversed = true\n",
     "carrier = \"head-table\"\ntilt_letter = \"B\"\ntip_to_tilt_z = 100\ntip_to_tilt_x = 2\n",
     "carrier = \"head-head\"\ntilt_letter = \"B\"\ntip_to_tilt_z = 80\ntilt_to_turn_x = 4\n",
+    "carrier = \"polar\"\ntilt_letter = \"B\"\ntip_to_tilt_z = 90\n",
 };
 
 } // namespace
 
 // Numbers are the joints: wherever the axes are on their straight way, the tip lies on a bead.
 TEST(tilted, joints_bring_the_tip_along_the_beads) {
-    const auto spans = dome(4, 35);
+    const auto spans = dome(5, 35); // the middle row passes the pole
     for (const char* machine : kMachines) {
         const auto p = profile(std::string(machine) + "orientation_deg = 1\n");
         geom::Vec2 shift;
@@ -153,9 +157,43 @@ TEST(tilted, joints_bring_the_tip_along_the_beads) {
             }
         }
         EXPECT_GE(laid, 240U);
-        EXPECT_LE(off, 0.006) << machine; // chord 0.005, and the last decimal
+        EXPECT_LE(off, 0.005) << machine;
         EXPECT_LE(lean, 1.05 * kPi / 180) << machine;
     }
+}
+
+// Where the toolpath's own points are far apart, the tool still stays along the straight way between their normals.
+TEST(tilted, few_points_do_not_make_the_tool_lean) {
+    const auto spans = dome(5, 35, 3); // 11 mm and up to 15 degrees a move
+    for (const char* machine : kMachines)
+        for (const char* numbers : {"", "numbers = \"tip\"\ntcp_on = \"M428\"\n"}) {
+            const bool polar = std::string(machine).find("polar") != std::string::npos;
+            if (polar) continue; // its axis lies on the radius, not on the way between two
+            const auto p = profile(std::string(machine) + numbers + "orientation_deg = 1\n");
+            const auto lines = read(program(p, spans, postproc::Place::as_is));
+            double lean = 0;
+            for (std::size_t i = 1; i < lines.size(); ++i) {
+                if (!lines[i].laying) continue;
+                const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
+                for (double f = 0.125; f <= 1; f += 0.125) {
+                    kinematics::Joints here{a.xyz + f * (b.xyz - a.xyz), a.tilt + f * (b.tilt - a.tilt),
+                                            a.turn + f * (b.turn - a.turn)};
+                    auto pose = kinematics::forward(p.axes.chain, here);
+                    if (*numbers != '\0') pose.tip = here.xyz;
+                    double least = 1e9; // to the axis that the nearest way asks for
+                    Vec3 want;
+                    for (const Span& s : spans)
+                        for (std::size_t k = 0; s.role == Role::bead && k + 1 < s.points.size(); ++k) {
+                            const Vec3 d = s.points[k + 1] - s.points[k];
+                            const double t = std::clamp(dot(pose.tip - s.points[k], d) / dot(d, d), 0.0, 1.0);
+                            const double off = distance(pose.tip, s.points[k] + t * d);
+                            if (off < least) least = off, want = (1 - t) * s.normals[k] + t * s.normals[k + 1];
+                        }
+                    lean = std::max(lean, kinematics::angle(pose.axis, want));
+                }
+            }
+            EXPECT_LE(lean, 1.05 * kPi / 180) << machine << numbers;
+        }
 }
 
 // Numbers are the tip: X Y Z are the toolpath's own, the rotary words those of the other program.
@@ -217,6 +255,42 @@ TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
         p.axes.numbers = numbers;
         p.axes.tcp_on = "M428", p.axes.tcp_off = "M429";
         EXPECT_GE(read(program(p, {side}, postproc::Place::as_is)).back().words.at('Z'), top + 10 - 1e-3);
+    }
+}
+
+// One loop after the other round the pole: a turn axis of two turns must unwind in the air, tip and tool kept below.
+TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
+    Span loops{Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
+    for (int i = 0; i <= 7 * 90; ++i) {
+        const double h = 2 * kPi * i / 90, tilt = 0.5;
+        const Vec3 n{std::sin(tilt) * std::cos(h), std::sin(tilt) * std::sin(h), std::cos(tilt)};
+        loops.points.push_back(20 * n + Vec3{0, 0, 0.3 * h}), loops.normals.push_back(n);
+    }
+    const std::string limits = "turn_deg = [-370, 370]\n";
+    for (const char* machine : kMachines) {
+        const auto p = profile(machine + limits);
+        const std::string text = program(p, {loops}, postproc::Place::as_is);
+        EXPECT_NE(text.find("postproc: unwinds = 3"), std::string::npos) << machine; // seven turns on two
+        double farthest = 0, lean = 0;
+        std::size_t strokes = 0, turned_low = 0;
+        auto lines = read(text);
+        for (std::size_t i = 1; i < lines.size(); ++i) {
+            const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
+            EXPECT_LE(std::abs(b.turn), 370.1 * kPi / 180);
+            strokes += lines[i].laying && !lines[i - 1].laying ? 1 : 0;
+            const auto pose = kinematics::forward(p.axes.chain, b);
+            if (lines[i].laying) {
+                farthest = std::max(farthest, to_line(pose.tip, {loops}, {}));
+                lean = std::max(lean, std::abs(kinematics::angle(pose.axis, {0, 0, 1}) - 0.5));
+            } else if (std::abs(b.turn - a.turn) > 1) { // unwinding: upright, above all that was laid
+                turned_low += pose.tip.z < 20 * std::cos(0.5) + 0.3 * 14 * kPi ? 1 : 0;
+                EXPECT_LT(kinematics::angle(pose.axis, {0, 0, 1}), 1e-4);
+            }
+        }
+        EXPECT_EQ(strokes, 4U);
+        EXPECT_EQ(turned_low, 0U);
+        EXPECT_LE(farthest, 0.002);
+        EXPECT_LE(lean, 1e-4);
     }
 }
 
