@@ -3,7 +3,7 @@
 
 load common
 
-check() { "$FILUM_SOURCE/scripts/forward-check" --out "$BATS_TEST_TMPDIR/out" "$@"; }
+check() { "$BATS_TEST_DIRNAME/../../scripts/forward-check" --out "$BATS_TEST_TMPDIR/out" "$@"; }
 
 @test "joints of trunnions, heads and a polar machine: over the pole, and round a cone with unwinds" {
     run check --paths pole --machines linuxcnc-xyzac,polar-xzbc
@@ -27,11 +27,11 @@ check() { "$FILUM_SOURCE/scripts/forward-check" --out "$BATS_TEST_TMPDIR/out" "$
 @test "a program that is a little off is seen" {
     check --paths cone --machines klipper-xyzac > /dev/null
     cd "$BATS_TEST_TMPDIR/out"
-    run "$FILUM_SOURCE/scripts/forward-check" klipper-xyzac-joints-cone.txt cone.toolpath klipper-xyzac
+    run "$BATS_TEST_DIRNAME/../../scripts/forward-check" klipper-xyzac-joints-cone.txt cone.toolpath klipper-xyzac
     [ "$status" -eq 0 ]
     awk '/^G1 .*E/ && ++n == 300 { sub(/ E/, " Z1 E") } { print }' klipper-xyzac-joints-cone.txt > off.txt
-    run "$FILUM_SOURCE/scripts/forward-check" off.txt cone.toolpath klipper-xyzac
+    run "$BATS_TEST_DIRNAME/../../scripts/forward-check" off.txt cone.toolpath klipper-xyzac
     [ "$status" -eq 1 ]
-    run "$FILUM_SOURCE/scripts/forward-check" --nonsense
+    run "$BATS_TEST_DIRNAME/../../scripts/forward-check" --nonsense
     [ "$status" -eq 2 ]
 }

@@ -100,7 +100,7 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
 }
 
 @test "the bracket falls into four coherent faces" {
-    bracket=$FILUM_SOURCE/examples/bracket
+    bracket=$BATS_TEST_DIRNAME/../../examples/bracket
     geodesic "$bracket/bracket.ply" | stressfield --quiet --stress "$bracket/bracket.frd.gz" --case X,Y -o bracket.surface
     partition --quiet bracket.surface --bend 40 --least-area 1000 --output bracket.patches
     [ "$(value patches bracket.patches)" = 4 ] # inside and outside, of leg and wall
