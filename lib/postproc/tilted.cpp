@@ -64,6 +64,7 @@ void TiltedWalk::put(const Step& step) {
 }
 
 void TiltedWalk::end() {
+    if (!stroke_.poses.empty()) retreat();
     finish_stroke();
     if (!buffer_.empty()) out_(buffer_);
     buffer_.clear();
@@ -124,6 +125,18 @@ void TiltedWalk::approach(const toolpath::Span& first) {
     const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0, first.tool};
     go({p.tip + std::max(profile_->travel.lift, kApproach) * p.axis, p.axis}, leg);
     go(p, leg);
+}
+
+// From the last stroke back along the tool axis, wherever the end template leads from there: what carries the tool
+// could scrape along the part.
+void TiltedWalk::retreat() {
+    const Pose last = stroke_.poses.back();
+    const Leg& laid = stroke_.legs.back();
+    const Leg leg{Act::travel, Role::travel, laid.layer, profile_->feeds.travel, 0, 0, 0, laid.tool};
+    finish_stroke();
+    ended_ = true;
+    go(last, leg);
+    go({last.tip + std::max(profile_->travel.lift, kApproach) * last.axis, last.axis}, leg);
 }
 
 void TiltedWalk::travel(const toolpath::Span& span) {
@@ -293,7 +306,7 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
              .tool = tool_});
     };
     const std::size_t change = exchange();
-    if (layer_ >= 0 && !profile_->fibre.lays(tool_)) {
+    if (layer_ >= 0 && !ended_ && !profile_->fibre.lays(tool_)) {
         mark(Act::retract, 0, 0);
         retracted_.insert(tool_);
     }

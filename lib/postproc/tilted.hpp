@@ -25,6 +25,7 @@ class TiltedWalk final : public Walker {
 
   private:
     void approach(const toolpath::Span& first);
+    void retreat();
     void travel(const toolpath::Span& span) override;
     void extrude(const toolpath::Span& span) override;
     void go(const kinematics::Pose& pose, const Leg& leg);
@@ -55,6 +56,7 @@ class TiltedWalk final : public Walker {
     std::int64_t layer_ = -1;
     bool laid_ = false;       // a bead of this stroke
     std::size_t landing_ = 0; // the leg of this stroke that leads to its start
+    bool ended_ = false;      // nothing more is laid
     std::uint32_t tool_ = 0;
     std::set<std::uint32_t> retracted_; // tools
 };

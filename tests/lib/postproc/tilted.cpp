@@ -131,6 +131,17 @@ const char* const kMachines[] = {
     "carrier = \"polar\"\ntilt_letter = \"B\"\ntip_to_tilt_z = 90\n",
 };
 
+// Seven loops round the pole, one above the other.
+Span loops_round_the_pole() {
+    Span loops{Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
+    for (int i = 0; i <= 7 * 90; ++i) {
+        const double h = 2 * kPi * i / 90, tilt = 0.5;
+        const Vec3 n{std::sin(tilt) * std::cos(h), std::sin(tilt) * std::sin(h), std::cos(tilt)};
+        loops.points.push_back(20 * n + Vec3{0, 0, 0.3 * h}), loops.normals.push_back(n);
+    }
+    return loops;
+}
+
 } // namespace
 
 // Numbers are the joints: wherever the axes are on their straight way, the tip lies on a bead.
@@ -242,6 +253,25 @@ TEST(tilted, feeds_keep_the_speeds_of_all_axes) {
     EXPECT_NEAR(sum, seconds, 0.02 * seconds);
 }
 
+// A head that carries the tool must not scrape along the face on its way to where the machine parks.
+TEST(tilted, the_tool_leaves_the_last_stroke_along_its_axis) {
+    const Vec3 n{-0.6, 0, 0.8};
+    Span side{Role::bead, 0, 0, 0, {{-30, 0, 5}, {-10, 0, 5}}, {1.0}, {0.2}, {n, n}};
+    for (const char* machine : kMachines) {
+        const auto p = profile(machine);
+        const auto lines = read(program(p, {side}, postproc::Place::as_is));
+        std::size_t last = 0;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (lines[i].laying) last = i;
+        ASSERT_LT(last + 1, lines.size()) << machine;
+        const auto pose = kinematics::forward(p.axes.chain, joints(p.axes, lines.back()));
+        const Vec3 way = pose.tip - side.points.back();
+        EXPECT_GE(norm(way), p.travel.lift - 1e-3) << machine;
+        EXPECT_NEAR(dot(way, n), norm(way), 1e-3) << machine;
+        EXPECT_LT(kinematics::angle(pose.axis, n), 1e-4) << machine;
+    }
+}
+
 // The far side of a long part, turned up, is higher than the part.
 TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
     auto p = profile(kMachines[0]);
@@ -260,12 +290,7 @@ TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
 
 // One loop after the other round the pole: a turn axis of two turns must unwind in the air, tip and tool kept below.
 TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
-    Span loops{Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
-    for (int i = 0; i <= 7 * 90; ++i) {
-        const double h = 2 * kPi * i / 90, tilt = 0.5;
-        const Vec3 n{std::sin(tilt) * std::cos(h), std::sin(tilt) * std::sin(h), std::cos(tilt)};
-        loops.points.push_back(20 * n + Vec3{0, 0, 0.3 * h}), loops.normals.push_back(n);
-    }
+    const Span loops = loops_round_the_pole();
     const std::string limits = "turn_deg = [-370, 370]\n";
     for (const char* machine : kMachines) {
         const auto p = profile(machine + limits);
@@ -291,6 +316,21 @@ TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
         EXPECT_EQ(turned_low, 0U);
         EXPECT_LE(farthest, 0.002);
         EXPECT_LE(lean, 1e-4);
+    }
+}
+
+// Lifting would tear a fibre off: the job must break it where it can be cut.
+TEST(tilted, a_fibre_is_not_lifted_to_unwind) {
+    Span loops = loops_round_the_pole();
+    loops.tool = 1;
+    const auto p = profile(std::string(kMachines[0]) + "turn_deg = [-370, 370]\n[tools]\nchange = \"T{tool_no}\"\n" +
+                           "[fibre]\ncut_to_nozzle = 45\ncut = \"CUT\"\n");
+    try {
+        program(p, {loops}, postproc::Place::as_is);
+        ADD_FAILURE() << "it was laid";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::failure);
+        EXPECT_NE(std::string(e.what()).find("a stroke of fibre cannot be lifted"), std::string::npos) << e.what();
     }
 }
 
