@@ -12,11 +12,11 @@ add_compile_options(-ffp-contract=off)
 if(FILUM_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
-    # The sanitizers' own code hides from GCC what is initialised (its manual says so); the plain build still asks.
-    list(APPEND FILUM_WARNINGS -Wno-maybe-uninitialized)
-    # With GCC these two checks alone double the time to compile.  AddressSanitizer stops at a null access anyway, and
-    # the readers of foreign bytes are fuzzed by clang with all checks.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        # The sanitizers' own code hides what is initialised (GCC's manual says so); the plain build still asks.
+        list(APPEND FILUM_WARNINGS -Wno-maybe-uninitialized)
+        # These two checks alone double the time to compile.  AddressSanitizer stops at a null access anyway, and the
+        # readers of foreign bytes are fuzzed by clang with all checks.
         add_compile_options(-fno-sanitize=null,alignment)
     endif()
 endif()
