@@ -45,21 +45,8 @@ cli::Spec spec(survey::CollideOptions& o) {
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the toolpath at 350 bytes per move, meshes at 150 per triangle",
         .options = cli::with(
-            {Option{"part", &o.part, "FILE,...", "meshes that are there before, as a core or a mould"}.not_a_setting(),
-             Option{"fixture", &o.fixture, "FILE,...", "meshes of what holds the part"}.not_a_setting(),
-             {"bed", &o.bed, "", "the plane z = 0 is there, too"},
-             Option{"machine", &o.machine, "NAME|FILE", "machine profile: its head, unless --head names another"}
-                 .not_a_setting(),
-             {"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as travel.lift=2"},
-             Option{"step", &o.check.step, "MM", "how far a point of the head moves between two checks"}
-                 .at_least(0.001)
-                 .at_most(1000),
-             Option{"press", &o.check.press, "MM", "what rises less above the tip does not count"}.at_least(0).at_most(
-                 10),
-             Option{"margin", &o.check.margin, "MM", "how far the head is to stay away"}.at_least(0).at_most(1e4),
-             {"strict", &o.strict, "", "a collision is an error (the default; =false for a note)"},
-             Option{"places", &o.places, "FILE", "list of collisions, as TSV"}.not_a_setting(),
-             Option{"program", &o.program, "FILE", "check this machine code instead of a toolpath"}.not_a_setting(),
+            survey::options(o),
+            {Option{"program", &o.program, "FILE", "check this machine code instead of a toolpath"}.not_a_setting(),
              Option{"bead", &o.bead, "MM,MM", "width and height of the program's beads"}
                  .above(0)
                  .numbers(2)
@@ -69,8 +56,7 @@ cli::Spec spec(survey::CollideOptions& o) {
                  .not_a_setting(),
              Option{"format", &o.format, "", "how to write the program's figures"}
                  .one_of({"table", "tsv", "json"})
-                 .not_a_setting()},
-            cli::head_options(o.head)),
+                 .not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d | collide --bed | postproc > part.gcode",
                       "a program only if the head meets nothing"},
                      {"slice part.stl | regions | sequence | fill | link3d | postproc > part.gcode; collide --program "

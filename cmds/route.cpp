@@ -24,41 +24,26 @@ constexpr const char* kDescription =
 
 cli::Spec spec(survey::RouteOptions& o) {
     using cli::Option;
-    return {
-        .name = "route",
-        .synopsis = "lead the head past what it would meet",
-        .description = kDescription,
-        .in = cli::reads(stream::Payload::toolpath),
-        .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the toolpath at 1000 bytes per move, meshes at 150 per triangle",
-        .options = cli::with(
-            {Option{"part", &o.part, "FILE,...", "meshes that are there before, as a core or a mould"}.not_a_setting(),
-             Option{"fixture", &o.fixture, "FILE,...", "meshes of what holds the part"}.not_a_setting(),
-             {"bed", &o.bed, "", "the plane z = 0 is there, too"},
-             Option{"machine", &o.machine, "NAME|FILE", "machine profile: its head, unless --head names another"}
-                 .not_a_setting(),
-             {"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as travel.lift=2"},
-             Option{"lift", &o.lift, "MM", "how high the tool travels at least; default: the profile's, else 0.6"}
-                 .at_least(0)
-                 .at_most(1000)
-                 .numbers(1),
-             Option{"tilt", &o.tilt, "DEG", "how far the tool may lean off its normals"}.at_least(0).at_most(80),
-             Option{"tilt-rate", &o.tilt_rate, "DEG/MM", "how fast that may change along the path"}
-                 .at_least(0.1)
-                 .at_most(90),
-             Option{"step", &o.check.step, "MM", "how far a point of the head moves between two checks"}
-                 .at_least(0.001)
-                 .at_most(1000),
-             Option{"press", &o.check.press, "MM", "what rises less above the tip does not count"}.at_least(0).at_most(
-                 10),
-             Option{"margin", &o.check.margin, "MM", "how far the head is to stay away"}.at_least(0).at_most(1e4),
-             {"strict", &o.strict, "", "a collision that remains is an error (the default; =false for a note)"},
-             Option{"places", &o.places, "FILE", "list of collisions that remain, as TSV"}.not_a_setting(),
-             Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting()},
-            cli::head_options(o.head)),
-        .examples = {{"slice part.stl | regions | sequence | fill | link3d | route --bed | postproc > part.gcode",
-                      "travels that go no higher than they have to"}},
-        .see_also = {"assemble", "collide", "postproc"}};
+    return {.name = "route",
+            .synopsis = "lead the head past what it would meet",
+            .description = kDescription,
+            .in = cli::reads(stream::Payload::toolpath),
+            .out = cli::writes(stream::Payload::toolpath),
+            .memory = "the toolpath at 1000 bytes per move, meshes at 150 per triangle",
+            .options = cli::with(
+                {Option{"lift", &o.lift, "MM", "how high the tool travels at least; default: the profile's, else 0.6"}
+                     .at_least(0)
+                     .at_most(1000)
+                     .numbers(1),
+                 Option{"tilt", &o.tilt, "DEG", "how far the tool may lean off its normals"}.at_least(0).at_most(80),
+                 Option{"tilt-rate", &o.tilt_rate, "DEG/MM", "how fast that may change along the path"}
+                     .at_least(0.1)
+                     .at_most(90),
+                 Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting()},
+                survey::options(o)),
+            .examples = {{"slice part.stl | regions | sequence | fill | link3d | route --bed | postproc > part.gcode",
+                          "travels that go no higher than they have to"}},
+            .see_also = {"assemble", "collide", "postproc"}};
 }
 
 } // namespace

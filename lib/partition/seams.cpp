@@ -1,4 +1,5 @@
 #include "partition/seams.hpp"
+#include "partition/flood.hpp"
 
 #include "base/error.hpp"
 
@@ -81,24 +82,7 @@ class Creases {
 
     // Per triangle what seams enclose, numbered.
     [[nodiscard]] std::vector<std::uint32_t> faces() const {
-        std::vector<std::uint32_t> out(s_.triangles.size(), kNone), todo;
-        std::uint32_t count = 0;
-        for (std::uint32_t first = 0; first < out.size(); ++first) {
-            if (out[first] != kNone) continue;
-            out[first] = count;
-            todo.assign(1, first);
-            while (!todo.empty()) {
-                const std::uint32_t t = todo.back();
-                todo.pop_back();
-                for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-                    if (!inner(h) || seam_[h] != 0 || out[s_.twin[h] / 3] != kNone) continue;
-                    out[s_.twin[h] / 3] = count;
-                    todo.push_back(s_.twin[h] / 3);
-                }
-            }
-            ++count;
-        }
-        return out;
+        return flood(s_, [&](std::uint32_t h) { return seam_[h] == 0; });
     }
 
     // `sides`: of one face, towards others; `sharp`: whatever they bend.

@@ -1,4 +1,5 @@
 #include "partition/split.hpp"
+#include "partition/flood.hpp"
 
 #include "partition/lines.hpp"
 
@@ -191,25 +192,7 @@ Parts split(const Sheet& sheet, const Cells& cells, const Borders& borders) {
 
 std::vector<std::uint32_t> pieces(const Parts& parts) {
     const Surface& s = parts.sheet.surface;
-    std::vector<std::uint32_t> out(s.triangles.size(), kNone), todo;
-    std::uint32_t count = 0;
-    for (std::uint32_t first = 0; first < out.size(); ++first) {
-        if (out[first] != kNone) continue;
-        out[first] = count;
-        todo.assign(1, first);
-        while (!todo.empty()) {
-            const std::uint32_t t = todo.back();
-            todo.pop_back();
-            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-                const std::uint32_t over = s.twin[h] == kNone ? t : s.twin[h] / 3;
-                if (out[over] != kNone || parts.patch[over] != parts.patch[t]) continue;
-                out[over] = count;
-                todo.push_back(over);
-            }
-        }
-        ++count;
-    }
-    return out;
+    return flood(s, [&](std::uint32_t h) { return parts.patch[s.twin[h] / 3] == parts.patch[h / 3]; });
 }
 
 } // namespace filum::partition

@@ -2,24 +2,17 @@
 #pragma once
 
 #include "cli/command.hpp"
-#include "collision/check.hpp"
-#include "machine/head.hpp"
+#include "survey/surroundings.hpp"
 
 #include <string>
 #include <vector>
 
 namespace filum::survey {
 
-struct RouteOptions {
-    collision::Options check;
-    machine::HeadChoice head;
-    std::string machine;            // profile: name or file; "": the head alone
-    std::string set;                // changes to the profile
-    std::string part, fixture;      // mesh files, commas between
-    std::string places, leaning;    // files: the list of collisions that remain, of strokes whose tool leans
+struct RouteOptions : Surroundings {
     std::vector<double> lift;       // mm; none: the profile's
     double tilt = 0, tilt_rate = 5; // deg, deg/mm
-    bool bed = false, strict = true;
+    std::string leaning;            // file for the list of strokes whose tool leans
 };
 
 // Throws Error(failure) with the place at a collision that remains, if `strict`; Error(usage) for options that do not

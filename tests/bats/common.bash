@@ -137,3 +137,32 @@ complaint() {
         return 1
     fi
 }
+
+# What rs274 needs to read programs of five axes; it knows no tool centre point control: M428 and M429, which switch it, are
+# taken for nothing.
+rs274_files() {
+    mkdir -p subs
+    for m in 428 429; do printf 'o<m%s> sub\no<m%s> endsub\nM2\n' $m $m > subs/m$m.ngc; done
+    cat > axes.ini <<'INI'
+[EMC]
+VERSION = 1.1
+[DISPLAY]
+PROGRAM_PREFIX = .
+[RS274NGC]
+PARAMETER_FILE = p.var
+SUBROUTINE_PATH = ./subs
+REMAP = M428 modalgroup=10 ngc=m428
+REMAP = M429 modalgroup=10 ngc=m429
+[KINS]
+KINEMATICS = trivkins coordinates=XYZABC
+JOINTS = 6
+[TRAJ]
+COORDINATES = XYZABC
+LINEAR_UNITS = mm
+ANGULAR_UNITS = degree
+[EMCIO]
+TOOL_TABLE = t.tbl
+INI
+    printf 'T1 P1 Z0 D0.4\nT2 P2 Z0 D1\n' > t.tbl
+    : > p.var
+}

@@ -120,30 +120,7 @@ setup() {
 
 @test "LinuxCNC's own interpreter accepts programs of fibre, in both forms" {
     command -v rs274 > /dev/null || skip "rs274 is not installed (Debian: linuxcnc-uspace)"
-    mkdir -p subs
-    for m in 428 429; do printf 'o<m%s> sub\no<m%s> endsub\nM2\n' $m $m > subs/m$m.ngc; done
-    cat > axes.ini <<'INI'
-[EMC]
-VERSION = 1.1
-[DISPLAY]
-PROGRAM_PREFIX = .
-[RS274NGC]
-PARAMETER_FILE = p.var
-SUBROUTINE_PATH = ./subs
-REMAP = M428 modalgroup=10 ngc=m428
-REMAP = M429 modalgroup=10 ngc=m429
-[KINS]
-KINEMATICS = trivkins coordinates=XYZABC
-JOINTS = 6
-[TRAJ]
-COORDINATES = XYZABC
-LINEAR_UNITS = mm
-ANGULAR_UNITS = degree
-[EMCIO]
-TOOL_TABLE = t.tbl
-INI
-    printf 'T1 P1 Z0 D0.4\nT2 P2 Z0 D1\n' > t.tbl
-    : > p.var
+    rs274_files
     for form in tip joints; do
         postproc --machine fibre-xyzac --set kinematics.numbers=$form --short drop job.toolpath > job.ngc
         rs274 -g -i axes.ini -t t.tbl -v p.var job.ngc canon.txt

@@ -197,33 +197,9 @@ INI
     [ "$(grep -c STRAIGHT_FEED canon.txt)" -eq "$(grep -c '^G1 ' part.ngc)" ]
 }
 
-# The interpreter alone knows no tool centre point control: M428 and M429, which switch it, are taken for nothing there.
 @test "LinuxCNC's own interpreter accepts programs of machines with rotary axes, in both forms" {
     command -v rs274 > /dev/null || skip "rs274 is not installed (Debian: linuxcnc-uspace)"
-    mkdir -p subs
-    for m in 428 429; do printf 'o<m%s> sub\no<m%s> endsub\nM2\n' $m $m > subs/m$m.ngc; done
-    cat > axes.ini <<'INI'
-[EMC]
-VERSION = 1.1
-[DISPLAY]
-PROGRAM_PREFIX = .
-[RS274NGC]
-PARAMETER_FILE = p.var
-SUBROUTINE_PATH = ./subs
-REMAP = M428 modalgroup=10 ngc=m428
-REMAP = M429 modalgroup=10 ngc=m429
-[KINS]
-KINEMATICS = trivkins coordinates=XYZABC
-JOINTS = 6
-[TRAJ]
-COORDINATES = XYZABC
-LINEAR_UNITS = mm
-ANGULAR_UNITS = degree
-[EMCIO]
-TOOL_TABLE = t.tbl
-INI
-    echo 'T1 P1 Z0 D0.4' > t.tbl
-    : > p.var
+    rs274_files
     for machine in linuxcnc-xyzac linuxcnc-xyzbc; do
         for numbers in tip joints; do
             postproc --machine $machine --set kinematics.numbers=$numbers part.toolpath > part.ngc

@@ -1,0 +1,34 @@
+// Triangles that hang together.
+#pragma once
+
+#include "surface/surface.hpp"
+
+#include <vector>
+
+namespace filum::partition {
+
+// Per triangle the number of its piece, in the order of their first triangles.  `joined(h)` says whether a piece goes
+// on over the side h, which is never one of a rim.
+template <class Joined>
+std::vector<std::uint32_t> flood(const surface::Surface& s, Joined joined) {
+    std::vector<std::uint32_t> out(s.triangles.size(), surface::kNone), todo;
+    std::uint32_t count = 0;
+    for (std::uint32_t first = 0; first < out.size(); ++first) {
+        if (out[first] != surface::kNone) continue;
+        out[first] = count;
+        todo.assign(1, first);
+        while (!todo.empty()) {
+            const std::uint32_t t = todo.back();
+            todo.pop_back();
+            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+                if (s.twin[h] == surface::kNone || !joined(h)) continue;
+                const std::uint32_t over = s.twin[h] / 3;
+                if (out[over] == surface::kNone) out[over] = count, todo.push_back(over);
+            }
+        }
+        ++count;
+    }
+    return out;
+}
+
+} // namespace filum::partition
