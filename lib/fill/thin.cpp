@@ -137,16 +137,16 @@ class ThinAxis {
             if (low >= kThin * width_ && high <= kFat * width_)
                 rising[axis_.radius[a] <= axis_.radius[b] ? a : b].push_back(k);
         }
-        std::vector<std::uint32_t> todo;
+        std::vector<std::uint32_t> pending;
         for (const auto k : alive_)
-            if (kept_[k]) todo.push_back(axis_.a[k]), todo.push_back(axis_.b[k]);
-        while (!todo.empty()) {
-            const std::uint32_t v = todo.back();
-            todo.pop_back();
+            if (kept_[k]) pending.push_back(axis_.a[k]), pending.push_back(axis_.b[k]);
+        while (!pending.empty()) {
+            const std::uint32_t v = pending.back();
+            pending.pop_back();
             for (const auto k : rising[v]) {
                 if (kept_[k]) continue;
                 kept_[k] = 1;
-                todo.push_back(axis_.a[k] == v ? axis_.b[k] : axis_.a[k]);
+                pending.push_back(axis_.a[k] == v ? axis_.b[k] : axis_.a[k]);
             }
         }
     }

@@ -80,19 +80,19 @@ class Sider {
 
     void flood() {
         region_.assign(surface_.vertices.size(), kNone);
-        std::vector<std::uint32_t> todo;
+        std::vector<std::uint32_t> pending;
         const auto take = [&](std::uint32_t v, std::uint32_t region) {
             if (region_[v] != kNone || out_.of[v] == 0) return;
             region_[v] = region;
-            todo.push_back(v);
+            pending.push_back(v);
         };
         for (std::uint32_t first = 0; first < region_.size(); ++first) {
             if (region_[first] != kNone || out_.of[first] == 0) continue;
             const auto region = static_cast<std::uint32_t>(balance_.size());
             balance_.push_back(0);
-            for (take(first, region); !todo.empty();) {
-                const std::uint32_t v = todo.back();
-                todo.pop_back();
+            for (take(first, region); !pending.empty();) {
+                const std::uint32_t v = pending.back();
+                pending.pop_back();
                 each_outgoing(surface_, v, [&](std::uint32_t h) {
                     if (blocked_[h] == 0) take(surface_.head(h), region);
                     if (const std::uint32_t back = surface::prev(h); blocked_[back] == 0)

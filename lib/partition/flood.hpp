@@ -11,19 +11,19 @@ namespace filum::partition {
 // on over the side h, which is never one of a rim.
 template <class Joined>
 std::vector<std::uint32_t> flood(const surface::Surface& s, Joined joined) {
-    std::vector<std::uint32_t> out(s.triangles.size(), surface::kNone), todo;
+    std::vector<std::uint32_t> out(s.triangles.size(), surface::kNone), pending;
     std::uint32_t count = 0;
     for (std::uint32_t first = 0; first < out.size(); ++first) {
         if (out[first] != surface::kNone) continue;
         out[first] = count;
-        todo.assign(1, first);
-        while (!todo.empty()) {
-            const std::uint32_t t = todo.back();
-            todo.pop_back();
+        pending.assign(1, first);
+        while (!pending.empty()) {
+            const std::uint32_t t = pending.back();
+            pending.pop_back();
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
                 if (s.twin[h] == surface::kNone || !joined(h)) continue;
                 const std::uint32_t over = s.twin[h] / 3;
-                if (out[over] == surface::kNone) out[over] = count, todo.push_back(over);
+                if (out[over] == surface::kNone) out[over] = count, pending.push_back(over);
             }
         }
         ++count;

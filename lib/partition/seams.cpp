@@ -24,21 +24,21 @@ class Creases {
 
     // Seams that lead nowhere, from their ends on.
     void drop_dead_ends() {
-        std::vector<std::uint32_t> count(s_.vertices.size(), 0), todo;
+        std::vector<std::uint32_t> count(s_.vertices.size(), 0), pending;
         for (std::uint32_t h = 0; h < seam_.size(); ++h)
             if (seam_[h] != 0 || s_.twin[h] == kNone) {
                 ++count[s_.tail(h)];
                 if (s_.twin[h] == kNone) ++count[s_.head(h)];
             }
         for (std::uint32_t v = 0; v < count.size(); ++v)
-            if (count[v] == 1) todo.push_back(v);
-        while (!todo.empty()) {
-            const std::uint32_t v = todo.back();
-            todo.pop_back();
+            if (count[v] == 1) pending.push_back(v);
+        while (!pending.empty()) {
+            const std::uint32_t v = pending.back();
+            pending.pop_back();
             surface::each_outgoing(s_, v, [&](std::uint32_t h) {
                 if (count[v] != 1 || seam_[h] == 0) return;
                 set(h, 0), --count[v];
-                if (--count[s_.head(h)] == 1) todo.push_back(s_.head(h));
+                if (--count[s_.head(h)] == 1) pending.push_back(s_.head(h));
             });
         }
     }

@@ -141,17 +141,17 @@ Farthest farthest(std::span<const Vec2> loop, std::size_t i, std::size_t j, std:
 void keep_far_points(std::span<const Vec2> loop, std::size_t first, std::size_t last, double tolerance,
                      std::vector<char>& keep) {
     constexpr std::size_t kLong = 2000; // points
-    std::vector<std::pair<std::size_t, std::size_t>> todo{{first, last}};
-    while (!todo.empty()) {
-        const auto [i, j] = todo.back();
-        todo.pop_back();
+    std::vector<std::pair<std::size_t, std::size_t>> pending{{first, last}};
+    while (!pending.empty()) {
+        const auto [i, j] = pending.back();
+        pending.pop_back();
         const std::size_t margin = j - i > kLong ? (j - i) / 3 : 0;
         Farthest found = farthest(loop, i, j, i + margin, j - margin);
         if (margin > 0 && found.distance2 <= tolerance * tolerance) found = farthest(loop, i, j, i, j);
         if (found.distance2 <= tolerance * tolerance) continue;
         keep[found.at] = 1;
-        todo.emplace_back(i, found.at);
-        todo.emplace_back(found.at, j);
+        pending.emplace_back(i, found.at);
+        pending.emplace_back(found.at, j);
     }
 }
 

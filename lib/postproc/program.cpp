@@ -18,6 +18,8 @@ constexpr double kTold = 0.05; // share by which a width or height must change b
 
 double power_of_ten(int n) { return std::pow(10.0, n); }
 
+std::int64_t units(double value, double scale) { return static_cast<std::int64_t>(std::nearbyint(value * scale)); }
+
 bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
 
 // What viewers know a kind of bead by (the names of PrusaSlicer, so that they get its colours).
@@ -119,8 +121,7 @@ void Program::change_tool(const Step& step) {
 }
 
 void Program::push() {
-    extruder_only(static_cast<std::int64_t>(std::nearbyint(profile_->fibre.prime * e_scale_)),
-                  profile_->fibre.prime_speed);
+    extruder_only(units(profile_->fibre.prime, e_scale_), profile_->fibre.prime_speed);
     if (counts() && !profile_->extrusion.relative && profile_->fibre.prime > 0) reset_extruder();
 }
 
@@ -148,7 +149,7 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
 }
 
 void Program::feed_units(double value) {
-    const auto f = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::nearbyint(value * f_scale_)));
+    const auto f = std::max<std::int64_t>(1, units(value, f_scale_));
     if (f == f_) return;
     text_ += " F";
     append_units(text_, f, profile_->format.f_decimals);
@@ -198,7 +199,6 @@ void Program::extruder_only(std::int64_t units, double speed) {
 }
 
 void Program::move(const Step& step) {
-    const auto units = [](double v, double scale) { return static_cast<std::int64_t>(std::nearbyint(v * scale)); };
     const bool rotary = profile_->axes.active();
     std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
                                    units(step.to.z, xyz_scale_), at_[3], at_[4]};
@@ -226,55 +226,26 @@ void Program::move(const Step& step) {
 
 // Extruder units owed for all that was laid so far: never negative, so nothing is taken back within a stroke.
 std::int64_t Program::due() {
-    const auto total = static_cast<std::int64_t>(std::nearbyint(laid_ * e_scale_));
+    const auto total = units(laid_, e_scale_);
     return total - std::exchange(laid_units_, total);
 }
 
-void Program::add(std::span<const Step> steps) {
+void Program::close(const Step& step) {
+    extruder_only(due(), profile_->travel.retract_speed);
+    code(off(step));
+    role_ = Role::travel;
+}
+
+void Program::retract() { extruder_only(-units(profile_->travel.retract, e_scale_), profile_->travel.retract_speed); }
+
+void Program::prime() {
     const auto& t = profile_->travel;
-    const auto units = [this](double e) { return static_cast<std::int64_t>(std::nearbyint(e * e_scale_)); };
-    for (const Step& step : steps) {
-        switch (step.act) {
-        case Act::layer:
-            layer(step);
-            break;
-        case Act::open:
-            code(on(step));
-            break;
-        case Act::close:
-            extruder_only(due(), t.retract_speed);
-            code(off(step));
-            role_ = Role::travel;
-            break;
-        case Act::retract:
-            extruder_only(-units(t.retract), t.retract_speed);
-            break;
-        case Act::prime:
-            extruder_only(units(t.retract) + units(t.extra), t.retract_speed);
-            break;
-        case Act::tool:
-            change_tool(step);
-            break;
-        case Act::push:
-            push();
-            break;
-        case Act::tension:
-            code(profile_->fibre.tension);
-            break;
-        case Act::cut:
-            (void)due(); // what rounding left over could not be fed any more
-            code(profile_->fibre.cut);
-            break;
-        case Act::omit:
-            break;
-        case Act::travel:
-        case Act::climb:
-        case Act::extrude:
-            move(step);
-            break;
-        }
-        spill();
-    }
+    extruder_only(units(t.retract, e_scale_) + units(t.extra, e_scale_), t.retract_speed);
+}
+
+void Program::cut() {
+    (void)due(); // what rounding left over could not be fed any more
+    code(profile_->fibre.cut);
 }
 
 } // namespace filum::postproc

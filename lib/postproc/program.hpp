@@ -27,14 +27,17 @@ class Program final : public Writer {
   public:
     Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
     void begin(const std::vector<std::string>& about) override;
-    void add(std::span<const Step> steps) override;
     void end() override;
 
   private:
-    void layer(const Step& step);
-    void change_tool(const Step& step);
-    void push();
-    void move(const Step& step);
+    void layer(const Step& step) override;
+    void close(const Step& step) override;
+    void retract() override;
+    void prime() override;
+    void change_tool(const Step& step) override;
+    void push() override;
+    void cut() override;
+    void move(const Step& step) override;
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
     void begin_axes();
     void end_axes();

@@ -169,48 +169,22 @@ void RobotProgram::push() {
     axis_speed_ = kAxisSpeed;
 }
 
-void RobotProgram::add(std::span<const Step> steps) {
-    for (const Step& step : steps) {
-        switch (step.act) {
-        case Act::layer:
-            values_["layer"] = step.layer, values_["z"] = step.to.z, values_["height"] = step.height;
-            code(profile_->templates.layer);
-            break;
-        case Act::open:
-            code(on(step));
-            break;
-        case Act::close:
-            code(off(step));
-            break;
-        case Act::retract: // taken back and given again on the way: with the next move
-            laid_ -= profile_->travel.retract;
-            break;
-        case Act::prime:
-            laid_ += profile_->travel.retract + profile_->travel.extra;
-            break;
-        case Act::tool:
-            tool(step);
-            speed_ = -1;
-            break;
-        case Act::push:
-            push();
-            break;
-        case Act::tension:
-            code(profile_->fibre.tension);
-            break;
-        case Act::cut:
-            code(profile_->fibre.cut);
-            break;
-        case Act::omit:
-            break;
-        case Act::travel:
-        case Act::climb:
-        case Act::extrude:
-            move(step);
-            break;
-        }
-        spill();
-    }
+void RobotProgram::layer(const Step& step) {
+    values_["layer"] = step.layer, values_["z"] = step.to.z, values_["height"] = step.height;
+    code(profile_->templates.layer);
 }
+
+void RobotProgram::close(const Step& step) { code(off(step)); }
+
+// Taken back and given again on the way: with the next move.
+void RobotProgram::retract() { laid_ -= profile_->travel.retract; }
+void RobotProgram::prime() { laid_ += profile_->travel.retract + profile_->travel.extra; }
+
+void RobotProgram::change_tool(const Step& step) {
+    tool(step);
+    speed_ = -1;
+}
+
+void RobotProgram::cut() { code(profile_->fibre.cut); }
 
 } // namespace filum::postproc

@@ -28,15 +28,20 @@ class RobotProgram final : public Writer {
   public:
     RobotProgram(const machine::Profile& profile, const Survey& survey, Text out);
     void begin(const std::vector<std::string>& about) override;
-    void add(std::span<const Step> steps) override;
     void end() override;
 
   private:
+    void layer(const Step& step) override;
+    void close(const Step& step) override;
+    void retract() override;
+    void prime() override;
+    void change_tool(const Step& step) override;
+    void push() override;
+    void cut() override;
+    void move(const Step& step) override;
     void number(double value, int decimals);
     void list(std::span<const double> values, int decimals);
-    void move(const Step& step);
     void write(const Step& step);
-    void push();
     void krl(const Step& step, const Orientation& o);
     void rapid(const Step& step, const Orientation& o);
     void urscript(const Step& step, const Orientation& o);

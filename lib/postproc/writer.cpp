@@ -17,6 +17,48 @@ Writer::Writer(const machine::Profile& profile, machine::Values values, Text out
     text_.reserve(kBlock + 1024);
 }
 
+void Writer::add(std::span<const Step> steps) {
+    for (const Step& step : steps) {
+        switch (step.act) {
+        case Act::layer:
+            layer(step);
+            break;
+        case Act::open:
+            code(on(step));
+            break;
+        case Act::close:
+            close(step);
+            break;
+        case Act::retract:
+            retract();
+            break;
+        case Act::prime:
+            prime();
+            break;
+        case Act::tool:
+            change_tool(step);
+            break;
+        case Act::push:
+            push();
+            break;
+        case Act::tension:
+            code(profile_->fibre.tension);
+            break;
+        case Act::cut:
+            cut();
+            break;
+        case Act::omit:
+            break;
+        case Act::travel:
+        case Act::climb:
+        case Act::extrude:
+            move(step);
+            break;
+        }
+        spill();
+    }
+}
+
 void Writer::comment(std::string_view text) {
     append_comment(text_, text, profile_->format.comments);
     end_line();

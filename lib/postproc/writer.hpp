@@ -18,10 +18,20 @@ class Writer {
   public:
     virtual ~Writer() = default;
     virtual void begin(const std::vector<std::string>& about) = 0; // `about`: lines for the head, see about.hpp
-    virtual void add(std::span<const Step> steps) = 0;
+    void add(std::span<const Step> steps);
     virtual void end() = 0;
 
   protected:
+    // What a step becomes, where languages differ.
+    virtual void layer(const Step& step) = 0;
+    virtual void close(const Step& step) = 0;
+    virtual void retract() = 0;
+    virtual void prime() = 0;
+    virtual void change_tool(const Step& step) = 0;
+    virtual void push() = 0;
+    virtual void cut() = 0;
+    virtual void move(const Step& step) = 0;
+
     Writer(const machine::Profile& profile, machine::Values values, Text out);
     void end_line() { text_ += profile_->format.crlf ? "\r\n" : "\n"; }
     void comment(std::string_view text);

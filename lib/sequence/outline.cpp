@@ -62,10 +62,10 @@ Box2 span(Vec2 p, Vec2 q) {
 // Calls near(a, b, c, d) for edge pairs whose boxes `open` lets through; stops once it returns true.
 template <class Open, class Near>
 bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
-    std::vector<std::pair<std::size_t, std::size_t>> todo{{0, 0}};
-    while (!todo.empty()) {
-        const auto [i, j] = todo.back();
-        todo.pop_back();
+    std::vector<std::pair<std::size_t, std::size_t>> pending{{0, 0}};
+    while (!pending.empty()) {
+        const auto [i, j] = pending.back();
+        pending.pop_back();
         if (!open(a.box[i], b.box[j])) continue;
         const bool leaf_a = i + 1 >= a.leaves, leaf_b = j + 1 >= b.leaves;
         if (leaf_a && leaf_b) {
@@ -84,11 +84,11 @@ bool any_pair(const Outline& a, const Outline& b, Open&& open, Near&& near) {
         }
         const auto size = [](const Box2& x) { return x.hi.x - x.lo.x + x.hi.y - x.lo.y; };
         if (leaf_b || (!leaf_a && size(a.box[i]) >= size(b.box[j]))) {
-            todo.emplace_back(2 * i + 1, j);
-            todo.emplace_back(2 * i + 2, j);
+            pending.emplace_back(2 * i + 1, j);
+            pending.emplace_back(2 * i + 2, j);
         } else {
-            todo.emplace_back(i, 2 * j + 1);
-            todo.emplace_back(i, 2 * j + 2);
+            pending.emplace_back(i, 2 * j + 1);
+            pending.emplace_back(i, 2 * j + 2);
         }
     }
     return false;

@@ -12,19 +12,19 @@ namespace {
 
 void number_components(Surface& s) {
     s.component.assign(s.triangles.size(), kNone);
-    std::vector<std::uint32_t> todo;
+    std::vector<std::uint32_t> pending;
     for (std::uint32_t first = 0; first < s.triangles.size(); ++first) {
         if (s.component[first] != kNone) continue;
         s.component[first] = s.components;
-        todo.assign(1, first);
-        while (!todo.empty()) {
-            const std::uint32_t t = todo.back();
-            todo.pop_back();
+        pending.assign(1, first);
+        while (!pending.empty()) {
+            const std::uint32_t t = pending.back();
+            pending.pop_back();
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const std::uint32_t other = s.twin[3 * t + k];
                 if (other == kNone || s.component[other / 3] != kNone) continue;
                 s.component[other / 3] = s.components;
-                todo.push_back(other / 3);
+                pending.push_back(other / 3);
             }
         }
         ++s.components;

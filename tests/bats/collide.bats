@@ -7,28 +7,8 @@ load common
 # Towers of 6 mm, 7 mm apart in the gap, each one stroke; a block to stand in the way.
 setup_file() {
     cd "$BATS_FILE_TMPDIR" || exit 1
-    python3 - << 'END'
-import struct
-
-FACES = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6),
-         (1, 3, 5), (3, 7, 5))
-
-
-def box(lo, hi):
-    corner = [[(lo, hi)[i >> k & 1][k] for k in range(3)] for i in range(8)]
-    return [sum((corner[i] for i in face), []) for face in FACES]
-
-
-def write(name, triangles):
-    with open(name, "wb") as f:
-        f.write(bytes(80) + struct.pack("<I", len(triangles)))
-        for t in triangles:
-            f.write(struct.pack("<12x9fH", *t, 0))
-
-
-write("towers.stl", [t for x in (0, 11) for t in box((x, 0, 0), (x + 4, 4, 6))])
-write("block.stl", box((30, -5, 0), (32, 9, 20)))
-END
+    boxes towers.stl 0,0,0,4,4,6 11,0,0,15,4,6
+    boxes block.stl 30,-5,0,32,9,20
     slice towers.stl | regions | sequence --head none | fill | link3d --head none > towers.toolpath
     # A piece of a bowl of radius 40 beside its pole, for tilted tools.
     awk 'BEGIN {

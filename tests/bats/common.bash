@@ -60,6 +60,25 @@ flat_box_stl() {
     done
 }
 
+# boxes FILE X0,Y0,Z0,X1,Y1,Z1...: boxes from one corner to the other, as a binary STL.
+boxes() {
+    python3 - "$@" << 'END'
+import struct
+import sys
+
+FACES = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6),
+         (1, 3, 5), (3, 7, 5))
+
+with open(sys.argv[1], "wb") as f:
+    f.write(bytes(80) + struct.pack("<I", 12 * len(sys.argv[2:])))
+    for box in sys.argv[2:]:
+        ends = [float(v) for v in box.split(",")]
+        corner = [[ends[3 * (i >> k & 1) + k] for k in range(3)] for i in range(8)]
+        for face in FACES:
+            f.write(struct.pack("<12x9fH", *sum((corner[i] for i in face), []), 0))
+END
+}
+
 # disc RADIUS: a flat one, in 48 triangles.
 disc() {
     awk -v r="$1" 'BEGIN {

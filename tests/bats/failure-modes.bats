@@ -2,37 +2,26 @@
 # baseline violates the property is asserted, too: it is what the mode is.  The others are GoogleTests (FailureModes) in
 # tests/lib/fill and tests/lib/link3d.
 
+load common
+
 setup() {
     cd "$BATS_TEST_TMPDIR" || exit 1
     # towers.stl: four towers of 4 x 4 x 4 mm, 10 mm from centre to centre, in a square; bar.stl: 30 x 5 x 2 mm;
     # wedge.stl: a triangle with a base of 10 mm and a corner of 40 degrees, 0.2 mm high
-    python3 - <<'END'
+    boxes towers.stl 0,0,0,4,4,4 0,10,0,4,14,4 10,0,0,14,4,4 10,10,0,14,14,4
+    boxes bar.stl 0,0,0,30,5,2
+    python3 - << 'END'
 import math
 import struct
 
-FACES = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6),
-         (1, 3, 5), (3, 7, 5))
-
-
-def box(lo, hi):
-    corner = [[(lo, hi)[i >> k & 1][k] for k in range(3)] for i in range(8)]
-    return [sum((corner[i] for i in face), []) for face in FACES]
-
-
-def write(name, triangles):
-    with open(name, "wb") as f:
-        f.write(bytes(80) + struct.pack("<I", len(triangles)))
-        for t in triangles:
-            f.write(struct.pack("<12x9fH", *t, 0))
-
-
-write("towers.stl", [t for x in (0, 10) for y in (0, 10) for t in box((x, y, 0), (x + 4, y + 4, 4))])
-write("bar.stl", box((0, 0, 0), (30, 5, 2)))
 a, b, c = (0, 0), (10, 0), (5, 5 / math.tan(math.radians(20)))
 wedge = [(*a, 0, *c, 0, *b, 0), (*a, 0.2, *b, 0.2, *c, 0.2)]
 for p, q in ((a, b), (b, c), (c, a)):
     wedge += [(*p, 0, *q, 0, *q, 0.2), (*p, 0, *q, 0.2, *p, 0.2)]
-write("wedge.stl", wedge)
+with open("wedge.stl", "wb") as f:
+    f.write(bytes(80) + struct.pack("<I", len(wedge)))
+    for t in wedge:
+        f.write(struct.pack("<12x9fH", *t, 0))
 END
 }
 

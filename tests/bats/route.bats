@@ -7,32 +7,11 @@ load common
 # Towers of 12 mm and a low slab beyond; a thin wall and an arch as meshes.
 setup_file() {
     cd "$BATS_FILE_TMPDIR" || exit 1
-    python3 - << 'END'
-import struct
-
-FACES = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2), (2, 4, 6),
-         (1, 3, 5), (3, 7, 5))
-
-
-def box(lo, hi):
-    corner = [[(lo, hi)[i >> k & 1][k] for k in range(3)] for i in range(8)]
-    return [sum((corner[i] for i in face), []) for face in FACES]
-
-
-def write(name, *boxes):
-    with open(name, "wb") as f:
-        f.write(bytes(80) + struct.pack("<I", 12 * len(boxes)))
-        for b in boxes:
-            for t in box(*b):
-                f.write(struct.pack("<12x9fH", *t, 0))
-
-
-write("towers.stl", *(((x, 0, 0), (x + 4, 4, 12)) for x in (0, 15, 30)))
-write("clamp.stl", ((6, -10, 0), (13, 14, 25)))
-write("beside.stl", ((-3, -30, 0), (-2, 34, 20)))
-write("arch.stl", ((2.5, -12, 0), (9, -10, 20)), ((2.5, 14, 0), (9, 16, 20)), ((2.5, -12, 20), (9, 16, 22)))
-write("above.stl", ((-30, -30, 9), (60, 60, 10)))
-END
+    boxes towers.stl 0,0,0,4,4,12 15,0,0,19,4,12 30,0,0,34,4,12
+    boxes clamp.stl 6,-10,0,13,14,25
+    boxes beside.stl -3,-30,0,-2,34,20
+    boxes arch.stl 2.5,-12,0,9,-10,20 2.5,14,0,9,16,20 2.5,-12,20,9,16,22
+    boxes above.stl -30,-30,9,60,60,10
     # finished one after the other, as a slim head may
     slice towers.stl | regions | sequence --head none | fill | link3d --head none > towers.toolpath
 }

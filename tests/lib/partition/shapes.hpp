@@ -1,6 +1,7 @@
 // Surfaces with known directions.
 #pragma once
 
+#include "../surface/grid.hpp"
 #include "partition/partition.hpp"
 
 #include <cmath>
@@ -16,18 +17,9 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 // [0, a] x [0, b] in n x m cells, each in two triangles, put into space.
 inline Sheet grid(double a, double b, int n, int m, const std::function<Vec3(Vec2)>& lift) {
-    mesh::Mesh out;
-    for (int j = 0; j <= m; ++j)
-        for (int i = 0; i <= n; ++i) out.vertices.push_back(lift({a * i / n, b * j / m}));
-    for (int j = 0; j < m; ++j)
-        for (int i = 0; i < n; ++i) {
-            const auto at = static_cast<std::uint32_t>(j * (n + 1) + i), up = at + static_cast<std::uint32_t>(n) + 1;
-            out.triangles.push_back({at, at + 1, up + 1});
-            out.triangles.push_back({at, up + 1, up});
-        }
     Notes notes;
     Sheet sheet;
-    sheet.surface = surface::connect(std::move(out), notes);
+    sheet.surface = surface::connect(surface::grid(a, b, n, m, lift), notes);
     return sheet;
 }
 
