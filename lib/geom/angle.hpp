@@ -1,0 +1,16 @@
+// Angles in radians and in degrees.
+#pragma once
+
+#include <numbers>
+
+namespace filum::geom {
+
+// Radians in one degree: 5 * kDegree is an angle of five degrees.
+inline constexpr double kDegree = std::numbers::pi / 180;
+
+// An angle given in degrees as radians, and back.  Rounded as written: radians(d) may differ from d * kDegree in the
+// last bit.
+constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+} // namespace filum::geom
