@@ -1,6 +1,7 @@
 // Angles in radians and in degrees.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 namespace filum::geom {
@@ -12,5 +13,10 @@ inline constexpr double kDegree = std::numbers::pi / 180;
 // last bit.
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 constexpr double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+// `angle` plus the whole turns that bring it nearest to `to`, rad.
+inline double unwrapped(double angle, double to) {
+    return angle + 2 * std::numbers::pi * std::round((to - angle) / (2 * std::numbers::pi));
+}
 
 } // namespace filum::geom

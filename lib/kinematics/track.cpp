@@ -1,20 +1,16 @@
 #include "kinematics/track.hpp"
 
+#include "geom/angle.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::kinematics {
 
 namespace {
 
-// `angle` plus the whole turns that bring it next to `to`.
-double near(double angle, double to) {
-    return angle + 2 * std::numbers::pi * std::round((to - angle) / (2 * std::numbers::pi));
-}
-
-constexpr double kEdge = 1e-8; // rad beyond limits: what route() allows, and a little
-constexpr double kTaut = 0.95; // share of the tolerance that is used at poses; the rest is for between them
+constexpr double kTrackSlack = 1e-8; // rad beyond limits: what route() allows, and a little
+constexpr double kTaut = 0.95;       // share of the tolerance that is used at poses; the rest is for between them
 
 // How far the turn may be off at a pose, rad.
 double play(const Pose& p, double allowed) {
@@ -89,8 +85,8 @@ void spin_on_axis(std::span<const Pose> poses, const Chain& c, std::span<double>
 
 // A tilt that its limits allow.
 double clipped(double tilt, double tolerance, const Limits& l) {
-    if (tilt < l.tilt_min && tilt >= l.tilt_min - tolerance - kEdge) return l.tilt_min;
-    if (tilt > l.tilt_max && tilt <= l.tilt_max + tolerance + kEdge) return l.tilt_max;
+    if (tilt < l.tilt_min && tilt >= l.tilt_min - tolerance - kTrackSlack) return l.tilt_min;
+    if (tilt > l.tilt_max && tilt <= l.tilt_max + tolerance + kTrackSlack) return l.tilt_max;
     return tilt;
 }
 
@@ -120,7 +116,7 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
         if (chain.carrier == Carrier::polar)
             spin_on_axis(part, chain, turn);
         else
-            loosen(part, tolerance, first == 0 ? near(before.turn, turn[0]) : turn[0], limits, turn);
+            loosen(part, tolerance, first == 0 ? geom::unwrapped(before.turn, turn[0]) : turn[0], limits, turn);
         Piece piece{first, {}};
         piece.joints.reserve(turn.size());
         for (std::size_t k = 0; k < turn.size(); ++k) {
@@ -130,9 +126,9 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             if (off > out.off) out.off = off, out.off_at = first + k;
             if (std::abs(wanted - tilt) > out.clipped)
                 out.clipped = std::abs(wanted - tilt), out.clipped_at = first + k;
-            const bool turned_out = turn[k] < limits.turn_min - kEdge || turn[k] > limits.turn_max + kEdge;
+            const bool turned_out = turn[k] < limits.turn_min - kTrackSlack || turn[k] > limits.turn_max + kTrackSlack;
             if (out.stuck == poses.size() &&
-                (turned_out || tilt < limits.tilt_min - kEdge || tilt > limits.tilt_max + kEdge)) {
+                (turned_out || tilt < limits.tilt_min - kTrackSlack || tilt > limits.tilt_max + kTrackSlack)) {
                 out.stuck = first + k;
                 out.why = turned_out ? "the turn axis would leave its limits" : "the tilt axis would leave its limits";
             }

@@ -1,5 +1,7 @@
 #include "kinematics/ways.hpp"
 
+#include "geom/angle.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,16 +11,13 @@ namespace filum::kinematics {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kUpright = 1e-9; // rad: tilts below have no heading at all
-constexpr double kEdge = 1e-9;    // rad, mm, beyond limits
+constexpr double kUpright = 1e-9;    // rad: tilts below have no heading at all
+constexpr double kRouteSlack = 1e-9; // rad, mm, beyond limits
 constexpr double kInf = std::numeric_limits<double>::infinity();
 // rad of travel that a break is worth, by Lifting: more than any stroke's axes travel; then by place.
 constexpr double kBreak[] = {0, 1e7, 1.01e7, 1.1e7};
 constexpr double kMostTurns = 4000;
 constexpr std::uint16_t kNowhere = 0xffff, kLifted = 0x8000;
-
-// `angle` plus the whole turns that bring it next to `to`.
-double beside(double angle, double to) { return angle + kTurn * std::round((to - angle) / kTurn); }
 
 // Both ways to stand at one pose.
 struct Stand {
@@ -65,7 +64,7 @@ class Programme {
     };
 
     [[nodiscard]] bool within(double turn) const {
-        return !bounded_ || (turn >= limits_.turn_min - kEdge && turn <= limits_.turn_max + kEdge);
+        return !bounded_ || (turn >= limits_.turn_min - kRouteSlack && turn <= limits_.turn_max + kRouteSlack);
     }
 
     [[nodiscard]] Stand stand_at(std::size_t i, const Stand& before) const {
@@ -79,8 +78,8 @@ class Programme {
         for (std::size_t k = 0; k < 2; ++k) {
             out.turn[k] = out.free ? before.turn[k] : both[k].turn;
             out.tilt[k] = level <= kUpright ? 0 : both[k].tilt;
-            const bool tilts =
-                out.tilt[k] >= limits_.tilt_min - lean_ - kEdge && out.tilt[k] <= limits_.tilt_max + lean_ + kEdge;
+            const bool tilts = out.tilt[k] >= limits_.tilt_min - lean_ - kRouteSlack &&
+                               out.tilt[k] <= limits_.tilt_max + lean_ + kRouteSlack;
             out.able[k] =
                 tilts && (c_.carrier != Carrier::polar ||
                           place(c_, poses_[i].tip, both[k].tilt, both[k].turn).xyz.x >= limits_.radius_min - 1e-6);
@@ -113,7 +112,7 @@ class Programme {
     void reach(std::size_t i, const Stand& stand, std::size_t s, const State& from, std::vector<State>& now) {
         for (std::size_t k = 0; k < 2; ++k) {
             if (!stand.able[k] || (stand.free && i > 0 && k != s % 2)) continue;
-            const double turn = stand.free ? from.turn : beside(stand.turn[k], from.turn);
+            const double turn = stand.free ? from.turn : geom::unwrapped(stand.turn[k], from.turn);
             if (!within(turn) || !passes(i, from, turn, stand.tilt[k])) continue;
             relax(i, index(k, turn, stand),
                   {from.cost + std::abs(turn - from.turn) + std::abs(stand.tilt[k] - from.tilt), turn, stand.tilt[k]},
@@ -145,7 +144,7 @@ class Programme {
         if (!(from.cost < kInf)) return;
         for (std::size_t s = 0; s < now.size(); ++s) {
             const std::size_t k = s % 2;
-            const double turn = bounded_ ? turn_of(stand, s) : beside(stand.turn[k], from.turn);
+            const double turn = bounded_ ? turn_of(stand, s) : geom::unwrapped(stand.turn[k], from.turn);
             if (s == best || !stand.able[k] || !within(turn)) continue;
             const double travel = std::abs(turn - from.turn) + std::abs(from.tilt) + std::abs(stand.tilt[k]);
             relax(i, s, {from.cost + kBreak[static_cast<std::size_t>(lifting_[i])] + travel, turn, stand.tilt[k]},
@@ -171,7 +170,7 @@ class Programme {
         double turn = before_.turn;
         for (Stop& stop : out.stops) {
             const Stand& at = stands_[stop.pose];
-            if (!at.free || stop.lifted) turn = beside(at.turn[static_cast<std::size_t>(stop.way)], turn);
+            if (!at.free || stop.lifted) turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.way)], turn);
             stop.turn = turn;
         }
     }
