@@ -7,14 +7,10 @@ namespace filum::mesh {
 
 namespace {
 
-[[noreturn]] void bad(const std::string& name, const Text& text, const std::string& why) {
-    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
-}
-
 Vec3 vertex(Text& text, const std::string& name) {
     double c[3] = {};
     for (double& d : c)
-        if (!text.more_on_line() || !text.number(d)) bad(name, text, "a vertex takes three numbers");
+        if (!text.more_on_line() || !text.number(d)) malformed_line(name, text, "a vertex takes three numbers");
     return {c[0], c[1], c[2]};
 }
 
@@ -34,10 +30,10 @@ void face(Text& text, const std::string& name, std::size_t count, std::vector<st
     while (text.more_on_line()) {
         if (continued(text)) continue;
         long long i = 0;
-        if (!text.whole(i)) bad(name, text, "a corner of a face is no whole number");
+        if (!text.whole(i)) malformed_line(name, text, "a corner of a face is no whole number");
         while (text.at < text.end && !is_blank(*text.at) && *text.at != '\n') ++text.at; // texture, normal
         if (i < 0) i += static_cast<long long>(count) + 1;
-        if (i < 1 || i > 0xffffffffLL) bad(name, text, "a face has a corner that is no vertex");
+        if (i < 1 || i > 0xffffffffLL) malformed_line(name, text, "a face has a corner that is no vertex");
         corners.push_back(static_cast<std::uint32_t>(i - 1));
     }
 }

@@ -7,10 +7,6 @@ namespace filum::mesh {
 
 namespace {
 
-[[noreturn]] void bad(const std::string& name, const Text& text, const std::string& why) {
-    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
-}
-
 // Goes to the next word of the file, which must be there.
 void need(Text& text, const std::string& name) {
     if (!text.more()) throw Error(Exit::truncated, "cannot read " + name + ": it ends before its last face");
@@ -19,7 +15,7 @@ void need(Text& text, const std::string& name) {
 std::uint64_t count(Text& text, const std::string& name, const char* of) {
     long long n = 0;
     need(text, name);
-    if (!text.whole(n) || n < 0) bad(name, text, std::string("the number of ") + of + " is missing");
+    if (!text.whole(n) || n < 0) malformed_line(name, text, std::string("the number of ") + of + " is missing");
     // every vertex and face takes two bytes or more
     if (static_cast<std::uint64_t>(n) > static_cast<std::uint64_t>(text.end - text.begin))
         throw Error(Exit::truncated, "cannot read " + name + ": it announces " + std::to_string(n) + " " + of +
@@ -34,7 +30,7 @@ std::vector<Vec3> vertices(Text& text, const std::string& name, std::uint64_t n,
         double c[3] = {};
         for (double& d : c) {
             need(text, name);
-            if (!text.number(d)) bad(name, text, "a vertex takes three numbers");
+            if (!text.number(d)) malformed_line(name, text, "a vertex takes three numbers");
         }
         if (extras) text.skip_line();
         out.push_back({c[0], c[1], c[2]});
@@ -49,12 +45,12 @@ std::vector<Triangle> faces(Text& text, const std::string& name, std::uint64_t n
     for (std::uint64_t i = 0; i < n; ++i) {
         long long size = 0, v = 0;
         need(text, name);
-        if (!text.whole(size) || size < 0) bad(name, text, "a face does not say how many corners it has");
+        if (!text.whole(size) || size < 0) malformed_line(name, text, "a face does not say how many corners it has");
         corners.clear();
         for (long long k = 0; k < size; ++k) {
             need(text, name);
             if (!text.whole(v) || v < 0 || static_cast<unsigned long long>(v) >= vertex_count)
-                bad(name, text, "a face has a corner that is no vertex");
+                malformed_line(name, text, "a face has a corner that is no vertex");
             corners.push_back(static_cast<std::uint32_t>(v));
         }
         text.skip_line(); // its colour

@@ -1,11 +1,11 @@
 #include "mesh/place.hpp"
 
 #include "base/error.hpp"
+#include "geom/angle.hpp"
 #include "mesh/formats.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::mesh {
 
@@ -21,7 +21,7 @@ Turn turn(double degrees) {
     if (d == 90) return {0, 1};
     if (d == -90) return {0, -1};
     if (std::abs(d) == 180) return {-1, 0};
-    const double r = d * std::numbers::pi / 180;
+    const double r = geom::radians(d);
     return {std::cos(r), std::sin(r)};
 }
 

@@ -36,7 +36,7 @@ struct Header {
     std::vector<Element> elements;
 };
 
-[[noreturn]] void bad(const std::string& name, const std::string& why) {
+[[noreturn]] void malformed(const std::string& name, const std::string& why) {
     throw Error(Exit::bad_input, "cannot read " + name + ": " + why);
 }
 [[noreturn]] void cut(const std::string& name) {
@@ -51,14 +51,14 @@ Type type(std::string_view word, const std::string& name) {
         {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
     for (const auto& [text, t] : kNames)
         if (word == text) return t;
-    bad(name, "its header has a property of unknown type '" + std::string(word.substr(0, 20)) + "'");
+    malformed(name, "its header has a property of unknown type '" + std::string(word.substr(0, 20)) + "'");
 }
 
 Encoding encoding(std::string_view word, const std::string& name) {
     if (word == "ascii") return Encoding::text;
     if (word == "binary_little_endian") return Encoding::little;
     if (word == "binary_big_endian") return Encoding::big;
-    bad(name, "its header names the unknown format '" + std::string(word.substr(0, 30)) + "'");
+    malformed(name, "its header names the unknown format '" + std::string(word.substr(0, 30)) + "'");
 }
 
 Property property(Text& text, const std::string& name) {
@@ -67,7 +67,7 @@ Property property(Text& text, const std::string& name) {
     if (word == "list") {
         p.count = type(text.word(), name);
         if (*p.count == Type::f32 || *p.count == Type::f64)
-            bad(name, "its header has a list whose length is no whole number");
+            malformed(name, "its header has a list whose length is no whole number");
         word = text.word();
     }
     p.type = type(word, name);
@@ -90,11 +90,12 @@ Header header(Text& text, const std::string& name) {
             Element e;
             e.name = text.word();
             long long n = -1;
-            if (!text.more_on_line() || !text.whole(n) || n < 0) bad(name, "its header has an element without a count");
+            if (!text.more_on_line() || !text.whole(n) || n < 0)
+                malformed(name, "its header has an element without a count");
             e.count = static_cast<std::uint64_t>(n);
             out.elements.push_back(std::move(e));
         } else if (word == "property") {
-            if (out.elements.empty()) bad(name, "its header has a property before the first element");
+            if (out.elements.empty()) malformed(name, "its header has a property before the first element");
             out.elements.back().properties.push_back(property(text, name));
         }
         text.skip_line();
@@ -117,7 +118,7 @@ class Values {
             double v = 0;
             if (!text_.more()) cut(name_);
             if (!text_.number(v))
-                bad(name_, "line " + std::to_string(text_.line()) + " has something that is no number");
+                malformed(name_, "line " + std::to_string(text_.line()) + " has something that is no number");
             return v;
         }
         switch (t) {
@@ -144,7 +145,7 @@ class Values {
     // The length of a list of `t`; that many values can be there.
     std::uint64_t length(const Property& p) {
         const double n = next(*p.count);
-        if (!(n >= 0)) bad(name_, "it has a list of negative length");
+        if (!(n >= 0)) malformed(name_, "it has a list of negative length");
         if (n * static_cast<double>(least_size(p.type)) > static_cast<double>(bytes_left())) cut(name_);
         return static_cast<std::uint64_t>(n);
     }
@@ -181,7 +182,7 @@ void read_vertices(Values& values, const Element& e, const std::string& name, st
         to[i] = p.name == "x" ? &Vec3::x : p.name == "y" ? &Vec3::y : p.name == "z" ? &Vec3::z : nullptr;
         found += to[i] != nullptr ? 1 : 0;
     }
-    if (found != 3) bad(name, "its vertices lack x, y or z");
+    if (found != 3) malformed(name, "its vertices lack x, y or z");
     out.reserve(e.count);
     for (std::uint64_t i = 0; i < e.count; ++i) {
         Vec3 v;
@@ -200,7 +201,7 @@ void read_faces(Values& values, const Element& e, const std::string& name, std::
         return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     if (std::count_if(e.properties.begin(), e.properties.end(), is_index) != 1)
-        bad(name, "its faces have no list 'vertex_indices'");
+        malformed(name, "its faces have no list 'vertex_indices'");
     std::vector<std::uint32_t> corners;
     for (std::uint64_t i = 0; i < e.count; ++i)
         for (const Property& p : e.properties) {
@@ -211,7 +212,7 @@ void read_faces(Values& values, const Element& e, const std::string& name, std::
             corners.clear();
             for (std::uint64_t k = values.length(p); k > 0; --k) {
                 const double v = values.next(p.type);
-                if (!(v >= 0 && v < 4294967295.0)) bad(name, "a face has a corner that is no vertex");
+                if (!(v >= 0 && v < 4294967295.0)) malformed(name, "a face has a corner that is no vertex");
                 corners.push_back(static_cast<std::uint32_t>(v));
             }
             append_fan(out, corners);
@@ -241,10 +242,10 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes&) {
             for (std::uint64_t i = 0; i < e.count; ++i)
                 for (const Property& p : e.properties) skip(values, p);
     }
-    if (strips && out.triangles.empty()) bad(name, "it holds triangle strips; export it with faces");
+    if (strips && out.triangles.empty()) malformed(name, "it holds triangle strips; export it with faces");
     for (const Triangle& t : out.triangles)
         for (const std::uint32_t v : t)
-            if (v >= out.vertices.size()) bad(name, "a face has a corner that is no vertex");
+            if (v >= out.vertices.size()) malformed(name, "a face has a corner that is no vertex");
     return out;
 }
 

@@ -1,6 +1,8 @@
 // A cursor over text for the readers of text formats; private to lib/mesh.
 #pragma once
 
+#include "base/error.hpp"
+
 #include <charconv>
 #include <cstdlib>
 #include <string>
@@ -83,5 +85,10 @@ struct Text {
         return true;
     }
 };
+
+// Throws Error(bad_input) naming the file, the line that the cursor is in, and the fault.
+[[noreturn]] inline void malformed_line(const std::string& name, const Text& text, const std::string& why) {
+    throw Error(Exit::bad_input, "cannot read " + name + ": line " + std::to_string(text.line()) + ": " + why);
+}
 
 } // namespace filum::mesh
