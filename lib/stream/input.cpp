@@ -1,6 +1,7 @@
 #include "stream/input.hpp"
 
 #include "base/error.hpp"
+#include "stream/block.hpp"
 #include "stream/crc32c.hpp"
 
 #include <algorithm>
@@ -11,13 +12,6 @@
 #include <utility>
 
 namespace filum::stream {
-
-namespace {
-
-constexpr std::size_t kBlock = std::size_t{256} << 10; // stays in the cache between read() and the copy out of it
-constexpr int kPipe = 1 << 20;
-
-} // namespace
 
 Input::Input(const std::string& path) : block_(std::make_unique_for_overwrite<char[]>(kBlock)) {
     if (path.empty() || path == "-") {

@@ -1,6 +1,7 @@
 #include "stream/sink.hpp"
 
 #include "base/error.hpp"
+#include "stream/block.hpp"
 
 #include <cerrno>
 #include <climits>
@@ -16,9 +17,6 @@
 namespace filum::stream {
 
 namespace {
-
-constexpr std::size_t kBlock = std::size_t{256} << 10;
-constexpr int kPipe = 1 << 20; // what Linux allows to everyone: fewer changes of process
 
 [[noreturn]] void fail(const std::string& what, const std::string& name, int cause) {
     throw Error(Exit::io, "cannot " + what + " " + name + ": " + std::strerror(cause));
