@@ -1,6 +1,6 @@
 #include "wire/planar.hpp"
 
-#include "base/error.hpp"
+#include "wire/checks.hpp"
 
 #include "filum/stream.pb.h"
 
@@ -14,17 +14,11 @@ using google::protobuf::RepeatedField;
 using stream::RawFrame;
 using stream::Tag;
 
-constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product far from overflow
-
-[[noreturn]] void bad(const char* frame, const std::string& why) {
-    throw Error(Exit::bad_input, std::string("cannot use a ") + frame + " frame: " + why);
-}
-
 template <class Message>
 Message parse(const RawFrame& frame, Tag tag, const char* what) {
-    if (frame.tag != tag) bad(what, "it is of another kind");
+    if (frame.tag != tag) bad_frame(what, "it is of another kind");
     Message m;
-    if (!m.ParseFromArray(frame.body.data(), static_cast<int>(frame.body.size()))) bad(what, "malformed");
+    if (!m.ParseFromArray(frame.body.data(), static_cast<int>(frame.body.size()))) bad_frame(what, "malformed");
     return m;
 }
 
@@ -35,40 +29,38 @@ RawFrame raw(Tag tag, const Message& m) {
     return {tag, m.SerializeAsString()};
 }
 
-bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
-
 void check_height(double z, double height, const char* what) {
-    if (!usable(z) || !usable(height) || height <= 0) bad(what, "its height is not positive");
+    if (!usable(z) || !usable(height) || height <= 0) bad_frame(what, "its height is not positive");
 }
 
-std::vector<geom::Vec2> points(const RepeatedField<double>& x, const RepeatedField<double>& y, const char* what) {
-    if (x.size() != y.size()) bad(what, "x and y differ in number");
+std::vector<geom::Vec2> plane_points(const RepeatedField<double>& x, const RepeatedField<double>& y, const char* what) {
+    if (x.size() != y.size()) bad_frame(what, "x and y differ in number");
     std::vector<geom::Vec2> out(static_cast<std::size_t>(x.size()));
     bool fine = true;
     for (int i = 0; i < x.size(); ++i) {
         out[static_cast<std::size_t>(i)] = {x[i], y[i]};
         fine = fine && usable(x[i]) && usable(y[i]);
     }
-    if (!fine) bad(what, "a coordinate is not a number or beyond 1e8 mm");
+    if (!fine) bad_frame(what, "a coordinate is not a number or beyond 1e8 mm");
     return out;
 }
 
 polygon::Loops loops(const proto::Loops& m, const char* what) {
     polygon::Loops out;
-    out.points = points(m.x(), m.y(), what);
+    out.points = plane_points(m.x(), m.y(), what);
     if (m.start_size() == 0) {
-        if (!out.points.empty()) bad(what, "loop offsets are missing");
+        if (!out.points.empty()) bad_frame(what, "loop offsets are missing");
         return out;
     }
     out.start.assign(m.start().begin(), m.start().end());
     if (out.start.front() != 0 || out.start.back() != out.points.size())
-        bad(what, "loop offsets do not fit the points");
+        bad_frame(what, "loop offsets do not fit the points");
     for (std::size_t i = 1; i < out.start.size(); ++i)
-        if (out.start[i] < out.start[i - 1] + 3) bad(what, "a loop has fewer than three points");
+        if (out.start[i] < out.start[i - 1] + 3) bad_frame(what, "a loop has fewer than three points");
     return out;
 }
 
-void put(proto::Loops& m, const polygon::Loops& loops) {
+void put_loops(proto::Loops& m, const polygon::Loops& loops) {
     m.mutable_x()->Reserve(static_cast<int>(loops.points.size()));
     m.mutable_y()->Reserve(static_cast<int>(loops.points.size()));
     for (const auto p : loops.points) m.mutable_x()->AddAlreadyReserved(p.x), m.mutable_y()->AddAlreadyReserved(p.y);
@@ -78,16 +70,16 @@ void put(proto::Loops& m, const polygon::Loops& loops) {
 // A per-point or one-for-all array of positive numbers.
 std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, const char* what, const char* name) {
     const auto size = static_cast<std::size_t>(v.size());
-    if (size != 1 && size != n) bad(what, std::string(name) + " is neither one for all nor one per point");
+    if (size != 1 && size != n) bad_frame(what, std::string(name) + " is neither one for all nor one per point");
     for (const double value : v)
-        if (!usable(value) || value <= 0) bad(what, std::string(name) + " is not positive");
+        if (!usable(value) || value <= 0) bad_frame(what, std::string(name) + " is not positive");
     return {v.begin(), v.end()};
 }
 
-void put(RepeatedField<double>& to, const std::vector<double>& from) { to.Add(from.begin(), from.end()); }
+void put_numbers(RepeatedField<double>& to, const std::vector<double>& from) { to.Add(from.begin(), from.end()); }
 
 Join join(int value, const char* what) {
-    if (value < 0 || value > 2) bad(what, "unknown join");
+    if (value < 0 || value > 2) bad_frame(what, "unknown join");
     return static_cast<Join>(value);
 }
 
@@ -96,7 +88,7 @@ Join join(int value, const char* what) {
 polygon::Layer layer(const RawFrame& frame) {
     const auto m = parse<proto::Layer>(frame, Tag::layer, "layer");
     check_height(m.z(), m.height(), "layer");
-    if (!usable(m.plane())) bad("layer", "its plane is not a number");
+    if (!usable(m.plane())) bad_frame("layer", "its plane is not a number");
     return {m.index(), m.z(), m.height(), m.plane(), loops(m.contours(), "layer")};
 }
 
@@ -106,7 +98,7 @@ RawFrame frame(const polygon::Layer& layer) {
     m.set_z(layer.z);
     m.set_height(layer.height);
     m.set_plane(layer.plane);
-    put(*m.mutable_contours(), layer.contours);
+    put_loops(*m.mutable_contours(), layer.contours);
     return raw(Tag::layer, m);
 }
 
@@ -119,7 +111,7 @@ polygon::Region region(const RawFrame& frame) {
     out.z = m.z();
     out.height = m.height();
     out.loops = loops(m.loops(), "region");
-    if (out.loops.empty()) bad("region", "it has no outline");
+    if (out.loops.empty()) bad_frame("region", "it has no outline");
     out.area = m.area();
     out.parent = m.parent();
     out.unsupported = m.unsupported();
@@ -128,9 +120,9 @@ polygon::Region region(const RawFrame& frame) {
     out.inradius = m.inradius();
     out.box = polygon::bounds(out.loops[0]);
     if (!(out.area > 0) || !std::isfinite(out.area) || !(out.unsupported >= 0) || !(out.inradius >= 0))
-        bad("region", "its area is not positive");
+        bad_frame("region", "its area is not positive");
     for (const auto& o : m.below()) {
-        if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad("region", "an overlap is negative");
+        if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad_frame("region", "an overlap is negative");
         out.below.push_back({o.below(), o.area(), o.inradius(), o.link()});
     }
     return out;
@@ -142,7 +134,7 @@ RawFrame frame(const polygon::Region& region) {
     m.set_layer(region.layer);
     m.set_z(region.z);
     m.set_height(region.height);
-    put(*m.mutable_loops(), region.loops);
+    put_loops(*m.mutable_loops(), region.loops);
     m.set_area(region.area);
     m.set_parent(region.parent);
     for (const auto& o : region.below) {
@@ -171,17 +163,17 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
     out.stroke = m.stroke();
     out.join = join(m.join(), "paths");
     out.unplaced = m.unplaced();
-    if (!(out.area >= 0) || !(out.unplaced >= 0)) bad("paths", "an area is negative");
+    if (!(out.area >= 0) || !(out.unplaced >= 0)) bad_frame("paths", "an area is negative");
     out.curves.reserve(static_cast<std::size_t>(m.curves_size()));
     for (const auto& c : m.curves()) {
-        toolpath::Curve curve{c.closed(), points(c.x(), c.y(), "paths"), {}};
-        if (curve.points.size() < 2) bad("paths", "a curve has fewer than two points");
+        toolpath::Curve curve{c.closed(), plane_points(c.x(), c.y(), "paths"), {}};
+        if (curve.points.size() < 2) bad_frame("paths", "a curve has fewer than two points");
         curve.width = per_point(c.width(), curve.points.size(), "paths", "width");
         out.curves.push_back(std::move(curve));
     }
     for (const auto& line : m.stacked()) {
-        out.stacked.push_back(points(line.x(), line.y(), "paths"));
-        if (out.stacked.back().size() < 2) bad("paths", "a line has fewer than two points");
+        out.stacked.push_back(plane_points(line.x(), line.y(), "paths"));
+        if (out.stacked.back().size() < 2) bad_frame("paths", "a line has fewer than two points");
     }
     return out;
 }
@@ -203,7 +195,7 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         c->mutable_y()->Reserve(static_cast<int>(curve.points.size()));
         for (const auto p : curve.points)
             c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
-        put(*c->mutable_width(), curve.width);
+        put_numbers(*c->mutable_width(), curve.width);
     }
     for (const auto& line : paths.stacked) {
         auto* l = m.add_stacked();
@@ -217,13 +209,13 @@ namespace {
 std::vector<geom::Vec3> normals(const proto::Span& m, std::size_t points) {
     const auto n = static_cast<std::size_t>(m.nx_size());
     if (static_cast<std::size_t>(m.ny_size()) != n || static_cast<std::size_t>(m.nz_size()) != n)
-        bad("span", "the parts of its normals differ in number");
-    if (n != 0 && n != points) bad("span", "normals are neither none nor one per point");
+        bad_frame("span", "the parts of its normals differ in number");
+    if (n != 0 && n != points) bad_frame("span", "normals are neither none nor one per point");
     std::vector<geom::Vec3> out(n);
     for (std::size_t i = 0; i < n; ++i) {
         const int k = static_cast<int>(i);
         out[i] = {m.nx(k), m.ny(k), m.nz(k)};
-        if (!(std::abs(geom::dot(out[i], out[i]) - 1) <= 1e-6)) bad("span", "a normal has not length 1");
+        if (!(std::abs(geom::dot(out[i], out[i]) - 1) <= 1e-6)) bad_frame("span", "a normal has not length 1");
     }
     return out;
 }
@@ -232,30 +224,30 @@ std::vector<geom::Vec3> normals(const proto::Span& m, std::size_t points) {
 
 toolpath::Span span(const RawFrame& frame) {
     const auto m = parse<proto::Span>(frame, Tag::span, "span");
-    if (m.role() < 0 || m.role() > 5) bad("span", "unknown role");
+    if (m.role() < 0 || m.role() > 5) bad_frame("span", "unknown role");
     toolpath::Span out;
     out.role = static_cast<toolpath::Role>(m.role());
     out.stroke = m.stroke();
     out.layer = m.layer();
     out.region = m.region();
-    const auto xy = points(m.x(), m.y(), "span");
-    if (xy.size() < 2) bad("span", "it has fewer than two points");
+    const auto xy = plane_points(m.x(), m.y(), "span");
+    if (xy.size() < 2) bad_frame("span", "it has fewer than two points");
     const auto zs = static_cast<std::size_t>(m.z_size());
-    if (zs != 1 && zs != xy.size()) bad("span", "z is neither one for all nor one per point");
+    if (zs != 1 && zs != xy.size()) bad_frame("span", "z is neither one for all nor one per point");
     out.points.reserve(xy.size());
     for (std::size_t i = 0; i < xy.size(); ++i) {
         const double z = m.z(static_cast<int>(zs == 1 ? 0 : i));
-        if (!usable(z)) bad("span", "a coordinate is not a number or beyond 1e8 mm");
+        if (!usable(z)) bad_frame("span", "a coordinate is not a number or beyond 1e8 mm");
         out.points.push_back({xy[i].x, xy[i].y, z});
     }
     if (toolpath::extrudes(out.role)) {
         out.width = per_point(m.width(), xy.size(), "span", "width");
         out.height = per_point(m.height(), xy.size(), "span", "height");
     } else if (m.width_size() + m.height_size() > 0) {
-        bad("span", "a travel has a bead");
+        bad_frame("span", "a travel has a bead");
     }
     out.normals = normals(m, xy.size());
-    if (m.tool() > 1000) bad("span", "a tool above 1000");
+    if (m.tool() > 1000) bad_frame("span", "a tool above 1000");
     out.tool = m.tool();
     return out;
 }
@@ -280,8 +272,8 @@ RawFrame frame(const toolpath::Span& span) {
         m.add_z(span.points.front().z);
     else
         for (const auto& p : span.points) m.add_z(p.z);
-    put(*m.mutable_width(), span.width);
-    put(*m.mutable_height(), span.height);
+    put_numbers(*m.mutable_width(), span.width);
+    put_numbers(*m.mutable_height(), span.height);
     for (const auto& v : span.normals) m.add_nx(v.x), m.add_ny(v.y), m.add_nz(v.z);
     return raw(Tag::span, m);
 }

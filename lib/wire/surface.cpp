@@ -1,6 +1,6 @@
 #include "wire/surface.hpp"
 
-#include "base/error.hpp"
+#include "wire/checks.hpp"
 
 #include "filum/stream.pb.h"
 
@@ -15,70 +15,67 @@ namespace {
 using google::protobuf::RepeatedField;
 using surface::kNone;
 
-constexpr double kMaxCoordinate = 1e8; // mm
+[[noreturn]] void bad_surface(const std::string& why) { bad_frame("surface", why); }
 
-[[noreturn]] void bad(const std::string& why) { throw Error(Exit::bad_input, "cannot use a surface frame: " + why); }
-
-std::vector<geom::Vec3> points(const RepeatedField<double>& x, const RepeatedField<double>& y,
-                               const RepeatedField<double>& z) {
-    if (x.size() != y.size() || x.size() != z.size()) bad("x, y and z differ in number");
+std::vector<geom::Vec3> space_points(const RepeatedField<double>& x, const RepeatedField<double>& y,
+                                     const RepeatedField<double>& z) {
+    if (x.size() != y.size() || x.size() != z.size()) bad_surface("x, y and z differ in number");
     std::vector<geom::Vec3> out(static_cast<std::size_t>(x.size()));
     bool fine = true;
     for (int i = 0; i < x.size(); ++i) {
         out[static_cast<std::size_t>(i)] = {x[i], y[i], z[i]};
-        fine = fine && std::abs(x[i]) <= kMaxCoordinate && std::abs(y[i]) <= kMaxCoordinate &&
-               std::abs(z[i]) <= kMaxCoordinate;
+        fine = fine && usable(x[i]) && usable(y[i]) && usable(z[i]);
     }
-    if (!fine) bad("a coordinate is not a number or beyond 1e8 mm");
+    if (!fine) bad_surface("a coordinate is not a number or beyond 1e8 mm");
     return out;
 }
 
-void put(std::span<const geom::Vec3> from, RepeatedField<double>& x, RepeatedField<double>& y,
-         RepeatedField<double>& z) {
+void put_points(std::span<const geom::Vec3> from, RepeatedField<double>& x, RepeatedField<double>& y,
+                RepeatedField<double>& z) {
     for (RepeatedField<double>* field : {&x, &y, &z}) field->Reserve(field->size() + static_cast<int>(from.size()));
     for (const auto& p : from) x.Add(p.x), y.Add(p.y), z.Add(p.z);
 }
 
 surface::Surface connected(const proto::Surface& m) {
     const auto sides = static_cast<std::size_t>(m.corner_size());
-    if (sides % 3 != 0) bad("the corners are not three per triangle");
+    if (sides % 3 != 0) bad_surface("the corners are not three per triangle");
     std::vector<surface::Triangle> triangles(sides / 3);
     for (std::size_t i = 0; i < sides; ++i) triangles[i / 3][i % 3] = m.corner(static_cast<int>(i));
     std::vector<std::uint32_t> twin(m.across().begin(), m.across().end());
     for (auto& h : twin) --h; // 0 becomes kNone
     try {
-        return surface::assemble(points(m.x(), m.y(), m.z()), std::move(triangles), std::move(twin));
+        return surface::assemble(space_points(m.x(), m.y(), m.z()), std::move(triangles), std::move(twin));
     } catch (const Error& e) {
         if (std::string(e.what()).starts_with("cannot")) throw;
-        bad(e.what());
+        bad_surface(e.what());
     }
 }
 
 surface::Field field(const proto::Field& m, std::size_t vertices) {
     surface::Field out{m.name(), {m.value().begin(), m.value().end()}, std::max(1U, m.components())};
-    if (out.components != 1 && out.components != 3) bad("a field is neither of numbers nor of vectors");
-    if (out.values.size() != vertices * out.components) bad("a field has not one value per vertex");
+    if (out.components != 1 && out.components != 3) bad_surface("a field is neither of numbers nor of vectors");
+    if (out.values.size() != vertices * out.components) bad_surface("a field has not one value per vertex");
     if (std::any_of(out.values.begin(), out.values.end(), [](double v) { return std::isnan(v); }))
-        bad("a field's value is not a number");
+        bad_surface("a field's value is not a number");
     return out;
 }
 
 std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t triangles) {
-    const auto all = points(m.x(), m.y(), m.z());
+    const auto all = space_points(m.x(), m.y(), m.z());
     const int n = m.level_size();
     if (m.closed_size() != n || (n > 0 && m.start_size() != n + 1) ||
         static_cast<std::size_t>(m.triangle_size()) != all.size())
-        bad("the arrays of its isolines differ in length");
+        bad_surface("the arrays of its isolines differ in length");
     if (n == 0) {
-        if (!all.empty() || m.start_size() > 1) bad("isoline offsets are missing");
+        if (!all.empty() || m.start_size() > 1) bad_surface("isoline offsets are missing");
         return {};
     }
-    if (m.start(0) != 0 || m.start(n) != all.size()) bad("isoline offsets do not fit the points");
+    if (m.start(0) != 0 || m.start(n) != all.size()) bad_surface("isoline offsets do not fit the points");
     std::vector<surface::Isoline> out(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
         const std::uint32_t from = m.start(i), to = m.start(i + 1);
-        if (to > all.size() || from > to || to - from < 2) bad("an isoline has fewer than two points");
-        if (!std::isfinite(m.level(i))) bad("a level is not a number");
+        if (to > all.size() || from > to || to - from < 2) bad_surface("an isoline has fewer than two points");
+        if (!std::isfinite(m.level(i))) bad_surface("a level is not a number");
         auto& line = out[static_cast<std::size_t>(i)];
         line.level = m.level(i);
         line.closed = m.closed(i);
@@ -87,7 +84,7 @@ std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t tri
                               m.triangle().begin() + static_cast<int>(to));
         if (!line.closed) line.triangles.pop_back();
         for (const auto t : line.triangles)
-            if (t >= triangles) bad("an isoline crosses no triangle of the surface");
+            if (t >= triangles) bad_surface("an isoline crosses no triangle of the surface");
     }
     return out;
 }
@@ -96,30 +93,30 @@ std::vector<surface::Isoline> isolines(const proto::Isolines& m, std::size_t tri
 std::string word(const std::string& text, const char* what) {
     const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; };
     if (text.size() > 64 || !std::all_of(text.begin(), text.end(), plain))
-        bad(std::string(what) + " is not a word of at most 64 letters, digits and '._-'");
+        bad_surface(std::string(what) + " is not a word of at most 64 letters, digits and '._-'");
     return text;
 }
 
 std::vector<std::uint32_t> faces(const proto::Surface& m, std::size_t triangles) {
     if (m.face_size() != 0 && static_cast<std::size_t>(m.face_size()) != triangles)
-        bad("it has not one face per triangle");
+        bad_surface("it has not one face per triangle");
     return {m.face().begin(), m.face().end()};
 }
 
 surface::Sources sources(const proto::Sources& m, std::size_t vertices, std::size_t triangles) {
     surface::Sources out{{m.vertex().begin(), m.vertex().end()}, {}};
-    const auto a = points(m.ax(), m.ay(), m.az()), b = points(m.bx(), m.by(), m.bz());
+    const auto a = space_points(m.ax(), m.ay(), m.az()), b = space_points(m.bx(), m.by(), m.bz());
     const auto n = static_cast<std::size_t>(m.triangle_size());
-    if (a.size() != n || b.size() != n) bad("the arrays of its sources differ in length");
+    if (a.size() != n || b.size() != n) bad_surface("the arrays of its sources differ in length");
     for (std::size_t i = 0; i < n; ++i) out.segments.push_back({m.triangle(static_cast<int>(i)), a[i], b[i]});
     for (const auto v : out.vertices)
-        if (v >= vertices) bad("a source is no vertex of the surface");
+        if (v >= vertices) bad_surface("a source is no vertex of the surface");
     for (const auto& s : out.segments)
-        if (s.triangle >= triangles) bad("a source lies in no triangle of the surface");
+        if (s.triangle >= triangles) bad_surface("a source lies in no triangle of the surface");
     return out;
 }
 
-void put(proto::Sources& m, const surface::Sources& sources) {
+void put_sources(proto::Sources& m, const surface::Sources& sources) {
     m.mutable_vertex()->Add(sources.vertices.begin(), sources.vertices.end());
     for (const auto& s : sources.segments) {
         m.add_triangle(s.triangle);
@@ -128,13 +125,13 @@ void put(proto::Sources& m, const surface::Sources& sources) {
     }
 }
 
-void put(proto::Isolines& m, const std::vector<surface::Isoline>& lines) {
+void put_isolines(proto::Isolines& m, const std::vector<surface::Isoline>& lines) {
     if (lines.empty()) return;
     m.add_start(0);
     for (const auto& line : lines) {
         m.add_level(line.level);
         m.add_closed(line.closed);
-        put(line.points, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
+        put_points(line.points, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
         m.mutable_triangle()->Add(line.triangles.begin(), line.triangles.end());
         if (!line.closed) m.add_triangle(line.triangles.back());
         m.add_start(static_cast<std::uint32_t>(m.x_size()));
@@ -144,9 +141,9 @@ void put(proto::Isolines& m, const std::vector<surface::Isoline>& lines) {
 } // namespace
 
 surface::Sheet sheet(const stream::RawFrame& frame) {
-    if (frame.tag != stream::Tag::surface) bad("it is of another kind");
+    if (frame.tag != stream::Tag::surface) bad_surface("it is of another kind");
     proto::Surface m;
-    if (!m.ParseFromArray(frame.body.data(), static_cast<int>(frame.body.size()))) bad("malformed");
+    if (!m.ParseFromArray(frame.body.data(), static_cast<int>(frame.body.size()))) bad_surface("malformed");
     surface::Sheet out;
     out.surface = connected(m);
     for (const auto& f : m.fields()) out.fields.push_back(field(f, out.surface.vertices.size()));
@@ -155,13 +152,13 @@ surface::Sheet sheet(const stream::RawFrame& frame) {
     out.name = word(m.name(), "its name");
     out.algorithm = word(m.algorithm(), "its algorithm");
     out.faces = faces(m, out.surface.triangles.size());
-    if (!out.isolines.empty() && out.fields.empty()) bad("it has isolines of no field");
+    if (!out.isolines.empty() && out.fields.empty()) bad_surface("it has isolines of no field");
     return out;
 }
 
 stream::RawFrame frame(const surface::Sheet& sheet) {
     proto::Surface m;
-    put(sheet.surface.vertices, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
+    put_points(sheet.surface.vertices, *m.mutable_x(), *m.mutable_y(), *m.mutable_z());
     for (const auto& t : sheet.surface.triangles) m.mutable_corner()->Add(t.begin(), t.end());
     m.mutable_across()->Reserve(static_cast<int>(sheet.surface.twin.size()));
     for (const auto h : sheet.surface.twin) m.mutable_across()->AddAlreadyReserved(h + 1); // kNone becomes 0
@@ -171,8 +168,8 @@ stream::RawFrame frame(const surface::Sheet& sheet) {
         to->mutable_value()->Add(f.values.begin(), f.values.end());
         if (f.components != 1) to->set_components(f.components);
     }
-    if (!sheet.sources.empty()) put(*m.mutable_sources(), sheet.sources);
-    put(*m.mutable_isolines(), sheet.isolines);
+    if (!sheet.sources.empty()) put_sources(*m.mutable_sources(), sheet.sources);
+    put_isolines(*m.mutable_isolines(), sheet.isolines);
     m.set_name(sheet.name);
     m.set_algorithm(sheet.algorithm);
     m.mutable_face()->Add(sheet.faces.begin(), sheet.faces.end());

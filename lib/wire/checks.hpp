@@ -1,0 +1,20 @@
+// What every message that arrives is checked for; private to lib/wire.
+#pragma once
+
+#include "base/error.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace filum::wire {
+
+inline constexpr double kMaxCoordinate = 1e8; // mm; keeps every later product far from overflow
+
+inline bool usable(double v) { return std::abs(v) <= kMaxCoordinate; } // false for nan, too
+
+// Throws Error(bad_input) naming the kind of frame and the fault.
+[[noreturn]] inline void bad_frame(const std::string& kind, const std::string& why) {
+    throw Error(Exit::bad_input, "cannot use a " + kind + " frame: " + why);
+}
+
+} // namespace filum::wire
