@@ -9,7 +9,7 @@ namespace filum::absorb {
 namespace {
 
 constexpr double kLeastScore = 1.0; // pixels
-constexpr double kReach = 1.6;      // bead widths from a root to what its nose may cover
+constexpr double kNoseReach = 1.6;  // bead widths from a root to what its nose may cover
 constexpr double kNarrowest = 0.2;  // bead widths: a tip, where the bead was not narrower before
 constexpr double kStep = 0.03;      // bead widths: between two points where the width jumps
 
@@ -117,7 +117,7 @@ void noses(const Tile& tile, const Chain& chain, const Root& root, const Void& v
     double most = 0;
     for (const Pixel p : v.pixels) {
         const double d = geom::distance(tile.centre(p), root.at);
-        if (d > most && d <= kReach * search.width) most = d, far = tile.centre(p);
+        if (d > most && d <= kNoseReach * search.width) most = d, far = tile.centre(p);
     }
     const Vec2 deep = tile.centre(v.deepest);
     const Scores scores(tile, chain, root.from, root.to, window(tile, 0.5 * (root.at + deep)), search.prices);

@@ -9,7 +9,7 @@ namespace filum::absorb {
 
 namespace {
 
-constexpr double kReach = 1.2;             // bead widths from the void
+constexpr double kRootReach = 1.2;         // bead widths from the void
 constexpr std::size_t kMost = 5, kFew = 3; // roots
 constexpr int kNearest = 3;                // segments without a corner that are tried
 constexpr double kAtVertex = 0.15;         // bead widths: points nearer to a node are that node
@@ -62,7 +62,7 @@ Root at_segment(const Chain& chain, const Found& f, double width) {
 
 std::vector<Root> roots(const Tile& tile, const Chain& chain, const Near& near, const Void& v, const Search& search) {
     const Vec2 c = tile.centre(v.deepest);
-    const double reach = kReach * search.width;
+    const double reach = kRootReach * search.width;
     const std::size_t most = search.small || search.thorough ? kMost : kFew;
     std::vector<Root> out;
     const auto add = [&](const Root& r) {

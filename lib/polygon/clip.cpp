@@ -15,13 +15,11 @@ namespace {
 
 namespace cl = ClipperLib;
 
-constexpr double kScale = 1e4; // grid units per mm
-
 cl::Paths to_clipper(const Loops& a) {
     cl::Paths out(a.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
         out[i].reserve(a[i].size());
-        for (const Vec2 p : a[i]) out[i].emplace_back(std::llround(p.x * kScale), std::llround(p.y * kScale));
+        for (const Vec2 p : a[i]) out[i].emplace_back(std::llround(p.x * kGridPerMm), std::llround(p.y * kGridPerMm));
     }
     return out;
 }
@@ -29,7 +27,7 @@ cl::Paths to_clipper(const Loops& a) {
 void append(Loops& out, const cl::Path& path) {
     if (path.size() < 3) return;
     for (const auto& p : path)
-        out.points.push_back({static_cast<double>(p.X) / kScale, static_cast<double>(p.Y) / kScale});
+        out.points.push_back({static_cast<double>(p.X) / kGridPerMm, static_cast<double>(p.Y) / kGridPerMm});
     out.close();
 }
 
@@ -70,10 +68,10 @@ Loops combine(cl::ClipType kind, const Loops& a, const Loops& b, Fill rule, bool
 }
 
 Loops offset_whole(const Loops& a, double delta, double arc_tolerance) {
-    cl::ClipperOffset offsetter(2.0, arc_tolerance * kScale);
+    cl::ClipperOffset offsetter(2.0, arc_tolerance * kGridPerMm);
     offsetter.AddPaths(to_clipper(a), cl::jtRound, cl::etClosedPolygon);
     cl::Paths out;
-    offsetter.Execute(out, delta * kScale);
+    offsetter.Execute(out, delta * kGridPerMm);
     return from_clipper(out);
 }
 
@@ -176,12 +174,12 @@ Loops offset(const Loops& a, double delta, double arc_tolerance) {
 
 Loops around(std::span<const Vec2> line, double radius, double arc_tolerance) {
     try {
-        cl::ClipperOffset offsetter(2.0, arc_tolerance * kScale);
+        cl::ClipperOffset offsetter(2.0, arc_tolerance * kGridPerMm);
         cl::Path path;
-        for (const Vec2 p : line) path.emplace_back(std::llround(p.x * kScale), std::llround(p.y * kScale));
+        for (const Vec2 p : line) path.emplace_back(std::llround(p.x * kGridPerMm), std::llround(p.y * kGridPerMm));
         offsetter.AddPath(path, cl::jtRound, cl::etOpenRound);
         cl::Paths out;
-        offsetter.Execute(out, radius * kScale);
+        offsetter.Execute(out, radius * kGridPerMm);
         return from_clipper(out);
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot widen a line: ") + e.what());

@@ -7,14 +7,12 @@ namespace filum::polygon {
 
 namespace {
 
-constexpr double kScale = 1e4; // grid units per mm, as in clip.cpp
-
 struct Point {
     std::int64_t x, y;
     friend bool operator==(const Point&, const Point&) = default;
 };
 
-std::int64_t to_grid(double v) { return static_cast<std::int64_t>(v * kScale + (v < 0 ? -0.5 : 0.5)); }
+std::int64_t to_grid(double v) { return static_cast<std::int64_t>(v * kGridPerMm + (v < 0 ? -0.5 : 0.5)); }
 
 bool before(const Point& a, const Point& b) { return a.y < b.y || (a.y == b.y && a.x < b.x); }
 

@@ -5,6 +5,8 @@
 
 namespace filum::polygon {
 
+inline constexpr double kGridPerMm = 1e4; // grid units: clip.hpp rounds to 0.1 um
+
 // True if `loops` are, exactly, the outline of the area they wind round: on the grid of 0.1 um to which clip.hpp
 // rounds, no two edges cross, touch or overlap, and outer loops run counter-clockwise, holes clockwise, nested in turn.
 // Then a union would give them back as they are.  False proves nothing but that a union is in order. A sweep that stops
