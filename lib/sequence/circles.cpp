@@ -7,7 +7,6 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr double kClear = 0.02;                // a smaller violation is not worth a cut
 constexpr std::uint64_t kMostWork = 4'000'000; // of one call; the next goes on where it stopped
 
 } // namespace
@@ -53,7 +52,7 @@ struct Cuts::Walk {
 
     void reach(Index trip, Index to, double cost, Index from, Index head, bool entered) {
         Reached& r = reached[to];
-        if (cost > 1 - kClear || (r.trip == trip && r.cost <= cost)) return;
+        if (cost > 1 - kLeastViolation || (r.trip == trip && r.cost <= cost)) return;
         r = {cost, from, head, entered, false, trip};
         open.push({cost, to});
     }

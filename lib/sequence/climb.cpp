@@ -15,7 +15,8 @@ struct Run {
     bool known = false;
 };
 
-struct State {
+// What is printed so far and what may follow.
+struct Progress {
     const Graph& g;
     std::vector<Index> waiting; // how many of its predecessors a region still waits for
     std::vector<char> printed;
@@ -24,14 +25,14 @@ struct State {
     std::vector<Run> run;      // cached, of ready regions
     Order order;
 
-    explicit State(const Graph& graph);
+    explicit Progress(const Graph& graph);
     void print(Index v);
     [[nodiscard]] Index next(Index u) const;
     Run look(Index s);
     void go(Index s);
 };
 
-State::State(const Graph& graph)
+Progress::Progress(const Graph& graph)
     : g(graph), waiting(g.size()), printed(g.size(), 0), height(g.size(), 1), run(g.size()) {
     for (Index v = g.size(); v-- > 0;) {
         for (const Index w : g.up[v]) height[v] = std::max(height[v], height[w] + 1);
@@ -43,21 +44,21 @@ State::State(const Graph& graph)
 }
 
 // Where the stroke goes from u: the ready region with the longest way ahead, ties to the lower id; kNone if none.
-Index State::next(Index u) const {
+Index Progress::next(Index u) const {
     Index best = kNone;
     for (const Index v : g.up[u])
         if (waiting[v] == 0 && printed[v] == 0 && (best == kNone || height[v] > height[best])) best = v;
     return best;
 }
 
-void State::print(Index v) {
+void Progress::print(Index v) {
     printed[v] = 1;
     order.push_back(v);
     for (const Index w : g.after[v]) --waiting[w];
 }
 
 // Prints ahead, notes how far it came, and takes it back.
-Run State::look(Index s) {
+Run Progress::look(Index s) {
     Run r;
     r.known = true;
     const std::size_t mark = order.size();
@@ -81,7 +82,7 @@ Run State::look(Index s) {
     return r;
 }
 
-void State::go(Index s) {
+void Progress::go(Index s) {
     const std::size_t mark = order.size();
     for (Index v = s; v != kNone; v = next(v)) print(v);
     std::vector<Index> freed;
@@ -99,7 +100,7 @@ void State::go(Index s) {
 } // namespace
 
 Order climb(const Graph& g, Choice choice) {
-    State s(g);
+    Progress s(g);
     while (!s.ready.empty()) {
         Index best = kNone;
         std::tuple<bool, double, double, Index> least;

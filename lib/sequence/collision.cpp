@@ -15,13 +15,13 @@ void add(Box2& to, const Box2& b) {
     to.add(b.hi);
 }
 
-bool may_reach(const Box2& a, const Box2& b, const Reach& r) {
+bool may_collide(const Box2& a, const Box2& b, const Reach& r) {
     return r.everywhere || geom::distance(a, b) < r.radius ||
            (a.lo.x - b.hi.x < r.half_x && b.lo.x - a.hi.x < r.half_x && a.lo.y - b.hi.y < r.half_y &&
             b.lo.y - a.hi.y < r.half_y);
 }
 
-struct Search {
+struct PairSearch {
     const Graph& g;
     const Columns& columns;
     const std::vector<Outline>& outlines;
@@ -49,20 +49,20 @@ struct Search {
         std::size_t i = layer + 1 > lowest ? layer + 1 - lowest : 0;
         if (i >= limit) return limit;
         // below the height at which the head reaches from column to column there is nothing to look at
-        const auto out_of_reach = [&](Index u) { return !may_reach(box[a], box[c], reach_of(v, u)); };
+        const auto out_of_reach = [&](Index u) { return !may_collide(box[a], box[c], reach_of(v, u)); };
         i = static_cast<std::size_t>(std::partition_point(member.begin() + static_cast<long>(i),
                                                           member.begin() + static_cast<long>(limit), out_of_reach) -
                                      member.begin());
         for (; i < limit; ++i) {
             if (i % kBlock == 0) {
                 const std::size_t last = std::min(member.size(), i + kBlock) - 1;
-                if (!may_reach(box_of(v), block[c][i / kBlock], reach_of(v, member[last]))) {
+                if (!may_collide(box_of(v), block[c][i / kBlock], reach_of(v, member[last]))) {
                     i = last;
                     continue;
                 }
             }
             const Reach r = reach_of(v, member[i]);
-            if (may_reach(box_of(v), box_of(member[i]), r) && within(outlines[v], outlines[member[i]], r)) return i;
+            if (may_collide(box_of(v), box_of(member[i]), r) && within(outlines[v], outlines[member[i]], r)) return i;
         }
         return limit;
     }
@@ -84,7 +84,7 @@ struct Search {
             const auto& member = columns.member[c];
             limit[c] = member.size();
             const double dz = g.node[member.back()].z - g.node[own[0]].z;
-            if (c != a && dz > 0 && may_reach(box[a], box[c], reach(head, dz))) others.push_back(c);
+            if (c != a && dz > 0 && may_collide(box[a], box[c], reach(head, dz))) others.push_back(c);
         }
         for (std::size_t i = own.size(); i-- > 0;) {
             const Index v = own[i];
@@ -108,7 +108,7 @@ struct Search {
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
                              const machine::Head& head) {
     if (head.none) return {};
-    Search s{g, columns, outlines, head, {}, {}, {}};
+    PairSearch s{g, columns, outlines, head, {}, {}, {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a) s.column(a);
     return std::move(s.found);

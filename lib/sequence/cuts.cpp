@@ -7,8 +7,7 @@ namespace filum::sequence {
 
 namespace {
 
-constexpr double kClear = 0.02; // a smaller violation is not worth a cut
-constexpr Index kShared = 2;    // cuts of a round that a link may be in before further ones are left for later
+constexpr Index kShared = 2; // cuts of a round that a link may be in before further ones are left for later
 
 } // namespace
 
@@ -74,7 +73,7 @@ std::vector<Cuts::Found> Cuts::again() const {
             const Index head = following_.again(columns_.member[c][p]);
             if (head == kNone) continue;
             if (p + 1 < columns_.member[c].size() && following_.again(columns_.member[c][p + 1]) == head) continue;
-            if (const double by = 1 - broken(c, p, head); by > kClear) out.push_back({by, {{c, p, head}}, 1});
+            if (const double by = 1 - broken(c, p, head); by > kLeastViolation) out.push_back({by, {{c, p, head}}, 1});
         }
     return out;
 }
@@ -141,7 +140,7 @@ std::vector<Cuts::Found> Cuts::rivals() {
         for (Index p = 0; p < columns_.member[c].size(); ++p) {
             if (level_[columns_.member[c][p]] != p) continue;
             Stretches s{{c, p, p}};
-            Found best{kClear, {}, 0};
+            Found best{kLeastViolation, {}, 0};
             double sum = 0;
             while (add_rival(s, sum)) {
                 const double by = static_cast<double>(s.size() - 1) - sum;

@@ -48,7 +48,8 @@ class Cuts {
         Stretches stretches;
         Index least;
     };
-    struct Walk; // along the circles
+    struct Walk;                                    // along the circles
+    static constexpr double kLeastViolation = 0.02; // a smaller one is not worth a cut
 
     [[nodiscard]] double broken(Index c, Index foot, Index head) const {
         return so_far_[columns_.member[c][head]] - so_far_[columns_.member[c][foot]];

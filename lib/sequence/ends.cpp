@@ -9,7 +9,7 @@ namespace filum::sequence {
 
 namespace {
 
-struct Search {
+struct EndCauses {
     const Graph& g;
     std::span<const Index> order;
     const Arcs& support;
@@ -62,7 +62,7 @@ std::string_view name(Cause c) {
 
 std::vector<End> ends(const Graph& g, std::span<const Index> order, const Arcs& support,
                       const std::vector<Outline>& outlines, const machine::Head& head) {
-    Search s{g, order, support, outlines, head, std::vector<Index>(g.size())};
+    EndCauses s{g, order, support, outlines, head, std::vector<Index>(g.size())};
     for (std::size_t i = 0; i < order.size(); ++i) s.place[order[i]] = static_cast<Index>(i);
     std::vector<End> out;
     for (std::size_t i = 0; i < order.size(); ++i)

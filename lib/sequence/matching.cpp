@@ -6,7 +6,8 @@ namespace filum::sequence {
 
 namespace {
 
-struct Search {
+// The algorithm of Hopcroft and Karp (1973).
+struct HopcroftKarp {
     const Arcs& links;
     std::vector<Index> next, previous; // the matching, from both sides
     std::vector<Index> level, at;      // per left node: its distance from the free ones, its next arc to try
@@ -58,7 +59,7 @@ struct Search {
 
 std::vector<Index> maximum_matching(const Arcs& links) {
     const std::size_t n = links.start.size() - 1;
-    Search s{links, std::vector<Index>(n, kNone), std::vector<Index>(n, kNone), std::vector<Index>(n), {}};
+    HopcroftKarp s{links, std::vector<Index>(n, kNone), std::vector<Index>(n, kNone), std::vector<Index>(n), {}};
     while (s.rank()) {
         s.at.assign(links.start.begin(), links.start.end() - 1);
         for (Index u = 0; u < n; ++u)

@@ -42,8 +42,8 @@ struct Ends {
     Index first = kNone, last = kNone;
 };
 
-// A state of the dynamic program: the links made so far when a region is the last (or first) of its layer.
-struct State {
+// A state of the dynamic program over layers: the links made so far when a region is the last (or first) of its layer.
+struct LayerState {
     Index links = 0;
     Index from =
         kNone; // of a first: the last region of the layer below that it continues; of a last: its layer's first
@@ -51,7 +51,7 @@ struct State {
 
 // The first and the last region of every layer, so that as many as possible link.
 std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index>>& layers) {
-    std::vector<State> first(g.size()), last(g.size());
+    std::vector<LayerState> first(g.size()), last(g.size());
     Index best = kNone; // the best last region of the layer below
     for (const auto& layer : layers) {
         for (const Index v : layer) {

@@ -17,10 +17,10 @@ std::uint64_t mixed(std::uint64_t x) { // splitmix64
 // A stroke that was kept, and the one before it.
 struct Step {
     Index parent = kNone;
-    Index first = 0, count = 0; // its regions in Search::printed
+    Index first = 0, count = 0; // its regions in BeamSearch::printed
 };
 
-struct State {
+struct BeamState {
     double score = 0, travel = 0;
     std::uint64_t hash = 0;
     Index step = kNone;
@@ -28,12 +28,12 @@ struct State {
 };
 
 struct Candidate {
-    State state;
+    BeamState state;
     Index parent = 0;           // which state of the level
-    Index first = 0, count = 0; // its regions in Search::tried
+    Index first = 0, count = 0; // its regions in BeamSearch::tried
 };
 
-struct Search {
+struct BeamSearch {
     const Graph& g;
     const Columns& columns;
     std::span<const double> weight;
@@ -43,7 +43,7 @@ struct Search {
 
     std::vector<Step> steps;
     std::vector<Index> printed;
-    std::vector<State> level;
+    std::vector<BeamState> level;
     std::vector<Index> heights; // of the level's states, k each
     std::vector<Candidate> candidates;
     std::vector<Index> tried;
@@ -52,7 +52,7 @@ struct Search {
     std::vector<Index> path;
     bool reached_top = false; // a candidate of this state ends at a top: it alone counts
 
-    Search(const Graph& graph, const Columns& c, std::span<const double> w)
+    BeamSearch(const Graph& graph, const Columns& c, std::span<const double> w)
         : g(graph), columns(c), weight(w), k(c.member.size()), place(graph.size()) {
         for (const auto& member : c.member)
             for (std::size_t i = 0; i < member.size(); ++i) place[member[i]] = static_cast<Index>(i);
@@ -70,7 +70,7 @@ struct Search {
     }
 
     // Every stroke that begins with `path` and ends where nothing more is ready.
-    void extend(const State& from, Index parent) {
+    void extend(const BeamState& from, Index parent) {
         const Index u = path.back();
         bool ended = true;
         for (const Index v : g.up[u]) {
@@ -86,7 +86,7 @@ struct Search {
         if (ended) propose(from, parent);
     }
 
-    void propose(const State& from, Index parent) {
+    void propose(const BeamState& from, Index parent) {
         if (g.up[path.back()].empty()) {
             while (!candidates.empty() && candidates.back().parent == parent) candidates.pop_back();
             reached_top = true;
@@ -131,7 +131,7 @@ struct Search {
         std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
             return a.state.score > b.state.score || (a.state.score == b.state.score && a.state.travel < b.state.travel);
         });
-        std::vector<State> next;
+        std::vector<BeamState> next;
         std::vector<Index> kept;
         std::unordered_set<std::uint64_t> seen;
         bool all = true;
@@ -173,7 +173,7 @@ Found search(const Graph& g, const Columns& columns, std::span<const double> wei
              std::uint64_t budget) {
     Found out;
     if (g.size() == 0) return {{}, true, 0};
-    Search s(g, columns, weight);
+    BeamSearch s(g, columns, weight);
     bool all = true;
     for (;;) {
         s.candidates.clear();
