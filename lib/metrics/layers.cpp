@@ -8,17 +8,18 @@ namespace filum::metrics {
 
 namespace {
 
-struct Work {
+// What one layer is measured from.
+struct LayerInput {
     std::uint32_t layer = 0;
     const LayerBeads* beads = nullptr; // null: none
     std::vector<const polygon::Region*> regions;
 };
 
-std::vector<Work> works(const Beads& beads, const std::vector<polygon::Region>& regions) {
-    std::map<std::uint32_t, Work> by_layer;
+std::vector<LayerInput> layer_inputs(const Beads& beads, const std::vector<polygon::Region>& regions) {
+    std::map<std::uint32_t, LayerInput> by_layer;
     for (const auto& r : regions) by_layer[r.layer].regions.push_back(&r);
     for (const auto& [layer, b] : beads.layer) by_layer[layer].beads = &b;
-    std::vector<Work> out;
+    std::vector<LayerInput> out;
     for (auto& [layer, work] : by_layer) {
         work.layer = layer;
         out.push_back(std::move(work));
@@ -27,7 +28,7 @@ std::vector<Work> works(const Beads& beads, const std::vector<polygon::Region>& 
 }
 
 // One row per region of the layer, with or without an outline.
-std::vector<RegionFigures> region_rows(const Work& w) {
+std::vector<RegionFigures> region_rows(const LayerInput& w) {
     std::map<std::uint32_t, RegionFigures> rows;
     for (const auto* r : w.regions) {
         RegionFigures f;
@@ -74,7 +75,7 @@ double row_spacing(std::span<const Bead> beads, double pixel) {
     return (length > 0 ? area / length : 0.4) / 16;
 }
 
-LayerFigures measure(const Work& w, double pixel) {
+LayerFigures measure(const LayerInput& w, double pixel) {
     LayerFigures out;
     out.layer = w.layer;
     if (!w.regions.empty()) out.z = w.regions.front()->z;
@@ -103,7 +104,7 @@ LayerFigures measure(const Work& w, double pixel) {
 
 std::vector<LayerFigures> measure_layers(const Beads& beads, const std::vector<polygon::Region>& regions, double pixel,
                                          int threads) {
-    const auto work = works(beads, regions);
+    const auto work = layer_inputs(beads, regions);
     std::vector<LayerFigures> out(work.size());
     parallel::for_chunks(work.size(), 1, threads,
                          [&](std::size_t i, std::size_t) { out[i] = measure(work[i], pixel); });

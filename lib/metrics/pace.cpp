@@ -1,5 +1,6 @@
 #include "metrics/pace.hpp"
 
+#include "geom/polyline.hpp"
 #include "machine/feed.hpp"
 
 #include <algorithm>
@@ -9,16 +10,6 @@ namespace filum::metrics {
 
 using geom::Vec3;
 using toolpath::Span;
-
-namespace {
-
-double length(const Span& span) {
-    double sum = 0;
-    for (std::size_t i = 1; i < span.points.size(); ++i) sum += distance(span.points[i - 1], span.points[i]);
-    return sum;
-}
-
-} // namespace
 
 // The time since the last charge goes to the tool in use: for printing within a stroke, else for travel.
 void Pace::charge() {
@@ -39,7 +30,7 @@ void Pace::travel(const Span& span) {
     if (open_) charge();
     open_ = false;
     const auto& t = profile_.travel;
-    const bool plain = length(span) < t.min_length && !risen_ && !lays_fibre() && span.tool == tool_;
+    const bool plain = geom::length(span.points) < t.min_length && !risen_ && !lays_fibre() && span.tool == tool_;
     if (!plain) {
         if (!risen_ && !lays_fibre()) {
             clock_.pause(t.retract / t.retract_speed);
@@ -50,7 +41,7 @@ void Pace::travel(const Span& span) {
         if (clear > at_.z) go({at_.x, at_.y, clear}, profile_.feeds.z);
     }
     for (const Vec3& p : span.points) go(plain ? p : Vec3{p.x, p.y, at_.z}, profile_.feeds.travel);
-    tools_[span.tool].travel += length(span);
+    tools_[span.tool].travel += geom::length(span.points);
 }
 
 // Comes to the start of a span; of a stroke, if none is open.
@@ -86,7 +77,7 @@ void Pace::lay_fibre() {
     if (fibre_.empty()) return;
     const auto& f = profile_.fibre;
     double whole = 0;
-    for (const Span& span : fibre_) whole += length(span);
+    for (const Span& span : fibre_) whole += geom::length(span.points);
     const bool laid = whole >= f.cut_to_nozzle && whole <= f.most_path;
     const auto all =
         laid ? machine::stretches(f, whole) : std::vector<machine::Stretch>{{0, whole, f.feed, 0, machine::Event::cut}};

@@ -1,6 +1,7 @@
 #include "metrics/pores.hpp"
 
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
 
@@ -12,10 +13,11 @@ namespace filum::metrics {
 
 namespace {
 
+using geom::kDegree;
 using polygon::Loops;
 using toolpath::Role;
 
-constexpr double kPi = std::numbers::pi, kDegree = kPi / 180;
+constexpr double kPi = std::numbers::pi;
 constexpr double kStraight = 0.5 * kDegree; // between pieces of one straight stretch
 constexpr double kSame = kDegree;           // between strands of one direction
 constexpr double kLong = 3;                 // bead widths
@@ -155,7 +157,8 @@ std::vector<double> openings(const Loops& beads, const Loops& outline, double le
     return out;
 }
 
-struct Work {
+// A layer on the way to its pores.
+struct SweptLayer {
     const LayerBeads* beads = nullptr;
     Loops outline;
     double height = 0;
@@ -184,7 +187,7 @@ void channels(std::vector<LayerPores>& layers) {
     }
 }
 
-void through_all(const std::vector<Work*>& list, Pores& out) {
+void through_all(const std::vector<SweptLayer*>& list, Pores& out) {
     if (list.empty()) return;
     Loops beads, outline = list[0]->outline;
     std::vector<double> width;
@@ -233,15 +236,15 @@ LayerPores find_strands(const LayerBeads& beads) {
 Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regions,
                     const std::vector<LayerFigures>& layers, int threads) {
     Pores out;
-    std::map<std::uint32_t, Work> work;
+    std::map<std::uint32_t, SweptLayer> work;
     for (const auto& r : regions) {
-        Work& w = work[r.layer];
+        SweptLayer& w = work[r.layer];
         for (std::size_t i = 0; i < r.loops.size(); ++i) w.outline.add(r.loops[i]);
         w.height = r.height;
         out.part += r.area * r.height;
     }
     for (const auto& l : layers) out.area += l.cover.area, out.covered += l.cover.covered;
-    std::vector<Work*> list;
+    std::vector<SweptLayer*> list;
     for (auto& [layer, w] : work) {
         const auto found = beads.layer.find(layer);
         w.beads = found == beads.layer.end() ? nullptr : &found->second;
@@ -251,7 +254,7 @@ Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regi
         list.push_back(&w);
     }
     parallel::for_chunks(list.size(), 1, threads, [&](std::size_t i, std::size_t) {
-        Work& w = *list[i];
+        SweptLayer& w = *list[i];
         if (w.beads == nullptr) return;
         const auto layer = out.layers[i].layer;
         out.layers[i] = find_strands(*w.beads);

@@ -1,5 +1,6 @@
 #include "metrics/turns.hpp"
 
+#include "geom/polyline.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -30,12 +31,6 @@ std::vector<std::vector<Vec2>> chains(const LayerBeads& layer) {
         open = true;
     }
     return out;
-}
-
-double length(std::span<const Vec2> chain) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) sum += geom::distance(chain[i], chain[i + 1]);
-    return sum;
 }
 
 // From `start`, which is on the segment before chain[next], on in direction `step` until farther than r (or the end).
@@ -136,7 +131,7 @@ Turns turns(const Beads& beads, double w, std::size_t samples, int threads) {
     std::vector<LayerTurns> part(layer.size());
     std::vector<double> begin(layer.size() + 1, 0);
     for (std::size_t i = 0; i < layer.size(); ++i) { // lengths only; the chains are made again where they are used
-        for (const auto& chain : chains(layer[i]->second)) part[i].length += length(chain);
+        for (const auto& chain : chains(layer[i]->second)) part[i].length += geom::length(chain);
         begin[i + 1] = begin[i] + part[i].length;
     }
     const double spacing = begin.back() / static_cast<double>(std::max<std::size_t>(1, samples));
