@@ -9,10 +9,8 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kSame = 1e-6; // mm; points nearer than this are one
-
 void append(Bead& b, Vec2 p, double w, bool per_point) {
-    if (!b.points.empty() && geom::distance(b.points.back(), p) < kSame) return;
+    if (!b.points.empty() && geom::distance(b.points.back(), p) < kSamePoint) return;
     b.points.push_back(p);
     if (per_point) b.width.push_back(w);
 }
@@ -23,7 +21,7 @@ void shorten(Bead& b, double gap) {
     while (b.points.size() > 2) {
         const Vec2 last = b.points.back(), before = b.points[b.points.size() - 2];
         const double l = geom::distance(last, before);
-        if (l > gap + kSame) break;
+        if (l > gap + kSamePoint) break;
         gap -= l;
         b.points.pop_back();
         if (per_point) b.width.pop_back();
@@ -38,18 +36,6 @@ void shorten(Bead& b, double gap) {
 
 double mean_width(const toolpath::Curve& curve) {
     return std::accumulate(curve.width.begin(), curve.width.end(), 0.0) / static_cast<double>(curve.width.size());
-}
-
-double length(std::span<const Vec2> line) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += geom::distance(line[i], line[i + 1]);
-    return sum;
-}
-
-double length(std::span<const geom::Vec3> line) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += geom::distance(line[i], line[i + 1]);
-    return sum;
 }
 
 Vec2 along(const toolpath::Curve& curve, const Place& place, double l) {
@@ -95,7 +81,7 @@ Bead cut_over(const toolpath::Curve& curve, const Place& at, bool against, doubl
     Bead b = cut(curve, at, against, 0);
     const std::size_t n = b.points.size();
     const bool per_point = b.width.size() > 1;
-    for (std::size_t i = 0; i + 1 < n && over > kSame; ++i) {
+    for (std::size_t i = 0; i + 1 < n && over > kSamePoint; ++i) {
         const double l = geom::distance(b.points[i], b.points[i + 1]), t = l > over ? over / l : 1;
         const double w = per_point ? b.width[i] + t * (b.width[i + 1] - b.width[i]) : 0;
         append(b, geom::lerp(b.points[i], b.points[i + 1], t), w, per_point);

@@ -1,12 +1,18 @@
 // Curves as they are printed: cut open, turned round, thinned beside a lane that is laid between them.
 #pragma once
 
+#include "geom/polyline.hpp"
 #include "link3d/segment_index.hpp"
 #include "toolpath/path.hpp"
 
 #include <vector>
 
 namespace filum::link3d {
+
+using geom::length;
+
+inline constexpr double kSamePoint = 1e-6; // mm; points nearer than this are one
+inline constexpr double kFaint = 0.05;     // of the layer's height: what a ramp begins and ends with; flow never stops
 
 // An open bead line.
 struct Bead {
@@ -16,9 +22,6 @@ struct Bead {
 
 // Mean width of a curve, mm, by points.
 double mean_width(const toolpath::Curve& curve);
-
-double length(std::span<const Vec2> line); // mm
-double length(std::span<const geom::Vec3> line);
 
 // The point `l` mm behind `place` along the curve, not beyond the ends of an open one.
 Vec2 along(const toolpath::Curve& curve, const Place& place, double l);

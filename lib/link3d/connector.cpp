@@ -14,12 +14,12 @@ using toolpath::Span;
 
 constexpr double kNeck = 0.4;       // of the flow: where a connector is to break off
 constexpr double kNeckLength = 2;   // bead widths
-constexpr double kBeside = 2;       // bead widths between the part and the way around
+constexpr double kDetourMargin = 2;         // bead widths between the part and the way around
 constexpr double kUncarried = 0.1;  // share of a carried connector that may hang free
 constexpr double kClearance = 0.05; // mm between the head and what it passes
 
 // Puts a point into the way `at` mm from its beginning, measured in XY.
-void split(std::vector<Vec3>& way, double at) {
+void insert_point(std::vector<Vec3>& way, double at) {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const double l = geom::distance(way[i].xy(), way[i + 1].xy());
         if (at < l) {
@@ -43,7 +43,7 @@ double length_xy(std::span<const Vec3> way) {
 // The widths of a connector that is thin at both ends; adds the points where that changes.
 std::vector<double> necks(std::vector<Vec3>& way, double width) {
     const double all = length_xy(way), neck = std::min(kNeckLength * width, all / 4), change = neck / 4;
-    for (const double at : {neck, neck + change, all - neck - change, all - neck}) split(way, at);
+    for (const double at : {neck, neck + change, all - neck - change, all - neck}) insert_point(way, at);
     std::vector<double> out;
     double s = 0;
     for (std::size_t i = 0; i < way.size(); ++i) {
@@ -112,7 +112,7 @@ std::optional<Linker::Entry> Linker::go_around(const Emit& emit, Notes& notes) {
     const auto& head = options_.head;
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
     std::optional<std::pair<std::vector<Vec3>, Entry>> best;
-    for (const double margin : {kBeside * r.width, cone + kClearance, carriage + kClearance})
+    for (const double margin : {kDetourMargin * r.width, cone + kClearance, carriage + kClearance})
         if ((best = way_around(margin))) break;
     if (!best) return std::nullopt;
     auto& [way, entry] = *best;
@@ -153,7 +153,7 @@ std::optional<Linker::Entry> Linker::go_inside(const Emit& emit) {
     ++counts_.strands;
     counts_.strand_length += entry->place.distance;
     printed_.begin();
-    if (entry->place.distance > kSame) extrude(Role::jog, {a, b}, {kThin * r.width}, emit);
+    if (entry->place.distance > kSamePoint) extrude(Role::jog, {a, b}, {kThin * r.width}, emit);
     return entry;
 }
 
@@ -188,7 +188,7 @@ bool Linker::misses_strands(Vec3 a, Vec3 b) const {
 bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const {
     const auto& r = window_.front();
     return is_free(own, a.xy(), b.xy(), Linker::kMargin, kEnds, 0) &&
-           !printed_.blocks(a, b, a.z - r.paths.height / 2, kBeside * r.width, leaves);
+           !printed_.blocks(a, b, a.z - r.paths.height / 2, kDetourMargin * r.width, leaves);
 }
 
 } // namespace filum::link3d

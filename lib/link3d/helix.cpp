@@ -13,9 +13,8 @@ using toolpath::Span;
 
 constexpr double kLeast = 0.3, kMost = 1.7; // of the layer's height: how thick a turn may be
 constexpr double kMisfits = 0.01;           // share of a turn that may be thinner or thicker
-constexpr double kFaint = 0.05;             // of the layer's height: what the first turn begins and the last ends with
 constexpr double kSeam = 0.9;               // of a turn: so far from each other are places on both sides of its ends
-constexpr double kStep = 5;                 // bead widths between the points of a turn, at most
+constexpr double kTurnStep = 5;             // bead widths between the points of a turn, at most
 
 } // namespace
 
@@ -27,7 +26,7 @@ Linker::Turn Linker::turn(const Waiting& r, const Entry& entry) {
     double s = 0;
     for (std::size_t i = 0; i < b.points.size(); ++i) {
         const double l = i > 0 ? geom::distance(b.points[i - 1], b.points[i]) : 0;
-        const int pieces = std::max(1, static_cast<int>(std::ceil(l / (kStep * r.width))));
+        const int pieces = std::max(1, static_cast<int>(std::ceil(l / (kTurnStep * r.width))));
         for (int k = i > 0 ? 1 : pieces; k <= pieces; ++k) {
             const double t = static_cast<double>(k) / pieces;
             const double from = b.width.size() == 1 ? b.width[0] : b.width[i > 0 ? i - 1 : 0];

@@ -11,12 +11,12 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kStep = 3.6;          // bead widths along the curve, more than kApart: curves bend
+constexpr double kStartStep = 3.6;     // bead widths along the curve, more than kApart: curves bend
 constexpr double kGolden = 0.38196601; // 1 - 1 / golden ratio
-constexpr double kSpread = 9.6;        // bead widths that golden starts spread over: kGolden times it is above kStep
-constexpr double kRandom = 12;         // bead widths that random starts spread over
-constexpr double kAround = 3;          // bead widths: how far beside the straight way a lane may go
-constexpr double kBest = 64;           // rank of a lane that ends at its goal
+constexpr double kSpread = 9.6; // bead widths that golden starts spread over: kGolden times it is above kStartStep
+constexpr double kRandom = 12;  // bead widths that random starts spread over
+constexpr double kAround = 3;   // bead widths: how far beside the straight way a lane may go
+constexpr double kBest = 64;    // rank of a lane that ends at its goal
 
 // The next number of a generator with the same numbers everywhere (Steele, Lea, Flood: splitmix64), in [0, 1).
 double next(std::uint64_t& state) {
@@ -46,11 +46,11 @@ std::vector<std::vector<Vec2>> lines_in(std::span<const toolpath::Curve> curves,
 } // namespace
 
 double start_offset(Interlace scheme, std::uint32_t layer, double before, std::uint64_t& state) {
-    if (scheme == Interlace::alternate) return layer % 2 == 0 ? 0 : kStep;
+    if (scheme == Interlace::alternate) return layer % 2 == 0 ? 0 : kStartStep;
     if (scheme == Interlace::golden) return kSpread * std::fmod(layer * kGolden, 1.0);
     if (scheme == Interlace::none) return 0;
     // as if drawn until it is far enough from the one before
-    const double lo = std::max(0.0, before - kStep), hi = std::min(kRandom, before + kStep);
+    const double lo = std::max(0.0, before - kStartStep), hi = std::min(kRandom, before + kStartStep);
     const double at = next(state) * (lo + kRandom - hi);
     return at < lo ? at : at - lo + hi;
 }
@@ -60,7 +60,7 @@ bool Linker::hidden(const Waiting& r, const Place& place) {
     const auto& points = r.paths.curves[place.curve].points;
     const Vec2 d = points[(place.segment + 1) % points.size()] - points[place.segment];
     const double l = geom::norm(d);
-    if (l < kSame) return false;
+    if (l < kSamePoint) return false;
     const Vec2 side = (r.width / l) * Vec2{-d.y, d.x};
     return r.index.nearest(place.point + side, 0.6 * r.width) && r.index.nearest(place.point - side, 0.6 * r.width);
 }

@@ -30,7 +30,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     counts_.lift_length += entry->place.distance;
     if (turn_ || winds_on(*entry)) {
         winds_ = true;
-        if (entry->place.distance > kSame)
+        if (entry->place.distance > kSamePoint)
             extrude(Role::lift, {*at_, at_height(entry->place.point, at_->z)}, {kThin * r.width}, emit);
         return entry;
     }
@@ -39,7 +39,7 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
         return entry;
     }
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
-    if (entry->place.distance > kSame) way.push_back(at_height(entry->place.point, r.paths.z));
+    if (entry->place.distance > kSamePoint) way.push_back(at_height(entry->place.point, r.paths.z));
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
     return entry;
 }

@@ -11,8 +11,6 @@ using toolpath::Span;
 
 namespace {
 
-constexpr double kFaint = 0.05; // of the layer's height: where a ramp begins and its overlap ends; flow never stops
-
 // Splits a -> b at the given places along the bead, and so that no piece that meets a ramp is longer than `step`.
 struct Splitter {
     const Bead& bead;
@@ -87,7 +85,7 @@ void Linker::begin_ramp(const Entry& entry, const Emit& emit) {
     const auto& r = window_.front();
     ramp_ = {ramp_length(), geom::distance(at_->xy(), entry.place.point), at_->z};
     ++counts_.ramps;
-    if (ramp_.lead <= kSame) {
+    if (ramp_.lead <= kSamePoint) {
         ramp_.lead = 0;
         return;
     }

@@ -157,7 +157,8 @@ Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit) {
         joins_.push_back({false, {at_->xy(), to}, {kThin * r.width}});
         ++counts_.jogs;
         counts_.jog_length += entry.place.distance;
-        if (entry.place.distance > kSame) extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
+        if (entry.place.distance > kSamePoint)
+            extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
     } else {
         stop_and_travel(to, emit);
     }
@@ -244,7 +245,7 @@ void Linker::print(const Bead& bead, const Ramp& ramp, const Emit& emit) {
     if (print_stacked(bead, emit)) return;
     const auto& r = window_.front();
     Laid laid = lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
-    if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_; // spans chain exactly
+    if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
     at_ = laid.points.back();
     emit(Span{Role::bead, stroke_, r.paths.layer, r.paths.region, std::move(laid.points), std::move(laid.width),
               std::move(laid.height)});

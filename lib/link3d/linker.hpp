@@ -77,7 +77,6 @@ class Linker {
     enum class Next : std::uint8_t { anywhere, above, outside }; // outside: of this region
 
     static constexpr double kThin = 0.5;     // of the bead width: a bead laid where material is, or between two beads
-    static constexpr double kSame = 1e-6;    // mm; places nearer than this are one
     static constexpr double kMargin = 0.003; // mm; joins keep this far from beads: more than a digit of machine code
     static constexpr double kEnds = 0.01;    // mm; but for this much at their ends, which lie on beads
     static constexpr double kOn = 0.02;      // mm; a nozzle this near to a bead is on it

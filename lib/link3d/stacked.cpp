@@ -9,8 +9,8 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kOn = 0.002;   // mm; nearer to a line is on it
-constexpr double kSame = 0.005; // mm; a segment on a line is as long as its way along it
+constexpr double kOn = 0.002;         // mm; nearer to a line is on it
+constexpr double kSameLength = 0.005; // mm; a segment on a line is as long as its way along it
 
 } // namespace
 
@@ -31,13 +31,13 @@ Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
     const auto& sums = along_[p->curve];
     const auto at = [&](const Place& x) { return sums[x.segment] + x.t * (sums[x.segment + 1] - sums[x.segment]); };
     const auto [lo, hi] = std::minmax({at(*p), at(*q)});
-    if (std::abs(hi - lo - geom::distance(a, b)) > kSame) return Pass::plain;
+    if (std::abs(hi - lo - geom::distance(a, b)) > kSameLength) return Pass::plain;
     auto& laid = laid_[p->curve];
     const double middle = (lo + hi) / 2;
     if (std::any_of(laid.begin(), laid.end(), [&](const auto& s) { return s.first <= middle && middle <= s.second; }))
         return Pass::upper;
     for (auto& s : laid) // mostly the stretch goes on
-        if (std::abs(s.second - lo) < kSame || std::abs(s.first - hi) < kSame) {
+        if (std::abs(s.second - lo) < kSameLength || std::abs(s.first - hi) < kSameLength) {
             s = {std::min(s.first, lo), std::max(s.second, hi)};
             return Pass::lower;
         }
@@ -75,7 +75,7 @@ bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
     if (r.stacked.empty()) return false;
     if (!stacked_ || stacked_in_ != r.region) stacked_.emplace(r.stacked), stacked_in_ = r.region;
     auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
-    if (geom::distance(laid.points.front(), *at_) < kSame) laid.points.front() = *at_; // spans chain exactly
+    if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
     at_ = laid.points.back();
     emit({toolpath::Role::bead, stroke_, r.layer, r.region, std::move(laid.points), std::move(laid.width),
           std::move(laid.height)});

@@ -11,10 +11,9 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kSame = 1e-6;   // mm; points nearer than this are one
 constexpr double kRoom = 0.3;    // bead widths that must be free behind a bead that moves aside
 constexpr double kSlope = 0.25;  // mm per mm: how fast a bead that moves aside does so
-constexpr double kBeside = 0.02; // bead widths; nearer lines are the bead itself
+constexpr double kSelfDistance = 0.02; // bead widths; nearer lines are the bead itself
 
 // A piece of the lane's area that is to come out of one place of the bead.
 struct Share {
@@ -57,7 +56,7 @@ std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double l
     return out;
 }
 
-// A bead split where it is to give up material.
+// A bead split_at_shares where it is to give up material.
 struct Thinned {
     Bead bead;
     std::vector<double> take; // mm2 per point
@@ -79,7 +78,7 @@ struct Thinned {
     }
 };
 
-Thinned split(const Bead& bead, const std::vector<Share>& cuts, double step) {
+Thinned split_at_shares(const Bead& bead, const std::vector<Share>& cuts, double step) {
     Thinned out;
     const auto width = [&](std::size_t i) { return bead.width.size() == 1 ? bead.width[0] : bead.width[i]; };
     out.push(bead.points[0], width(0));
@@ -128,7 +127,7 @@ std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, doubl
         const double l = geom::norm(t.away[i]);
         if (l == 0 || less[i] == 0) continue;
         to[i] = (1 / l) * t.away[i];
-        if (is_free(lines, from[i], from[i] + (less[i] + kRoom * reach) * to[i], kSame, kBeside * reach, 0))
+        if (is_free(lines, from[i], from[i] + (less[i] + kRoom * reach) * to[i], kSamePoint, kSelfDistance * reach, 0))
             by[i] = less[i] / 2;
     }
     const auto slope = [&](std::size_t i, std::size_t beside) {
@@ -153,7 +152,7 @@ std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, doubl
 
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
                    const SegmentIndex& lines) {
-    Thinned t = split(bead, shares(bead, lane, lane_width, reach), reach / 2);
+    Thinned t = split_at_shares(bead, shares(bead, lane, lane_width, reach), reach / 2);
     settle(t, least);
     const std::size_t n = t.take.size();
     std::vector<double> less(n, 0), mass(n);
