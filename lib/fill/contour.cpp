@@ -11,11 +11,7 @@ namespace filum::fill {
 
 namespace {
 
-// As in `spiral`.
-constexpr double kOverlap = 1.0 / 512;
-constexpr double kShortestRing = 1.3;
-
-std::vector<toolpath::Curve> curves(const BeadRings& beads) {
+std::vector<toolpath::Curve> curves_along(const BeadRings& beads) {
     std::vector<toolpath::Curve> out;
     for (std::size_t i = 0; i < beads.loops.size(); ++i)
         out.push_back({true,
@@ -46,8 +42,8 @@ std::vector<toolpath::Curve> contour(const Loops& region, const ContourOptions& 
     for (const Try t : {Try{1.0 / 128, 2}, Try{1.0 / 1024, 2}, Try{1.0 / 1024, 0}}) {
         const double tolerance = t.tolerance * w;
         first = o.fit ? first_rings(region, w, tolerance).rings : inset(region, w / 2);
-        const Rings rings = outer(nested_rings(first, w * (1 - kOverlap), kShortestRing * w, tolerance), levels);
-        out = curves(even_spacing(rings, region, w, o.fit ? t.lanes : 0, tolerance));
+        const Rings rings = outer(nested_rings(first, w * (1 - kRingOverlap), kShortestRing * w, tolerance), levels);
+        out = curves_along(even_spacing(rings, region, w, o.fit ? t.lanes : 0, tolerance));
         if (count_crossings(out, w) == 0) break;
     }
     note_unplaced(region, inset(first, -(0.5 + 1.0 / 32) * w), w, notes);

@@ -12,11 +12,11 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kReach = 2.2;       // bead widths: neighbours are nearer (Lemma 2: at most 2)
-constexpr double kLongestLink = 2.4; // bead widths
-constexpr double kPlaces = 8;        // along a ring, where strips are looked for
-constexpr std::size_t kTries = 4;    // of them, the best, are tried
-constexpr double kSpeck = 0.0125;    // bead widths: shorter segments could cross their neighbours once rounded
+constexpr double kNeighbourReach = 2.2;     // bead widths: neighbours are nearer (Lemma 2: at most 2)
+constexpr double kLongestLink = 2.4;        // bead widths
+constexpr double kPlaces = 8;               // along a ring, where strips are looked for
+constexpr std::size_t kSpiralsTried = 4;    // of them, the best, are tried
+constexpr double kShortestSegment = 0.0125; // bead widths: shorter segments could cross their neighbours once rounded
 
 // Two rings facing each other at one place.
 struct Candidate {
@@ -62,7 +62,7 @@ class Forest { // disjoint sets of rings
 };
 
 // The line without segments shorter than `least`, but never with fewer than three points.
-ClosedLine without_specks(const ClosedLine& line, double least) {
+ClosedLine without_short_segments(const ClosedLine& line, double least) {
     ClosedLine out;
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         if (!out.points.empty() && geom::distance(out.points.back(), line.points[i]) < least) continue;
@@ -137,7 +137,7 @@ class Joiner {
                             return clear({a, b});
                         }};
         std::optional<Splice> best;
-        for (std::size_t k = 0; k < std::min(found.size(), kTries); ++k) {
+        for (std::size_t k = 0; k < std::min(found.size(), kSpiralsTried); ++k) {
             if (best && best->windows.size() >= found[k].lane.size()) break;
             auto splice = double_spiral(graph_, found[k], width_, room);
             if (splice && (!best || splice->windows.size() > best->windows.size())) best = std::move(splice);
@@ -162,8 +162,9 @@ class Joiner {
             for (int k = 0; k < n; ++k) {
                 const double s = l * (k + 0.5) / n;
                 const Vec2 here = graph_.at(r, s);
-                const auto there = graph_.nearest(
-                    here, kReach * width_, [&](std::uint32_t other) { return forest_.root(other) != forest_.root(r); });
+                const auto there = graph_.nearest(here, kNeighbourReach * width_, [&](std::uint32_t other) {
+                    return forest_.root(other) != forest_.root(r);
+                });
                 if (!there || there->distance == 0) continue;
                 const double gap = there->distance / width_;
                 const double turn = graph_.turning(r, s - 0.6 * width_, s + 0.6 * width_) +
@@ -236,7 +237,7 @@ class Joiner {
 
     [[nodiscard]] std::vector<ClosedLine> trace() const {
         auto out = splices_.trace();
-        for (ClosedLine& line : out) line = without_specks(line, kSpeck * width_);
+        for (ClosedLine& line : out) line = without_short_segments(line, kShortestSegment * width_);
         return out;
     }
 
@@ -255,6 +256,19 @@ class Joiner {
 std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline, bool spirals) {
     if (rings.loops.empty()) return {};
     return Joiner(rings, width, outline).run(spirals);
+}
+
+std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines) {
+    std::vector<toolpath::Curve> out;
+    for (ClosedLine& line : lines) out.push_back({true, std::move(line.points), std::move(line.width)});
+    return out;
+}
+
+void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes) {
+    if (curves.size() < 2) return;
+    const auto more = curves.size() - 1;
+    const Vec2 p = curves.back().points.front();
+    notes.push_back({"", "ring not joined", static_cast<double>(more), "curves", more, -1, p.x, p.y});
 }
 
 } // namespace filum::fill

@@ -1,8 +1,10 @@
 // Rings to one closed curve: the exchange construction and double spirals (notes 3a, A3-A5).
 #pragma once
 
+#include "base/note.hpp"
 #include "fill/spacing.hpp"
 #include "fill/splices.hpp"
+#include "toolpath/path.hpp"
 
 #include <vector>
 
@@ -24,5 +26,11 @@ using ClosedLine = BeadLine; // its last point runs on to its first
 // Ties: better facing first, then the lower ring, then the earlier place on it.
 std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {},
                                    bool spirals = false);
+
+// The lines as closed curves, in their order.
+std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines);
+
+// Adds a note of how many curves there are beside the first: rings that could not be joined.  None if all were.
+void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes);
 
 } // namespace filum::fill

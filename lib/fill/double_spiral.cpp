@@ -15,10 +15,10 @@ constexpr double kChord = 0.8;                    // half the chord that tells a
 constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
 constexpr double kParallel = 0.85;                // cosine between neighbouring lanes, at least
 constexpr double kTurn = 0.65;                    // the two lanes that turn do so this far behind the line
-constexpr double kMargin = 0.5;                   // of ring between windows
+constexpr double kWindowMargin = 0.5;             // of ring between windows
 constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
 constexpr double kLean = 0.6;                     // the first of them by so much
-constexpr double kWidest = 1.4;                   // gap that a bend is widened for
+constexpr double kWidestGap = 1.4;                // gap that a bend is widened for
 constexpr double kApart = 0.65;                   // links are at least
 
 struct Direction {
@@ -86,7 +86,7 @@ class Making {
     [[nodiscard]] Vec2 end(std::size_t k) const { return graph_->at(lane(k).at.ring, second_[k]); }
 
     [[nodiscard]] bool has_room(std::size_t k) const {
-        const double margin = kMargin * width_;
+        const double margin = kWindowMargin * width_;
         return room_->free(lane(k).at.ring, std::min(first_[k], second_[k]) - margin,
                            std::max(first_[k], second_[k]) + margin);
     }
@@ -183,7 +183,7 @@ class Making {
     // A bend as wide as its neighbours leave it room.
     [[nodiscard]] BeadLine bead(const Line& before, const Line& own, const Line& after) const {
         const auto gap = [&](const Line& other, Vec2 p) {
-            double best = kWidest * width_;
+            double best = kWidestGap * width_;
             for (std::size_t i = 0; i + 1 < other.size(); ++i)
                 best = std::min(best, geom::point_segment_distance(other[i], other[i + 1], p));
             return best;
@@ -206,7 +206,8 @@ class Making {
             if (gone < 0) gone += l;
             const double s0 = lane(k).sense > 0 ? first[k] : second[k];
             if (gone < 0.2 * width_ || gone > 5 * width_) return std::nullopt;
-            if (!room_->free(ring, s0 - kMargin * width_, s0 + gone + kMargin * width_)) return std::nullopt;
+            if (!room_->free(ring, s0 - kWindowMargin * width_, s0 + gone + kWindowMargin * width_))
+                return std::nullopt;
             out.windows.push_back({ring, s0, s0 + gone});
         }
         const auto rim = [&](std::size_t k, bool behind) {

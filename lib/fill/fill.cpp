@@ -11,9 +11,9 @@
 #include "fill/sun2019.hpp"
 #include "fill/wall_walk.hpp"
 #include "fill/zigzag.hpp"
+#include "geom/angle.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace filum::fill {
 
@@ -21,7 +21,7 @@ namespace {
 
 double angle(const polygon::Region& r, const Options& o) {
     if (o.angles_deg.empty()) return 0;
-    return o.angles_deg[r.layer % o.angles_deg.size()] * std::numbers::pi / 180;
+    return geom::radians(o.angles_deg[r.layer % o.angles_deg.size()]);
 }
 
 int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cast<int>(o.rings); }
@@ -50,7 +50,8 @@ void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve&
     if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
 }
 
-std::vector<toolpath::Curve> curves(const polygon::Region& r, const Options& o, double& unplaced, Notes& notes) {
+std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const Options& o, double& unplaced,
+                                               Notes& notes) {
     const double w = o.bead_width;
     if (o.pattern == "spiral" && o.method == "cyc") {
         if (o.thin == "single")
@@ -127,7 +128,7 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     }
     toolpath::RegionPaths out = paths_of(r);
     const std::size_t first = notes.size();
-    out.curves = curves(r, o, out.unplaced, notes);
+    out.curves = curves_by_pattern(r, o, out.unplaced, notes);
     if (o.thin == "half-height" && o.pattern == "spiral" && o.method == "cyc")
         stack_thin_walls(r, o, notes, first, out);
     place(r, notes, first, out);

@@ -10,8 +10,8 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kMargin = 1.05; // for what rounding takes off an arc
-constexpr double kArm = 1;       // radii squared: what is larger is more than a corner
+constexpr double kRoundingMargin = 1.05; // for what rounding takes off an arc
+constexpr double kArm = 1;               // radii squared: what is larger is more than a corner
 
 // The point `s` along the curve from vertex i, forwards (step 1) or backwards.
 Vec2 along(const std::vector<Vec2>& points, std::size_t i, bool forwards, double s) {
@@ -64,7 +64,7 @@ Rings nested_round_rings(const Loops& first, double spacing, double min_length, 
         Loops kept;
         const auto parts = polygon::split(now).part;
         for (const Loops& part : parts) {
-            const Loops round = rounded_off(part, kMargin * radius, tolerance);
+            const Loops round = rounded_off(part, kRoundingMargin * radius, tolerance);
             const std::size_t pieces = polygon::split(round).part.size();
             const bool touching = level == 0 && parts.size() > 1; // those must go on touching
             const bool stays = touching || pieces > 1 || (pieces == 0 && level == 0);

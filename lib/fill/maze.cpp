@@ -16,13 +16,13 @@ using polygon::Loops;
 
 namespace {
 
-constexpr double kGive = 0.2;    // how much higher or lower than wanted a row may be
-constexpr double kSlit = 0.0005; // mm, half a wall's thickness: no more than separates two areas
-constexpr double kThin = 1.3;    // bead widths beside a wall below which it is left out
-constexpr double kOpen = 2.0;    // bead widths that an opening needs
-constexpr double kDoor = 0.95;   // share of kOpen that a door's narrowest place keeps clear
-constexpr double kWidest = 4.0;  // bead widths along the wall that a door may take
-constexpr double kLeast = 1.0;   // bead widths; shorter walls are left out
+constexpr double kRowGive = 0.2;      // how much higher or lower than wanted a row may be
+constexpr double kSlit = 0.0005;      // mm, half a wall's thickness: no more than separates two areas
+constexpr double kRoomBeside = 1.3;   // bead widths beside a wall below which it is left out
+constexpr double kOpen = 2.0;         // bead widths that an opening needs
+constexpr double kDoor = 0.95;        // share of kOpen that a door's narrowest place keeps clear
+constexpr double kWidestDoor = 4.0;   // bead widths along the wall that a door may take
+constexpr double kShortestWall = 1.0; // bead widths; shorter walls are left out
 
 // Where two rows meet.
 struct Border {
@@ -55,7 +55,7 @@ std::vector<Stretch> clipped(const std::vector<Stretch>& a, const std::vector<St
 class Maze {
   public:
     Maze(const Loops& region, double width, double row)
-        : region_(region), width_(width), y_(cuts(region, row, kGive)), outline_(edges(region)),
+        : region_(region), width_(width), y_(cuts(region, row, kRowGive)), outline_(edges(region)),
           grid_(outline_, 2 * width) {}
 
     Loops build() {
@@ -114,7 +114,7 @@ class Maze {
     // Walls along the borders, but for long stretches beside which the region is thin.
     void find_walls() {
         std::vector<std::vector<std::vector<Stretch>>> clear;
-        for (const double by : {-kThin, -kThin / 2, kThin / 2, kThin}) {
+        for (const double by : {-kRoomBeside, -kRoomBeside / 2, kRoomBeside / 2, kRoomBeside}) {
             std::vector<double> y = y_;
             for (double& v : y) v += by * width_;
             clear.push_back(scan(region_, y));
@@ -138,8 +138,9 @@ class Maze {
         }
         if (b.to - to < kOpen * width_) to = b.to;
         out.push_back({from, to});
-        std::erase_if(
-            out, [&](const Stretch& s) { return s.to - s.from < kLeast * width_ && s.from > b.from && s.to < b.to; });
+        std::erase_if(out, [&](const Stretch& s) {
+            return s.to - s.from < kShortestWall * width_ && s.from > b.from && s.to < b.to;
+        });
         return out;
     }
 
@@ -178,8 +179,8 @@ class Maze {
     // The first place from `end` towards `other` where two beads pass between the wall's tip and the outline.
     [[nodiscard]] std::optional<double> clear_from(double end, double other, double y) const {
         const double way = other > end ? 1 : -1, least = kDoor * kOpen * width_;
-        for (double along = least; along <= kWidest * width_; along += width_ / 8) {
-            if (along + kLeast * width_ > std::abs(other - end)) break;
+        for (double along = least; along <= kWidestDoor * width_; along += width_ / 8) {
+            if (along + kShortestWall * width_ > std::abs(other - end)) break;
             const Vec2 tip{end + way * along, y};
             bool free = true;
             grid_.near({tip.x - least, tip.y - least}, {tip.x + least, tip.y + least}, [&](std::uint32_t i) {

@@ -17,8 +17,8 @@ namespace {
 // A line is kept where it is this many pitches inside the outline; its ends draw back to half a pitch from an upright
 // outline.  So a line along a flat edge may stand out by a quarter of its width rather than leave a void of up to one.
 constexpr double kInset = 0.25, kTrim = 1 - 2 * kInset;
-constexpr double kGive = 0.15;     // how much wider or narrower than asked a line may be to fit between flat edges
-constexpr double kShortest = 0.25; // pitches; shorter lines are dropped
+constexpr double kLineGive = 0.15;     // how much wider or narrower than asked a line may be to fit between flat edges
+constexpr double kShortestLine = 0.25; // pitches; shorter lines are dropped
 
 struct Line {
     double y, from, to, width;
@@ -26,7 +26,7 @@ struct Line {
 };
 
 // Lays the lines row by row, each next to the one before where they overlap.
-void lay(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve>& out) {
+void lay_lines(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve>& out) {
     for (std::size_t first = 0; first < rows.size(); ++first)
         for (auto& start : rows[first]) {
             bool right = true;
@@ -46,8 +46,8 @@ void lay(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve>& out
 }
 
 // The lines of one connected part, in the frame where they run along x.
-void fill_part(const Loops& part, double bead_width, std::vector<toolpath::Curve>& out) {
-    const auto strips = cuts(part, bead_width, kGive);
+void fill_with_lines(const Loops& part, double bead_width, std::vector<toolpath::Curve>& out) {
+    const auto strips = cuts(part, bead_width, kLineGive);
     std::vector<double> y, pitch;
     for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
         y.push_back((strips[i] + strips[i + 1]) / 2);
@@ -57,9 +57,9 @@ void fill_part(const Loops& part, double bead_width, std::vector<toolpath::Curve
     std::vector<std::vector<Line>> rows(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
         for (const Stretch s : stretches[i])
-            if (s.to - s.from > (kTrim + kShortest) * bead_width)
+            if (s.to - s.from > (kTrim + kShortestLine) * bead_width)
                 rows[i].push_back({y[i], s.from + kTrim * bead_width / 2, s.to - kTrim * bead_width / 2, pitch[i]});
-    lay(rows, out);
+    lay_lines(rows, out);
 }
 
 } // namespace
@@ -74,7 +74,7 @@ std::vector<toolpath::Curve> rectilinear(const Loops& region, const RectilinearO
         note_unplaced(region, inset(inset(region, o.bead_width / 2), -o.bead_width / 2), o.bead_width, notes);
     }
     const std::size_t first = out.size();
-    for (const auto& part : polygon::split(rotated(core, -o.angle)).part) fill_part(part, o.bead_width, out);
+    for (const auto& part : polygon::split(rotated(core, -o.angle)).part) fill_with_lines(part, o.bead_width, out);
     for (std::size_t i = first; i < out.size(); ++i) rotate(out[i].points, o.angle);
     return out;
 }

@@ -1,6 +1,6 @@
 #include "fill/ringed_zigzag.hpp"
 
-#include "fill/cycle.hpp"
+#include "fill/attempt.hpp"
 #include "fill/inset.hpp"
 #include "fill/maze.hpp"
 #include "fill/rows.hpp"
@@ -9,28 +9,23 @@
 #include "polygon/clip.hpp"
 
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace filum::fill {
 
 namespace {
 
-// As in `spiral` and `zigzag`.
-constexpr double kOverlap = 1.0 / 512;
-constexpr double kShortestRing = 1.3;
-
-struct Try {
+struct RingedZigzagSetting {
     double tolerance; // bead widths
     double row;       // wanted height, bead widths
     int lanes;        // that share a wall's odd thickness; 0: no ring is moved
 };
 
-constexpr Try kTries[] = {
+constexpr RingedZigzagSetting kRingedZigzagSettings[] = {
     {1.0 / 128, 2, 2}, {1.0 / 1024, 2, 2}, {1.0 / 1024, 2.12, 2}, {1.0 / 1024, 1.9, 2}, {1.0 / 1024, 2, 0}};
 
 // Adds the rings of the first `levels` levels, `deeper` levels down; those without room for a link are left out.
-void append(const Rings& from, int levels, int deeper, double least, Rings& to) {
+void add_levels(const Rings& from, int levels, int deeper, double least, Rings& to) {
     for (std::size_t i = 0; i < from.loops.size(); ++i) {
         if (from.level[i] >= levels || (deeper > 0 && polygon::perimeter(from.loops[i]) < least)) continue;
         to.loops.add(from.loops[i]);
@@ -44,17 +39,17 @@ struct Layout {
 };
 
 Layout outer_rings(const Loops& region, const RingedZigzagOptions& o, double tolerance) {
-    const double w = o.bead_width, spacing = w * (1 - kOverlap);
+    const double w = o.bead_width, spacing = w * (1 - kRingOverlap);
     Layout out;
     out.outermost = first_rings(region, w, tolerance).rings;
-    append(nested_rings(out.outermost, spacing, kShortestRing * w, tolerance), o.rings, 0, 0, out.rings);
+    add_levels(nested_rings(out.outermost, spacing, kShortestRing * w, tolerance), o.rings, 0, 0, out.rings);
     out.core = inset(out.outermost, (o.rings - 1) * spacing + w / 2);
     return out;
 }
 
 // The corridors' outermost rings and what is inside those, as levels below the outer rings.
-Rings with_core(const Layout& layout, const RingedZigzagOptions& o, const Try& t) {
-    const double w = o.bead_width, spacing = w * (1 - kOverlap);
+Rings with_core(const Layout& layout, const RingedZigzagOptions& o, const RingedZigzagSetting& t) {
+    const double w = o.bead_width, spacing = w * (1 - kRingOverlap);
     Loops corridors;
     for (const auto& part : polygon::split(rotated(layout.core, -o.angle)).part) {
         const Loops corridor = maze(part, w, t.row * w);
@@ -62,8 +57,8 @@ Rings with_core(const Layout& layout, const RingedZigzagOptions& o, const Try& t
     }
     const Loops first = inset(rotated(corridors, o.angle), w / 2 - (w - spacing));
     Rings out = layout.rings;
-    append(nested_rings(first, spacing, kShortestRing * w, t.tolerance * w), std::numeric_limits<int>::max(), o.rings,
-           kShortestRing * w, out);
+    add_levels(nested_rings(first, spacing, kShortestRing * w, t.tolerance * w), std::numeric_limits<int>::max(),
+               o.rings, kShortestRing * w, out);
     return out;
 }
 
@@ -73,10 +68,6 @@ bool mostly_inside(const Loops& area, std::span<const Vec2> loop) {
     std::size_t inside = 0;
     for (std::size_t k = 0; k < places; ++k) inside += polygon::contains(area, loop[k * loop.size() / places]) ? 1 : 0;
     return 2 * inside > places;
-}
-
-void append(std::vector<ClosedLine>&& lines, std::vector<toolpath::Curve>& to) {
-    for (ClosedLine& line : lines) to.push_back({true, std::move(line.points), std::move(line.width)});
 }
 
 // Each outer ring by itself, then the core's rings joined.
@@ -94,23 +85,17 @@ std::vector<toolpath::Curve> unlinked(const Loops& region, const Loops& core, co
         inner.loops.add(loop);
         inner.width.insert(inner.width.end(), widths.begin(), widths.end());
     }
-    append(join_rings(inner, width, region), out);
+    for (toolpath::Curve& curve : closed_curves(join_rings(inner, width, region))) out.push_back(std::move(curve));
     return out;
 }
 
-struct Attempt {
-    std::vector<toolpath::Curve> curves;
-    std::size_t crossings = 0;
-    Loops outermost;
-};
-
-Attempt attempt(const Loops& region, const RingedZigzagOptions& o, const Try& t) {
+Attempt ringed_zigzag_by(const Loops& region, const RingedZigzagOptions& o, const RingedZigzagSetting& t) {
     const double w = o.bead_width, tolerance = t.tolerance * w;
     const Layout layout = outer_rings(region, o, tolerance);
     const BeadRings beads = even_spacing(with_core(layout, o, t), region, w, t.lanes, tolerance);
     Attempt out{{}, 0, layout.outermost};
     if (o.linked)
-        append(join_rings(beads, w, region), out.curves);
+        out.curves = closed_curves(join_rings(beads, w, region));
     else
         out.curves = unlinked(region, layout.core, beads, w);
     out.crossings = count_crossings(out.curves, w);
@@ -121,20 +106,11 @@ Attempt attempt(const Loops& region, const RingedZigzagOptions& o, const Try& t)
 
 std::vector<toolpath::Curve> ringed_zigzag(const Loops& region, const RingedZigzagOptions& o, Notes& notes) {
     const double w = o.bead_width;
-    std::optional<Attempt> best;
-    for (const Try& t : kTries) {
-        Attempt now = attempt(region, o, t);
-        const auto faults = [](const Attempt& a) { return std::pair{a.crossings, a.curves.size()}; };
-        if (!best || (!now.curves.empty() && faults(now) < faults(*best))) best = std::move(now);
-        if (best->crossings == 0 && (best->curves.size() == 1 || !o.linked)) break;
-    }
-    if (o.linked && best->curves.size() > 1) {
-        const auto more = best->curves.size() - 1;
-        const Vec2 p = best->curves.back().points.front();
-        notes.push_back({"", "ring not joined", static_cast<double>(more), "curves", more, -1, p.x, p.y});
-    }
-    note_unplaced(region, inset(best->outermost, -(0.5 + 1.0 / 32) * w), w, notes);
-    return std::move(best->curves);
+    Attempt best = best_attempt(std::span<const RingedZigzagSetting>(kRingedZigzagSettings), o.linked,
+                                [&](const RingedZigzagSetting& s) { return ringed_zigzag_by(region, o, s); });
+    if (o.linked) note_unjoined(best.curves, notes);
+    note_unplaced(region, inset(best.outermost, -(0.5 + 1.0 / 32) * w), w, notes);
+    return std::move(best.curves);
 }
 
 } // namespace filum::fill

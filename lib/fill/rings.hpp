@@ -10,6 +10,10 @@ namespace filum::fill {
 using geom::Vec2;
 using polygon::Loops;
 
+// Beads lie a little nearer than their width, so that rounding never opens a seam between them; the share of it.
+inline constexpr double kRingOverlap = 1.0 / 512;
+inline constexpr double kShortestRing = 1.3; // bead widths: shorter rings have no room for a link
+
 struct Rings {
     Loops loops;            // closed, solid on the left, none crossing another
     std::vector<int> level; // per loop: 0 along the outline

@@ -8,20 +8,20 @@ namespace filum::fill {
 namespace {
 
 // Of rounded corners; in reaches unless said otherwise.
-constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
-constexpr double kBent = 0.3;       // rad: where a line turns less within the reach, its chord is longer than that
-constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
-constexpr double kAcuteReach = 2.6; // about those
-constexpr double kOuter = 0.75;  // bead widths from the outline: nearer, acute corners are worth more than their room
-constexpr double kShortest = 60; // a shorter line stays as it is
-constexpr double kWiden = 1.7;   // times the width, at most
-constexpr double kSpill = 0.03;  // bead widths that a widened bead may reach over the outline
-constexpr int kPoints = 6;       // per corner
+constexpr double kTurned = 0.97;      // chord to arc: a smaller ratio is a corner
+constexpr double kLeastTurning = 0.3; // rad: where a line turns less within the reach, its chord is longer than that
+constexpr double kAcute = 0.66;       // and a smaller one than this an acute corner
+constexpr double kAcuteReach = 2.6;   // about those
+constexpr double kOuter = 0.75; // bead widths from the outline: nearer, acute corners are worth more than their room
+constexpr double kShortestRounded = 60; // a shorter line stays as it is
+constexpr double kWiden = 1.7;          // times the width, at most
+constexpr double kSpill = 0.03;         // bead widths that a widened bead may reach over the outline
+constexpr int kPoints = 6;              // per corner
 
 // Of widened turns, in bead widths.
-constexpr double kNarrowTurn = 0.8, kWideTurn = 1.2; // across, before and after: then it is not sharp when rounded
-constexpr double kFullWidth = 0.45, kTaper = 1.5;    // so far behind the turn it is as wide, and as it was
-constexpr double kCorner = 0.8;                      // rad, each of the two corners of a turn
+constexpr double kNarrowTurn = 0.8, kWideTurn = 1.2;    // across, before and after: then it is not sharp when rounded
+constexpr double kFullWidth = 0.45, kFormerWidth = 1.5; // so far behind the turn it is as wide, and as it was
+constexpr double kCorner = 0.8;                         // rad, each of the two corners of a turn
 
 // A closed line by arc length, to be asked for ascending places.
 class Course {
@@ -66,7 +66,7 @@ struct Corner {
     double s, reach;
 };
 
-struct Stretch {
+struct RoundedStretch {
     double begin, end;
     std::vector<Corner> corner;
     // A point is moved to the mean of what is nearer to it than this: constant about a corner, and continuous.
@@ -91,7 +91,7 @@ class Rounding {
         const auto keep_until = [&](double s) {
             for (; next < n && course_.s(next) < s; ++next) out_.add(line_->points[next], line_->width[next]);
         };
-        for (const Stretch& part : parts_) {
+        for (const RoundedStretch& part : parts_) {
             if (part.begin >= 0) keep_until(part.begin);
             smooth(part);
             while (next < n && course_.s(next) <= part.end) ++next;
@@ -130,7 +130,7 @@ class Rounding {
             while (course_.s(first) < s - reach_) ++first;
             while (last < n && course_.s(last) <= s + reach_) ++last;
             const bool whole = s > reach_ && s < course_.length() - reach_;
-            if (whole && turned[last] - turned[first] < kBent) continue;
+            if (whole && turned[last] - turned[first] < kLeastTurning) continue;
             const double reach = reach_at(i);
             if (reach == 0) continue;
             if (parts_.empty() || s - reach > parts_.back().end) parts_.push_back({s - reach, s + reach, {}});
@@ -138,7 +138,7 @@ class Rounding {
             parts_.back().corner.push_back({s, reach});
         }
         while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + course_.length()) {
-            Stretch& first = parts_.front();
+            RoundedStretch& first = parts_.front();
             for (Corner c : parts_.back().corner) c.s -= course_.length(), first.corner.push_back(c);
             first.begin = std::min(first.begin, parts_.back().begin - course_.length());
             first.end = std::max(first.end, parts_.back().end - course_.length());
@@ -146,7 +146,7 @@ class Rounding {
         }
     }
 
-    void smooth(const Stretch& part) {
+    void smooth(const RoundedStretch& part) {
         const int n = std::max(2, static_cast<int>(std::ceil(kPoints * (part.end - part.begin) / (2 * reach_))));
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
@@ -163,7 +163,7 @@ class Rounding {
     Course course_;
     double reach_;
     const std::function<double(Vec2)>* room_;
-    std::vector<Stretch> parts_;
+    std::vector<RoundedStretch> parts_;
     BeadLine out_;
 };
 
@@ -182,7 +182,7 @@ class Widening {
         if (turns.empty()) return *line_;
         std::size_t next = 0;
         for (const Turn& t : turns) {
-            const double reach = t.across / 2 + kTaper * width_;
+            const double reach = t.across / 2 + kFormerWidth * width_;
             for (; course_.s(next) < t.middle - reach; ++next) out_.add(line_->points[next], line_->width[next]);
             widen(t, reach);
             while (next < line_->points.size() && course_.s(next) <= t.middle + reach) ++next;
@@ -202,7 +202,7 @@ class Widening {
     [[nodiscard]] std::vector<Turn> find() const {
         std::vector<Turn> out;
         const std::size_t n = line_->points.size();
-        const double most = kWideTurn * width_, margin = most / 2 + kTaper * width_;
+        const double most = kWideTurn * width_, margin = most / 2 + kFormerWidth * width_;
         double taken = 0;
         for (std::size_t i = 1; i + 1 < n; ++i) {
             const Vec2 u = line_->points[i] - line_->points[i - 1], v = line_->points[i + 1] - line_->points[i];
@@ -230,7 +230,7 @@ class Widening {
         const int n = static_cast<int>(std::ceil(reach / (0.2 * width_)));
         for (int k = -n; k <= n; ++k) {
             const double u = reach * k / n, beyond = std::max(0.0, std::abs(u) - t.across / 2) / width_;
-            const double x = std::clamp((kTaper - beyond) / (kTaper - kFullWidth), 0.0, 1.0);
+            const double x = std::clamp((kFormerWidth - beyond) / (kFormerWidth - kFullWidth), 0.0, 1.0);
             const auto own = course_.at(t.middle + u), other = course_.at(t.middle - u);
             const Vec2 by = most * x * x * (3 - 2 * x) * 0.5 * (own.point - other.point);
             const bool free = has_room(own, own.point + by), free_there = has_room(other, other.point - by);
@@ -260,7 +260,7 @@ BeadLine rounded(const BeadLine& line, double reach, const std::function<double(
     double length = 0;
     for (std::size_t i = 0; i < line.points.size(); ++i)
         length += geom::distance(line.points[i], line.points[(i + 1) % line.points.size()]);
-    return length < kShortest * reach ? line : Rounding(line, reach, room).run();
+    return length < kShortestRounded * reach ? line : Rounding(line, reach, room).run();
 }
 
 } // namespace filum::fill

@@ -32,8 +32,8 @@ std::vector<double> heights(const Loops& part, const Loops& frame, const Scaffol
 }
 
 // The strands of one connected part and what joins them.
-void fill_part(const Loops& part, const Loops& frame, std::optional<Vec2> from, const ScaffoldOptions& o,
-               std::vector<toolpath::Curve>& out, double& again) {
+void fill_with_strands(const Loops& part, const Loops& frame, std::optional<Vec2> from, const ScaffoldOptions& o,
+                       std::vector<toolpath::Curve>& out, double& again) {
     const double w = o.bead_width;
     StrandGraph graph = strand_graph(part, heights(part, frame, o), w, from);
     if (graph.strands == 0) {
@@ -73,7 +73,7 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
             next = std::min_element(parts.begin(), parts.end(), [&](const Loops& a, const Loops& b) {
                 return distance_to(a, at[0]) < distance_to(b, at[0]);
             });
-        fill_part(*next, turned, at.empty() ? std::nullopt : std::optional(at[0]), o, out, again);
+        fill_with_strands(*next, turned, at.empty() ? std::nullopt : std::optional(at[0]), o, out, again);
         if (!out.empty()) at = {out.back().points.back()};
         parts.erase(next);
     }

@@ -1,6 +1,6 @@
 #include "fill/single_lane.hpp"
 
-#include "geom/segment.hpp"
+#include "fill/curve_place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,63 +13,37 @@ namespace {
 
 using toolpath::Curve;
 
-constexpr double kMargin = 0.5; // bead widths, from thicker parts
-constexpr double kShort = 3;    // bead widths: shorter walls stay as they are
-constexpr double kNear = 0.2;   // bead widths, of a lane from where it should be
-constexpr double kStray = 0.15; // share of its length by which a lane may be longer or shorter than the wall
+constexpr double kThickMargin = 0.5; // bead widths, from thicker parts
+constexpr double kShort = 3;         // bead widths: shorter walls stay as they are
+constexpr double kNear = 0.2;        // bead widths, of a lane from where it should be
+constexpr double kNearest = 5e-4;    // mm; a point nearer to the one before is left out
+constexpr double kStray = 0.15;      // share of its length by which a lane may be longer or shorter than the wall
 
-// A place on the closed curve, and the way to it from the first point.
-struct Place {
-    std::size_t i = 0;
-    double t = 0, along = 0, off = 0;
-    Vec2 point;
-};
-
+// The closed curve, with the way to each place on it.
 struct Measured {
     const Curve& curve;
-    std::vector<double> sums{0};
+    std::vector<double> sums;
 
-    explicit Measured(const Curve& c) : curve(c) {
-        for (std::size_t i = 0; i < c.points.size(); ++i)
-            sums.push_back(sums.back() + geom::distance(c.points[i], c.points[(i + 1) % c.points.size()]));
-    }
-    [[nodiscard]] double ahead(const Place& a, const Place& b) const {
+    explicit Measured(const Curve& c) : curve(c), sums(arc_lengths(c)) {}
+    [[nodiscard]] double ahead(const CurvePlace& a, const CurvePlace& b) const {
         return b.along >= a.along ? b.along - a.along : b.along - a.along + sums.back();
     }
-    [[nodiscard]] Place nearest(Vec2 p) const {
-        Place best{0, 0, 0, 1e300, {}};
-        for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            const Vec2 a = curve.points[i], b = curve.points[(i + 1) % curve.points.size()];
-            const double t = geom::nearest_parameter(a, b, p);
-            const Vec2 q = geom::lerp(a, b, t);
-            if (const double d = geom::distance(p, q); d < best.off)
-                best = {i, t, sums[i] + t * (sums[i + 1] - sums[i]), d, q};
-        }
-        return best;
-    }
-    [[nodiscard]] double width(const Place& p) const {
-        const double a = curve.width_at(p.i), b = curve.width_at((p.i + 1) % curve.points.size());
-        return a + p.t * (b - a);
-    }
+    [[nodiscard]] CurvePlace nearest(Vec2 p) const { return nearest_place(curve, sums, p); }
+    [[nodiscard]] double width(const CurvePlace& p) const { return width_at(curve, p); }
 };
 
-void push(Curve& to, Vec2 p, double width) {
-    if (!to.points.empty() && geom::distance(to.points.back(), p) < 5e-4) return;
-    to.points.push_back(p), to.width.push_back(width);
-}
-
 // From one place on to another.
-void follow(const Measured& m, const Place& from, const Place& to, Curve& out) {
+void follow(const Measured& m, const CurvePlace& from, const CurvePlace& to, Curve& out) {
     const std::size_t n = m.curve.points.size();
-    push(out, from.point, m.width(from));
+    add_point(out, from.point, m.width(from), kNearest);
     double left = m.ahead(from, to);
     for (std::size_t i = from.i, k = 0; k <= n; ++k, i = (i + 1) % n) {
         const double step = m.sums[i + 1] - (k == 0 ? from.along : m.sums[i]);
         if (step >= left) break;
         left -= step;
-        push(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n));
+        add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n), kNearest);
     }
-    push(out, to.point, m.width(to));
+    add_point(out, to.point, m.width(to), kNearest);
 }
 
 // The wall without `first` mm at its start and `last` mm at its end.
@@ -114,9 +88,9 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     const Wall lanes = part(w, 0, back);
     if (lanes.line.size() < 2) return std::nullopt;
     const std::size_t last = lanes.line.size() - 1;
-    const Place a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
-    const Place b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
-    for (const Place& p : {a0, a1, b0, b1})
+    const CurvePlace a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
+    const CurvePlace b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
+    for (const CurvePlace& p : {a0, a1, b0, b1})
         if (p.off > kNear * width) return std::nullopt;
     const double stray = kStray * lanes.length + width;
     if (std::abs(m.ahead(a0, a1) - lanes.length) > stray || std::abs(m.ahead(b1, b0) - lanes.length) > stray)
@@ -125,9 +99,9 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     Curve out;
     out.closed = both;
     follow(m, b0, a0, out);
-    for (std::size_t i = 0; i < w.line.size(); ++i) push(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
+    for (std::size_t i = 0; i < w.line.size(); ++i) add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i], kNearest);
     if (!tip) follow(m, a1, b1, out);
-    for (std::size_t i = w.line.size(); both && i-- > 0;) push(out, w.line[i], w.radius[i]);
+    for (std::size_t i = w.line.size(); both && i-- > 0;) add_point(out, w.line[i], w.radius[i], kNearest);
     return out;
 }
 
@@ -166,7 +140,7 @@ bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& 
     const Measured m(curve);
     for (const auto k : order) {
         auto [w, tip] = towards_tip(walls, k, width);
-        w = part(w, kMargin * width, tip ? 0 : kMargin * width);
+        w = part(w, kThickMargin * width, tip ? 0 : kThickMargin * width);
         if (w.length < kShort * width || w.line.size() < 2) continue;
         for (const int side : {1, -1})
             if (auto open = to_middle(m, w, tip, width, side, false)) {
@@ -184,8 +158,8 @@ std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls,
         const auto [whole, ends_at_tip] = towards_tip(walls, k, width);
         auto [first, last] = thin_stretch(whole, least);
         const bool tip = ends_at_tip && last > whole.length - 1e-9;
-        if (!tip) last = std::min(last, whole.length - kMargin * width);
-        const Wall w = part(whole, std::max(first, kMargin * width), whole.length - last);
+        if (!tip) last = std::min(last, whole.length - kThickMargin * width);
+        const Wall w = part(whole, std::max(first, kThickMargin * width), whole.length - last);
         if (w.length < kShort / 2 * width || w.line.size() < 2) continue;
         const Measured m(curve);
         for (const int side : {1, -1})

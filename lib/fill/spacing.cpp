@@ -1,5 +1,6 @@
 #include "fill/spacing.hpp"
 
+#include "fill/none.hpp"
 #include "fill/ring_samples.hpp"
 #include "polygon/segments.hpp"
 
@@ -18,7 +19,6 @@ constexpr double kSliver = 0.12;   // bead widths: rings nearer to the medial ax
 constexpr double kBlind = 0.3;     // bead widths of arc length about a sample that say nothing of the wall
 constexpr double kAcross = 2.4;    // bead widths: the far side of a wall without a ring between is nearer
 constexpr double kOpposite = -0.5; // cosine between the inner normals of two sides of a wall, at most
-constexpr std::uint32_t kNone = 0xffffffff;
 
 // What the middle of the wall asks of a sample.
 struct Share {

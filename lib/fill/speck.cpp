@@ -4,7 +4,7 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kSpeck = 0.5;     // bead widths squared
+constexpr double kSpeckArea = 0.5; // bead widths squared
 constexpr double kBreadth = 0.004; // mm, at least: two lanes of 2 um
 
 struct Rectangle {
@@ -35,7 +35,7 @@ Rectangle smallest(std::span<const Vec2> points) {
 } // namespace
 
 bool is_speck(const Loops& region, double width) {
-    return region.size() == 1 && polygon::signed_area(region) < kSpeck * width * width;
+    return region.size() == 1 && polygon::signed_area(region) < kSpeckArea * width * width;
 }
 
 ClosedLine speck_loop(const Loops& region) {

@@ -15,12 +15,9 @@ namespace {
 
 using polygon::Loops;
 
-// Beads lie a little nearer than their width, so that rounding never opens a seam between them.
-constexpr double kOverlap = 1.0 / 512;
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
 constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
 constexpr double kRoundMost = 0.7;     // the same where a least radius asks for more
-constexpr double kShortestRing = 1.3;  // bead widths: shorter rings have no room for a link
 
 constexpr double kGrid = 1e-3; // mm
 
@@ -62,12 +59,12 @@ void tidy(ClosedLine& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
-               bool round) {
+Spiral spiral_by(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
+                 bool round) {
     const double w = o.bead_width;
     if (o.min_radius > 0) tolerance = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
     const FirstRings first = first_rings(region, w, tolerance);
-    const double spacing = w * (1 - kOverlap), shortest = kShortestRing * w;
+    const double spacing = w * (1 - kRingOverlap), shortest = kShortestRing * w;
     Spiral out{{}, first.unplaced, {"", "left open for the least radius", 0, "mm2", 0}};
     const Rings rings = o.min_radius > 0
                             ? nested_round_rings(first.rings, spacing, shortest, tolerance,
@@ -92,7 +89,7 @@ Spiral attempt(const polygon::Loops& region, const SpiralOptions& o, double tole
     return out;
 }
 
-Loops without_specks(const Loops& region, double least, Notes& notes) {
+Loops without_small_holes(const Loops& region, double least, Notes& notes) {
     Loops out;
     Note closed{"", "hole smaller than a bead closed", 0, "mm2", 0};
     for (std::size_t l = 0; l < region.size(); ++l) {
@@ -109,11 +106,7 @@ Loops without_specks(const Loops& region, double least, Notes& notes) {
 }
 
 void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
-    if (spiral.curves.size() > 1) {
-        const geom::Vec2 p = spiral.curves.back().points.front();
-        notes.push_back({"", "ring not joined", static_cast<double>(spiral.curves.size() - 1), "curves",
-                         spiral.curves.size() - 1, -1, p.x, p.y});
-    }
+    note_unjoined(spiral.curves, notes);
     double length = 0;
     geom::Vec2 where;
     for (const auto& c : spiral.curves)
@@ -178,7 +171,7 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
     }
     for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
                         Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
-        out = attempt(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
+        out = spiral_by(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
         if (count_crossings(out.curves, o.bead_width) > 0) continue;
         // noses are sharp: not where a least radius is asked for
         if (o.absorb && o.min_radius <= 0) absorb_voids(region, o, out);
@@ -190,7 +183,7 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
 } // namespace
 
 Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
-    const Loops region = without_specks(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+    const Loops region = without_small_holes(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
     const bool sound = out.curves.size() == 1 && count_crossings(out.curves, o.bead_width) == 0;
     if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more

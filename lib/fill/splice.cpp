@@ -1,12 +1,12 @@
 #include "fill/splice.hpp"
 
+#include "fill/curve_place.hpp"
 #include "fill/cycle.hpp"
 #include "fill/inset.hpp"
 #include "geom/segment_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace filum::fill {
@@ -16,73 +16,31 @@ namespace {
 using geom::Segment;
 using toolpath::Curve;
 
-constexpr double kOverlap = 1.0 / 512; // as in `spiral`
-constexpr double kShortestRing = 1.3;  // bead widths; shorter rings have no room for a link
-constexpr double kStep = 1.0 / 4;      // bead widths between the places that are tried
-constexpr double kFarthest = 8;        // bead widths: the longest link
-constexpr double kNextTo = 1.5;        // bead widths: an end so near to a ring can lead on to it
-constexpr std::size_t kTries = 64;     // places, nearest first
-constexpr double kBent = 0.9;          // a window must be as straight: chord / length
-constexpr double kTouch = 1e-4;        // of a link's length, at either end, where it may touch
-
-// A place on a line: between points i and i + 1.
-struct Place {
-    std::size_t i = 0;
-    double t = 0;
-    geom::Vec2 point;
-    double along = 0; // mm from the first point
-};
-
-std::vector<double> lengths(const Curve& c) {
-    std::vector<double> out{0};
-    const std::size_t n = c.points.size() + (c.closed ? 1 : 0);
-    for (std::size_t i = 1; i < n; ++i)
-        out.push_back(out.back() + geom::distance(c.points[i - 1], c.points[i % c.points.size()]));
-    return out;
-}
-
-Place place_at(const Curve& c, const std::vector<double>& sums, double along) {
-    const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, along);
-    const auto i = static_cast<std::size_t>(after - sums.begin()) - 1;
-    const double l = sums[i + 1] - sums[i], t = l > 0 ? std::clamp((along - sums[i]) / l, 0.0, 1.0) : 0;
-    return {i, t, geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], t), along};
-}
-
-Place nearest_place(const Curve& c, const std::vector<double>& sums, geom::Vec2 p) {
-    Place best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < sums.size(); ++i) {
-        const geom::Vec2 a = c.points[i], b = c.points[(i + 1) % c.points.size()];
-        const double t = geom::nearest_parameter(a, b, p);
-        if (const double d = geom::distance(p, geom::lerp(a, b, t)); d < least)
-            least = d, best = {i, t, geom::lerp(a, b, t), sums[i] + t * (sums[i + 1] - sums[i])};
-    }
-    return best;
-}
-
-double width_at(const Curve& c, const Place& p) {
-    const double a = c.width_at(p.i), b = c.width_at((p.i + 1) % c.points.size());
-    return a + p.t * (b - a);
-}
+constexpr double kPlaceStep = 1.0 / 4;   // bead widths between the places that are tried
+constexpr double kFarthest = 8;          // bead widths: the longest link
+constexpr double kNextTo = 1.5;          // bead widths: an end so near to a ring can lead on to it
+constexpr std::size_t kPlacesTried = 64; // places, nearest first
+constexpr double kStraight = 0.9;        // a window must be as straight: chord / length
+constexpr double kTouch = 1e-4;          // of a link's length, at either end, where it may touch
 
 void add_segments(const Curve& c, std::vector<Segment>& to) {
     for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
         to.push_back({c.points[i], c.points[(i + 1) % c.points.size()]});
 }
 
-// Where the curve leaves for the ring and comes back to.
-struct Window {
-    Place out, back;      // on the curve
-    Place enter, leave;   // on the ring
-    bool against = false; // the ring is run against its order
+// A window of the curve and one of the ring: where the curve leaves for the ring and comes back to.
+struct Detour {
+    CurvePlace out, back;    // on the curve
+    CurvePlace enter, leave; // on the ring
+    bool against = false;    // the ring is run against its order
 };
 
 // The window around the place `along` of the curve, if the links can be laid there.
-std::optional<Window> window(const Curve& curve, const std::vector<double>& sums, const Curve& ring,
+std::optional<Detour> detour(const Curve& curve, const std::vector<double>& sums, const Curve& ring,
                              const std::vector<double>& ring_sums, double along, double w) {
     if (along < w || along > sums.back() - w) return std::nullopt;
-    Window v{place_at(curve, sums, along - w / 2), place_at(curve, sums, along + w / 2), {}, {}};
-    if (geom::distance(v.out.point, v.back.point) < kBent * w) return std::nullopt;
+    Detour v{place_at(curve, sums, along - w / 2), place_at(curve, sums, along + w / 2), {}, {}};
+    if (geom::distance(v.out.point, v.back.point) < kStraight * w) return std::nullopt;
     v.enter = nearest_place(ring, ring_sums, v.out.point);
     v.leave = nearest_place(ring, ring_sums, v.back.point);
     // the short way from enter to leave is given up
@@ -91,7 +49,7 @@ std::optional<Window> window(const Curve& curve, const std::vector<double>& sums
     if (ahead < 0) ahead += all;
     v.against = ahead <= all / 2;
     const double given = std::min(ahead, all - ahead), chord = geom::distance(v.enter.point, v.leave.point);
-    if (given < w / 2 || given > 2 * w || chord < kBent * given) return std::nullopt;
+    if (given < w / 2 || given > 2 * w || chord < kStraight * given) return std::nullopt;
     return v;
 }
 
@@ -99,49 +57,45 @@ bool is_free(geom::Vec2 a, geom::Vec2 b, const geom::SegmentGrid& grid, const st
     return !grid.crosses(geom::lerp(a, b, kTouch), geom::lerp(b, a, kTouch), all, [](std::uint32_t) { return true; });
 }
 
-void push(Curve& to, geom::Vec2 p, double width) {
-    if (!to.points.empty() && geom::distance(to.points.back(), p) < 1e-6) return;
-    to.points.push_back(p), to.width.push_back(width);
-}
-
-Curve spliced(const Curve& curve, const Curve& ring, const Window& v) {
+Curve spliced(const Curve& curve, const Curve& ring, const Detour& v) {
     Curve out;
-    for (std::size_t i = 0; i <= v.out.i; ++i) push(out, curve.points[i], curve.width_at(i));
-    push(out, v.out.point, width_at(curve, v.out));
-    push(out, v.enter.point, width_at(ring, v.enter));
+    for (std::size_t i = 0; i <= v.out.i; ++i) add_point(out, curve.points[i], curve.width_at(i), kSamePoint);
+    add_point(out, v.out.point, width_at(curve, v.out), kSamePoint);
+    add_point(out, v.enter.point, width_at(ring, v.enter), kSamePoint);
     const std::size_t n = ring.points.size();
     const std::size_t from = v.against ? v.enter.i : v.enter.i + 1;
     const std::size_t to = v.against ? v.leave.i + 1 : v.leave.i;
     for (std::size_t i = from % n, k = 0; k <= n; ++k, i = v.against ? (i + n - 1) % n : (i + 1) % n) {
-        push(out, ring.points[i], ring.width_at(i));
+        add_point(out, ring.points[i], ring.width_at(i), kSamePoint);
         if (i == to % n) break;
     }
-    push(out, v.leave.point, width_at(ring, v.leave));
-    push(out, v.back.point, width_at(curve, v.back));
-    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i) push(out, curve.points[i], curve.width_at(i));
+    add_point(out, v.leave.point, width_at(ring, v.leave), kSamePoint);
+    add_point(out, v.back.point, width_at(curve, v.back), kSamePoint);
+    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i)
+        add_point(out, curve.points[i], curve.width_at(i), kSamePoint);
     return out;
 }
 
 // The curve with the ring in it, by the shortest links that cross nothing.
 std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::vector<Segment>& all, double w) {
-    const auto sums = lengths(curve), ring_sums = lengths(ring);
+    const auto sums = arc_lengths(curve), ring_sums = arc_lengths(ring);
     std::vector<Segment> edges;
     add_segments(ring, edges);
     const geom::SegmentGrid near(edges, w);
     std::vector<std::pair<double, double>> places; // distance, along
     const double reach = kFarthest * w;
-    for (double along = w; along < sums.back() - w; along += kStep * w) {
+    for (double along = w; along < sums.back() - w; along += kPlaceStep * w) {
         const geom::Vec2 p = place_at(curve, sums, along).point;
         double d = reach;
         near.near(p - geom::Vec2{reach, reach}, p + geom::Vec2{reach, reach},
                   [&](std::uint32_t i) { d = std::min(d, geom::point_segment_distance(edges[i].a, edges[i].b, p)); });
         if (d < reach) places.emplace_back(std::round(d * 1e3), along);
     }
-    const auto count = std::min(kTries, places.size());
+    const auto count = std::min(kPlacesTried, places.size());
     std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), places.end());
     const geom::SegmentGrid grid(all, w);
     for (std::size_t k = 0; k < count; ++k) {
-        const auto v = window(curve, sums, ring, ring_sums, places[k].second, w);
+        const auto v = detour(curve, sums, ring, ring_sums, places[k].second, w);
         if (v && is_free(v->out.point, v->enter.point, grid, all) &&
             is_free(v->leave.point, v->back.point, grid, all) &&
             !geom::cross_properly(v->out.point, v->enter.point, v->leave.point, v->back.point))
@@ -152,34 +106,32 @@ std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::ve
 
 // The curve led on from its end to the ring and once around it, if the end is next to the ring.
 std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::vector<Segment>& all, double w) {
-    const auto sums = lengths(ring);
+    const auto sums = arc_lengths(ring);
     const geom::Vec2 end = curve.points.back();
-    const Place at = nearest_place(ring, sums, end);
+    const CurvePlace at = nearest_place(ring, sums, end);
     if (geom::distance(at.point, end) > kNextTo * w) return std::nullopt;
     if (!is_free(end, at.point, geom::SegmentGrid(all, w), all)) return std::nullopt;
     Curve out{false, curve.points, {}};
     for (std::size_t i = 0; i < curve.points.size(); ++i) out.width.push_back(curve.width_at(i));
-    push(out, at.point, width_at(ring, at));
+    add_point(out, at.point, width_at(ring, at), kSamePoint);
     const std::size_t n = ring.points.size();
-    for (std::size_t k = 1; k <= n; ++k) push(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n));
+    for (std::size_t k = 1; k <= n; ++k)
+        add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n), kSamePoint);
     const double gap = sums.back() - w / 4; // two round ends fill it
-    const Place last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
+    const CurvePlace last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
     while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4)
         out.points.pop_back(), out.width.pop_back();
-    push(out, last.point, width_at(ring, last));
+    add_point(out, last.point, width_at(ring, last), kSamePoint);
     return out;
 }
 
 std::vector<Curve> ring_groups(const polygon::Loops& region, double w, int rings) {
     const double tolerance = w / 128;
-    const Rings all = nested_rings(inset(region, w / 2), w * (1 - kOverlap), kShortestRing * w, tolerance);
+    const Rings all = nested_rings(inset(region, w / 2), w * (1 - kRingOverlap), kShortestRing * w, tolerance);
     Rings outer;
     for (std::size_t i = 0; i < all.loops.size(); ++i)
         if (all.level[i] < rings) outer.loops.add(all.loops[i]), outer.level.push_back(all.level[i]);
-    std::vector<Curve> out;
-    for (ClosedLine& line : join_rings(even_spacing(outer, region, w, 0, tolerance), w, region))
-        out.push_back({true, std::move(line.points), std::move(line.width)});
-    return out;
+    return closed_curves(join_rings(even_spacing(outer, region, w, 0, tolerance), w, region));
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMostInUse = 0.6; // of a ring, by one window
 
-void append(const BeadLine& piece, bool backwards, BeadLine& line) {
+void append_piece(const BeadLine& piece, bool backwards, BeadLine& line) {
     if (backwards) {
         line.points.insert(line.points.end(), piece.points.rbegin(), piece.points.rend());
         line.width.insert(line.width.end(), piece.width.rbegin(), piece.width.rend());
@@ -95,9 +95,9 @@ std::vector<Splices::Arc> Splices::arcs() const {
 void Splices::walk(const Arc& arc, bool backwards, BeadLine& line) const {
     BeadLine piece;
     graph_->append(arc.ring, arc.s0, arc.s1, piece.points, piece.width);
-    append(piece, backwards, line);
+    append_piece(piece, backwards, line);
     const int side = backwards ? 0 : 1;
-    if (arc.link[side] != nullptr) append(arc.link[side]->bead, !arc.along[side], line);
+    if (arc.link[side] != nullptr) append_piece(arc.link[side]->bead, !arc.along[side], line);
 }
 
 std::vector<BeadLine> Splices::trace() const {

@@ -1,5 +1,7 @@
 #include "fill/strand_bead.hpp"
 
+#include "fill/curve_place.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,9 +10,8 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kSame = 1e-6;                  // mm; points nearer than this are one
-constexpr double kStep = std::numbers::pi / 24; // rad between the points of a rounded corner
-constexpr double kTaper = 1.0 / 8;              // bead widths, from one width to another
+constexpr double kRoundStep = std::numbers::pi / 24; // rad between the points of a rounded corner
+constexpr double kTaperLength = 1.0 / 8;             // bead widths, from one width to another
 
 struct Leg {
     std::vector<Vec2> line;
@@ -36,7 +37,7 @@ Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width)
     out.length = s.strand ? g.strand_length(s.id) : g.arcs[s.id].length;
     const std::uint32_t times = s.strand ? passes.strand[s.id] : passes.arc[s.id];
     out.width = width / times, out.once = times == 1;
-    if (!out.once) add_tapers(out, kTaper * width);
+    if (!out.once) add_tapers(out, kTaperLength * width);
     if (s.against) std::reverse(out.line.begin(), out.line.end());
     return out;
 }
@@ -61,7 +62,7 @@ void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
     const double turn = std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
     const double pull = turn > 1e-6 && turn < 3.1 ? 4.0 / 3 * std::tan(turn / 4) / std::tan(turn / 2) : 0;
     const Vec2 p = a + pull * u, q = b - pull * v;
-    const int n = std::max(1, static_cast<int>(std::ceil(turn / kStep)));
+    const int n = std::max(1, static_cast<int>(std::ceil(turn / kRoundStep)));
     for (int i = 1; i <= n; ++i) {
         const double t = static_cast<double>(i) / n, s = 1 - t;
         to.push_back(s * s * s * a + 3 * s * s * t * p + 3 * s * t * t * q + t * t * t * b);
@@ -80,13 +81,13 @@ void round_corner(Leg& before, Leg& after, double radius) {
     append_rounded(before.line.back(), corner, after.line.front(), before.line);
 }
 
-void append(const Leg& leg, double taper, toolpath::Curve& to) {
+void append_leg(const Leg& leg, double taper, toolpath::Curve& to) {
     if (to.points.empty()) to.points.push_back(leg.line.front()), to.width.push_back(leg.width);
     bool same = to.width.back() == leg.width;
     for (const Vec2 p : leg.line) {
         const Vec2 last = to.points.back();
         const double l = geom::distance(last, p);
-        if (l < kSame) continue;
+        if (l < kSamePoint) continue;
         if (!same && leg.once) {
             to.points.push_back(geom::lerp(last, p, std::min(0.5, taper / l)));
             to.width.push_back(leg.width);
@@ -112,7 +113,7 @@ toolpath::Curve strand_bead(const StrandGraph& graph, std::span<const Step> trai
     for (const Step& s : trail) legs.push_back(leg(graph, s, passes, width));
     for (std::size_t i = 0; i + 1 < legs.size(); ++i) round_corner(legs[i], legs[i + 1], radius);
     toolpath::Curve out;
-    for (const Leg& l : legs) append(l, kTaper * width, out);
+    for (const Leg& l : legs) append_leg(l, kTaperLength * width, out);
     if (std::all_of(out.width.begin(), out.width.end(), [&](double w) { return w == width; })) out.width = {width};
     return out;
 }

@@ -1,5 +1,7 @@
 #include "fill/strand_walk.hpp"
 
+#include "fill/none.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <queue>
@@ -10,7 +12,6 @@ namespace {
 
 constexpr double kAgain = 2;  // a stretch of boundary passed before counts as this much longer
 constexpr double kStrand = 4; // so does a strand
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 class Walker {
   public:

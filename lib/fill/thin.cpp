@@ -13,11 +13,11 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kReach = 0.4; // bead widths: shorter tips are not followed
-constexpr double kThin = 0.55; // bead widths: walls of a smaller half-thickness are thin; above a half, so that the
-                               // rings of thin and fat parts overlap well where they meet
-constexpr double kFat = 0.95;  // bead widths: from here on a depth of half a bead is as good
-constexpr double kLeast =
+constexpr double kTipReach = 0.4;  // bead widths: shorter tips are not followed
+constexpr double kThinWall = 0.55; // bead widths: walls of a smaller half-thickness are thin; above a half, so that the
+                                   // rings of thin and fat parts overlap well where they meet
+constexpr double kFat = 0.95;      // bead widths: from here on a depth of half a bead is as good
+constexpr double kLaneOffset =
     0.03; // bead widths: half of what the lanes in a thin wall keep between them, so as not to touch
 constexpr double kHairline = 0.015; // bead widths: tips of a smaller half-thickness have no room for two lanes, which
                                     // would leave the area there and meet those of a neighbour
@@ -25,8 +25,8 @@ constexpr double kHairline = 0.015; // bead widths: tips of a smaller half-thick
 // mm: how far from the medial axis the lanes of a thin wall run where its half-thickness is r.  Where a neck leaves no
 // room, they lie in the parts that it joins.
 double lane(double r, double width) {
-    if (r < kHairline * width * (1 - 1e-9)) return kLeast * width;
-    return std::max(r / 2, std::min(kLeast * width, r - kHairline / 3 * width));
+    if (r < kHairline * width * (1 - 1e-9)) return kLaneOffset * width;
+    return std::max(r / 2, std::min(kLaneOffset * width, r - kHairline / 3 * width));
 }
 
 int outer_loops(const Loops& a) {
@@ -83,7 +83,7 @@ class ThinAxis {
         const std::size_t n = axis.point.size();
         degree_.assign(n, 0), reach_.resize(n), at_.resize(n);
         for (std::uint32_t k = 0; k < axis.a.size(); ++k) {
-            if (std::min(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) >= kThin * width) continue;
+            if (std::min(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) >= kThinWall * width) continue;
             alive_.push_back(k);
             for (const auto v : {axis.a[k], axis.b[k]}) ++degree_[v], at_[v].push_back(k);
         }
@@ -119,7 +119,7 @@ class ThinAxis {
             const std::uint32_t k = *std::find_if(at_[v].begin(), at_[v].end(), [&](auto e) { return kept_[e] != 0; });
             const std::uint32_t u = axis_.a[k] == v ? axis_.b[k] : axis_.a[k];
             const double beyond = reach_[v] + geom::distance(axis_.point[u], axis_.point[v]);
-            if (beyond - axis_.radius[u] > kReach * width_ && axis_.radius[u] > hairline_) continue;
+            if (beyond - axis_.radius[u] > kTipReach * width_ && axis_.radius[u] > hairline_) continue;
             kept_[k] = 0;
             --degree_[u], --degree_[v];
             reach_[u] = std::max(reach_[u], beyond);
@@ -134,7 +134,7 @@ class ThinAxis {
             const auto a = axis_.a[k], b = axis_.b[k];
             const double low = std::min(axis_.radius[a], axis_.radius[b]),
                          high = std::max(axis_.radius[a], axis_.radius[b]);
-            if (low >= kThin * width_ && high <= kFat * width_)
+            if (low >= kThinWall * width_ && high <= kFat * width_)
                 rising[axis_.radius[a] <= axis_.radius[b] ? a : b].push_back(k);
         }
         std::vector<std::uint32_t> pending;
@@ -151,7 +151,7 @@ class ThinAxis {
         }
     }
     // A dead end that does not lie in a fat part.
-    [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < kThin * width_; }
+    [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < kThinWall * width_; }
 
     const MedialAxis& axis_;
     double width_;
@@ -217,11 +217,11 @@ FirstRings first_rings(const Loops& area, double width, double tolerance) {
     FirstRings out{polygon::simplify(polygon::offset(area, -width / 2, tolerance), tolerance), 0};
     out.unplaced = std::max(0.0, polygon::signed_area(area) - swept_area(out.rings, width / 2));
     const bool connected = outer_loops(out.rings) == outer_loops(area);
-    if (connected && !reaches_beyond(area, out.rings, (0.5 + kReach) * width)) return out;
+    if (connected && !reaches_beyond(area, out.rings, (0.5 + kTipReach) * width)) return out;
 
-    const double least = kLeast * width;
+    const double least = kLaneOffset * width;
     MedialAxis axis = medial_axis(polygon::simplify(area, 2 * tolerance), width / 4);
-    for (const double r : {kThin, kFat, kHairline}) axis = split_at(axis, r * width);
+    for (const double r : {kThinWall, kFat, kHairline}) axis = split_at(axis, r * width);
     if (axis.point.empty()) axis = medial_axis(area, width / 4); // a speck that simplifies to nothing
     if (axis.point.empty()) axis = {{area.points.front()}, {0}, {}, {}};
     const auto edges = thin_edges(axis, width);

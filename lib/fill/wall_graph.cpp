@@ -1,6 +1,7 @@
 #include "fill/wall_graph.hpp"
 
 #include "fill/medial_axis.hpp"
+#include "fill/none.hpp"
 #include "fill/thin.hpp"
 #include "polygon/clip.hpp"
 
@@ -15,11 +16,10 @@ namespace {
 constexpr double kMost = 0.75, kUsual = 0.625; // bead widths: half-thickness anywhere, and of most of the length
 constexpr double kUnusual = 0.2;               // share of the length that may be thicker than usual
 constexpr double kPrune = 1.25;                // thin_edges must take all of this as thin
-constexpr double kLeast = 0.03;                // bead widths: the least half-thickness of a wall
-constexpr double kTaper = 0.025;               // bead widths, of the half-thickness along one segment
+constexpr double kLeastRadius = 0.03;          // bead widths: the least half-thickness of a wall
+constexpr double kMostTaper = 0.025;           // bead widths, of the half-thickness along one segment
 constexpr std::size_t kExact = 14;             // odd nodes that are matched exactly
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 bool all_thin(const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
     double all = 0, thick = 0;
@@ -48,12 +48,12 @@ void narrow_start(Wall& w) {
     }
 }
 
-// A machine lays each segment in one width: none may taper by more than kTaper.
+// A machine lays each segment in one width: none may taper by more than kMostTaper.
 void split_tapers(WallGraph& g, double width) {
     for (Wall& w : g.walls) {
         Wall out{w.a, w.b, {w.line[0]}, {w.radius[0]}, w.length};
         for (std::size_t i = 1; i < w.line.size(); ++i) {
-            const double n = std::ceil(std::abs(w.radius[i] - w.radius[i - 1]) / (kTaper * width));
+            const double n = std::ceil(std::abs(w.radius[i] - w.radius[i - 1]) / (kMostTaper * width));
             for (double k = 1; k < n; k += 1) {
                 out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], k / n));
                 out.radius.push_back(w.radius[i - 1] + k / n * (w.radius[i] - w.radius[i - 1]));
@@ -67,7 +67,7 @@ void split_tapers(WallGraph& g, double width) {
 // Where tips taper to nothing a bead still has some width.
 void widen_tips(WallGraph& g, double width) {
     for (Wall& w : g.walls)
-        for (double& r : w.radius) r = std::max(r, kLeast * width);
+        for (double& r : w.radius) r = std::max(r, kLeastRadius * width);
 }
 
 void narrow_at_nodes(WallGraph& g) {

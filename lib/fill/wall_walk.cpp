@@ -1,6 +1,8 @@
 #include "fill/wall_walk.hpp"
 
+#include "fill/none.hpp"
 #include "fill/spiral.hpp"
+#include "fill/splices.hpp"
 #include "geom/segment.hpp"
 
 #include <algorithm>
@@ -12,8 +14,6 @@
 namespace filum::fill {
 
 namespace {
-
-constexpr std::uint32_t kNone = 0xffffffff;
 
 // One pass along a wall.  Its end at the wall's node a is number 2 * track, that at node b 2 * track + 1.
 struct Track {
@@ -141,18 +141,13 @@ class Circuit {
     std::vector<std::uint32_t> circuit_;         // per track
 };
 
-struct Line {
-    std::vector<Vec2> points;
-    std::vector<double> width;
-};
-
 Vec2 unit(Vec2 v) {
     const double l = geom::norm(v);
     return l > 0 ? (1 / l) * v : Vec2{1, 0};
 }
 
 // Cuts `by` mm off the start, at most a third of the line.
-void trim(Line& l, double by) {
+void trim(BeadLine& l, double by) {
     double all = 0;
     for (std::size_t i = 0; i + 1 < l.points.size(); ++i) all += geom::distance(l.points[i], l.points[i + 1]);
     by = std::min(by, all / 3);
@@ -165,9 +160,9 @@ void trim(Line& l, double by) {
 }
 
 // Drops points of a lane that lie too near to the middle line: inside its bends they would fold over.
-void unfold(const Wall& w, Line& lane) {
+void unfold(const Wall& w, BeadLine& lane) {
     const std::size_t n = w.line.size();
-    Line out;
+    BeadLine out;
     for (std::size_t i = 0; i < n; ++i) {
         const double least = 0.98 * w.radius[i] / 2;
         const auto far = [&](std::size_t k) { // from segment k, or no longer in reach
@@ -187,8 +182,8 @@ void unfold(const Wall& w, Line& lane) {
 }
 
 // The pass as it lies, from the wall's node a to b.  `dead`: the node is the wall's dead end; lanes turn there.
-Line line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
-    Line out{w.line, {}};
+BeadLine line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
+    BeadLine out{w.line, {}};
     for (const double r : w.radius) out.width.push_back(side == 0 ? 2 * r : r);
     if (side == 0 || !apart) return out;
     const std::size_t n = w.line.size();
@@ -212,8 +207,8 @@ Line line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
     return out;
 }
 
-toolpath::Curve lay(const WallGraph& g, const Circuit& circuit, const std::vector<std::uint32_t>& ends, bool closed,
-                    bool apart) {
+toolpath::Curve lay_walls(const WallGraph& g, const Circuit& circuit, const std::vector<std::uint32_t>& ends,
+                          bool closed, bool apart) {
     std::vector<int> degree(g.node.size(), 0);
     for (const Wall& w : g.walls) ++degree[w.a], ++degree[w.b];
     toolpath::Curve out;
@@ -226,7 +221,7 @@ toolpath::Curve lay(const WallGraph& g, const Circuit& circuit, const std::vecto
     for (const auto e : ends) {
         const Track& t = circuit.track(e);
         const Wall& w = g.walls[t.wall];
-        Line l = line(w, t.side, apart, degree[w.a] == 1, degree[w.b] == 1);
+        BeadLine l = line(w, t.side, apart, degree[w.a] == 1, degree[w.b] == 1);
         if (e % 2 != 0) std::reverse(l.points.begin(), l.points.end()), std::reverse(l.width.begin(), l.width.end());
         const auto first = e % 2 != 0 ? w.b : w.a, last = e % 2 != 0 ? w.a : w.b;
         if (t.side != 0 && degree[first] > 1) push(g.node[first], l.width.front());
@@ -247,7 +242,7 @@ WallWalk wall_walk(const WallGraph& g) {
     WallWalk out;
     for (const bool apart : {true, false}) { // lanes that cross are laid on one line
         out.curves.clear();
-        for (const auto& ends : all) out.curves.push_back(lay(g, circuit, ends, circuit.closed(ends), apart));
+        for (const auto& ends : all) out.curves.push_back(lay_walls(g, circuit, ends, circuit.closed(ends), apart));
         if (count_crossings(out.curves, 0.5) == 0) break;
     }
     for (std::size_t k = 0; k < g.walls.size(); ++k)

@@ -1,6 +1,6 @@
 #include "fill/zigzag.hpp"
 
-#include "fill/cycle.hpp"
+#include "fill/attempt.hpp"
 #include "fill/inset.hpp"
 #include "fill/maze.hpp"
 #include "fill/rows.hpp"
@@ -9,16 +9,10 @@
 #include "polygon/clip.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 
 namespace filum::fill {
 
 namespace {
-
-// Beads lie a little nearer than their width, so that rounding never opens a seam between them.
-constexpr double kOverlap = 1.0 / 512;
-constexpr double kShortestRing = 1.3; // bead widths: shorter rings have no room for a link
 
 // The parts of `a` that overlap a part of `b`.
 Loops touching(const Loops& a, const Loops& b) {
@@ -53,31 +47,25 @@ Loops outermost(const Loops& region, const Loops& corridor, double width, double
     return polygon::simplify(polygon::unite(plain, more), tolerance);
 }
 
-struct Try {
+struct ZigzagSetting {
     bool follow;      // the corridors' acute ends too
     double tolerance; // bead widths
     double row;       // wanted height, bead widths
     int lanes;        // that share a wall's odd thickness; 0: no ring is moved
 };
 
-constexpr Try kTries[] = {{false, 1.0 / 128, 2, 2},    {true, 1.0 / 128, 2, 2},    {true, 1.0 / 1024, 2, 2},
-                          {true, 1.0 / 1024, 2.12, 2}, {true, 1.0 / 1024, 1.9, 2}, {true, 1.0 / 1024, 2, 0}};
+constexpr ZigzagSetting kZigzagSettings[] = {{false, 1.0 / 128, 2, 2},   {true, 1.0 / 128, 2, 2},
+                                             {true, 1.0 / 1024, 2, 2},   {true, 1.0 / 1024, 2.12, 2},
+                                             {true, 1.0 / 1024, 1.9, 2}, {true, 1.0 / 1024, 2, 0}};
 
-struct Attempt {
-    std::vector<toolpath::Curve> curves;
-    std::size_t crossings = 0;
-    Loops first; // the outermost rings
-};
-
-Attempt attempt(const Loops& region, double width, const Try& t) {
+Attempt zigzag_by(const Loops& region, double width, const ZigzagSetting& t) {
     const double tolerance = t.tolerance * width;
     const Loops corridor = maze(region, width, t.row * width);
     Attempt out;
-    out.first =
+    out.outermost =
         t.follow ? first_rings(corridor, width, tolerance).rings : outermost(region, corridor, width, tolerance);
-    const Rings rings = nested_rings(out.first, width * (1 - kOverlap), kShortestRing * width, tolerance);
-    for (ClosedLine& line : join_rings(even_spacing(rings, corridor, width, t.lanes, tolerance), width, region))
-        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+    const Rings rings = nested_rings(out.outermost, width * (1 - kRingOverlap), kShortestRing * width, tolerance);
+    out.curves = closed_curves(join_rings(even_spacing(rings, corridor, width, t.lanes, tolerance), width, region));
     out.crossings = count_crossings(out.curves, width);
     return out;
 }
@@ -87,22 +75,13 @@ Attempt attempt(const Loops& region, double width, const Try& t) {
 std::vector<toolpath::Curve> zigzag(const Loops& region, const ZigzagOptions& o, Notes& notes) {
     const double w = o.bead_width;
     const Loops area = rotated(region, -o.angle);
-    std::optional<Attempt> best;
-    for (const Try& t : kTries) {
-        Attempt now = attempt(area, w, t);
-        const auto faults = [](const Attempt& a) { return std::pair{a.crossings, a.curves.size()}; };
-        if (!best || (!now.curves.empty() && faults(now) < faults(*best))) best = std::move(now);
-        if (best->crossings == 0 && best->curves.size() == 1) break;
-    }
-    for (auto& curve : best->curves) rotate(curve.points, o.angle);
-    if (best->curves.size() > 1) {
-        const auto more = best->curves.size() - 1;
-        const Vec2 p = best->curves.back().points.front();
-        notes.push_back({"", "ring not joined", static_cast<double>(more), "curves", more, -1, p.x, p.y});
-    }
+    Attempt best = best_attempt(std::span<const ZigzagSetting>(kZigzagSettings), true,
+                                [&](const ZigzagSetting& s) { return zigzag_by(area, w, s); });
+    for (auto& curve : best.curves) rotate(curve.points, o.angle);
+    note_unjoined(best.curves, notes);
     // a hair more than half a bead, so that rows side by side become one area
-    note_unplaced(region, rotated(inset(best->first, -(0.5 + 1.0 / 32) * w), o.angle), w, notes);
-    return std::move(best->curves);
+    note_unplaced(region, rotated(inset(best.outermost, -(0.5 + 1.0 / 32) * w), o.angle), w, notes);
+    return std::move(best.curves);
 }
 
 } // namespace filum::fill

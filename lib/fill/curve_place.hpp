@@ -1,0 +1,36 @@
+// Places on a curve by arc length.  Private to lib/fill.
+#pragma once
+
+#include "toolpath/path.hpp"
+
+#include <vector>
+
+namespace filum::fill {
+
+inline constexpr double kSamePoint = 1e-6; // mm; points nearer than this are one
+
+// Between points i and i + 1 of a curve; the last segment of a closed one leads back to its first point.
+struct CurvePlace {
+    std::size_t i = 0;
+    double t = 0; // share of that segment
+    geom::Vec2 point;
+    double along = 0; // mm from the first point
+    double off = 0;   // mm from the point it was asked for
+};
+
+// mm from the first point to each point; of a closed curve one more, its length.
+std::vector<double> arc_lengths(const toolpath::Curve& curve);
+
+// The place `along` mm from the first point; sums: arc_lengths(curve).
+CurvePlace place_at(const toolpath::Curve& curve, const std::vector<double>& sums, double along);
+
+// The place nearest to p; ties: the first.
+CurvePlace nearest_place(const toolpath::Curve& curve, const std::vector<double>& sums, geom::Vec2 p);
+
+// mm, of the bead there.
+double width_at(const toolpath::Curve& curve, const CurvePlace& place);
+
+// Adds a point unless it is nearer than `least` mm to the last one.
+void add_point(toolpath::Curve& to, geom::Vec2 p, double width, double least);
+
+} // namespace filum::fill
