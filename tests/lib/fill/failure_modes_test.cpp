@@ -117,7 +117,7 @@ TEST(FailureModes, F6LoopsOfTheGraph) {
 
     std::vector<double> steps, seconds;
     for (const int n : {5, 10}) {
-        const Loops sieve = filum::test::sieve(n, 1.2, 0.9);
+        const Loops sieve = test::sieve(n, 1.2, 0.9);
         const auto rings = sun::contours(sieve, {});
         const auto edges = sun::adjacency(rings, 1.5 * kBead);
         EXPECT_GE(edges.size() - rings.size() + 1, static_cast<std::size_t>(n * n)); // a loop round every hole

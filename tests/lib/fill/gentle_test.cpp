@@ -10,14 +10,13 @@
 namespace filum::fill {
 namespace {
 
-using filum::test::random_region;
-using filum::test::rectangle;
 using test::disc;
+using test::kWidth;
 using test::laid;
 using test::length_of;
+using test::random_region;
+using test::rectangle;
 using toolpath::Curve;
-
-constexpr double kWidth = 0.4;
 
 double anywhere(Vec2) { return 1e9; } // no outline near
 

@@ -8,12 +8,11 @@
 namespace filum::fill {
 namespace {
 
-using filum::test::random_region;
-using filum::test::rectangle;
 using test::disc;
+using test::kWidth;
+using test::random_region;
+using test::rectangle;
 using toolpath::Curve;
-
-constexpr double kWidth = 0.4;
 
 const Note* find(const Notes& notes, const std::string& what) {
     for (const Note& n : notes)

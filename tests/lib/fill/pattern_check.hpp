@@ -16,12 +16,8 @@
 #include <utility>
 #include <vector>
 
-namespace filum::fill::test {
+namespace filum::test {
 
-using filum::test::disc;
-using filum::test::rectangle;
-using geom::Vec2;
-using polygon::Loops;
 using toolpath::Curve;
 
 inline Loops loop(const std::vector<Vec2>& points) {
@@ -199,4 +195,4 @@ inline void expect_sound(const std::vector<Curve>& curves) {
     }
 }
 
-} // namespace filum::fill::test
+} // namespace filum::test

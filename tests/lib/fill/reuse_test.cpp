@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-polygon::Region region(Loops loops, std::uint32_t layer) {
+polygon::Region stroke_region(Loops loops, std::uint32_t layer) {
     polygon::Region r;
     r.id = 7 * layer, r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2, r.stroke = layer / 2;
     r.join = layer % 2 == 0 ? Join::start : Join::vertical;
@@ -40,9 +40,9 @@ void expect_same(const toolpath::RegionPaths& a, const toolpath::RegionPaths& b)
 std::vector<polygon::Region> column() {
     std::vector<polygon::Region> out;
     for (std::uint32_t layer = 0; layer < 6; ++layer) {
-        out.push_back(region(rectangle(0, 0, 6, 0.5), layer)); // thin: with notes
-        out.push_back(region(disc({9, 9}, 3), layer));
-        out.push_back(region(rectangle(20, 0, layer % 2 == 0 ? 24 : std::nextafter(24.0, 25.0), 3), layer));
+        out.push_back(stroke_region(rectangle(0, 0, 6, 0.5), layer)); // thin: with notes
+        out.push_back(stroke_region(disc({9, 9}, 3), layer));
+        out.push_back(stroke_region(rectangle(20, 0, layer % 2 == 0 ? 24 : std::nextafter(24.0, 25.0), 3), layer));
     }
     return out;
 }
@@ -75,7 +75,7 @@ TEST(Reuse, WorksOutEqualOutlinesOnce) {
     const auto time = [&](std::uint32_t layer) {
         Notes notes;
         const auto begin = Clock::now();
-        (void)reuse(region(sieve(5, 1.5, 1), layer), notes);
+        (void)reuse(stroke_region(sieve(5, 1.5, 1), layer), notes);
         return std::chrono::duration<double>(Clock::now() - begin).count();
     };
     const double first = time(0);

@@ -36,7 +36,7 @@ std::vector<double> strand_lines(const Curve& c, double angle, double longest) {
     return out;
 }
 
-polygon::Region region(const Loops& loops, std::uint32_t layer, Join join) {
+polygon::Region joined_region(const Loops& loops, std::uint32_t layer, Join join) {
     polygon::Region r;
     r.id = r.layer = layer, r.loops = loops, r.join = join;
     r.z = 0.2 * (layer + 1), r.height = 0.2, r.area = polygon::signed_area(loops);
@@ -171,7 +171,7 @@ TEST(Scaffold, LayersOfAColumnBeginWhereTheOneBelowEnded) {
                 o.rings = rings;
                 for (std::uint32_t layer = 0; layer < 7; ++layer) {
                     const auto join = layer == 0 ? Join::start : Join::vertical;
-                    const auto paths = fill_scaffold(region(area, layer, join), o, before, notes);
+                    const auto paths = fill_scaffold(joined_region(area, layer, join), o, before, notes);
                     ASSERT_EQ(paths.curves.size(), 1U);
                     const auto& c = paths.curves[0];
                     if (layer > 0) {
@@ -191,7 +191,7 @@ TEST(Scaffold, PoresRunThroughWhatTapers) {
     for (std::uint32_t layer = 0; layer < 20; ++layer) {
         const double r = 10 - 0.13 * layer;
         const auto paths = fill_scaffold(
-            region(rectangle(-r, -r, r, r), layer, layer == 0 ? Join::start : Join::vertical), o, before, notes);
+            joined_region(rectangle(-r, -r, r, r), layer, layer == 0 ? Join::start : Join::vertical), o, before, notes);
         for (const double y : strand_lines(paths.curves.at(0), 0, 5))
             EXPECT_NEAR(y - std::floor(y), 0.5, 0.004) << layer;
     }
@@ -203,7 +203,7 @@ TEST(Scaffold, EveryOtherRoundIsStaggered) {
     Before before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 8; ++layer) {
-        const auto paths = fill_scaffold(region(rectangle(0, 0, 12, 12), layer, Join::start), o, before, notes);
+        const auto paths = fill_scaffold(joined_region(rectangle(0, 0, 12, 12), layer, Join::start), o, before, notes);
         const auto lines = strand_lines(paths.curves.at(0), layer % 2 * std::numbers::pi / 2, 5);
         const double expected = layer / 2 % 2 == 0 ? 0.5 : 0;
         for (const double y : lines) EXPECT_NEAR(std::abs(std::remainder(y - expected, 1)), 0, 0.004) << layer;

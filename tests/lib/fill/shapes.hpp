@@ -13,6 +13,8 @@ namespace filum::test {
 using geom::Vec2;
 using polygon::Loops;
 
+inline constexpr double kWidth = 0.4; // mm, of beads
+
 inline Loops rectangle(double x0, double y0, double x1, double y1) {
     Loops out;
     out.add(std::vector<Vec2>{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});

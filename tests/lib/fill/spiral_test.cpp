@@ -11,8 +11,7 @@ namespace {
 using fill::Spiral;
 using geom::Vec2;
 using polygon::Loops;
-
-constexpr double kWidth = 0.4;
+using test::kWidth;
 
 Spiral fill_it(const Loops& region, double width = kWidth) {
     Notes notes;

@@ -1,5 +1,7 @@
 #include "link3d/stacked.hpp"
 
+#include "stacks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,9 @@
 namespace filum::link3d {
 namespace {
 
-constexpr double kZ = 1, kHeight = 0.2;
+using test::kHeight;
+
+constexpr double kZ = 1; // mm
 
 double volume(const Stacked::Laid& l) {
     double sum = 0;

@@ -1,6 +1,6 @@
 #include "link3d/sun2019.hpp"
 
-#include "curves.hpp"
+#include "stacks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,12 @@ using toolpath::Span;
 
 namespace {
 
-constexpr double kBead = 0.4, kHeight = 0.2; // mm
-
 Curve box(double x0, double y0, double x1, double y1) {
-    return {true, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {kBead}};
+    return {true, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {kWidth}};
 }
 
 Curve ellipse(double a, double b, int n) {
-    Curve c{true, {}, {kBead}};
+    Curve c{true, {}, {kWidth}};
     for (int k = 0; k < n; ++k) {
         const double angle = 2 * std::numbers::pi * (k + 0.25) / n;
         c.points.push_back({a * std::cos(angle), b * std::sin(angle)});
@@ -28,14 +26,7 @@ Curve ellipse(double a, double b, int n) {
     return c;
 }
 
-RegionPaths region(std::uint32_t id, std::uint32_t layer, Join join, std::vector<Curve> curves) {
-    RegionPaths r;
-    r.region = id, r.layer = layer, r.z = kHeight * (layer + 1), r.height = kHeight, r.area = 1, r.join = join;
-    r.curves = std::move(curves);
-    return r;
-}
-
-std::vector<Span> link(const std::vector<RegionPaths>& regions, double shift, Counts* counts = nullptr) {
+std::vector<Span> link_sun2019(const std::vector<RegionPaths>& regions, double shift, Counts* counts = nullptr) {
     std::vector<Span> out;
     Notes notes;
     Sun2019Linker linker({shift});
@@ -47,15 +38,7 @@ std::vector<Span> link(const std::vector<RegionPaths>& regions, double shift, Co
     return out;
 }
 
-std::vector<Span> link_by_default(const std::vector<RegionPaths>& regions) {
-    std::vector<Span> out;
-    Notes notes;
-    Linker linker({});
-    const auto emit = [&](const Span& s) { out.push_back(s); };
-    for (const auto& r : regions) linker.add(r, emit, notes);
-    linker.finish(emit, notes);
-    return out;
-}
+std::vector<Span> link_by_default(const std::vector<RegionPaths>& regions) { return test::link(regions).spans; }
 
 TEST(Sun2019Link, ClosedCurveRunsFromTheAxisAround) {
     const Bead b = from_axis(box(0, 0, 20, 4), 0);
@@ -67,11 +50,11 @@ TEST(Sun2019Link, ClosedCurveRunsFromTheAxisAround) {
 }
 
 TEST(Sun2019Link, LayersAreJoinedStraightAndTheStartMoves) {
-    const auto spans =
-        link({region(0, 0, Join::start, {box(0, 0, 20, 4)}), region(1, 1, Join::vertical, {box(0, 0, 20, 4)})}, 5);
+    const auto spans = link_sun2019(
+        {region(0, 0, Join::start, {box(0, 0, 20, 4)}), region(1, 1, Join::vertical, {box(0, 0, 20, 4)})}, 5);
     ASSERT_EQ(spans.size(), 3U);
     EXPECT_EQ(spans[1].role, Role::lift);
-    EXPECT_EQ(spans[1].width, std::vector<double>{kBead});
+    EXPECT_EQ(spans[1].width, std::vector<double>{kWidth});
     EXPECT_EQ(spans[1].points, (std::vector<Vec3>{{20, 2, 0.2}, {20, 2, 0.4}, {17, 4, 0.4}}));
     EXPECT_EQ(spans[2].points.front().xy(), (Vec2{17, 4}));
 }
@@ -79,9 +62,9 @@ TEST(Sun2019Link, LayersAreJoinedStraightAndTheStartMoves) {
 TEST(Sun2019Link, PartsAreJoinedOutsideTheBoxOfAll) {
     Counts counts;
     const auto spans =
-        link({region(0, 0, Join::start, {box(0, 0, 4, 2)}), region(1, 0, Join::start, {box(10, 0, 14, 2)}),
-              region(2, 0, Join::start, {box(30, 0, 34, 2)})},
-             0, &counts);
+        link_sun2019({region(0, 0, Join::start, {box(0, 0, 4, 2)}), region(1, 0, Join::start, {box(10, 0, 14, 2)}),
+                      region(2, 0, Join::start, {box(30, 0, 34, 2)})},
+                     0, &counts);
     ASSERT_EQ(spans.size(), 5U);
     EXPECT_EQ(counts.connectors, 2U);
     EXPECT_EQ(counts.strokes, 1U);
@@ -94,14 +77,14 @@ TEST(Sun2019Link, PartsAreJoinedOutsideTheBoxOfAll) {
 
 TEST(Sun2019Link, CurvesOfARegionThatFellApartAreBreaks) {
     Counts counts;
-    const auto spans = link({region(0, 0, Join::start, {box(0, 0, 4, 2), box(10, 0, 14, 2)})}, 0, &counts);
+    const auto spans = link_sun2019({region(0, 0, Join::start, {box(0, 0, 4, 2), box(10, 0, 14, 2)})}, 0, &counts);
     ASSERT_EQ(spans.size(), 3U);
     EXPECT_EQ(spans[1].role, Role::travel);
     EXPECT_EQ(counts.breaks, 1U);
     EXPECT_EQ(counts.strokes, 2U);
 }
 
-TEST(Sun2019Link, Nothing) { EXPECT_TRUE(link({}, 0).empty()); }
+TEST(Sun2019Link, Nothing) { EXPECT_TRUE(link_sun2019({}, 0).empty()); }
 
 // F8: a closed bead that ends in its first point runs over its own start, where a nozzle that stops leaves a blob.
 // Property: every ring ends a fifth of a bead short of its start, w (1 - pi / 4), within a thousandth; the baseline's
@@ -116,11 +99,11 @@ TEST(FailureModes, F8EndOnTheStart) {
             if (s.role == Role::bead) out.push_back(geom::distance(s.points.front(), s.points.back()));
         return out;
     };
-    const auto baseline = gaps(link(rings, 0)), by_default = gaps(link_by_default(rings));
+    const auto baseline = gaps(link_sun2019(rings, 0)), by_default = gaps(link_by_default(rings));
     ASSERT_EQ(baseline.size(), 6U);
     ASSERT_EQ(by_default.size(), 6U);
     for (const double g : baseline) EXPECT_EQ(g, 0);
-    for (const double g : by_default) EXPECT_NEAR(g, kBead * (1 - std::numbers::pi / 4), 0.001);
+    for (const double g : by_default) EXPECT_NEAR(g, kWidth * (1 - std::numbers::pi / 4), 0.001);
 }
 
 // F11, the second half: the axis of a curve that is nearly round is anyone's guess.  A column whose outline is 12 mm
@@ -138,11 +121,11 @@ TEST(FailureModes, F11AxisOfARoundCurve) {
             if (s.role == Role::lift) out.push_back(geom::distance(s.points.front().xy(), s.points.back().xy()));
         return out;
     };
-    const auto baseline = links(link(column, 0)), by_default = links(link_by_default(column));
+    const auto baseline = links(link_sun2019(column, 0)), by_default = links(link_by_default(column));
     ASSERT_EQ(baseline.size(), 5U);
     ASSERT_EQ(by_default.size(), 5U);
     for (const double l : baseline) EXPECT_NEAR(l, 6 * std::numbers::sqrt2, 0.1);
-    for (const double l : by_default) EXPECT_LT(l, kBead);
+    for (const double l : by_default) EXPECT_LT(l, kWidth);
 }
 
 } // namespace

@@ -9,8 +9,6 @@
 namespace filum::sequence {
 namespace {
 
-constexpr std::uint64_t kAmple = 50'000'000;
-
 // An order that chooses at random among what is ready, most often going on with its stroke.
 Order random_order(Random& random, const Graph& g) {
     std::vector<Index> waiting(g.size()), ready;

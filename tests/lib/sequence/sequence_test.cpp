@@ -12,8 +12,6 @@
 namespace filum::sequence {
 namespace {
 
-constexpr std::uint64_t kAmple = 50'000'000;
-
 double fact(const Result& r, const std::string& name) {
     for (const auto& f : r.facts)
         if (f.name == name) return f.value;

@@ -15,6 +15,8 @@ namespace filum::sequence {
 
 using Random = std::mt19937;
 
+inline constexpr std::uint64_t kAmple = 50'000'000; // work
+
 inline double uniform(Random& random, double lo, double hi) { return lo + (hi - lo) * (random() / 4294967295.0); }
 
 inline polygon::Loops box(double x, double y, double w, double h) {
