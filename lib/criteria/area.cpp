@@ -18,7 +18,6 @@ using surface::kNone;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kSameWidth = 1.02;
 constexpr std::size_t kMostClasses = 64;
-constexpr std::size_t kGrain = 256;                         // triangles per piece of work
 constexpr double kFirstRow = 1.0 / 8, kLastRow = 1.0 / 128; // of the widest bead
 
 // Per segment its class, of ascending width.

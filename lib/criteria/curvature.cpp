@@ -9,7 +9,7 @@ namespace filum::criteria {
 namespace {
 
 constexpr double kTurn = std::numbers::pi / 2; // rad: what counts as a turn,
-constexpr double kWithin = 8;                  // steps each way: if it is made within this
+constexpr double kStepsEachWay = 8;            // steps each way: if it is made within this
 constexpr double kApart = 1e-3;                // steps
 constexpr double kPlaces = 4;                  // per step
 
@@ -119,12 +119,12 @@ Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
         const double down = nod(normal_at(lo, behind), normal_at(hi, ahead), 1 / norm(here) * here, way);
         out.places.push_back(
             {c.length() / static_cast<double>(n), left, down, c.role[stretch] == toolpath::Role::hairpin});
-        const double wide = sums.at(s + kWithin * step) - sums.at(s - kWithin * step);
+        const double wide = sums.at(s + kStepsEachWay * step) - sums.at(s - kStepsEachWay * step);
         const int now = wide > kTurn ? 1 : wide < -kTurn ? -1 : 0;
         if (now != 0 && now != turned) ++out.turns;
         turned = now;
         if (now == 0) continue;
-        const Bends::Range near{s - kWithin * step, s + kWithin * step};
+        const Bends::Range near{s - kStepsEachWay * step, s + kStepsEachWay * step};
         if (out.around.empty() || near.from > out.around.back().to)
             out.around.push_back(near);
         else

@@ -9,12 +9,11 @@ namespace filum::criteria {
 
 namespace {
 
-constexpr std::size_t kGrain = 256; // samples per piece of work
-constexpr int kHalvings = 6;        // of a stretch whose ends no straight line on the surface joins
-constexpr double kPoint = 1e-9;     // mm: shorter segments are points
-constexpr double kOnRim = 1e-6;     // weight of a corner: what counts as on the side across
-constexpr double kBeside = 0.05;    // of the bead: farther beside a rim is not on the surface
-constexpr double kInside = -1e-9;   // weight of a corner: what counts as in the triangle
+constexpr int kHalvings = 6;      // of a stretch whose ends no straight line on the surface joins
+constexpr double kPoint = 1e-9;   // mm: shorter segments are points
+constexpr double kOnRim = 1e-6;   // weight of a corner: what counts as on the side across
+constexpr double kBeside = 0.05;  // of the bead: farther beside a rim is not on the surface
+constexpr double kInside = -1e-9; // weight of a corner: what counts as in the triangle
 
 curve::Place nearest(const curve::Locator& locator, const Vec3& p, const Vec3& axis, double farther) {
     const curve::Place any = locator.nearest(p);

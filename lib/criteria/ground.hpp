@@ -7,6 +7,8 @@
 
 namespace filum::criteria {
 
+inline constexpr std::size_t kGrain = 256; // samples, triangles or vertices of a piece of work
+
 // A surface, the same in finer triangles, and what finds places on both.
 class Ground {
   public:

@@ -11,7 +11,7 @@ namespace filum::criteria {
 
 namespace {
 
-constexpr double kWithin = 0.9659258262890683; // cosine of 15 degrees
+constexpr double kAlongLoad = 0.9659258262890683; // cosine of 15 degrees
 constexpr int kDirections = 180;
 
 bool known(const Vec3& v) { return std::isfinite(v.x + v.y + v.z) && norm(v) > 0; }
@@ -87,7 +87,7 @@ LoadFigures adequacy(std::span<const Sample> samples, const Surface& s, const Lo
         const double w = p.length * stress(s, load.s1, p.foot);
         flat += p.length, weight += w;
         out.tangential += p.length * cosine, out.weighted += w * cosine;
-        out.within += cosine >= kWithin ? p.length : 0;
+        out.within += cosine >= kAlongLoad ? p.length : 0;
     }
     const auto over = [](double& v, double by) { v = by > 0 ? v / by : std::nan(""); };
     out.known = all > 0 ? sum / all : 0;

@@ -10,7 +10,6 @@ namespace filum::criteria {
 
 namespace {
 
-constexpr std::size_t kGrain = 1024; // vertices per piece of work
 constexpr std::size_t kMostTriangles = 1'500'000;
 
 void add(Area& sum, const Area& a) {

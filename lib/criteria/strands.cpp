@@ -11,7 +11,6 @@ namespace filum::criteria {
 
 namespace {
 
-constexpr std::size_t kGrain = 256;  // samples per piece of work
 constexpr double kNeighbour = 1.5;   // nominal spacings: what is farther is no neighbour
 constexpr double kParallel = 0.866;  // cosine of 30 degrees
 constexpr double kBetween = 3;       // nominal spacings of fibre between neighbours on one chain

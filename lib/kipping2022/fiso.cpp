@@ -10,7 +10,7 @@ namespace {
 
 using surfpath::Plan;
 
-constexpr const char* kNeed = "run geodesic --source boundary first";
+constexpr const char* kNeedsBoundary = "run geodesic --source boundary first";
 
 // First in, spiral out: the recursion of the paper, with a stack of its own.
 class Traversal {
@@ -109,7 +109,7 @@ class Traversal {
 } // namespace
 
 Plan geo_fiso(const surface::Sheet& sheet, const Options& o) {
-    const auto& phi = distances(sheet, kNeed);
+    const auto& phi = distances(sheet, kNeedsBoundary);
     Plan plan;
     const Tree all = tree(sheet, phi, o, plan.notes);
     note_unreached(sheet.surface, phi, plan.notes);

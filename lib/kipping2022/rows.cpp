@@ -15,7 +15,7 @@ namespace {
 using surface::Plane;
 using surfpath::Plan;
 
-constexpr const char* kNeed = "run geodesic --source plane:NX,NY,NZ,D first";
+constexpr const char* kNeedsPlane = "run geodesic --source plane:NX,NY,NZ,D first";
 
 Plane seed_plane(const surface::Sheet& sheet, const Options& o) {
     if (o.plane) return *o.plane;
@@ -115,7 +115,7 @@ Plan rows(const Surface& s, std::vector<double> values, const Plane& plane, cons
 } // namespace
 
 Plan fina(const surface::Sheet& sheet, const Options& o) {
-    const auto& phi = distances(sheet, kNeed);
+    const auto& phi = distances(sheet, kNeedsPlane);
     const Plane plane = seed_plane(sheet, o);
     const auto values = signed_distances(sheet.surface, phi, plane, o.spacing);
     if (!values)

@@ -12,12 +12,12 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr std::size_t kMost = 20'000;
-constexpr double kNear = 0.05;  // of a step: what ends farther from the next front has not come there
-constexpr double kInset = 0.02; // of the grain: how far from the ends of a front its outermost samples are
-constexpr double kApart = 1e-4; // of a step: how far levels keep from distances of vertices
-constexpr double kSpeck = 1e-3; // of a step: what is shorter is no front
-constexpr int kRings = 3;       // of triangles about a place, in which fronts near it are sought
+constexpr std::size_t kMostFronts = 20'000;
+constexpr double kArrived = 0.05;     // of a step: what ends farther from the next front has not come there
+constexpr double kInset = 0.02;       // of the grain: how far from the ends of a front its outermost samples are
+constexpr double kOffVertices = 1e-4; // of a step: how far levels keep from distances of vertices
+constexpr double kSpeck = 1e-3;       // of a step: what is shorter is no front
+constexpr int kRings = 3;             // of triangles about a place, in which fronts near it are sought
 
 double farthest(const Surface& s, std::span<const double> distance) {
     double out = 0;
@@ -35,9 +35,9 @@ std::vector<double> levels_between(std::vector<double> distance, double step, do
     for (std::size_t k = 1; static_cast<double>(k) * step <= far; ++k) {
         double level = static_cast<double>(k) * step;
         while (true) {
-            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kApart * step);
-            if (near == distance.end() || *near > level + kApart * step) break;
-            level = *near + 2 * kApart * step;
+            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kOffVertices * step);
+            if (near == distance.end() || *near > level + kOffVertices * step) break;
+            level = *near + 2 * kOffVertices * step;
         }
         out.push_back(level);
     }
@@ -104,7 +104,7 @@ Vec3 right_of(const Vec3& along, const Vec3& normal) { return cross(along, norma
 Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double step, double grain)
     : surface_(surface), field_(geodesic::exact(surface, sources)), step_(step) {
     const double far = farthest(surface, field_.distance);
-    if (!(far / step < kMost)) throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
+    if (!(far / step < kMostFronts)) throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
     std::vector<Line> lines = source_lines(sources);
     for (std::size_t i = 0, n = lines.size(); i < n; ++i) {
         Line back = lines[2 * i];
@@ -167,7 +167,7 @@ Vec3 Fronts::heading(std::size_t level, Spot spot, const Place& from) const {
 
 std::optional<Spot> Fronts::locate(std::size_t level, const Place& p) const {
     const Level& l = levels_[level];
-    double least = kNear * step_;
+    double least = kArrived * step_;
     std::optional<Spot> out;
     for (const std::uint32_t t : about(surface_, p.triangle)) {
         auto it = std::lower_bound(l.pieces.begin(), l.pieces.end(), t,
@@ -236,7 +236,7 @@ Line Fronts::last(std::size_t level, Spot spot) const {
     const auto shortest = [&](double w) {
         const Place p = curve::at(whole, ways, w);
         return geodesic::distance_at(surface_, field_, p.triangle, p.point) >
-               static_cast<double>(level) * step_ + w - kNear * step_;
+               static_cast<double>(level) * step_ + w - kArrived * step_;
     };
     double lo = 0, hi = ways.back();
     if (shortest(hi)) return whole;

@@ -7,9 +7,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kStep = 0.2;    // of the spacing: between nodes
-constexpr double kNearest = 0.5; // of the spacing: what is nearer is no neighbour
-constexpr double kSame = 3;      // spacings along a lane from where it counts as another one
+constexpr double kNodeStep = 0.2;  // of the spacing: between nodes
+constexpr double kNearest = 0.5;   // of the spacing: what is nearer is no neighbour
+constexpr double kAnotherLane = 3; // spacings along a lane from where it counts as another one
 
 } // namespace
 
@@ -18,7 +18,7 @@ Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     for (std::uint32_t l = 0; l < lines_.size(); ++l) {
         ways_.push_back(curve::ways(lines_[l]));
         const double all = ways_[l].back();
-        const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kStep * spacing))));
+        const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kNodeStep * spacing))));
         for (std::size_t i = 0; i < n; ++i) {
             const double way = all * static_cast<double>(i) / static_cast<double>(n);
             const Place p = curve::at(lines_[l], ways_[l], way);
@@ -61,7 +61,7 @@ double Lanes::curvature(std::uint32_t lane, double way) const {
 
 LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
     LanePlace out{node.lane, node.way, distance(node.point, p)};
-    const double step = kStep * spacing_, all = length(node.lane);
+    const double step = kNodeStep * spacing_, all = length(node.lane);
     double lo = node.way - step, hi = node.way + step;
     for (int i = 0; i < 12; ++i) { // the nearest of a stretch without bends
         const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
@@ -108,7 +108,7 @@ std::optional<LanePlace> Lanes::across(std::uint32_t lane, double way, double si
     const Vec3 out = side * cross(tangent(lane, way), n);
     const auto use = [&](std::uint32_t l, double w) {
         if (l != lane) return true;
-        return std::min(ahead(l, way, w, 1), ahead(l, w, way, 1)) > kSame * spacing_;
+        return std::min(ahead(l, way, w, 1), ahead(l, w, way, 1)) > kAnotherLane * spacing_;
     };
     for (double far = 1; far < farthest + 0.1; far += 0.5) {
         const double length = std::min(far, farthest) * spacing_;

@@ -10,11 +10,11 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLongest = 14;  // spacings between tips
-constexpr double kDeepest = 0.6; // spacings that the neck lies below the level
-constexpr double kBelow = 0.1;   // spacings that the bridges lie below the neck
-constexpr double kDrift = 8;     // spacings from the ring to the bridge
-constexpr double kCut = 2;       // spacings of length that a tip is cut by, at least
+constexpr double kLongestBridge = 14; // spacings between tips
+constexpr double kDeepest = 0.6;      // spacings that the neck lies below the level
+constexpr double kBelow = 0.1;        // spacings that the bridges lie below the neck
+constexpr double kBridgeDrift = 8;    // spacings from the ring to the bridge
+constexpr double kCut = 2;            // spacings of length that a tip is cut by, at least
 
 struct Tip {
     std::size_t bend;
@@ -72,7 +72,7 @@ class Necks {
     void look_across(std::size_t a, std::size_t b, std::vector<Neck>& necks) const {
         const Place &from = tips_[a].place, &to = tips_[b].place;
         const double length = distance(from.point, to.point);
-        if (length > kLongest * spacing_ || length < 0.1 * spacing_) return;
+        if (length > kLongestBridge * spacing_ || length < 0.1 * spacing_) return;
         const Line line = curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
         const auto ways = curve::ways(line);
@@ -104,13 +104,13 @@ class Necks {
     // From where corner `a` begins over to where corner `b` ends, along one of `lower`; empty if none leads there.
     [[nodiscard]] Line across(const Tip& a, const Tip& b, const std::vector<Ring>& lower) const {
         const Corner &ca = corner(a), &cb = corner(b);
-        const double la = std::min(kDrift * spacing_, 0.9 * ring(a).ahead(ca.from, a.way));
-        const double lb = std::min(kDrift * spacing_, 0.9 * ring(b).ahead(b.way, cb.to));
+        const double la = std::min(kBridgeDrift * spacing_, 0.9 * ring(a).ahead(ca.from, a.way));
+        const double lb = std::min(kBridgeDrift * spacing_, 0.9 * ring(b).ahead(b.way, cb.to));
         const On from = nearest(lower, at(a, ca.from + la).point), to = nearest(lower, at(b, cb.to - lb).point);
         if (from.line != to.line || std::max(from.distance, to.distance) > 1.5 * spacing_) return {};
         const Ring& low = lower[from.line];
         const double way = low.ahead(from.way, to.way);
-        if (way > 2 * kLongest * spacing_) return {};
+        if (way > 2 * kLongestBridge * spacing_) return {};
         Line out = drift(a, ca.from, la, lower, true);
         curve::append(out, curve::part(low.line, low.ways, from.way, from.way + way));
         curve::append(out, drift(b, cb.to - lb, lb, lower, false));

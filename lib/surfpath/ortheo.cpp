@@ -15,15 +15,15 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kStep = 0.5;  // spacings, from front to front
-constexpr double kGrain = 0.5; // spacings, between the lines that tell where all others lead
+constexpr double kFrontStep = 0.5; // spacings, from front to front
+constexpr double kGrain = 0.5;     // spacings, between the lines that tell where all others lead
 
 // The strand as a line, from its first spot on.
 Line drawn(const Fronts& fronts, const Strand& s) {
     Line out{{fronts.place(s.first, s.spots[0])}, false};
     for (std::size_t j = 1; j < s.spots.size(); ++j)
         curve::append(out, curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
-    if (s.end != End::law) curve::append(out, fronts.last(s.last(), s.spots.back()));
+    if (s.end != StrandEnd::law) curve::append(out, fronts.last(s.last(), s.spots.back()));
     return out;
 }
 
@@ -91,7 +91,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         throw Error(Exit::bad_input, "cannot lay lines upright on a seed curve without one; run geodesic --source "
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
-    const Fronts fronts(s, sheet.sources, kStep * o.spacing, kGrain * o.spacing);
+    const Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
     const bool alone = o.turns == "none";
     const Strands found = strands(fronts, {o.spacing, o.turns == "hairpin" ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);

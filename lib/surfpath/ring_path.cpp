@@ -14,10 +14,10 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLeast = 0.3; // spacings: no radius is less
-constexpr double kStep = 0.1;  // least radii: between points of the path
-constexpr double kEase = 1.08; // least radii: so that what remains keeps to it
-constexpr double kSeam = 25;   // spacings: length of a seam, per lane that lanes go over by
+constexpr double kLeast = 0.3;    // spacings: no radius is less
+constexpr double kPathStep = 0.1; // least radii: between points of the path
+constexpr double kEase = 1.08;    // least radii: so that what remains keeps to it
+constexpr double kSeam = 25;      // spacings: length of a seam, per lane that lanes go over by
 
 // The place, in the triangle among those about its own that it lies in: where lines were joined it may be another.
 Place settled(const Surface& s, Place p) {
@@ -90,7 +90,7 @@ Line slim_threaded(const Surface& s, const Line& line) {
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     const auto eased =
         curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
-    Line out = curve::resampled(eased.line, kStep * radius);
+    Line out = curve::resampled(eased.line, kPathStep * radius);
     for (Place& p : out.places) p = settled(s, p);
     return slim_threaded(s, out);
 }

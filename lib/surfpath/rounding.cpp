@@ -13,16 +13,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLong = 3.0;  // least radii: a corner that is cut by less is let be
-constexpr double kSeen = 0.06; // least radii: what touches a ring farther from the ends of an arc lies between them
-constexpr double kCusp = 0.15; // rad
-
-double longest_edge(const Surface& s) {
-    double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
-    return out;
-}
+constexpr double kLongCut = 3.0; // least radii: a corner that is cut by less is let be
+constexpr double kSeen = 0.06;   // least radii: what touches a ring farther from the ends of an arc lies between them
+constexpr double kCusp = 0.15;   // rad
 
 surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
     surface::Sources out;
@@ -48,7 +41,7 @@ class Rounder {
             more = false;
             for (Ring& r : rings) {
                 check(r);
-                for (const Corner& c : r.by[k].corners) more |= r.ahead(c.from, c.to) - c.length > kLong * least_;
+                for (const Corner& c : r.by[k].corners) more |= r.ahead(c.from, c.to) - c.length > kLongCut * least_;
             }
         }
     }

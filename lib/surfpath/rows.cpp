@@ -18,14 +18,7 @@ using surface::kNone;
 constexpr double kDetour = 1.1;    // of the way that is replaced, at most
 constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
 constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
-constexpr double kNear = 0.4;      // of the margin: what lines keep that follow the inset instead
-
-double longest_edge(const Surface& s) {
-    double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
-    return out;
-}
+constexpr double kFollowing = 0.4; // of the margin: what lines keep that follow the inset instead
 
 surface::Sources rims(const Surface& s) {
     surface::Sources out;
@@ -133,7 +126,8 @@ class Cutter {
     Inset inset_;
 };
 
-// A line as open ones that keep the margin: where it is at least kNear of the margin from a rim it follows the inset.
+// A line as open ones that keep the margin: where it is at least kFollowing of the margin from a rim it follows the
+// inset.
 class Hugger {
   public:
     Hugger(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways, double margin)
@@ -142,7 +136,7 @@ class Hugger {
     [[nodiscard]] std::vector<Line> stretches() const {
         const auto kept = cutter_.kept(line_, ways_, 1);
         std::vector<Line> out;
-        for (const auto& [from, to] : cutter_.kept(line_, ways_, kNear)) {
+        for (const auto& [from, to] : cutter_.kept(line_, ways_, kFollowing)) {
             Line now;
             double at = from;
             for (const auto& [begin, end] : kept) {

@@ -7,7 +7,7 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kShortest = 0.15, kLongest = 4; // of the step on the first lane: that on any other
+constexpr double kShortestStep = 0.15, kLongestStep = 4; // of the step on the first lane: that on any other
 
 } // namespace
 
@@ -34,7 +34,7 @@ bool follows(const Lanes& lanes, const Rung& a, const Rung& b, double step) {
     for (std::size_t k = 0; k < a.places.size(); ++k) {
         if (a.places[k].lane != b.places[k].lane) return false;
         const double on = lanes.ahead(a.places[k].lane, a.places[k].way, b.places[k].way, a.sense[k]);
-        if (on < kShortest * step || on > kLongest * step) return false;
+        if (on < kShortestStep * step || on > kLongestStep * step) return false;
     }
     return true;
 }

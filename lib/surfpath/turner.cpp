@@ -21,7 +21,7 @@ constexpr double kEasedWider = 1.15; // likewise, of ways along rims
 constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
 constexpr double kTurning = 0.25;    // mm
-constexpr double kBeside = 0.5;      // mm beside what is tight that are declared with it
+constexpr double kBesideTight = 0.5; // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -119,7 +119,7 @@ std::vector<Piece> Turner::pieces(const LaidTurn& turn) const {
     double begin = 0, end = 0; // of what is tight, or joined to it because it is near
     for (std::size_t i = 0; i < k.size(); ++i) {
         if (!hairpin(1 / std::max(1e-9, k[i]))) continue;
-        const double from = kTurning * static_cast<double>(i) - kBeside, to = from + 2 * kBeside;
+        const double from = kTurning * static_cast<double>(i) - kBesideTight, to = from + 2 * kBesideTight;
         if (from > end || end == 0) {
             if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
             if (from > end) out.push_back({curve::part(turn.line, w, end, from), false});

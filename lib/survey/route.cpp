@@ -2,17 +2,16 @@
 
 #include "base/number.hpp"
 #include "collision/report.hpp"
+#include "geom/angle.hpp"
 #include "route/job.hpp"
 #include "survey/things.hpp"
 #include "wire/planar.hpp"
-
-#include <numbers>
 
 namespace filum::survey {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 
 void write_leaning(const std::string& file, const std::vector<route::Leaning>& leaning) {
     if (file.empty()) return;

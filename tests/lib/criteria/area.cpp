@@ -12,7 +12,7 @@ using paths::number;
 using paths::span;
 using paths::Vec2;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 const std::string kPaper = "paper: share within d of points";
 
 Surface plate(double a, double b) {
@@ -45,11 +45,11 @@ TEST(Area, DoesNotDependOnTheTriangles) {
 
 TEST(Area, OfARing) {
     const double r = 5;
-    const auto ring = paths::lifted(paths::arc({10, 10}, r, 0, 2 * kPi, [] { return 0.05; }), [](Vec2 p) {
+    const auto ring = paths::lifted(paths::arc({10, 10}, r, 0, 2 * pi, [] { return 0.05; }), [](Vec2 p) {
         return Vec3{p.x, p.y, 0};
     });
     const auto f = measure(plate(20, 20), {span(ring)});
-    EXPECT_NEAR(number(f, "coverage"), 2 * kPi * r / 400, 2e-4);
+    EXPECT_NEAR(number(f, "coverage"), 2 * pi * r / 400, 2e-4);
     // the corners are farther from the ring than its middle
     EXPECT_NEAR(number(f, "largest void beyond beads"), std::sqrt(200) - r - 0.5, 2e-3);
 }
@@ -114,7 +114,7 @@ TEST(Area, OfAPathThatLeavesTheSurface) {
                             span({{0, 15, 0.3}, {5, 15, 0.3}, {5, 15, 2}, {15, 15, 2}, {15, 15, 0.3}, {20, 15, 0.3}})});
     EXPECT_NEAR(number(f, "path above the surface"), 10 + 2 * 1.2,
                 0.01); // from half a bead above the 0.3 mm of the rest
-    EXPECT_NEAR(number(f, "coverage"), (30 + kPi / 4) / 400, 1e-3);
+    EXPECT_NEAR(number(f, "coverage"), (30 + pi / 4) / 400, 1e-3);
 }
 
 TEST(Area, OfAPathPastTheRim) {

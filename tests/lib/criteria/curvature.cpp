@@ -14,7 +14,7 @@ using paths::arc;
 using paths::lifted;
 using paths::Vec2;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Ways between points from 0.01 to 0.49 mm.
 struct Uneven {
@@ -33,7 +33,7 @@ Bends on(const Chain& c, const std::function<Vec3(const Vec3&)>& normal, double 
 Vec3 up(const Vec3&) { return {0, 0, 1}; }
 
 TEST(Curvature, CircleOfUnevenPoints) {
-    const auto c = chain(lifted(arc({0, 0}, 2.4, 0, 2 * kPi, Uneven{}), [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const auto c = chain(lifted(arc({0, 0}, 2.4, 0, 2 * pi, Uneven{}), [](Vec2 p) { return Vec3{p.x, p.y, 0}; }));
     const Bends b = on(c, up);
     ASSERT_GT(b.places.size(), 50);
     for (const Bend& p : b.places) {
@@ -109,8 +109,8 @@ TEST(Curvature, ACornerCountsAsAnArcOfTwoSteps) {
     const Bends b = on(chain({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}}), up);
     double most = 0, all = 0;
     for (const Bend& p : b.places) most = std::max(most, p.geodesic), all += p.geodesic * p.length;
-    EXPECT_NEAR(most, kPi / 2 / 0.5, 0.25);
-    EXPECT_NEAR(all, kPi / 2, 1e-2);
+    EXPECT_NEAR(most, pi / 2 / 0.5, 0.25);
+    EXPECT_NEAR(all, pi / 2, 1e-2);
 }
 
 // What would make curvature without bounds: points as good as one, and fibres as good as none.
@@ -125,7 +125,7 @@ TEST(Curvature, OfPointsTooNearToTell) {
     }
     for (const Bend& b : on(chain(doubled), up).places) EXPECT_NEAR(b.geodesic, 1.0 / 3, 0.01);
     for (const Bend& b : on(chain({{0, 0, 0}, {1e-6, 0, 0}, {1e-6, 1e-6, 0}}), up).places)
-        EXPECT_LE(std::abs(b.geodesic), kPi / 2 / 0.25);
+        EXPECT_LE(std::abs(b.geodesic), pi / 2 / 0.25);
 }
 
 TEST(Curvature, TurnsAreCounted) {
@@ -143,9 +143,9 @@ TEST(PaperAngle, DependsOnTheResampling) {
     const auto f = paths::fibres({paths::span(lifted(paths::zigzag(0, 40.2, 0, 1, 60), [](Vec2 p) {
         return Vec3{p.x, p.y, 0};
     }))});
-    EXPECT_NEAR(paper_angle(f, 1) * 180 / kPi, 106, 3);
-    EXPECT_NEAR(paper_angle(f, 0.5) * 180 / kPi, 57.3, 0.5);
-    EXPECT_NEAR(paper_angle(f, 0.25) * 180 / kPi, 28.6, 0.3);
+    EXPECT_NEAR(paper_angle(f, 1) * 180 / pi, 106, 3);
+    EXPECT_NEAR(paper_angle(f, 0.5) * 180 / pi, 57.3, 0.5);
+    EXPECT_NEAR(paper_angle(f, 0.25) * 180 / pi, 28.6, 0.3);
 }
 
 TEST(PaperAngle, EndsAreZero) {

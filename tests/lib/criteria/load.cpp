@@ -11,7 +11,7 @@ namespace {
 using paths::number;
 using paths::Vec2;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A plate with load cases; `direction` and `stress` per vertex, its sign at random.
 struct Loaded {
@@ -40,20 +40,20 @@ Vec3 at(double angle, double tilt = 0) {
 
 TEST(Load, OfOneDirection) {
     Loaded p;
-    p.add("x", [](const Vec3&) { return at(kPi / 6); });
+    p.add("x", [](const Vec3&) { return at(pi / 6); });
     const auto f = p.along_x();
-    EXPECT_NEAR(number(f, "paper: mean |t . d1| of the best case at each point"), std::cos(kPi / 6), 1e-9);
-    EXPECT_NEAR(number(f, "|t . d1|", "load case x"), std::cos(kPi / 6), 1e-9);
-    EXPECT_NEAR(number(f, "along the surface", "load case x"), std::cos(kPi / 6), 1e-9);
+    EXPECT_NEAR(number(f, "paper: mean |t . d1| of the best case at each point"), std::cos(pi / 6), 1e-9);
+    EXPECT_NEAR(number(f, "|t . d1|", "load case x"), std::cos(pi / 6), 1e-9);
+    EXPECT_NEAR(number(f, "along the surface", "load case x"), std::cos(pi / 6), 1e-9);
     EXPECT_NEAR(number(f, "|t . d1|, upper bound", "load case x"), 1, 1e-9);
     EXPECT_EQ(number(f, "share within 15 degrees", "load case x"), 0);
-    EXPECT_NEAR(number(f, "along the surface, at random", "load case x"), 2 / kPi, 1e-4);
-    EXPECT_NEAR(number(f, "paper: at random"), 2 / kPi, 1e-4);
+    EXPECT_NEAR(number(f, "along the surface, at random", "load case x"), 2 / pi, 1e-4);
+    EXPECT_NEAR(number(f, "paper: at random"), 2 / pi, 1e-4);
 }
 
 TEST(Load, OutOfTheSurface) {
     Loaded p;
-    p.add("x", [](const Vec3&) { return at(0.2, kPi / 3); });
+    p.add("x", [](const Vec3&) { return at(0.2, pi / 3); });
     const auto f = p.along_x();
     EXPECT_NEAR(number(f, "|t . d1|", "load case x"), 0.5 * std::cos(0.2), 1e-9);
     EXPECT_NEAR(number(f, "|t . d1|, upper bound", "load case x"), 0.5, 1e-9);
@@ -65,10 +65,10 @@ TEST(Load, OutOfTheSurface) {
 // What a path at random scores by the paper's figure: .637 of one field, .811 of two, .900 of two at right angles.
 TEST(Load, BaselinesAtRandom) {
     Loaded two, crossed;
-    two.add("x", [&](const Vec3&) { return at(2 * kPi * two.unit()); });
-    two.add("y", [&](const Vec3&) { return at(2 * kPi * two.unit()); });
+    two.add("x", [&](const Vec3&) { return at(2 * pi * two.unit()); });
+    two.add("y", [&](const Vec3&) { return at(2 * pi * two.unit()); });
     crossed.add("x", [](const Vec3& v) { return at(v.x); });
-    crossed.add("y", [](const Vec3& v) { return at(v.x + kPi / 2); });
+    crossed.add("y", [](const Vec3& v) { return at(v.x + pi / 2); });
     EXPECT_NEAR(number(two.along_x(), "paper: at random"), 0.811, 0.01);
     EXPECT_NEAR(number(crossed.along_x(), "paper: at random"), 0.900, 1e-3);
 }
@@ -76,9 +76,9 @@ TEST(Load, BaselinesAtRandom) {
 TEST(Load, CasesAndWeights) {
     Loaded p;
     p.add(
-        "a", [](const Vec3& v) { return at(v.y < 5 ? 0 : kPi / 2); },
+        "a", [](const Vec3& v) { return at(v.y < 5 ? 0 : pi / 2); },
         [](const Vec3& v) { return v.y < 5 ? -9.0 : 1.0; });
-    p.add("b", [](const Vec3& v) { return at(v.y < 5 ? kPi / 2 : 0); });
+    p.add("b", [](const Vec3& v) { return at(v.y < 5 ? pi / 2 : 0); });
     const auto f = p.along_x();
     // half of the path lies along either case: the paper takes the better one everywhere
     EXPECT_GT(number(f, "paper: mean |t . d1| of the best case at each point"), 0.97);
@@ -107,9 +107,9 @@ TEST(Load, PullsCountByTheirSize) {
     Loaded p;
     p.add(
         "x", [](const Vec3&) { return at(0); }, [](const Vec3&) { return 3.0; });
-    p.add("y", [](const Vec3&) { return at(kPi / 2); });
+    p.add("y", [](const Vec3&) { return at(pi / 2); });
     p.add(
-        "pressed", [](const Vec3&) { return at(kPi / 2); }, [](const Vec3&) { return -9.0; });
+        "pressed", [](const Vec3&) { return at(pi / 2); }, [](const Vec3&) { return -9.0; });
     const auto loads = load_cases(p.sheet);
     const Ground ground(p.sheet.surface, 1);
     const auto adequacy = [&](std::vector<Vec3> points) {

@@ -12,7 +12,7 @@
 namespace filum::curve {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Surface grid(double size, int n, const std::function<Vec3(Vec2)>& lift) {
     std::mt19937 random(3);
@@ -87,7 +87,7 @@ TEST(lay, casts_the_shadow_asked_for) {
     const Place from = Locator(s).nearest(rolled({10, 10}));
     const Chart map = chart(from, surface::normal(s, from.triangle), {1, 0, 0});
     std::vector<Vec2> circle;
-    for (int i = 0; i <= 40; ++i) circle.push_back({2.4 - 2.4 * std::cos(kPi * i / 20), 2.4 * std::sin(kPi * i / 20)});
+    for (int i = 0; i <= 40; ++i) circle.push_back({2.4 - 2.4 * std::cos(pi * i / 20), 2.4 * std::sin(pi * i / 20)});
     const Laid laid = lay(s, map, from, circle);
     ASSERT_TRUE(laid.whole);
     expect_on_surface(s, laid.line);
@@ -151,7 +151,7 @@ TEST(ease, rounds_corners_to_the_radius) {
         EXPECT_NEAR(eased.moved, 2.4 * (std::sqrt(2.0) - 1), 0.1);
         EXPECT_LT(eased.too_tight, 0.5);
         EXPECT_EQ(eased.line[0], line[0]);
-        EXPECT_NEAR(length(line) - length(eased.line), (2 - kPi / 2) * 2.4, 0.1);
+        EXPECT_NEAR(length(line) - length(eased.line), (2 - pi / 2) * 2.4, 0.1);
     }
 }
 
@@ -159,7 +159,7 @@ TEST(ease, leaves_what_is_gentle_and_stays_in_its_corridor) {
     const Surface s = grid(30, 30, flat);
     std::vector<Vec3> circle, hairpin;
     for (int i = 0; i < 200; ++i)
-        circle.push_back({15 + 3 * std::cos(kPi * i / 100), 15 + 3 * std::sin(kPi * i / 100), 0});
+        circle.push_back({15 + 3 * std::cos(pi * i / 100), 15 + 3 * std::sin(pi * i / 100), 0});
     const Line round = polyline(s, circle, true);
     const Eased same = ease(s, round, {.radius = 2.4, .corridor = 1, .step = 0.2});
     EXPECT_EQ(same.line.size(), round.size());

@@ -80,7 +80,7 @@ TEST(fexa, travels_over_a_hole_wherever_a_row_meets_it) {
 // On a cylinder that lies on its side, rows that are equally far from a plane in space bunch on the surface.
 TEST(fexa, spacing_on_the_surface_is_not_kept_but_that_of_fina_is) {
     const auto half = [](double u, double v) { // radius 10, from the top down to both sides by 80 degrees
-        const double a = (2 * u - 1) * 80 * kPi / 180;
+        const double a = (2 * u - 1) * 80 * pi / 180;
         return Vec3{10 * std::sin(a), 20 * v, 10 * std::cos(a)};
     };
     const auto sheet = measured(grid(80, 20, half), "plane:1,0,0,0");
@@ -189,7 +189,7 @@ TEST(geo_spiral, winds_once_per_level_and_stops_where_they_fall_apart) {
     ASSERT_EQ(round.strokes.size(), 1U);
     EXPECT_EQ(fact(round, "levels-laid"), 11); // an arc of 11.6 mm
     double rings = 0;
-    for (int i = 1; i <= 11; ++i) rings += 2 * kPi * 40 * std::sin(i / 40.0);
+    for (int i = 1; i <= 11; ++i) rings += 2 * pi * 40 * std::sin(i / 40.0);
     EXPECT_NEAR(length(round), rings, 11 * 1.1); // a step between levels, and across it
     // in a long rectangle, rings fall into two arcs
     const auto sheet = measured(rectangle(60, 9.5), "point:30,4.75,0");

@@ -10,7 +10,7 @@
 
 namespace filum::kipping2022 {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 using geom::Vec2;
 using geom::Vec3;
@@ -42,7 +42,7 @@ inline Surface holed(double h, double r) {
     return grid(
         96, 24,
         [&](double u, double v) {
-            const double a = 2 * kPi * u, c = std::cos(a), s = std::sin(a);
+            const double a = 2 * pi * u, c = std::cos(a), s = std::sin(a);
             const double out = h / std::max(std::abs(c), std::abs(s)), l = out + v * (r - out);
             return Vec3{l * c, l * s, 0};
         },
@@ -54,7 +54,7 @@ inline Surface zone(double r, double from, double to) {
     return grid(
         96, 32,
         [&](double u, double v) {
-            const double a = 2 * kPi * u, b = from + v * (to - from);
+            const double a = 2 * pi * u, b = from + v * (to - from);
             return Vec3{r * std::sin(b) * std::cos(a), r * std::sin(b) * std::sin(a), r * std::cos(b)};
         },
         true);

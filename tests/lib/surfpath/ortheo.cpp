@@ -5,6 +5,8 @@
 #include "curve/walk.hpp"
 #include "surface/section.hpp"
 
+#include "plans.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -31,13 +33,6 @@ surface::Sheet seeded(Surface s, const surface::Plane& plane) {
     surface::Sheet out{std::move(s), {}, {}, {}};
     out.sources.segments = surface::section(out.surface, plane);
     return out;
-}
-
-double fact(const Plan& plan, const std::string& name) {
-    for (const Fact& f : plan.facts)
-        if (f.name == name) return f.value;
-    ADD_FAILURE() << name;
-    return -1;
 }
 
 // Sector of a ring about the origin, radius 20 to 60, a right angle, its narrow rim the source.
