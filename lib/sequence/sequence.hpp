@@ -11,7 +11,6 @@ struct Options {
     bool by_layers = false; // strictly layer by layer
     bool sun2019 = false;   // if so, as in the 2019 paper (sun2019_order.hpp)
     machine::Head head;
-    double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
     std::uint64_t budget = 600'000'000; // steps that searches and bounds may take
 };
 
