@@ -54,6 +54,61 @@ finds() {
     finds 'lib/fill: has no line'
 }
 
+# Gives the tree two folders within a folder: mesh/step and mesh/text; mesh itself has no sources.
+nest() {
+    mkdir -p "$tree"/lib/mesh/step "$tree"/lib/mesh/text
+    printf 'base:\ngeom: base\nmesh/text: base\nmesh/step: base mesh/text\ncli: base mesh/step\n' >"$tree/lib/LAYERS"
+    printf '#pragma once\nnamespace filum::mesh::text {\n}\n' >"$tree/lib/mesh/text/text.hpp"
+    printf '#include "mesh/text/text.hpp"\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/step/step.cpp"
+}
+
+@test "folders within folders pass" {
+    nest
+    printf '#include "mesh/step/step.hpp"\nnamespace filum::mesh::step {\nclass A;\n}\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"
+    printf '#pragma once\nnamespace filum::mesh::step::detail {\n}\n' >"$tree/lib/mesh/step/step.hpp"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+}
+
+@test "a folder within a folder that LAYERS does not allow" {
+    nest
+    printf '#include "mesh/step/step.hpp"\nnamespace filum::mesh::text {\n}\n' >"$tree/lib/mesh/text/more.cpp"
+    printf '#pragma once\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/step/step.hpp"
+    finds 'lib/mesh/text/more.cpp:1: lib/mesh/text includes lib/mesh/step'
+    rm "$tree/lib/mesh/text/more.cpp"
+    printf '#include "mesh/text/text.hpp"\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"
+    finds 'lib/cli/more.cpp:1: lib/cli includes lib/mesh/text'
+}
+
+@test "a folder within a folder without a line" {
+    nest
+    mkdir "$tree/lib/mesh/off"
+    printf 'namespace filum::mesh::off {\n}\n' >"$tree/lib/mesh/off/off.cpp"
+    finds 'lib/mesh/off: has no line'
+    rm -r "$tree/lib/mesh/off"
+    printf 'namespace filum::mesh {\n}\n' >"$tree/lib/mesh/mesh.cpp"
+    finds 'lib/mesh: has no line'
+}
+
+@test "a line for a folder that has only folders" {
+    nest
+    sed -i '1a mesh: base' "$tree/lib/LAYERS"
+    finds "'mesh' has no folder in lib/ with sources"
+}
+
+@test "code of a folder within a folder in another namespace" {
+    nest
+    printf 'namespace filum::step {\n}\n' >"$tree/lib/mesh/step/more.cpp"
+    finds 'lib/mesh/step/more.cpp:1: has nothing in namespace filum::mesh::step'
+    printf 'namespace filum::mesh::step {\n}\nnamespace filum::mesh {\n}\n' >"$tree/lib/mesh/step/more.cpp"
+    finds 'lib/mesh/step/more.cpp:3: opens namespace filum::mesh;'
+    printf 'namespace filum::mesh::stepping {\n}\n' >"$tree/lib/mesh/step/more.cpp"
+    finds 'more.cpp:1: has nothing in namespace filum::mesh::step'
+    printf 'namespace filum::mesh::text {\n}\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/text/more.cpp"
+    finds 'lib/mesh/text/more.cpp:3: opens namespace filum::mesh::step;'
+}
+
 @test "an include that is not under lib" {
     printf '#include "error.hpp"\nnamespace filum {\n}\n' >"$tree/lib/base/more.cpp"
     finds "more.cpp:1: includes 'error.hpp', which is not under lib/"
