@@ -19,7 +19,7 @@ struct Options {
     model::Shaping shape;
     std::string source, lines, mesh;
     geodesic::Options measure;
-    step::Tessellation step;
+    mesh::step::Tessellation step;
 };
 
 constexpr const char* kDescription =

@@ -20,8 +20,8 @@ void identify(const mesh::Bytes& bytes, const char* setting, cli::Io& self) {
 }
 
 mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Placement place, Notes& notes,
-                  const step::Tessellation& how) {
-    mesh::File file = step::read(bytes.view(), mesh::spoken_name(path), how);
+                  const mesh::step::Tessellation& how) {
+    mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), how);
     notes.insert(notes.end(), file.notes.begin(), file.notes.end());
     place.on_bed = false;
     mesh::place(file.mesh, place, mesh::states_unit(file.kind), notes);
@@ -52,11 +52,11 @@ mesh::Bytes load(const std::string& path, const char* setting, cli::Io& self) {
 }
 
 mesh::Mesh read_mesh(const std::string& path, const char* setting, mesh::Placement place, cli::Io& self, Notes& notes,
-                     const step::Tessellation& how) {
+                     const mesh::step::Tessellation& how) {
     return placed(load(path, setting, self), path, std::move(place), notes, how);
 }
 
-Model read(const mesh::Placement& place, cli::Io& self, const step::Tessellation& how) {
+Model read(const mesh::Placement& place, cli::Io& self, const mesh::step::Tessellation& how) {
     const mesh::Bytes bytes = mesh::load(self.input);
     if (stream::is_stream(bytes.view())) return of_stream(bytes, place, self.input);
     identify(bytes, "input_crc32c", self);

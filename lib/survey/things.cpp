@@ -1,7 +1,7 @@
 #include "survey/things.hpp"
 
 #include "mesh/place.hpp"
-#include "step/step.hpp"
+#include "mesh/step/step.hpp"
 #include "stream/crc32c.hpp"
 
 #include <cmath>
@@ -28,7 +28,7 @@ void Things::meshes(const std::string& files, Against against) {
         at = comma + 1;
         const mesh::Bytes bytes = mesh::load(path);
         crc = stream::crc32c(crc, bytes.data.get(), bytes.size);
-        const mesh::File file = step::read(bytes.view(), mesh::spoken_name(path));
+        const mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path));
         for (const Vec3& p : file.mesh.vertices) check_place(p, mesh::spoken_name(path));
         notes.insert(notes.end(), file.notes.begin(), file.notes.end());
         collision::add(file.mesh, solids[static_cast<std::size_t>(against)]);

@@ -4,7 +4,7 @@
 
 #include "mesh/read.hpp"
 
-namespace filum::step {
+namespace filum::mesh::step {
 
 // How far triangles may be from the faces that they stand for.
 struct Tessellation {
@@ -22,4 +22,4 @@ bool available();
 // face in it, failure if this build cannot read STEP.
 mesh::File read(std::string_view bytes, const std::string& name, const Tessellation& how = {});
 
-} // namespace filum::step
+} // namespace filum::mesh::step

@@ -1,8 +1,8 @@
-#include "step/step.hpp"
+#include "mesh/step/step.hpp"
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "step/answer.hpp"
+#include "mesh/step/answer.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace filum::step {
+namespace filum::mesh::step {
 
 namespace fs = std::filesystem;
 
@@ -155,4 +155,4 @@ mesh::File read(std::string_view bytes, const std::string& name, const Tessellat
     return file;
 }
 
-} // namespace filum::step
+} // namespace filum::mesh::step

@@ -1,4 +1,4 @@
-#include "step/step.hpp"
+#include "mesh/step/step.hpp"
 
 #include "base/error.hpp"
 #include "mesh/place.hpp"
@@ -14,12 +14,12 @@ namespace {
 using namespace filum;
 using geom::Vec3;
 
-mesh::File read(const std::string& path, const step::Tessellation& how = {}) {
+mesh::File read(const std::string& path, const mesh::step::Tessellation& how = {}) {
     const mesh::Bytes bytes = mesh::load(path);
-    return step::read(bytes.view(), mesh::spoken_name(path), how);
+    return mesh::step::read(bytes.view(), mesh::spoken_name(path), how);
 }
 
-const std::string kHere = std::string(FILUM_EXAMPLES) + "/../tests/lib/step/";
+const std::string kHere = std::string(FILUM_EXAMPLES) + "/../tests/lib/mesh/step/";
 const std::string kBracket = std::string(FILUM_EXAMPLES) + "/bracket/bracket.step";
 
 // Every side of a triangle is one of another the other way, and of no third.
@@ -45,7 +45,7 @@ std::vector<double> area_of_faces(const mesh::Mesh& m) {
 
 std::string error_of(const std::string& bytes, Exit exit) {
     try {
-        step::read(bytes, "'it'");
+        mesh::step::read(bytes, "'it'");
     } catch (const Error& e) {
         EXPECT_EQ(e.exit(), exit) << e.what();
         return e.what();
@@ -56,7 +56,7 @@ std::string error_of(const std::string& bytes, Exit exit) {
 
 class Step : public ::testing::Test {
     void SetUp() override {
-        if (!step::available()) GTEST_SKIP() << "no OpenCASCADE in this build; scripts/setup --step";
+        if (!mesh::step::available()) GTEST_SKIP() << "no OpenCASCADE in this build; scripts/setup --step";
     }
 };
 
@@ -142,7 +142,7 @@ TEST_F(Step, DamagedFilesAreErrors) {
 TEST_F(Step, AFaceThatCannotBeReadIsNoted) {
     std::string text(mesh::load(kHere + "loose.step").view());
     text.replace(text.find("PLANE("), 6, "PLANT(");
-    const auto file = step::read(text, "'it'");
+    const auto file = mesh::step::read(text, "'it'");
     ASSERT_EQ(file.notes.size(), 1U);
     EXPECT_EQ(file.notes[0].what, "CAD face that OpenCASCADE could not read left out");
     EXPECT_EQ(file.notes[0].count, 1U);

@@ -1,8 +1,8 @@
-// read-step - the faces in a STEP file as triangles; run by filum::step::read, not by users
+// read-step - the faces in a STEP file as triangles; run by filum::mesh::step::read, not by users
 //
 // read-step DEFLECTION ANGLE   mm and degrees
 // The file is standard input; descriptor 3 gets what step/answer.hpp says.  Exit 0 whenever it could say something.
-#include "step/answer.hpp"
+#include "mesh/step/answer.hpp"
 
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -38,7 +38,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace filum::step {
+namespace filum::mesh::step {
 
 namespace {
 
@@ -216,10 +216,10 @@ void fail(std::FILE* to, const std::string& text) {
 
 } // namespace
 
-} // namespace filum::step
+} // namespace filum::mesh::step
 
 int main(int argc, char** argv) {
-    using namespace filum::step;
+    using namespace filum::mesh::step;
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none); // when OpenCASCADE dies of a damaged file, that is no news

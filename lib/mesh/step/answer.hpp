@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace filum::step {
+namespace filum::mesh::step {
 
 // After it: the text of a failure, `vertices` bytes; or of the mesh per vertex x, y, z as doubles, per triangle three
 // indices, then per triangle its face, as 32-bit numbers.  All as this machine has them.
@@ -17,4 +17,4 @@ struct Answer {
     double x = 0, y = 0;        // where the first of those is
 };
 
-} // namespace filum::step
+} // namespace filum::mesh::step
