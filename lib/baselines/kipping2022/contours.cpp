@@ -1,11 +1,11 @@
-#include "kipping2022/contours.hpp"
+#include "baselines/kipping2022/contours.hpp"
 
 #include "base/error.hpp"
 #include "geodesic/isolines.hpp"
 
 #include <cmath>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -91,4 +91,4 @@ void note_unreached(const Surface& s, std::span<const double> values, Notes& not
                      .y = at.y});
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,9 +1,9 @@
 // Nearest ones of many points.
 #pragma once
 
-#include "kipping2022/contours.hpp"
+#include "baselines/kipping2022/contours.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // A tree over points, which it keeps.
 class Cloud {
@@ -32,4 +32,4 @@ class Cloud {
     std::vector<std::uint32_t> order_;
 };
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -22,11 +22,11 @@
 //  - rerouting contours (degree > 2) come last, each closed, by level and place.
 #pragma once
 
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/plan.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // One path into all maxima and out again.
 surfpath::Plan geo_fiso(const surface::Sheet& sheet, const Options& settled);
@@ -34,4 +34,4 @@ surfpath::Plan geo_fiso(const surface::Sheet& sheet, const Options& settled);
 // Spirals into the maxima, each up to a last line at its maximum, and the contours between them.
 surfpath::Plan geo_contour(const surface::Sheet& sheet, const Options& settled);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,11 +1,11 @@
-#include "kipping2022/maximum.hpp"
-#include "kipping2022/path.hpp"
-#include "kipping2022/rings.hpp"
-#include "kipping2022/tree.hpp"
+#include "baselines/kipping2022/maximum.hpp"
+#include "baselines/kipping2022/path.hpp"
+#include "baselines/kipping2022/rings.hpp"
+#include "baselines/kipping2022/tree.hpp"
 
 #include <algorithm>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -167,4 +167,4 @@ Plan geo_contour(const surface::Sheet& sheet, const Options& o) {
     return plan;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,10 +1,10 @@
-#include "kipping2022/path.hpp"
-#include "kipping2022/rings.hpp"
-#include "kipping2022/tree.hpp"
+#include "baselines/kipping2022/path.hpp"
+#include "baselines/kipping2022/rings.hpp"
+#include "baselines/kipping2022/tree.hpp"
 
 #include <deque>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -138,4 +138,4 @@ Plan geo_fiso(const surface::Sheet& sheet, const Options& o) {
     return plan;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

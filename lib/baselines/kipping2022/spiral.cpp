@@ -1,12 +1,12 @@
-#include "kipping2022/spiral.hpp"
+#include "baselines/kipping2022/spiral.hpp"
 
 #include "base/error.hpp"
-#include "kipping2022/cloud.hpp"
-#include "kipping2022/path.hpp"
+#include "baselines/kipping2022/cloud.hpp"
+#include "baselines/kipping2022/path.hpp"
 
 #include <algorithm>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -98,4 +98,4 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     return plan;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

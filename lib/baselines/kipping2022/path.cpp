@@ -1,10 +1,10 @@
-#include "kipping2022/path.hpp"
+#include "baselines/kipping2022/path.hpp"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -69,4 +69,4 @@ void Strokes::lay(std::span<const Vec3> points, surfpath::Plan& to) const {
     to.strokes.push_back({{std::move(piece)}});
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,12 +1,12 @@
 // Seed curves and seed planes.
 #pragma once
 
-#include "kipping2022/contours.hpp"
+#include "baselines/kipping2022/contours.hpp"
 #include "surface/sources.hpp"
 
 #include <optional>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // The plane that all sources lie in; of a straight line, the one that stands upright on the surface there.  None if
 // they lie in none, or in a point.
@@ -24,4 +24,4 @@ struct SeedLine {
 };
 std::vector<SeedLine> seed_lines(const surface::Sources& sources);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

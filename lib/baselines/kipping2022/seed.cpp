@@ -1,10 +1,10 @@
-#include "kipping2022/seed.hpp"
+#include "baselines/kipping2022/seed.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<SeedLine> seed_lines(const surface::Sources& sources) {
     return out;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,14 +1,14 @@
-#include "kipping2022/tree.hpp"
+#include "baselines/kipping2022/tree.hpp"
 
 #include "base/error.hpp"
-#include "kipping2022/path.hpp"
+#include "baselines/kipping2022/path.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tuple>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -151,4 +151,4 @@ Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Opt
     return out;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

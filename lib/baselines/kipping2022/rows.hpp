@@ -12,11 +12,11 @@
 //    half outwards.
 #pragma once
 
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/plan.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // Rows of equal geodesic distance from the seed curve.
 surfpath::Plan fina(const surface::Sheet& sheet, const Options& settled);
@@ -24,4 +24,4 @@ surfpath::Plan fina(const surface::Sheet& sheet, const Options& settled);
 // The same with the distance from the plane in space; the sheet needs no field if the options name a plane.
 surfpath::Plan fexa(const surface::Sheet& sheet, const Options& settled);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 namespace {
 
 // As laid, without smoothing, by default.
@@ -286,4 +286,4 @@ TEST(components, have_a_tree_each) {
 }
 
 } // namespace
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

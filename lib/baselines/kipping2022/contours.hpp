@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 using geom::Vec3;
 using surface::Surface;
@@ -43,4 +43,4 @@ void note_unreached(const Surface& s, std::span<const double> values, Notes& not
 // A note of `mm` of lines around `at`.
 Note lines_note(const char* what, double mm, const Vec3& at);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

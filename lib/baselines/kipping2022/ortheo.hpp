@@ -14,12 +14,12 @@
 //  - a last isocontour may be up to d_iso away from the rim; what is beyond stays empty.
 #pragma once
 
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/plan.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 surfpath::Plan ortheo(const surface::Sheet& sheet, const Options& settled);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

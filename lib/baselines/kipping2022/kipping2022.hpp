@@ -17,15 +17,15 @@
 // More stand at the head of rows.hpp, ortheo.hpp, rings.hpp and spiral.hpp.
 #pragma once
 
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/plan.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // Strokes on the surface, resampled and smoothed: their points may lie off it, their triangles are the nearest ones.
 // Throws Error(usage) for options that cannot be followed, or where no level lies on the surface; Error(bad_input) if
 // the sheet lacks what the algorithm needs.
 surfpath::Plan plan(const surface::Sheet& sheet, const Options& options);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

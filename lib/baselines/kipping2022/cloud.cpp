@@ -1,10 +1,10 @@
-#include "kipping2022/cloud.hpp"
+#include "baselines/kipping2022/cloud.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -71,4 +71,4 @@ Cloud::Found Cloud::nearest(const Vec3& p, double reach) const {
     return best;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,14 +1,14 @@
 // Surfaces whose lines can be counted by hand, measured.
 #pragma once
 
+#include "baselines/kipping2022/kipping2022.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/measure.hpp"
-#include "kipping2022/kipping2022.hpp"
 
 #include <functional>
 #include <numbers>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 using std::numbers::pi;
 
@@ -85,4 +85,4 @@ inline double fact(const surfpath::Plan& plan, const std::string& name) {
     return std::nan("");
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

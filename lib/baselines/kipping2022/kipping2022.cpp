@@ -1,14 +1,14 @@
-#include "kipping2022/kipping2022.hpp"
+#include "baselines/kipping2022/kipping2022.hpp"
 
 #include "base/error.hpp"
-#include "kipping2022/ortheo.hpp"
-#include "kipping2022/rings.hpp"
-#include "kipping2022/rows.hpp"
-#include "kipping2022/spiral.hpp"
+#include "baselines/kipping2022/ortheo.hpp"
+#include "baselines/kipping2022/rings.hpp"
+#include "baselines/kipping2022/rows.hpp"
+#include "baselines/kipping2022/spiral.hpp"
 
 #include <cmath>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -52,4 +52,4 @@ surfpath::Plan plan(const surface::Sheet& sheet, const Options& options) {
     return out;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

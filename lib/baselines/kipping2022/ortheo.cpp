@@ -1,15 +1,15 @@
-#include "kipping2022/ortheo.hpp"
+#include "baselines/kipping2022/ortheo.hpp"
 
 #include "base/error.hpp"
-#include "kipping2022/cloud.hpp"
-#include "kipping2022/path.hpp"
-#include "kipping2022/seed.hpp"
+#include "baselines/kipping2022/cloud.hpp"
+#include "baselines/kipping2022/path.hpp"
+#include "baselines/kipping2022/seed.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -193,4 +193,4 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     return plan;
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

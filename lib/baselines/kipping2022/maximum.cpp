@@ -1,8 +1,8 @@
-#include "kipping2022/maximum.hpp"
+#include "baselines/kipping2022/maximum.hpp"
 
 #include <algorithm>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -55,4 +55,4 @@ Points maximum(const Surface& s, std::span<const double> values, double level, s
     return ordered(std::move(out));
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

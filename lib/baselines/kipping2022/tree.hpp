@@ -1,11 +1,11 @@
 // Which contour is reached from which: minimum spanning trees of isocontours (section 3.2.1).
 #pragma once
 
-#include "kipping2022/cloud.hpp"
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/cloud.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // A closed contour, resampled.
 struct Node {
@@ -28,4 +28,4 @@ struct Tree {
 // level lies on the surface.
 Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Options& settled, Notes& notes);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

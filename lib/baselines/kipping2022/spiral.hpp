@@ -12,12 +12,12 @@
 //  - "until no further connections can be made": up to the first level of several pieces, or the last.
 #pragma once
 
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/plan.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 surfpath::Plan geo_spiral(const surface::Sheet& sheet, const Options& settled);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

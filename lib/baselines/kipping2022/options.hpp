@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // 0 stands for a default that depends on others; settled() puts it in.
 struct Options {
@@ -27,4 +27,4 @@ struct Options {
 // Throws Error(usage) for numbers that make no path.
 Options settled(Options options);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

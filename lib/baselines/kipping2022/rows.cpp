@@ -1,14 +1,14 @@
-#include "kipping2022/rows.hpp"
+#include "baselines/kipping2022/rows.hpp"
 
 #include "base/error.hpp"
-#include "kipping2022/contours.hpp"
-#include "kipping2022/path.hpp"
-#include "kipping2022/seed.hpp"
+#include "baselines/kipping2022/contours.hpp"
+#include "baselines/kipping2022/path.hpp"
+#include "baselines/kipping2022/seed.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 namespace {
 
@@ -129,4 +129,4 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
     return rows(sheet.surface, surface::sides(sheet.surface, plane), plane, o);
 }
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

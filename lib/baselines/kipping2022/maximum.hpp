@@ -1,9 +1,9 @@
 // Where the distance is greatest.
 #pragma once
 
-#include "kipping2022/contours.hpp"
+#include "baselines/kipping2022/contours.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // Vertices at the local maximum of the part of the surface that is above the level and holds `from`: those with a value
 // within `tolerance` of the greatest there, `apart` mm apart at least, ordered as rings.hpp says.  Parts that were
@@ -11,4 +11,4 @@ namespace filum::kipping2022 {
 Points maximum(const Surface& s, std::span<const double> values, double level, std::uint32_t from, double tolerance,
                double apart, std::vector<char>& seen);
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

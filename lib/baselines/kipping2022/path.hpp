@@ -1,12 +1,12 @@
 // From points in space to strokes: even steps, smooth coordinates, nearest triangles.
 #pragma once
 
+#include "baselines/kipping2022/contours.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "curve/locate.hpp"
-#include "kipping2022/contours.hpp"
-#include "kipping2022/options.hpp"
 #include "surfpath/plan.hpp"
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 
 // Points in equal distances along the polyline, as near to `step` mm as may be; the ends of an open one stay.  At least
 // two, three of a closed one.
@@ -31,4 +31,4 @@ class Strokes {
     const Options& o_;
 };
 
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022

@@ -1,14 +1,14 @@
 // What the algorithms are made of.
-#include "kipping2022/cloud.hpp"
-#include "kipping2022/path.hpp"
-#include "kipping2022/seed.hpp"
+#include "baselines/kipping2022/cloud.hpp"
+#include "baselines/kipping2022/path.hpp"
+#include "baselines/kipping2022/seed.hpp"
 #include "surfaces.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace filum::kipping2022 {
+namespace filum::baselines::kipping2022 {
 namespace {
 
 TEST(smoothed, keeps_polynomials_of_its_degree_up_to_the_ends) {
@@ -95,4 +95,4 @@ TEST(seed, chains_segments_and_tells_their_plane) {
 }
 
 } // namespace
-} // namespace filum::kipping2022
+} // namespace filum::baselines::kipping2022
