@@ -1,6 +1,9 @@
 # lib/LAYERS and cmds/*.cpp are the only lists: a folder named there becomes a library, a file here a command.
 # The library of lib/a/b is filum_a_b.
 
+# Folders of which each program takes what it needs: compiled as one file they would bring all they stand on.
+set(FILUM_APART baselines/sun2019)
+
 function(filum_libraries)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/LAYERS)
     file(STRINGS ${CMAKE_SOURCE_DIR}/lib/LAYERS lines REGEX "^[a-z]")
@@ -15,7 +18,11 @@ function(filum_libraries)
             add_library(filum_${name} STATIC ${sources})
             set(scope PUBLIC)
             target_compile_options(filum_${name} PRIVATE ${FILUM_WARNINGS})
-            set_target_properties(filum_${name} PROPERTIES UNITY_BUILD ${FILUM_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+            set(unity ${FILUM_UNITY})
+            if(folder IN_LIST FILUM_APART)
+                set(unity OFF)
+            endif()
+            set_target_properties(filum_${name} PROPERTIES UNITY_BUILD ${unity} UNITY_BUILD_BATCH_SIZE 0)
         else()
             add_library(filum_${name} INTERFACE)
             set(scope INTERFACE)

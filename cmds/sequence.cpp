@@ -4,6 +4,7 @@
 // memory: the whole graph
 #include "sequence/sequence.hpp"
 #include "base/number.hpp"
+#include "baselines/sun2019/order.hpp"
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
 #include "machine/head.hpp"
@@ -70,7 +71,7 @@ void run(const Options& o, const cli::Io& given) {
     for (const auto& [name, value, changed] : machine::settings(options.head))
         io.settings.push_back({name, value, changed});
     options.by_layers = o.order != "columns";
-    options.sun2019 = o.order == "sun2019";
+    if (o.order == "sun2019") options.layers = baselines::sun2019::order;
     options.budget = sequence::budget(o.budget);
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;

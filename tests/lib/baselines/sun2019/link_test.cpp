@@ -1,12 +1,15 @@
-#include "link3d/sun2019.hpp"
+#include "baselines/sun2019/link.hpp"
 
-#include "stacks.hpp"
+#include "../../link3d/stacks.hpp"
 
 #include <gtest/gtest.h>
 
-namespace filum::link3d {
+namespace filum::baselines::sun2019 {
 
-using namespace test;
+using namespace link3d::test;
+using link3d::Bead;
+using link3d::Counts;
+using link3d::test::kWidth;
 using toolpath::RegionPaths;
 using toolpath::Role;
 using toolpath::Span;
@@ -29,7 +32,7 @@ Curve ellipse(double a, double b, int n) {
 std::vector<Span> link_sun2019(const std::vector<RegionPaths>& regions, double shift, Counts* counts = nullptr) {
     std::vector<Span> out;
     Notes notes;
-    Sun2019Linker linker({shift});
+    Linker linker({shift});
     const auto emit = [&](const Span& s) { out.push_back(s); };
     for (const auto& r : regions) linker.add(r, emit, notes);
     linker.finish(emit, notes);
@@ -38,7 +41,7 @@ std::vector<Span> link_sun2019(const std::vector<RegionPaths>& regions, double s
     return out;
 }
 
-std::vector<Span> link_by_default(const std::vector<RegionPaths>& regions) { return test::link(regions).spans; }
+std::vector<Span> link_by_default(const std::vector<RegionPaths>& regions) { return link3d::test::link(regions).spans; }
 
 TEST(Sun2019Link, ClosedCurveRunsFromTheAxisAround) {
     const Bead b = from_axis(box(0, 0, 20, 4), 0);
@@ -129,4 +132,4 @@ TEST(FailureModes, F11AxisOfARoundCurve) {
 }
 
 } // namespace
-} // namespace filum::link3d
+} // namespace filum::baselines::sun2019

@@ -26,14 +26,15 @@
 #pragma once
 
 #include "base/note.hpp"
+#include "fill/reuse.hpp"
 #include "polygon/loops.hpp"
 #include "toolpath/path.hpp"
 
 #include <vector>
 
-namespace filum::fill {
+namespace filum::baselines::sun2019 {
 
-struct Sun2019Options {
+struct SpiralOptions {
     double offset = 0.4;    // mm, the paper's omega; also the bead width
     double threshold = 1.5; // offsets, the paper's 1-2: contours with vertices this near are adjacent
     double sample = 1.0;    // offsets, longest step between samples
@@ -43,6 +44,9 @@ struct Sun2019Options {
 
 // Open curves, one per connected piece of the contour graph, that of the outer contour first.
 // Parts narrower than a bead carry no contour; they become a note.
-std::vector<toolpath::Curve> sun2019(const polygon::Loops& region, const Sun2019Options& options, Notes& notes);
+std::vector<toolpath::Curve> spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
-} // namespace filum::fill
+// Fills regions by it; their starts move on by `start_shift` from layer to layer.
+fill::Reuse filler(const SpiralOptions& options);
+
+} // namespace filum::baselines::sun2019

@@ -1,14 +1,14 @@
 // The contour graph of the 2019 paper: contours, their adjacency, and the tree left of it (Figures 3 and 4).
 #pragma once
 
-#include "fill/sun2019.hpp"
+#include "baselines/sun2019/spiral.hpp"
 
-namespace filum::fill::sun {
+namespace filum::baselines::sun2019 {
 
 using Ring = std::vector<geom::Vec2>; // closed, counter-clockwise
 
 // The equidistant contours, sampled; the outer one first.
-std::vector<Ring> contours(const polygon::Loops& region, const Sun2019Options& options);
+std::vector<Ring> contours(const polygon::Loops& region, const SpiralOptions& options);
 
 // Two contours and the vertices where they are nearest.
 struct Edge {
@@ -36,4 +36,4 @@ std::vector<Edge> reverse_delete(std::size_t contours, std::vector<Edge> edges, 
 // Each piece of the graph rid of loops and hung up at its first contour.
 std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges);
 
-} // namespace filum::fill::sun
+} // namespace filum::baselines::sun2019

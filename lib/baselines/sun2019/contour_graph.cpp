@@ -1,4 +1,4 @@
-#include "fill/sun2019_graph.hpp"
+#include "baselines/sun2019/contour_graph.hpp"
 
 #include "fill/inset.hpp"
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-namespace filum::fill::sun {
+namespace filum::baselines::sun2019 {
 
 using geom::Vec2;
 
@@ -48,11 +48,11 @@ std::vector<Sample> binned(const std::vector<Ring>& rings, double cell) {
 
 } // namespace
 
-std::vector<Ring> contours(const polygon::Loops& region, const Sun2019Options& o) {
+std::vector<Ring> contours(const polygon::Loops& region, const SpiralOptions& o) {
     std::vector<Ring> out;
     double by = o.first * o.offset;
     for (polygon::Loops loops = region; true; by = o.offset) {
-        loops = inset(loops, by);
+        loops = fill::inset(loops, by);
         if (loops.empty()) return out;
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(-polygon::signed_area(loops[i]), i);
@@ -156,4 +156,4 @@ std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges) {
     return out;
 }
 
-} // namespace filum::fill::sun
+} // namespace filum::baselines::sun2019

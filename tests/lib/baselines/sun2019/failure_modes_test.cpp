@@ -2,30 +2,29 @@
 //
 // Each test measures one property on both.  That the baseline violates it is asserted, too: it is what the mode is.
 // F11 to F13, of the sequence and of the links between layers and parts, are in tests/bats/failure-modes.bats.
+#include "../../fill/pattern_check.hpp"
+#include "baselines/sun2019/contour_graph.hpp"
+#include "baselines/sun2019/spiral.hpp"
 #include "fill/spiral.hpp"
-#include "fill/sun2019.hpp"
-#include "fill/sun2019_graph.hpp"
-
-#include "pattern_check.hpp"
 
 #include <algorithm>
 #include <ctime>
 
-namespace filum::fill {
+namespace filum::baselines::sun2019 {
 namespace {
 
 using namespace test;
 
 constexpr double kBead = 0.4; // mm, everywhere here
 
-std::vector<Curve> baseline(const Loops& region, const Sun2019Options& o = {}) {
+std::vector<Curve> baseline(const Loops& region, const SpiralOptions& o = {}) {
     Notes notes;
-    return sun2019(region, o, notes);
+    return spiral(region, o, notes);
 }
 
 std::vector<Curve> by_default(const Loops& region) {
     Notes notes;
-    return spiral(region, {.bead_width = kBead}, notes).curves;
+    return fill::spiral(region, {.bead_width = kBead}, notes).curves;
 }
 
 double material(const Loops& region, const std::vector<Curve>& curves) {
@@ -37,10 +36,10 @@ Loops annulus(double outer, double wall) { // mm
 }
 
 // Edges of the contour graph, after loops are removed, whose link passes through a third contour.
-std::size_t links_through_contours(const Loops& region, const Sun2019Options& o) {
-    const auto rings = sun::contours(region, o);
+std::size_t links_through_contours(const Loops& region, const SpiralOptions& o) {
+    const auto rings = contours(region, o);
     std::size_t out = 0;
-    for (const auto& e : sun::reverse_delete(rings.size(), sun::adjacency(rings, o.threshold * o.offset))) {
+    for (const auto& e : reverse_delete(rings.size(), adjacency(rings, o.threshold * o.offset))) {
         const Vec2 a = rings[static_cast<std::size_t>(e.a)][e.vertex_a];
         const Vec2 b = rings[static_cast<std::size_t>(e.b)][e.vertex_b];
         bool through = false;
@@ -118,11 +117,11 @@ TEST(FailureModes, F6LoopsOfTheGraph) {
     std::vector<double> steps, seconds;
     for (const int n : {5, 10}) {
         const Loops sieve = test::sieve(n, 1.2, 0.9);
-        const auto rings = sun::contours(sieve, {});
-        const auto edges = sun::adjacency(rings, 1.5 * kBead);
+        const auto rings = contours(sieve, {});
+        const auto edges = adjacency(rings, 1.5 * kBead);
         EXPECT_GE(edges.size() - rings.size() + 1, static_cast<std::size_t>(n * n)); // a loop round every hole
         std::size_t looked = 0;
-        sun::reverse_delete(rings.size(), edges, &looked);
+        reverse_delete(rings.size(), edges, &looked);
         steps.push_back(static_cast<double>(looked));
         double least = 1e300;
         for (int round = 0; round < 4; ++round) {
@@ -166,4 +165,4 @@ TEST(FailureModes, F10HoleContoursMeetAtAnyDistance) {
 }
 
 } // namespace
-} // namespace filum::fill
+} // namespace filum::baselines::sun2019

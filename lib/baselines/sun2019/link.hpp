@@ -18,38 +18,38 @@
 
 #include "link3d/linker.hpp"
 
-namespace filum::link3d {
+namespace filum::baselines::sun2019 {
 
-struct Sun2019Options {
+struct LinkOptions {
     double start_shift = 0; // mm per layer
 };
 
 // Takes the regions in processing order; gives the spans in printing order, at the end, when the box is known.
-class Sun2019Linker {
+class Linker {
   public:
-    explicit Sun2019Linker(const Sun2019Options& options) : options_(options) {}
+    explicit Linker(const LinkOptions& options) : options_(options) {}
 
-    void add(toolpath::RegionPaths region, const Linker::Emit& /*at the end*/, Notes& /*none*/) {
+    void add(toolpath::RegionPaths region, const link3d::Linker::Emit& /*at the end*/, Notes& /*none*/) {
         regions_.push_back(std::move(region));
     }
-    void finish(const Linker::Emit& emit, Notes& notes);
-    [[nodiscard]] const Counts& counts() const { return counts_; }
+    void finish(const link3d::Linker::Emit& emit, Notes& notes);
+    [[nodiscard]] const link3d::Counts& counts() const { return counts_; }
 
   private:
-    void reach(const toolpath::RegionPaths& r, bool first, Vec2 start, const Linker::Emit& emit);
-    void go(const toolpath::RegionPaths& r, toolpath::Role role, std::vector<Vec3> points, std::vector<double> width,
-            const Linker::Emit& emit);
+    void reach(const toolpath::RegionPaths& r, bool first, geom::Vec2 start, const link3d::Linker::Emit& emit);
+    void go(const toolpath::RegionPaths& r, toolpath::Role role, std::vector<geom::Vec3> points,
+            std::vector<double> width, const link3d::Linker::Emit& emit);
 
-    Sun2019Options options_;
+    LinkOptions options_;
     std::vector<toolpath::RegionPaths> regions_;
-    Counts counts_;
-    Box2 box_; // of all curves
-    std::optional<Vec3> at_;
+    link3d::Counts counts_;
+    geom::Box2 box_; // of all curves
+    std::optional<geom::Vec3> at_;
     std::uint32_t stroke_ = 0;
 };
 
 // The closed curve as an open line from where the axis of its points leaves it, moved on by `shift` mm, around to the
 // same point; a bead's width for each point.
-Bead from_axis(const toolpath::Curve& curve, double shift);
+link3d::Bead from_axis(const toolpath::Curve& curve, double shift);
 
-} // namespace filum::link3d
+} // namespace filum::baselines::sun2019

@@ -1,21 +1,20 @@
-#include "fill/sun2019.hpp"
+#include "baselines/sun2019/spiral.hpp"
 
-#include "fill/sun2019_graph.hpp"
-#include "pattern_check.hpp"
+#include "../../fill/pattern_check.hpp"
+#include "baselines/sun2019/contour_graph.hpp"
 
 #include <algorithm>
 
-namespace filum::fill {
+namespace filum::baselines::sun2019 {
 namespace {
 
 using namespace test;
-using sun::Edge;
 
 TEST(Sun2019, AdjacencyIsTheLeastDistanceOfVertices) {
     for (unsigned seed = 0; seed < 6; ++seed)
         for (const auto& region : random_regions(seed)) {
-            const auto rings = sun::contours(region, {});
-            const auto edges = sun::adjacency(rings, 0.6);
+            const auto rings = contours(region, {});
+            const auto edges = adjacency(rings, 0.6);
             std::size_t next = 0;
             for (std::size_t a = 0; a < rings.size(); ++a)
                 for (std::size_t b = a + 1; b < rings.size(); ++b) {
@@ -62,14 +61,14 @@ TEST(Sun2019, ReverseDeleteKeepsWhatHoldsTheGraphTogether) {
             fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
             if (pieces(n, fewer) == pieces(n, edges)) expected = std::move(fewer);
         }
-        const auto kept = sun::reverse_delete(n, edges);
+        const auto kept = reverse_delete(n, edges);
         ASSERT_EQ(kept.size(), expected.size());
         for (std::size_t i = 0; i < kept.size(); ++i) {
             EXPECT_EQ(kept[i].a, expected[i].a);
             EXPECT_EQ(kept[i].b, expected[i].b);
         }
         std::size_t roots = 0, children = 0;
-        for (const auto& node : sun::tree(n, edges)) {
+        for (const auto& node : tree(n, edges)) {
             roots += node.parent < 0 ? 1 : 0;
             children += node.children.size();
         }
@@ -81,7 +80,7 @@ TEST(Sun2019, ReverseDeleteKeepsWhatHoldsTheGraphTogether) {
 TEST(Sun2019, DiscIsOneSpiralWithoutCrossings) {
     Notes notes;
     const auto region = disc({0, 0}, 6);
-    const auto curves = sun2019(region, {}, notes);
+    const auto curves = spiral(region, {}, notes);
     ASSERT_EQ(curves.size(), 1U);
     EXPECT_FALSE(curves[0].closed);
     EXPECT_EQ(crossings(curves), 0U);
@@ -93,12 +92,12 @@ TEST(Sun2019, DiscIsOneSpiralWithoutCrossings) {
 
 TEST(Sun2019, StartsOnTheMainAxis) {
     Notes notes;
-    const auto along_x = sun2019(rectangle(0, 0, 20, 4), {}, notes).at(0).points.front();
+    const auto along_x = spiral(rectangle(0, 0, 20, 4), {}, notes).at(0).points.front();
     EXPECT_GT(along_x.x, 19);
     EXPECT_NEAR(along_x.y, 2, 0.6);
-    const auto along_y = sun2019(rectangle(0, 0, 4, 20), {}, notes).at(0).points.front();
+    const auto along_y = spiral(rectangle(0, 0, 4, 20), {}, notes).at(0).points.front();
     EXPECT_GT(along_y.y, 19);
-    const auto shifted = sun2019(rectangle(0, 0, 20, 4), {.start_shift = 5}, notes).at(0).points.front();
+    const auto shifted = spiral(rectangle(0, 0, 20, 4), {.start_shift = 5}, notes).at(0).points.front();
     EXPECT_GT(geom::distance(along_x, shifted), 3);
 }
 
@@ -106,30 +105,30 @@ TEST(Sun2019, EveryContourIsInTheCurves) {
     for (unsigned seed = 0; seed < 20; ++seed)
         for (const auto& region : random_regions(seed)) {
             Notes notes;
-            const auto curves = sun2019(region, {}, notes);
+            const auto curves = spiral(region, {}, notes);
             expect_sound(curves);
             double rings = 0, links = 0;
-            const auto contours = sun::contours(region, {});
-            for (const auto& c : contours) rings += polygon::perimeter(c);
+            const auto all = contours(region, {});
+            for (const auto& c : all) rings += polygon::perimeter(c);
             for (const auto& c : curves) links += length_of(c);
             // each contour gives up about one offset and gets links of a few
-            EXPECT_NEAR(links, rings, 4 * 0.4 * static_cast<double>(contours.size()) + 0.4) << seed;
+            EXPECT_NEAR(links, rings, 4 * 0.4 * static_cast<double>(all.size()) + 0.4) << seed;
         }
 }
 
 TEST(Sun2019, IsRepeatable) {
     Notes notes;
     for (const auto& region : random_regions(9))
-        EXPECT_TRUE(same(sun2019(region, {}, notes), sun2019(region, {}, notes)));
+        EXPECT_TRUE(same(spiral(region, {}, notes), spiral(region, {}, notes)));
 }
 
 TEST(Sun2019, TakesWhateverIsTooSmall) {
     for (const double size : {0.002, 0.05, 0.3, 0.401, 0.41, 0.79}) {
         Notes notes;
-        expect_sound(sun2019(rectangle(0, 0, size, size), {}, notes));
-        expect_sound(sun2019(rectangle(0, 0, 10, size), {}, notes));
+        expect_sound(spiral(rectangle(0, 0, size, size), {}, notes));
+        expect_sound(spiral(rectangle(0, 0, 10, size), {}, notes));
     }
 }
 
 } // namespace
-} // namespace filum::fill
+} // namespace filum::baselines::sun2019

@@ -1,11 +1,16 @@
-#include "link3d/sun2019.hpp"
+#include "baselines/sun2019/link.hpp"
 
 #include "geom/principal_axis.hpp"
 
 #include <cmath>
 
-namespace filum::link3d {
+namespace filum::baselines::sun2019 {
 
+using geom::length;
+using geom::Vec2;
+using geom::Vec3;
+using link3d::Bead;
+using link3d::Place;
 using toolpath::Role;
 
 namespace {
@@ -38,18 +43,18 @@ Place moved(const toolpath::Curve& curve, Place place, double shift) {
 Bead from_axis(const toolpath::Curve& curve, double shift) {
     const std::vector<toolpath::Curve> one{curve};
     const auto out = geom::leaves(geom::principal_axis(curve.points), curve.points);
-    const auto start = SegmentIndex(one).nearest(out ? *out : curve.points.front());
-    return cut(curve, moved(curve, *start, shift), false, 0);
+    const auto start = link3d::SegmentIndex(one).nearest(out ? *out : curve.points.front());
+    return link3d::cut(curve, moved(curve, *start, shift), false, 0);
 }
 
-void Sun2019Linker::finish(const Linker::Emit& emit, Notes& /*none*/) {
+void Linker::finish(const link3d::Linker::Emit& emit, Notes& /*none*/) {
     for (const auto& r : regions_)
         for (const auto& c : r.curves)
             for (const Vec2 p : c.points) box_.add(p);
     for (const auto& r : regions_) {
         bool first = true;
         for (const auto& c : r.curves) {
-            const Bead bead = c.closed ? from_axis(c, options_.start_shift * r.layer) : run(c, false);
+            const Bead bead = c.closed ? from_axis(c, options_.start_shift * r.layer) : link3d::run(c, false);
             reach(r, first, bead.points.front(), emit);
             std::vector<Vec3> points;
             for (const Vec2 p : bead.points) points.push_back({p.x, p.y, r.z});
@@ -60,13 +65,13 @@ void Sun2019Linker::finish(const Linker::Emit& emit, Notes& /*none*/) {
 }
 
 // Gets the nozzle to the start of a curve of r, the region's first or another.
-void Sun2019Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start, const Linker::Emit& emit) {
+void Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start, const link3d::Linker::Emit& emit) {
     const Vec3 to{start.x, start.y, r.z};
     if (!at_) {
         at_ = to, ++counts_.strokes;
         return;
     }
-    const double width = mean_width(r.curves.front());
+    const double width = link3d::mean_width(r.curves.front());
     if (!first) {
         ++counts_.breaks, ++counts_.strokes, ++stroke_;
         counts_.travel_length += geom::distance(*at_, to);
@@ -79,19 +84,19 @@ void Sun2019Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start
         go(r, Role::lift, std::move(way), {width}, emit);
     } else {
         const auto unchecked = [](Vec3, Vec3) { return true; };
-        auto way = around(box_, kMargin * width, *at_, to, unchecked, unchecked);
+        auto way = link3d::around(box_, kMargin * width, *at_, to, unchecked, unchecked);
         ++counts_.connectors;
         counts_.connector_length += length(*way);
         go(r, Role::connector, std::move(*way), {width}, emit);
     }
 }
 
-void Sun2019Linker::go(const toolpath::RegionPaths& r, Role role, std::vector<Vec3> points, std::vector<double> width,
-                       const Linker::Emit& emit) {
+void Linker::go(const toolpath::RegionPaths& r, Role role, std::vector<Vec3> points, std::vector<double> width,
+                const link3d::Linker::Emit& emit) {
     at_ = points.back();
     const bool extruding = toolpath::extrudes(role);
     emit(toolpath::Span{role, stroke_, r.layer, r.region, std::move(points), std::move(width),
                         extruding ? std::vector<double>{r.height} : std::vector<double>{}});
 }
 
-} // namespace filum::link3d
+} // namespace filum::baselines::sun2019

@@ -1,14 +1,17 @@
-#include "sequence/sun2019_order.hpp"
+#include "baselines/sun2019/order.hpp"
 
 #include "sequence/outline.hpp"
 
 #include <algorithm>
 #include <tuple>
 
-namespace filum::sequence {
+namespace filum::baselines::sun2019 {
 
-Order sun2019_order(std::span<const polygon::Region> regions) {
-    Order out;
+using sequence::Index;
+using sequence::Outline;
+
+sequence::Order order(std::span<const polygon::Region> regions) {
+    sequence::Order out;
     Outline last;
     for (std::size_t first = 0, end = 0; first < regions.size(); first = end) {
         while (end < regions.size() && regions[end].layer == regions[first].layer) ++end;
@@ -17,7 +20,8 @@ Order sun2019_order(std::span<const polygon::Region> regions) {
             Outline outline;
         };
         std::vector<Left> left;
-        for (std::size_t i = first; i < end; ++i) left.push_back({static_cast<Index>(i), outline(regions[i].loops)});
+        for (std::size_t i = first; i < end; ++i)
+            left.push_back({static_cast<Index>(i), sequence::outline(regions[i].loops)});
         while (!left.empty()) {
             const auto rank = [&](const Left& l) { // the lowest comes next
                 const double away = out.empty() ? 0 : distance(last, l.outline);
@@ -35,4 +39,4 @@ Order sun2019_order(std::span<const polygon::Region> regions) {
     return out;
 }
 
-} // namespace filum::sequence
+} // namespace filum::baselines::sun2019

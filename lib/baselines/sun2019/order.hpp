@@ -10,10 +10,10 @@
 
 #include "sequence/order.hpp"
 
-namespace filum::sequence {
+namespace filum::baselines::sun2019 {
 
 // The ids of `regions`, which come layer by layer with ids from 0 without gaps.  The distance is that of the areas,
 // seen from above.  Ties: the larger area, then the lower id.
-Order sun2019_order(std::span<const polygon::Region> regions);
+sequence::Order order(std::span<const polygon::Region> regions);
 
-} // namespace filum::sequence
+} // namespace filum::baselines::sun2019

@@ -1,18 +1,16 @@
-#include "fill/sun2019.hpp"
+#include "baselines/sun2019/spiral.hpp"
 
+#include "baselines/sun2019/contour_graph.hpp"
 #include "fill/inset.hpp"
-#include "fill/sun2019_graph.hpp"
 #include "geom/principal_axis.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace filum::fill {
+namespace filum::baselines::sun2019 {
 
 using geom::Vec2;
-using sun::Node;
-using sun::Ring;
 
 namespace {
 
@@ -144,13 +142,13 @@ std::size_t shifted(const Ring& ring, std::size_t at, double shift) {
 
 } // namespace
 
-std::vector<toolpath::Curve> sun2019(const polygon::Loops& region, const Sun2019Options& o, Notes& notes) {
+std::vector<toolpath::Curve> spiral(const polygon::Loops& region, const SpiralOptions& o, Notes& notes) {
     const double first = o.first * o.offset;
-    note_unplaced(region, inset(inset(region, first), -first), o.offset, notes);
-    const auto rings = sun::contours(region, o);
+    fill::note_unplaced(region, fill::inset(fill::inset(region, first), -first), o.offset, notes);
+    const auto rings = contours(region, o);
     std::vector<toolpath::Curve> out;
     if (rings.empty()) return out;
-    const auto nodes = sun::tree(rings.size(), sun::adjacency(rings, o.threshold * o.offset));
+    const auto nodes = tree(rings.size(), adjacency(rings, o.threshold * o.offset));
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (nodes[i].parent >= 0) continue;
         const std::size_t start = i == 0 ? shifted(rings[0], pca_start(rings), o.start_shift) : 0;
@@ -160,4 +158,14 @@ std::vector<toolpath::Curve> sun2019(const polygon::Loops& region, const Sun2019
     return out;
 }
 
-} // namespace filum::fill
+fill::Reuse filler(const SpiralOptions& options) {
+    const auto of_layer = [shift = options.start_shift](std::uint32_t layer) { return shift * layer; };
+    const auto lay = [options, of_layer](const polygon::Region& region, Notes& notes) {
+        SpiralOptions here = options;
+        here.start_shift = of_layer(region.layer);
+        return spiral(region.loops, here, notes);
+    };
+    return {[lay](const polygon::Region& region, Notes& notes) { return fill::fill_by(lay, region, notes); }, of_layer};
+}
+
+} // namespace filum::baselines::sun2019
