@@ -1,8 +1,9 @@
 # lib/LAYERS and cmds/*.cpp are the only lists: a folder named there becomes a library, a file here a command.
 # The library of lib/a/b is filum_a_b.
 
-# Folders of which each program takes what it needs: compiled as one file they would bring all they stand on.
-set(FILUM_APART baselines/sun2019)
+# Folders of which each program takes what it needs: compiled as one file they would bring all they stand on, such as
+# CGAL to every program that reads a stream.
+set(FILUM_APART baselines/sun2019 mesh surface)
 
 function(filum_libraries)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/LAYERS)
