@@ -37,8 +37,8 @@ constexpr const char* kDescription =
 
 cli::Spec spec(survey::Options& all) {
     using cli::Option;
-    metrics::Options& o = all.plane;
-    criteria::Options& c = all.curved;
+    metrics::planar::Options& o = all.plane;
+    metrics::surface::Options& c = all.curved;
     return {
         .name = "metrics",
         .synopsis = "measure a finished toolpath, or the curves of a fill",

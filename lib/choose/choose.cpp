@@ -49,11 +49,11 @@ Criteria lay(const Ground& ground, const Candidate& candidate) {
     Sheet sheet{ground.sheet.surface, {}, {}, sources(ground.sheet, ground.pull, candidate.seed)};
     surfpath::Options plan = ground.plan;
     plan.algorithm = candidate.algorithm;
-    criteria::Fibres fibres;
+    metrics::surface::Fibres fibres;
     surfpath::Laying laying;
     laying.width = plan.spacing;
     for (const auto& span : surfpath::spans(sheet.surface, surfpath::plan(sheet, plan), laying))
-        criteria::add(fibres, span);
+        metrics::surface::add(fibres, span);
     return measure(fibres, ground.sheet, plan.spacing, ground.stable);
 }
 

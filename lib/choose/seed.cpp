@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "criteria/load.hpp"
 #include "curve/walk.hpp"
+#include "metrics/surface/load.hpp"
 
 namespace filum::choose {
 
@@ -126,7 +126,7 @@ std::string spoken(const Seed& seed) {
 }
 
 std::vector<Vec3> pulls(const Sheet& sheet) {
-    const auto loads = criteria::load_cases(sheet);
+    const auto loads = metrics::surface::load_cases(sheet);
     std::vector<Vec3> out;
     if (loads.empty()) return out;
     const auto normals = curve::vertex_normals(sheet.surface);

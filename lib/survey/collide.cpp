@@ -42,7 +42,7 @@ void program(const CollideOptions& o, const machine::Profile& profile, const cli
     report.say();
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
     stream::Sink sink(io.output, stream::Sink::Content::text);
-    sink.write(figures::text(figures, figures::format_named(o.format)));
+    sink.write(metrics::figures::text(figures, metrics::figures::format_named(o.format)));
     sink.commit();
 }
 

@@ -1,6 +1,6 @@
 #include "survey/parts.hpp"
 
-#include "figures/said.hpp"
+#include "metrics/figures/said.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -9,7 +9,7 @@ namespace filum::survey {
 namespace {
 
 // Options that speak of layers.
-void refuse(const metrics::Options& o) {
+void refuse(const metrics::planar::Options& o) {
     for (const auto& [name, given] : {std::pair{"--regions", !o.regions.empty()},
                                       {"--per-region", !o.per_region.empty()},
                                       {"--per-layer", !o.per_layer.empty()},
@@ -21,7 +21,7 @@ void refuse(const metrics::Options& o) {
 
 } // namespace
 
-figures::Figures curved(const Options& options, const cli::Io& io) {
+metrics::figures::Figures curved(const Options& options, const cli::Io& io) {
     refuse(options.plane);
     surface::Sheet sheet;
     std::size_t surfaces = 0;
@@ -30,10 +30,10 @@ figures::Figures curved(const Options& options, const cli::Io& io) {
     if (surfaces != 1)
         throw Error(Exit::bad_input, "cannot measure on '" + options.surface + "': it holds " +
                                          std::to_string(surfaces) + " surfaces, not one");
-    criteria::Fibres fibres;
+    metrics::surface::Fibres fibres;
     const auto path = cli::read_all(io.input, stream::Payload::toolpath,
-                                    [&](const stream::RawFrame& f) { criteria::add(fibres, wire::span(f)); });
-    auto found = criteria::measure(fibres, sheet, options.curved, !options.voids.empty(), io.threads);
+                                    [&](const stream::RawFrame& f) { metrics::surface::add(fibres, wire::span(f)); });
+    auto found = metrics::surface::measure(fibres, sheet, options.curved, !options.voids.empty(), io.threads);
     if (!options.voids.empty()) {
         if (!found.distance) throw Error(Exit::failure, "cannot write '" + options.voids + "': no path is laid");
         auto header = cli::header(io, stream::Payload::surface, {&ground.header, &path.header});
@@ -42,7 +42,7 @@ figures::Figures curved(const Options& options, const cli::Io& io) {
         voids.write(wire::frame(*found.distance));
         voids.close();
     }
-    figures::said_before(path.notes, path.facts, found.figures);
+    metrics::figures::said_before(path.notes, path.facts, found.figures);
     return std::move(found.figures);
 }
 

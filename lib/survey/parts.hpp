@@ -5,8 +5,8 @@
 
 namespace filum::survey {
 
-figures::Figures planar(const metrics::Options& options, const cli::Io& io);
+metrics::figures::Figures planar(const metrics::planar::Options& options, const cli::Io& io);
 
-figures::Figures curved(const Options& options, const cli::Io& io);
+metrics::figures::Figures curved(const Options& options, const cli::Io& io);
 
 } // namespace filum::survey

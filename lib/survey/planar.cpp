@@ -1,5 +1,5 @@
 #include "wire/planar.hpp"
-#include "metrics/pace.hpp"
+#include "metrics/planar/pace.hpp"
 #include "survey/parts.hpp"
 
 namespace filum::survey {
@@ -16,8 +16,8 @@ std::vector<polygon::Region> outlines(const std::string& file) {
 
 } // namespace
 
-figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
-    metrics::Options options = given;
+metrics::figures::Figures planar(const metrics::planar::Options& given, const cli::Io& io) {
+    metrics::planar::Options options = given;
     const auto profile = machine::load_profile(options.machine, options.set);
     if (profile.extrusion.feeding == machine::Feeding::filament) options.filament_diameter = profile.extrusion.diameter;
     if (profile.extrusion.density > 0) options.density = profile.extrusion.density;
@@ -25,15 +25,15 @@ figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
     if (options.pores && options.regions.empty())
         throw Error(Exit::usage, "cannot measure pores without outlines; name them by --regions");
     const auto regions = outlines(options.regions);
-    metrics::Input input;
-    metrics::Beads beads;
-    beads.marks = metrics::layer_marks(regions);
+    metrics::planar::Input input;
+    metrics::planar::Beads beads;
+    beads.marks = metrics::planar::layer_marks(regions);
     stream::Reader reader(io.input, stream::Payload::unknown);
     const auto payload = reader.header().payload;
     if (payload != stream::Payload::toolpath && payload != stream::Payload::paths)
         throw Error(Exit::bad_input, "cannot measure " + reader.name() + ": it carries " +
                                          std::string(stream::name(payload)) + ", not Toolpath or Paths");
-    metrics::Pace pace(profile);
+    metrics::planar::Pace pace(profile);
     input.whole_program = payload == stream::Payload::toolpath;
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note) input.notes.push_back(stream::parse_note(f->body));
@@ -41,21 +41,22 @@ figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
         if (f->tag == stream::Tag::paths) {
             const auto paths = wire::paths(*f);
             input.claimed_unplaced += paths.unplaced;
-            metrics::add(beads, paths);
+            metrics::planar::add(beads, paths);
         } else if (f->tag == stream::Tag::span) {
             const auto span = wire::span(*f);
-            metrics::add(beads, span);
-            metrics::follow(input.course, span);
+            metrics::planar::add(beads, span);
+            metrics::planar::follow(input.course, span);
             pace.add(span);
         }
     }
     input.seconds = pace.seconds();
     input.tools = pace.tools();
-    const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
-    if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);
-    auto measured = metrics::report(input, beads, regions, layers, options, io.threads);
-    if (!options.per_region.empty()) cli::write_text(options.per_region, metrics::region_table(layers));
-    if (!options.per_layer.empty()) cli::write_text(options.per_layer, metrics::layer_table(layers, input.pores));
+    const auto layers = metrics::planar::measure_layers(beads, regions, options.pixel, io.threads);
+    if (options.pores) input.pores = metrics::planar::measure_pores(beads, regions, layers, io.threads);
+    auto measured = metrics::planar::report(input, beads, regions, layers, options, io.threads);
+    if (!options.per_region.empty()) cli::write_text(options.per_region, metrics::planar::region_table(layers));
+    if (!options.per_layer.empty())
+        cli::write_text(options.per_layer, metrics::planar::layer_table(layers, input.pores));
     return measured;
 }
 

@@ -13,7 +13,7 @@ void run(const Options& options, const cli::Io& io) {
             throw Error(Exit::usage,
                         "cannot use '" + std::string(name) + "' without the surface; name it by --surface");
     const auto figures = options.surface.empty() ? planar(options.plane, io) : curved(options, io);
-    cli::write_text(io.output, figures::text(figures, figures::format_named(options.plane.format)));
+    cli::write_text(io.output, metrics::figures::text(figures, metrics::figures::format_named(options.plane.format)));
 }
 
 } // namespace filum::survey

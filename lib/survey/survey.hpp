@@ -2,15 +2,15 @@
 #pragma once
 
 #include "cli/command.hpp"
-#include "criteria/report.hpp"
-#include "metrics/report.hpp"
+#include "metrics/planar/report.hpp"
+#include "metrics/surface/report.hpp"
 
 namespace filum::survey {
 
 struct Options {
-    metrics::Options plane;     // of layers
-    criteria::Options curved;   // of paths on a surface
-    std::string surface, voids; // files
+    metrics::planar::Options plane;   // of layers
+    metrics::surface::Options curved; // of paths on a surface
+    std::string surface, voids;       // files
 };
 
 // Measures the input, and writes all tables that are asked for.  With `surface` the input is a path on it, and what
