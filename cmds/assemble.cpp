@@ -2,9 +2,9 @@
 // reads:  Toolpath streams
 // writes: Toolpath
 // memory: one toolpath
-#include "assemble/assemble.hpp"
 #include "cli/command.hpp"
 #include "mesh/place.hpp"
+#include "toolpath/assembly.hpp"
 #include "wire/planar.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr const char* kDescription =
     "turned.";
 
 struct Options {
-    assemble::Options job;
+    toolpath::AssemblyOptions job;
     std::vector<double> rotate_deg{0, 0, 0}, translate{0, 0, 0}; // mm
 };
 
@@ -67,9 +67,9 @@ void run(const Options& o, const cli::Io& io) {
         before.push_back(&readers.back()->header());
     }
     stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, before));
-    assemble::Options options = o.job;
+    toolpath::AssemblyOptions options = o.job;
     options.place = mesh::rigid(o.rotate_deg, o.translate);
-    assemble::Job job(options);
+    toolpath::Assembly job(options);
     for (const auto& reader : readers) {
         job.begin();
         while (auto frame = reader->next()) {

@@ -1,8 +1,8 @@
-#include "assemble/assemble.hpp"
+#include "toolpath/assembly.hpp"
 
 #include <algorithm>
 
-namespace filum::assemble {
+namespace filum::toolpath {
 
 using geom::Vec3;
 
@@ -11,25 +11,25 @@ namespace {
 const Vec3 kUp{0, 0, 1};
 
 // Flat spans stay without axes as long as the tool stays upright.
-void place(toolpath::Span& span, const mesh::Affine& map) {
-    mesh::Affine turn = map;
+void place(Span& span, const geom::Affine& map) {
+    geom::Affine turn = map;
     std::fill(std::begin(turn.t), std::end(turn.t), 0);
     if (span.normals.empty() && turn(kUp) != kUp) span.normals.assign(span.points.size(), kUp);
     for (Vec3& p : span.points) p = map(p);
     for (Vec3& n : span.normals) n = turn(n);
 }
 
-Vec3 axis(const toolpath::Span& span, std::size_t i) { return span.normals.empty() ? kUp : span.normals[i]; }
+Vec3 axis(const Span& span, std::size_t i) { return span.normals.empty() ? kUp : span.normals[i]; }
 
 } // namespace
 
-void Job::begin() {
+void Assembly::begin() {
     first_ = next_, fresh_ = true;
     ++begun_count_;
 }
 
-toolpath::Span Job::travel(const toolpath::Span& to) const {
-    toolpath::Span out{toolpath::Role::travel, to.stroke, to.layer, to.region, {}, {}, {}, {}, to.tool};
+Span Assembly::travel(const Span& to) const {
+    Span out{Role::travel, to.stroke, to.layer, to.region, {}, {}, {}, {}, to.tool};
     const Vec3 end = to.points.front(), end_axis = axis(to, 0);
     const Vec3 from = at_ + o_.lift * axis_, into = end + o_.lift * end_axis;
     if (axis_ == kUp && end_axis == kUp) {
@@ -42,8 +42,8 @@ toolpath::Span Job::travel(const toolpath::Span& to) const {
     return out;
 }
 
-std::vector<toolpath::Span> Job::add(toolpath::Span span) {
-    std::vector<toolpath::Span> out;
+std::vector<Span> Assembly::add(Span span) {
+    std::vector<Span> out;
     span.stroke += first_;
     next_ = std::max(next_, span.stroke + 1);
     if (!o_.tools.empty())
@@ -54,9 +54,9 @@ std::vector<toolpath::Span> Job::add(toolpath::Span span) {
     fresh_ = false, begun_ = true;
     at_ = span.points.back(), axis_ = axis(span, span.points.size() - 1);
     for (const Vec3& p : span.points)
-        if (toolpath::extrudes(span.role)) top_ = std::max(top_, p.z);
+        if (extrudes(span.role)) top_ = std::max(top_, p.z);
     out.push_back(std::move(span));
     return out;
 }
 
-} // namespace filum::assemble
+} // namespace filum::toolpath

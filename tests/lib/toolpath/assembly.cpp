@@ -1,21 +1,19 @@
 // Toolpaths one behind the other.
-#include "assemble/assemble.hpp"
+#include "toolpath/assembly.hpp"
 
 #include "mesh/place.hpp"
 
 #include <gtest/gtest.h>
 
-namespace filum::assemble {
+namespace filum::toolpath {
 namespace {
 
 using geom::Vec3;
-using toolpath::Role;
-using toolpath::Span;
 
 Span bead(std::uint32_t stroke, Vec3 a, Vec3 b) { return {Role::bead, stroke, 0, 0, {a, b}, {1}, {0.2}, {}}; }
 
-TEST(assemble, numbers_strokes_on_and_travels_along_both_axes) {
-    Job job({.lift = 4});
+TEST(assembly, numbers_strokes_on_and_travels_along_both_axes) {
+    Assembly job({.lift = 4});
     job.begin();
     EXPECT_EQ(job.add(bead(0, {0, 0, 1}, {10, 0, 1})).size(), 1U);
     EXPECT_EQ(job.add(bead(2, {10, 0, 1}, {20, 0, 1}))[0].stroke, 2U);
@@ -36,8 +34,8 @@ TEST(assemble, numbers_strokes_on_and_travels_along_both_axes) {
     EXPECT_EQ(job.add(bead(1, {0, 40, 5}, {0, 50, 5}))[0].stroke, 4U);
 }
 
-TEST(assemble, stays_level_between_upright_toolpaths) {
-    Job job({.lift = 4});
+TEST(assembly, stays_level_between_upright_toolpaths) {
+    Assembly job({.lift = 4});
     job.begin();
     job.add(bead(0, {0, 0, 1}, {10, 0, 1}));
     job.begin();
@@ -47,8 +45,8 @@ TEST(assemble, stays_level_between_upright_toolpaths) {
     EXPECT_TRUE(out[0].normals.empty());
 }
 
-TEST(assemble, goes_from_side_to_side_above_all_that_was_laid) {
-    Job job({.lift = 4});
+TEST(assembly, goes_from_side_to_side_above_all_that_was_laid) {
+    Assembly job({.lift = 4});
     job.begin();
     job.add(bead(0, {0, 0, 1}, {10, 0, 50})); // a core, 50 high
     for (const double side : {1.0, -1.0}) {
@@ -68,8 +66,8 @@ TEST(assemble, goes_from_side_to_side_above_all_that_was_laid) {
     }
 }
 
-TEST(assemble, places_what_it_takes) {
-    Job job({.place = mesh::rigid({90, 0, 0}, {1, 2, 3})}); // y becomes z
+TEST(assembly, places_what_it_takes) {
+    Assembly job({.place = mesh::rigid({90, 0, 0}, {1, 2, 3})}); // y becomes z
     job.begin();
     Span patch = bead(0, {0, 10, 0}, {5, 10, 0});
     patch.normals = {{0, 1, 0}, {0, 1, 0}};
@@ -78,13 +76,13 @@ TEST(assemble, places_what_it_takes) {
     EXPECT_EQ(turned.normals, (std::vector<Vec3>(2, {0, 0, 1})));
     const auto flat = job.add(bead(1, {0, 0, 1}, {5, 0, 1})).back();
     EXPECT_EQ(flat.normals, (std::vector<Vec3>(2, {0, -1, 0})));
-    Job moved({.place = mesh::rigid({0, 0, 0}, {1, 2, 3.3})});
+    Assembly moved({.place = mesh::rigid({0, 0, 0}, {1, 2, 3.3})});
     moved.begin();
     EXPECT_TRUE(moved.add(bead(1, {0, 0, 1}, {5, 0, 1}))[0].normals.empty()) << "moved only, it stays upright";
 }
 
-TEST(assemble, gives_each_toolpath_its_tool) {
-    Job job({.lift = 4, .tools = {0, 2}});
+TEST(assembly, gives_each_toolpath_its_tool) {
+    Assembly job({.lift = 4, .tools = {0, 2}});
     std::vector<std::uint32_t> beads, travels;
     for (int k = 0; k < 3; ++k) {
         job.begin();
@@ -94,7 +92,7 @@ TEST(assemble, gives_each_toolpath_its_tool) {
     }
     EXPECT_EQ(beads, (std::vector<std::uint32_t>{0, 2, 2}));
     EXPECT_EQ(travels, (std::vector<std::uint32_t>{2, 2})); // each that of the bead behind it
-    Job own({.lift = 4});
+    Assembly own({.lift = 4});
     own.begin();
     Span span = bead(0, {0, 0, 1}, {10, 0, 1});
     span.tool = 7;
@@ -102,4 +100,4 @@ TEST(assemble, gives_each_toolpath_its_tool) {
 }
 
 } // namespace
-} // namespace filum::assemble
+} // namespace filum::toolpath

@@ -1,25 +1,25 @@
 // Several toolpaths as one.
 #pragma once
 
-#include "mesh/affine.hpp"
+#include "geom/affine.hpp"
 #include "toolpath/path.hpp"
 
 #include <limits>
 #include <vector>
 
-namespace filum::assemble {
+namespace filum::toolpath {
 
-struct Options {
+struct AssemblyOptions {
     double lift = 5; // mm: along the tool axis, of travels from one toolpath to the next, and above all laid before
     // Tool of each toolpath in turn, the last one also of all that follow; none: they keep their own.
     std::vector<double> tools{};
-    mesh::Affine place{}; // of everything; keeps lengths and angles
+    geom::Affine place{}; // of everything; keeps lengths and angles
 };
 
 // Takes the spans of toolpaths in their order and gives back those of the job.
-class Job {
+class Assembly {
   public:
-    explicit Job(const Options& options) : o_(options) {}
+    explicit Assembly(const AssemblyOptions& options) : o_(options) {}
 
     // The next toolpath begins.
     void begin();
@@ -28,12 +28,12 @@ class Job {
     // travel from where the last one ended: up along the tool axis there, across, and down along the axis here.  Where
     // one of the axes is not upright, across means: upright above all that was laid so far, for between two sides of a
     // part the part itself stands in the way.
-    std::vector<toolpath::Span> add(toolpath::Span span);
+    std::vector<Span> add(Span span);
 
   private:
-    [[nodiscard]] toolpath::Span travel(const toolpath::Span& to) const;
+    [[nodiscard]] Span travel(const Span& to) const;
 
-    Options o_;
+    AssemblyOptions o_;
     std::size_t begun_count_ = 0;        // toolpaths
     std::uint32_t first_ = 0, next_ = 0; // strokes: of this toolpath, and behind the greatest
     bool fresh_ = false, begun_ = false;
@@ -41,4 +41,4 @@ class Job {
     double top_ = -std::numeric_limits<double>::infinity(); // mm: of all so far
 };
 
-} // namespace filum::assemble
+} // namespace filum::toolpath

@@ -1,9 +1,9 @@
 // Affine maps of space.
 #pragma once
 
-#include "mesh/mesh.hpp"
+#include "geom/vec.hpp"
 
-namespace filum::mesh {
+namespace filum::geom {
 
 // Row vectors, as 3MF has it: p' = p * a + t.
 struct Affine {
@@ -35,4 +35,4 @@ inline Affine then(const Affine& inner, const Affine& outer) {
     return out;
 }
 
-} // namespace filum::mesh
+} // namespace filum::geom
