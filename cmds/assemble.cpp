@@ -2,7 +2,7 @@
 // reads:  Toolpath streams
 // writes: Toolpath
 // memory: one toolpath
-#include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "mesh/place.hpp"
 #include "toolpath/assembly.hpp"
 #include "wire/planar.hpp"
@@ -66,7 +66,7 @@ void run(const Options& o, const cli::Io& io) {
         readers.push_back(std::make_unique<stream::Reader>(name, stream::Payload::toolpath));
         before.push_back(&readers.back()->header());
     }
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, before));
+    cli::Output output(io, cli::header(io, stream::Payload::toolpath, before));
     toolpath::AssemblyOptions options = o.job;
     options.place = mesh::rigid(o.rotate_deg, o.translate);
     toolpath::Assembly job(options);
@@ -74,13 +74,13 @@ void run(const Options& o, const cli::Io& io) {
         job.begin();
         while (auto frame = reader->next()) {
             if (frame->tag != stream::Tag::span) {
-                writer.write(*frame);
+                output.write(*frame);
                 continue;
             }
-            for (const auto& span : job.add(wire::span(*frame))) writer.write(wire::frame(span));
+            for (const auto& span : job.add(wire::span(*frame))) output.write(wire::frame(span));
         }
     }
-    writer.close();
+    output.close();
 }
 
 } // namespace

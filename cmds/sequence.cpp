@@ -5,8 +5,8 @@
 #include "sequence/sequence.hpp"
 #include "base/number.hpp"
 #include "baselines/sun2019/order.hpp"
-#include "cli/command.hpp"
 #include "cli/head_options.hpp"
+#include "cli/output.hpp"
 #include "machine/head.hpp"
 #include "sequence/budget.hpp"
 #include "wire/planar.hpp"
@@ -82,13 +82,11 @@ void run(const Options& o, const cli::Io& given) {
     auto result = sequence::sequence(std::move(regions), options);
 
     whole.header.expected = frames.size();
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::regions, {&whole.header}));
-    for (const auto& note : whole.notes) writer.write(note);
-    for (const auto& fact : whole.facts) writer.write(fact);
-    for (const auto& fact : result.facts) {
-        writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-        if (o.report) io.say(fact.name + " " + fixed_text(fact.value, 4));
-    }
+    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
+    output.pass_on(whole);
+    output.add(result.facts);
+    if (o.report)
+        for (const auto& fact : result.facts) io.say(fact.name + " " + fixed_text(fact.value, 4));
     if (o.report) io.say("bound-by " + result.bound_by);
     if (!o.ends.empty()) {
         stream::Sink table(o.ends, stream::Sink::Content::text);
@@ -100,9 +98,9 @@ void run(const Options& o, const cli::Io& given) {
         auto region = wire::region(frame);
         region.stroke = result.stroke[i];
         region.join = result.join[i];
-        writer.write(wire::frame(region));
+        output.write(wire::frame(region));
     }
-    writer.close();
+    output.close();
 }
 
 } // namespace

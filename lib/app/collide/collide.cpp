@@ -1,6 +1,7 @@
 #include "app/collide/collide.hpp"
 
 #include "app/collide/things.hpp"
+#include "cli/output.hpp"
 #include "collision/report.hpp"
 #include "mesh/read.hpp"
 #include "stream/spool.hpp"
@@ -67,17 +68,12 @@ void toolpath(const Options& o, const collision::Machine& machine, const cli::Io
     const collision::Answer answer{moves, found, o.check, collision::Source::point};
     write_places(o.places, answer);
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
-    for (const Note& note : collision::notes(answer)) t.notes.push_back(note);
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, {&reader.header()}));
-    cli::Report report(io);
-    for (Note& note : t.notes) {
-        note.stage = io.program;
-        writer.write(note), report.add(note);
-    }
-    for (const Fact& fact : collision::facts(answer)) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-    while (const auto frame = spool.next()) writer.write(*frame);
-    writer.close();
-    report.say();
+    cli::Output output(io, cli::header(io, stream::Payload::toolpath, {&reader.header()}));
+    output.add(t.notes);
+    output.add(collision::notes(answer));
+    output.add(collision::facts(answer));
+    while (const auto frame = spool.next()) output.write(*frame);
+    output.close();
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 #include "app/geodesic/model.hpp"
 
 #include "base/error.hpp"
+#include "cli/output.hpp"
 #include "stream/crc32c.hpp"
 #include "stream/reader.hpp"
-#include "stream/writer.hpp"
 #include "wire/surface.hpp"
 
 #include <algorithm>
@@ -69,23 +69,15 @@ Model read(const mesh::Placement& place, cli::Io& self, const mesh::step::Tessel
 void write(const Model& model, const Facts& facts, const cli::Io& self) {
     auto header = cli::header(self, stream::Payload::surface, {&model.before.header});
     header.expected = 1;
-    stream::Writer writer(self.output, header);
-    cli::Report report(self);
-    for (const Note& note : model.before.notes) writer.write(note);
-    for (const Fact& old : model.before.facts) {
-        const bool again = old.stage == self.program &&
-                           std::any_of(facts.begin(), facts.end(), [&](const Fact& f) { return f.name == old.name; });
-        if (!again) writer.write(old);
-    }
-    for (Note note : model.notes) {
-        note.stage = self.program;
-        writer.write(note);
-        report.add(note);
-    }
-    for (const Fact& fact : facts) writer.write(Fact{self.program, fact.name, fact.value, fact.unit});
-    writer.write(wire::frame(model.sheet));
-    writer.close();
-    report.say();
+    cli::Output output(self, header);
+    output.pass_on(model.before, [&](const Fact& old) {
+        const auto same = [&](const Fact& f) { return f.name == old.name; };
+        return old.stage != self.program || std::none_of(facts.begin(), facts.end(), same);
+    });
+    output.add(model.notes);
+    output.add(facts);
+    output.write(wire::frame(model.sheet));
+    output.close();
 }
 
 } // namespace filum::app::geodesic

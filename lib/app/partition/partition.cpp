@@ -1,12 +1,32 @@
 #include "app/partition/partition.hpp"
 
 #include "app/geodesic/model.hpp"
-#include "app/partition/patches.hpp"
+#include "cli/output.hpp"
 #include "geodesic/lines.hpp"
 #include "partition/names.hpp"
 #include "wire/surface.hpp"
 
 namespace filum::app::partition {
+
+namespace {
+
+// The patches behind what the streams told that they come from, but for facts of this program: they speak of what was
+// before.
+void write(const std::vector<cli::Whole>& before, const std::vector<surface::Sheet>& patches, const Notes& notes,
+           const Facts& facts, const cli::Io& self) {
+    std::vector<const stream::Header*> headers;
+    for (const auto& b : before) headers.push_back(&b.header);
+    auto header = cli::header(self, stream::Payload::surface, headers);
+    header.expected = patches.size();
+    cli::Output output(self, header);
+    for (const auto& b : before) output.pass_on(b, [&](const Fact& fact) { return fact.stage != self.program; });
+    output.add(notes);
+    output.add(facts);
+    for (const auto& p : patches) output.write(wire::frame(p));
+    output.close();
+}
+
+} // namespace
 
 void run(const Options& o, const cli::Io& io) {
     filum::partition::Options how = o.how;

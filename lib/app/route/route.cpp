@@ -2,6 +2,7 @@
 
 #include "app/collide/things.hpp"
 #include "base/number.hpp"
+#include "cli/output.hpp"
 #include "collision/report.hpp"
 #include "geom/angle.hpp"
 #include "route/job.hpp"
@@ -43,17 +44,6 @@ Facts facts(const filum::route::Job& job) {
     return out;
 }
 
-// Before any payload frame: what this run found out.
-void say(stream::Writer& writer, const cli::Io& io, const Notes& notes, const Facts& all) {
-    cli::Report report(io);
-    for (Note note : notes) {
-        note.stage = io.program;
-        writer.write(note), report.add(note);
-    }
-    for (const Fact& fact : all) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-    report.say();
-}
-
 } // namespace
 
 void run(const Options& o, const cli::Io& given) {
@@ -84,15 +74,14 @@ void run(const Options& o, const cli::Io& given) {
     collide::write_places(o.places, answer);
     write_leaning(o.leaning, job.leaning);
     if (!job.found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, {&reader.header()}));
-    Notes notes = std::move(things.notes);
-    for (const Note& note : collision::notes(answer)) notes.push_back(note);
-    Facts all = facts(job);
-    for (const Fact& fact : collision::facts(answer)) all.push_back(fact);
-    say(writer, io, notes, all);
-    for (const auto& frame : remarks) writer.write(frame);
-    for (const auto& span : job.spans) writer.write(wire::frame(span));
-    writer.close();
+    cli::Output output(io, cli::header(io, stream::Payload::toolpath, {&reader.header()}));
+    output.add(things.notes);
+    output.add(collision::notes(answer));
+    output.add(facts(job));
+    output.add(collision::facts(answer));
+    for (const auto& frame : remarks) output.write(frame);
+    for (const auto& span : job.spans) output.write(wire::frame(span));
+    output.close();
 }
 
 } // namespace filum::app::route
