@@ -53,7 +53,7 @@ std::string records(const std::vector<Record>& all) {
 
 std::string table_members(const Table& table) {
     std::string out = "{";
-    for (const auto& [name, values] : table) member(out, name, numbers(values));
+    for (const auto& column : table) member(out, column.name, numbers(column.values));
     return out + "}";
 }
 
@@ -62,13 +62,13 @@ std::string table_members(const Table& table) {
 std::string json(const Record& record) {
     std::string out = "{";
     member(out, "kind", quoted(record.kind));
-    for (const auto& [name, value] : record.fields) {
+    for (const auto& [name, unit, value] : record.entries) {
         if (const auto* v = std::get_if<double>(&value))
             member(out, name, number(*v));
         else if (const auto* i = std::get_if<std::int64_t>(&value))
             member(out, name, std::to_string(*i));
-        else if (const auto* s = std::get_if<std::string>(&value))
-            member(out, name, quoted(*s));
+        else if (const auto* word = std::get_if<Word>(&value))
+            member(out, name, quoted(word->text));
         else if (const auto* table = std::get_if<Table>(&value))
             member(out, name, table_members(*table));
         else

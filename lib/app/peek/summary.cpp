@@ -1,24 +1,23 @@
 #include "app/peek/summary.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace filum::app::peek {
 
 namespace {
 
-template <std::size_t N>
-bool among(const std::array<std::string_view, N>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
+// Those lie on what is told already: their areas and places would count again.
+bool counts_again(const Record& record) {
+    return record.kind == "overlap" || record.kind == "sources" || record.kind == "rim";
 }
 
-constexpr std::array<std::string_view, 6> kRanges{"x", "y", "z", "width", "height", "plane"};
-constexpr std::array<std::string_view, 3> kAreas{"area", "unplaced", "unsupported"};
-
-void add_number(Summary& s, const std::string& name, double v) {
-    if (among(kRanges, name)) s.ranges[name].add(v);
-    if (among(kAreas, name)) s.areas[name] += v;
+void add_table(Summary& s, const std::string& name, const Table& table) {
+    if (name == "points" && !table.empty()) s.points += table.front().values.size();
+    for (const auto& column : table) {
+        if (column.unit != "mm") continue;
+        Range& range = s.ranges[column.name];
+        for (const double v : column.values) range.add(v);
+    }
 }
 
 void add_index(Summary& s, const Record& record, const std::string& name, std::int64_t v) {
@@ -28,21 +27,17 @@ void add_index(Summary& s, const Record& record, const std::string& name, std::i
 
 void add_record(Summary& s, const Record& record) {
     ++s.records[record.kind];
-    if (record.kind == "overlap") return; // its area counts the same surface again
-    for (const auto& [name, value] : record.fields) {
-        if (const auto* number = std::get_if<double>(&value))
-            add_number(s, name, *number);
-        else if (const auto* index = std::get_if<std::int64_t>(&value))
+    if (counts_again(record)) return;
+    for (const auto& [name, unit, value] : record.entries) {
+        if (const auto* number = std::get_if<double>(&value)) {
+            if (unit == "mm") s.ranges[name].add(*number);
+            if (unit == "mm2") s.areas[name] += *number;
+        } else if (const auto* index = std::get_if<std::int64_t>(&value)) {
             add_index(s, record, name, *index);
-        else if (const auto* word = std::get_if<std::string>(&value)) {
-            if (name == "role" || name == "join") ++s.named[name + " " + *word];
+        } else if (const auto* word = std::get_if<Word>(&value)) {
+            if (word->named) ++s.named[name + " " + word->text];
         } else if (const auto* table = std::get_if<Table>(&value)) {
-            if (name == "points" && !table->empty()) s.points += table->front().second.size();
-            for (const auto& [column, numbers] : *table) {
-                if (!among(kRanges, column)) continue;
-                Range& range = s.ranges[column];
-                for (const double v : numbers) range.add(v);
-            }
+            add_table(s, name, *table);
         } else {
             for (const Record& inner : std::get<std::vector<Record>>(value)) add_record(s, inner);
         }

@@ -22,9 +22,9 @@ struct Range {
 struct Summary {
     std::map<std::string, std::uint64_t>
         records;                                // how many of each kind, nested ones included, notes and facts excluded
-    std::map<std::string, std::uint64_t> named; // how many with each value of `role` and `join`: "role bead"
+    std::map<std::string, std::uint64_t> named; // how many with each role, join and such: "role bead"
     std::map<std::string, double> areas;        // mm2, summed by name: "area", "unplaced"
-    std::map<std::string, Range> ranges;        // mm: x, y, z, width, height, plane
+    std::map<std::string, Range> ranges;        // mm, by name: x, y, z, width, height
     std::uint64_t points = 0;
     std::int64_t layers = 0, strokes = 0; // one more than the greatest index
     Facts facts;                          // as they come

@@ -16,12 +16,12 @@ void append_number(std::string& out, double v, int decimals) {
 }
 
 void append_table(std::string& out, const Table& table, const std::string& indent, int decimals) {
-    const std::size_t rows = table.empty() ? 0 : table.front().second.size();
+    const std::size_t rows = table.empty() ? 0 : table.front().values.size();
     for (std::size_t r = 0; r < rows; ++r) {
         out += indent;
         for (std::size_t c = 0; c < table.size(); ++c) {
             if (c > 0) out += ' ';
-            append_number(out, table[c].second[r], decimals);
+            append_number(out, table[c].values[r], decimals);
         }
         out += '\n';
     }
@@ -29,27 +29,27 @@ void append_table(std::string& out, const Table& table, const std::string& inden
 
 void append_record(std::string& out, const Record& record, const std::string& indent, int decimals) {
     out += indent + record.kind;
-    for (const auto& [name, value] : record.fields) {
+    for (const auto& [name, unit, value] : record.entries) {
         if (const auto* number = std::get_if<double>(&value)) {
             out += " " + name + " ";
             append_number(out, *number, decimals);
         } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
             out += " " + name + " " + std::to_string(*whole);
-        } else if (const auto* word = std::get_if<std::string>(&value)) {
-            const bool plain = word->find(' ') == std::string::npos && !word->empty();
-            out += " " + name + " " + (plain ? *word : "'" + *word + "'");
+        } else if (const auto* word = std::get_if<Word>(&value)) {
+            const bool plain = word->text.find(' ') == std::string::npos && !word->text.empty();
+            out += " " + name + " " + (plain ? word->text : "'" + word->text + "'");
         } else if (const auto* table = std::get_if<Table>(&value)) {
             out += " " + name;
-            for (const auto& column : *table) out += (&column == table->data() ? " " : ",") + column.first;
-            out += " " + std::to_string(table->empty() ? 0 : table->front().second.size());
+            for (const auto& column : *table) out += (&column == table->data() ? " " : ",") + column.name;
+            out += " " + std::to_string(table->empty() ? 0 : table->front().values.size());
         } else {
             out += " " + name + " " + std::to_string(std::get<std::vector<Record>>(value).size());
         }
     }
     out += '\n';
-    for (const auto& field : record.fields) {
-        if (const auto* table = std::get_if<Table>(&field.second)) append_table(out, *table, indent + "  ", decimals);
-        if (const auto* inner = std::get_if<std::vector<Record>>(&field.second))
+    for (const auto& entry : record.entries) {
+        if (const auto* table = std::get_if<Table>(&entry.value)) append_table(out, *table, indent + "  ", decimals);
+        if (const auto* inner = std::get_if<std::vector<Record>>(&entry.value))
             for (const Record& r : *inner) append_record(out, r, indent + "  ", decimals);
     }
 }
