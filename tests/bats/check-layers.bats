@@ -3,12 +3,13 @@
 setup() {
     check="$BATS_TEST_DIRNAME/../../scripts/check-layers"
     tree="$BATS_TEST_TMPDIR/tree"
-    mkdir -p "$tree"/lib/base "$tree"/lib/geom "$tree"/lib/cli "$tree"/cmds "$tree"/tests/lib/geom
+    mkdir -p "$tree"/lib/base "$tree"/lib/geom "$tree"/lib/cli "$tree"/cmds "$tree"/docs "$tree"/tests/lib/geom
     printf 'base:\ngeom: base\ncli: base\n' >"$tree/lib/LAYERS"
     printf '#pragma once\nnamespace filum {\n}\n' >"$tree/lib/base/error.hpp"
     printf '#pragma once\n#include "base/error.hpp"\n#include <vector>\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/vec.hpp"
     printf '#include "base/error.hpp"\n#include <CLI/CLI.hpp>\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/parse.cpp"
     printf '// cut - cuts\n// reads:  a\n// writes: b\n// memory: c\n#include "geom/vec.hpp"\n' >"$tree/cmds/cut.cpp"
+    echo 'Folders: `base`, `geom`, `cli`.' >"$tree/docs/architecture.md"
 }
 
 # The check fails, and one finding contains $1.
@@ -60,6 +61,7 @@ nest() {
     printf 'base:\ngeom: base\nmesh/text: base\nmesh/step: base mesh/text\ncli: base mesh/step\n' >"$tree/lib/LAYERS"
     printf '#pragma once\nnamespace filum::mesh::text {\n}\n' >"$tree/lib/mesh/text/text.hpp"
     printf '#include "mesh/text/text.hpp"\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/step/step.cpp"
+    echo 'And `mesh/step`, `mesh/text`.' >>"$tree/docs/architecture.md"
 }
 
 @test "folders within folders pass" {
@@ -171,7 +173,6 @@ nest() {
 }
 
 @test "a path of one machine" {
-    mkdir "$tree/docs"
     for path in work/main root/x home/me Users/me tmp/x; do
         printf 'see %s\n' "/$path" >"$tree/docs/a.md"
         finds "docs/a.md:1: names '/"
@@ -187,9 +188,24 @@ nest() {
 }
 
 @test "a link that leads nowhere" {
-    mkdir "$tree/docs"
     printf '[a](b.md) [c](../lib/LAYERS) [d](https://example.org/e)\n' >"$tree/docs/a.md"
     finds "docs/a.md:1: links to 'b.md'"
     echo x >"$tree/docs/b.md"
     "$check" "$tree"
+}
+
+@test "a folder that the page on architecture does not name" {
+    nest
+    "$check" "$tree"
+    sed -i 's/`mesh.step`/`mesh`, step/' "$tree/docs/architecture.md"
+    finds 'docs/architecture.md: does not name the folder `mesh/step`'
+    rm "$tree/docs/architecture.md"
+    finds 'docs/architecture.md: is missing'
+}
+
+@test "a page that names what is not in lib" {
+    echo 'See `lib/geom`, `lib/geom/vec.hpp`, `lib/NAME` and `lib/geom/NAME`.' >"$tree/docs/a.md"
+    "$check" "$tree"
+    echo 'See `lib/geom/box.hpp`.' >>"$tree/docs/a.md"
+    finds "docs/a.md:2: names 'lib/geom/box.hpp', which is not there"
 }

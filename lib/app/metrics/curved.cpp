@@ -1,5 +1,6 @@
 #include "app/metrics/parts.hpp"
 
+#include "cli/output.hpp"
 #include "metrics/figures/said.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
@@ -39,7 +40,9 @@ filum::metrics::figures::Figures curved(const Options& options, const cli::Io& i
         if (!found.distance) throw Error(Exit::failure, "cannot write '" + options.voids + "': no path is laid");
         auto header = cli::header(io, stream::Payload::surface, {&ground.header, &path.header});
         header.expected = 1;
-        stream::Writer voids(options.voids, header);
+        cli::Io there = io;
+        there.output = options.voids;
+        cli::Output voids(there, header);
         voids.write(wire::frame(*found.distance));
         voids.close();
     }
