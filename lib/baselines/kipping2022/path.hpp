@@ -3,7 +3,7 @@
 
 #include "baselines/kipping2022/contours.hpp"
 #include "baselines/kipping2022/options.hpp"
-#include "curve/locate.hpp"
+#include "surface/curve/locate.hpp"
 #include "surfpath/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
@@ -27,7 +27,7 @@ class Strokes {
     void lay(std::span<const Vec3> points, surfpath::Plan& to) const;
 
   private:
-    curve::Locator locator_;
+    surface::curve::Locator locator_;
     const Options& o_;
 };
 

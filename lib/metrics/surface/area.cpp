@@ -207,7 +207,7 @@ double paper_area_fraction(const Ground& ground, std::span<const Sample> samples
     sources.segments.resize(points.size());
     parallel::for_chunks(points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const curve::Place at = ground.fine_foot(points[i], {});
+            const filum::surface::curve::Place at = ground.fine_foot(points[i], {});
             sources.segments[i] = {at.triangle, at.point, at.point};
         }
     });

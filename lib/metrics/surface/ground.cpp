@@ -1,7 +1,7 @@
 #include "metrics/surface/ground.hpp"
 
-#include "curve/walk.hpp"
 #include "parallel/parallel.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 
@@ -15,18 +15,20 @@ constexpr double kOnRim = 1e-6;   // weight of a corner: what counts as on the s
 constexpr double kBeside = 0.05;  // of the bead: farther beside a rim is not on the surface
 constexpr double kInside = -1e-9; // weight of a corner: what counts as in the triangle
 
-curve::Place nearest(const curve::Locator& locator, const Vec3& p, const Vec3& axis, double farther) {
-    const curve::Place any = locator.nearest(p);
+filum::surface::curve::Place nearest(const filum::surface::curve::Locator& locator, const Vec3& p, const Vec3& axis,
+                                     double farther) {
+    const filum::surface::curve::Place any = locator.nearest(p);
     if (axis == Vec3{}) return any;
-    const curve::Place facing = locator.nearest(p, axis);
-    const bool near = facing.triangle != curve::kNone && distance(p, facing.point) <= distance(p, any.point) + farther;
+    const filum::surface::curve::Place facing = locator.nearest(p, axis);
+    const bool near = facing.triangle != filum::surface::curve::kNone &&
+                      distance(p, facing.point) <= distance(p, any.point) + farther;
     return near ? facing : any;
 }
 
-bool on_rim(const Surface& s, const curve::Place& at) {
-    const auto w = curve::barycentric(s, at);
+bool on_rim(const Surface& s, const filum::surface::curve::Place& at) {
+    const auto w = filum::surface::curve::barycentric(s, at);
     for (std::uint32_t k = 0; k < 3; ++k)
-        if (w[k] < kOnRim && s.twin[3 * at.triangle + (k + 1) % 3] == curve::kNone) return true;
+        if (w[k] < kOnRim && s.twin[3 * at.triangle + (k + 1) % 3] == filum::surface::curve::kNone) return true;
     return false;
 }
 
@@ -35,8 +37,8 @@ Vec3 axis_at(const Chain& c, std::size_t stretch, double t) {
     return norm(v) > 0.5 ? v : Vec3{};
 }
 
-bool inside(const Surface& s, const curve::Place& place) {
-    const auto w = curve::barycentric(s, place);
+bool inside(const Surface& s, const filum::surface::curve::Place& place) {
+    const auto w = filum::surface::curve::barycentric(s, place);
     return std::min({w[0], w[1], w[2]}) >= kInside;
 }
 
@@ -47,13 +49,14 @@ class Laying {
         : ground_(ground), surface_(ground.finer.surface), level_(level), out_(out) {}
 
     void stretch(const Chain& c, std::size_t i, double from, double to, int halvings = 0) {
-        const curve::Place a = place(c, i, from), b = place(c, i, to);
+        const filum::surface::curve::Place a = place(c, i, from), b = place(c, i, to);
         const Off a_off = off(c, i, from, a), b_off = off(c, i, to, b);
         if (a_off != Off::no && a_off == b_off) {
             (a_off == Off::beside ? out_.beside : out_.aloft) += (to - from) * (c.along[i + 1] - c.along[i]);
             return;
         }
-        const curve::Line way = a.triangle == b.triangle ? curve::Line{{a, b}, false} : curve::join(surface_, a, b);
+        const filum::surface::curve::Line way = a.triangle == b.triangle ? filum::surface::curve::Line{{a, b}, false}
+                                                                         : filum::surface::curve::join(surface_, a, b);
         const std::size_t n = way.places.size();
         const bool whole = n > 2 || a.triangle == b.triangle || inside(surface_, {a.triangle, b.point}) ||
                            inside(surface_, {b.triangle, a.point});
@@ -73,7 +76,7 @@ class Laying {
     }
 
   private:
-    [[nodiscard]] curve::Place place(const Chain& c, std::size_t i, double t) const {
+    [[nodiscard]] filum::surface::curve::Place place(const Chain& c, std::size_t i, double t) const {
         return ground_.fine_foot(at(c, i, t), axis_at(c, i, t));
     }
     static Vec3 at(const Chain& c, std::size_t i, double t) {
@@ -81,7 +84,7 @@ class Laying {
     }
     // Why a place of the path has no shadow, if it has none.
     enum class Off : std::uint8_t { no, beside, aloft };
-    [[nodiscard]] Off off(const Chain& c, std::size_t i, double t, const curve::Place& foot) const {
+    [[nodiscard]] Off off(const Chain& c, std::size_t i, double t, const filum::surface::curve::Place& foot) const {
         const Vec3 way = at(c, i, t) - foot.point, n = filum::surface::normal(surface_, foot.triangle);
         if (norm(way - dot(way, n) * n) > kBeside * c.width[i] && on_rim(surface_, foot)) return Off::beside;
         return norm(way) > level_ + c.width[i] / 2 ? Off::aloft : Off::no;
@@ -100,14 +103,18 @@ class Laying {
 } // namespace
 
 Ground::Ground(const Surface& s, double edge)
-    : surface(s), finer(metrics::surface::finer(s, edge)), normals_(curve::vertex_normals(s)), locator_(s),
-      fine_locator_(finer.surface), farther_(2 * edge) {}
+    : surface(s), finer(metrics::surface::finer(s, edge)), normals_(filum::surface::curve::vertex_normals(s)),
+      locator_(s), fine_locator_(finer.surface), farther_(2 * edge) {}
 
-curve::Place Ground::foot(const Vec3& p, const Vec3& axis) const { return nearest(locator_, p, axis, farther_); }
-curve::Place Ground::fine_foot(const Vec3& p, const Vec3& axis) const {
+filum::surface::curve::Place Ground::foot(const Vec3& p, const Vec3& axis) const {
+    return nearest(locator_, p, axis, farther_);
+}
+filum::surface::curve::Place Ground::fine_foot(const Vec3& p, const Vec3& axis) const {
     return nearest(fine_locator_, p, axis, farther_);
 }
-Vec3 Ground::normal(const curve::Place& place) const { return curve::normal_at(surface, normals_, place); }
+Vec3 Ground::normal(const filum::surface::curve::Place& place) const {
+    return filum::surface::curve::normal_at(surface, normals_, place);
+}
 
 std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double step, int threads) {
     std::vector<Sample> out;
@@ -149,7 +156,7 @@ Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
     parallel::for_chunks(fibres.chains.size(), 1, threads, [&](std::size_t k, std::size_t) {
         const Chain& c = fibres.chains[k];
         for (std::size_t i = 0; i < c.points.size(); ++i) {
-            const curve::Place at = ground.foot(c.points[i], c.axes[i]);
+            const filum::surface::curve::Place at = ground.foot(c.points[i], c.axes[i]);
             const double before = i > 0 ? c.along[i] - c.along[i - 1] : 0;
             const double after = i + 1 < c.points.size() ? c.along[i + 1] - c.along[i] : 0;
             out.normals[k].push_back(ground.normal(at));

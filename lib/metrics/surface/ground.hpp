@@ -1,9 +1,9 @@
 // The surface below a path, and where the path touches it.
 #pragma once
 
-#include "curve/locate.hpp"
 #include "metrics/surface/chains.hpp"
 #include "metrics/surface/finer.hpp"
+#include "surface/curve/locate.hpp"
 
 namespace filum::metrics::surface {
 
@@ -22,15 +22,15 @@ class Ground {
 
     // The place of the given surface (or of the finer one) nearest to `p`; if `axis` is not (0, 0, 0), among triangles
     // that face its way, unless those are more than two `edge` farther off: so a thin wall's skins are told apart.
-    [[nodiscard]] curve::Place foot(const Vec3& p, const Vec3& axis) const;
-    [[nodiscard]] curve::Place fine_foot(const Vec3& p, const Vec3& axis) const;
+    [[nodiscard]] filum::surface::curve::Place foot(const Vec3& p, const Vec3& axis) const;
+    [[nodiscard]] filum::surface::curve::Place fine_foot(const Vec3& p, const Vec3& axis) const;
 
     // Unit, interpolated between the corners'; of a place on the given surface.
-    [[nodiscard]] Vec3 normal(const curve::Place& place) const;
+    [[nodiscard]] Vec3 normal(const filum::surface::curve::Place& place) const;
 
   private:
     std::vector<Vec3> normals_;
-    curve::Locator locator_, fine_locator_;
+    filum::surface::curve::Locator locator_, fine_locator_;
     double farther_; // mm
 };
 
@@ -38,16 +38,16 @@ class Ground {
 struct Sample {
     std::uint32_t chain = 0;
     std::uint32_t layer = 0;
-    double along = 0;     // mm from the chain's start to the middle
-    double length = 0;    // mm
-    double width = 0;     // mm, of the bead
-    bool turning = false; // in or near a turn, see Bends; set by whoever has them
-    bool hairpin = false; //
-    Vec3 at{}, a{}, b{};  // its middle and its ends, on the path
-    Vec3 tangent{};       // unit, from end to end
-    Vec3 normal{};        // unit, of the surface
-    curve::Place foot{};  // nearest to the middle
-    double off = 0;       // mm between the middle and its foot
+    double along = 0;                    // mm from the chain's start to the middle
+    double length = 0;                   // mm
+    double width = 0;                    // mm, of the bead
+    bool turning = false;                // in or near a turn, see Bends; set by whoever has them
+    bool hairpin = false;                //
+    Vec3 at{}, a{}, b{};                 // its middle and its ends, on the path
+    Vec3 tangent{};                      // unit, from end to end
+    Vec3 normal{};                       // unit, of the surface
+    filum::surface::curve::Place foot{}; // nearest to the middle
+    double off = 0;                      // mm between the middle and its foot
 };
 
 // Every chain in stretches of equal length, as near to `step` mm as divides it evenly.

@@ -1,7 +1,7 @@
 #include "metrics/surface/load.hpp"
 
 #include "base/error.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr int kDirections = 180;
 bool known(const Vec3& v) { return std::isfinite(v.x + v.y + v.z) && norm(v) > 0; }
 
 // The direction at a place: those of the triangle's corners, turned towards that of the greatest weight, by weights.
-Vec3 direction(const Surface& s, const filum::surface::Field& d1, const curve::Place& at) {
-    const auto w = curve::barycentric(s, at);
+Vec3 direction(const Surface& s, const filum::surface::Field& d1, const filum::surface::curve::Place& at) {
+    const auto w = filum::surface::curve::barycentric(s, at);
     const auto& corners = s.triangles[at.triangle];
     const auto most = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
     const Vec3 lead = d1.vector(corners[most]);
@@ -31,22 +31,22 @@ Vec3 direction(const Surface& s, const filum::surface::Field& d1, const curve::P
     return norm(sum) > 0 ? 1 / norm(sum) * sum : 1 / norm(lead) * lead;
 }
 
-double stress(const Surface& s, const filum::surface::Field* s1, const curve::Place& at) {
+double stress(const Surface& s, const filum::surface::Field* s1, const filum::surface::curve::Place& at) {
     if (s1 == nullptr) return 1;
-    const auto w = curve::barycentric(s, at);
+    const auto w = filum::surface::curve::barycentric(s, at);
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) sum += w[k] * s1->values[s.triangles[at.triangle][k]];
     return std::isfinite(sum) ? std::abs(sum) : 0;
 }
 
-std::uint32_t nearest_corner(const Surface& s, const curve::Place& at) {
+std::uint32_t nearest_corner(const Surface& s, const filum::surface::curve::Place& at) {
     std::uint32_t best = s.triangles[at.triangle][0];
     for (const std::uint32_t v : s.triangles[at.triangle])
         if (distance(s.vertices[v], at.point) < distance(s.vertices[best], at.point)) best = v;
     return best;
 }
 
-Vec3 at_nearest_corner(const Surface& s, const filum::surface::Field& d1, const curve::Place& at) {
+Vec3 at_nearest_corner(const Surface& s, const filum::surface::Field& d1, const filum::surface::curve::Place& at) {
     const Vec3 d = d1.vector(nearest_corner(s, at));
     return known(d) ? 1 / norm(d) * d : Vec3{};
 }

@@ -70,7 +70,7 @@ inline surface::Sheet measured(Surface s, const char* source) {
 
 inline double length(const surfpath::Stroke& stroke) {
     double out = 0;
-    for (const auto& piece : stroke.pieces) out += curve::length(piece.line);
+    for (const auto& piece : stroke.pieces) out += surface::curve::length(piece.line);
     return out;
 }
 inline double length(const surfpath::Plan& plan) {

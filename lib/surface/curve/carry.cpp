@@ -1,12 +1,12 @@
-#include "curve/carry.hpp"
+#include "surface/curve/carry.hpp"
 
-#include "curve/locate.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/locate.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <limits>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::vector<surface::Field> carried(const Surface& from, std::span<const surface
     return out;
 }
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

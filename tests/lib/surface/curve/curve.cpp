@@ -1,7 +1,7 @@
 // Walking, laying and easing on surfaces whose answers are known.
-#include "curve/ease.hpp"
-#include "curve/locate.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/locate.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 namespace {
 
 using std::numbers::pi;
@@ -172,4 +172,4 @@ TEST(ease, leaves_what_is_gentle_and_stays_in_its_corridor) {
 }
 
 } // namespace
-} // namespace filum::curve
+} // namespace filum::surface::curve

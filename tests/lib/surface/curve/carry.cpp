@@ -1,4 +1,4 @@
-#include "curve/carry.hpp"
+#include "surface/curve/carry.hpp"
 
 #include "surface/remesh.hpp"
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -89,4 +89,4 @@ TEST(Carry, AThinWallsSkinsAreNotMixedUp) {
 }
 
 } // namespace
-} // namespace filum::curve
+} // namespace filum::surface::curve

@@ -1,9 +1,9 @@
 // The nearest places of a surface, of many points.
 #pragma once
 
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 // A tree of boxes over the triangles of a surface, which must outlive it.
 class Locator {
@@ -30,4 +30,4 @@ class Locator {
     std::vector<std::uint32_t> order_;
 };
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

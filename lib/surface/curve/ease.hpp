@@ -1,9 +1,9 @@
 // Lines made gentle without leaving the surface.
 #pragma once
 
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 struct Ease {
     double radius = 0;      // mm: of the tightest turn to leave
@@ -23,4 +23,4 @@ struct Eased {
 };
 Eased ease(const Surface& s, const Line& line, const Ease& options);
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

@@ -1,10 +1,10 @@
-#include "curve/locate.hpp"
+#include "surface/curve/locate.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 namespace {
 
@@ -93,4 +93,4 @@ Place Locator::nearest(const Vec3& p, const Vec3& normal) const {
     return best;
 }
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

@@ -1,11 +1,11 @@
-#include "curve/ease.hpp"
+#include "surface/curve/ease.hpp"
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 namespace {
 
@@ -127,4 +127,4 @@ Eased ease(const Surface& s, const Line& given, const Ease& options) {
     return out;
 }
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

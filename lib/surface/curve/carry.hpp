@@ -1,9 +1,9 @@
 // Fields from one surface to another.
 #pragma once
 
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 // The fields at the vertices of `to`, each interpolated at the nearest place of `from`; of places that are about as
 // near (to a tenth of a mean edge), at one that faces the same way.  Infinite where a corner that counts is.  Vectors
@@ -15,4 +15,4 @@ std::vector<surface::Field> carried(const Surface& from, std::span<const surface
 // one that faces the same way; none if `faces`, those of `from`, are none.
 std::vector<std::uint32_t> carried_faces(const Surface& from, std::span<const std::uint32_t> faces, const Surface& to);
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

@@ -1,11 +1,11 @@
 // Going straight on over a surface.
 #pragma once
 
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
 #include <array>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 // Weights of the corners of its triangle, of sum 1; below 0 only by rounding, or for points off the triangle.
 std::array<double, 3> barycentric(const Surface& s, const Place& place);
@@ -45,4 +45,4 @@ Line threaded(const Surface& s, const Line& line);
 // lead there.
 Line join(const Surface& s, const Place& a, const Place& b);
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 using geom::Vec2;
 using geom::Vec3;
@@ -58,4 +58,4 @@ std::vector<Vec3> vertex_normals(const Surface& s);
 // The normal at a place, unit: those of the corners, interpolated.
 Vec3 normal_at(const Surface& s, std::span<const Vec3> vertex_normals, const Place& place);
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

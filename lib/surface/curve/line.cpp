@@ -1,11 +1,11 @@
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 namespace {
 
@@ -136,4 +136,4 @@ Vec3 normal_at(const Surface& s, std::span<const Vec3> vertex_normals, const Pla
     return l > 1e-6 ? 1 / l * n : surface::normal(s, place.triangle);
 }
 
-} // namespace filum::curve
+} // namespace filum::surface::curve

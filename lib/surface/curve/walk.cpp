@@ -1,9 +1,9 @@
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace filum::curve {
+namespace filum::surface::curve {
 
 namespace {
 
@@ -149,4 +149,4 @@ Line threaded(const Surface& s, const Line& line) {
     return out;
 }
 
-} // namespace filum::curve
+} // namespace filum::surface::curve
