@@ -82,10 +82,6 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
     return out;
 }
 
-} // namespace
-
-namespace {
-
 // Appends the regions of a layer: the first, then the nearest next, the last one last.
 void append_nearest(const Graph& g, const std::vector<Index>& layer, const Ends& ends, Order& out) {
     std::vector<geom::Vec2> centre;
