@@ -102,7 +102,7 @@ void run(const Options& o, const cli::Io& io) {
     }
     Notes notes = std::move(file.notes);
     mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
-    const slice::Part part = slice::make_part(std::move(file.mesh), notes);
+    const slice::Part part = slice::make_part(std::move(file.mesh), notes, o.slice.hairline);
     const slice::Sweep sweep = slice::prepare(part, o.slice, io.threads, notes);
     auto header = cli::header(self, stream::Payload::layers);
     header.expected = sweep.levels.size();

@@ -2,6 +2,7 @@
 
 #include "mesh/formats.hpp"
 #include "mesh/place.hpp"
+#include "mesh/sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,46 +11,11 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr double kLargestLid = 0.6; // of the shell's area
-
-// Side k of triangle t, from its corner k to the next one, is half-edge 3t + k.
-struct HalfEdge {
-    std::uint64_t key; // both vertices, the lower number in the high half
-    std::uint32_t side;
-    bool falls; // from the higher number to the lower
-};
-
-std::vector<HalfEdge> half_edges(const Mesh& mesh) {
-    std::vector<HalfEdge> out;
-    out.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            out.push_back({std::min(a, b) << 32 | std::max(a, b), 3 * t + k, a > b});
-        }
-    std::sort(out.begin(), out.end(),
-              [](const HalfEdge& a, const HalfEdge& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
-    return out;
-}
-
-// Calls visit(first, last) for the half-edges of each edge.
-template <class Visit>
-void each_edge(const std::vector<HalfEdge>& sides, const Visit& visit) {
-    for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
-        while (j < sides.size() && sides[j].key == sides[i].key) ++j;
-        visit(i, j);
-    }
-}
-
-double area(const Mesh& mesh, const Triangle& t) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    return norm(cross(b - a, c - a)) / 2;
-}
 
 // Per half-edge the one that it meets on an edge of exactly two triangles, and whether both run the same way.
 struct Meeting {
-    std::uint32_t side = kNone;
+    std::uint32_t side = kNoSide;
     bool same_way = false;
 };
 std::vector<Meeting> meetings(const Mesh& mesh) {
@@ -103,16 +69,39 @@ std::vector<std::vector<std::uint32_t>> closed_rims(const std::vector<std::pair<
 
 } // namespace
 
+std::vector<HalfEdge> half_edges(const Mesh& mesh) {
+    std::vector<HalfEdge> out;
+    out.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint64_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+            out.push_back({std::min(a, b) << 32 | std::max(a, b), 3 * t + k, a > b});
+        }
+    std::sort(out.begin(), out.end(),
+              [](const HalfEdge& a, const HalfEdge& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
+    return out;
+}
+
+double area(const Mesh& mesh, const Triangle& t) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    return norm(cross(b - a, c - a)) / 2;
+}
+
+std::uint64_t imbalance(const Triangle& t) {
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint64_t a = t[k], b = t[(k + 1) % 3];
+        std::uint64_t h = (std::min(a, b) << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15ULL;
+        h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ULL;
+        h ^= h >> 32;
+        sum += a < b ? h : 0 - h;
+    }
+    return sum;
+}
+
 bool is_closed(const Mesh& mesh) {
     std::uint64_t sum = 0;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = t[k], b = t[(k + 1) % 3];
-            std::uint64_t h = (std::min(a, b) << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15ULL;
-            h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ULL;
-            h ^= h >> 32;
-            sum += a < b ? h : 0 - h;
-        }
+    for (const Triangle& t : mesh.triangles) sum += imbalance(t);
     return sum == 0;
 }
 
@@ -135,7 +124,7 @@ void face_one_way(Mesh& mesh, Notes& notes) {
             if (turn[t] != 0) turned += a;
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const Meeting& m = meets[3 * t + k];
-                if (m.side == kNone || seen[m.side / 3] != 0) continue;
+                if (m.side == kNoSide || seen[m.side / 3] != 0) continue;
                 seen[m.side / 3] = 1;
                 turn[m.side / 3] = static_cast<char>((turn[t] != 0) != m.same_way);
                 patch.push_back(m.side / 3);

@@ -6,6 +6,10 @@
 
 namespace filum::mesh {
 
+// A hash of a triangle's sides, which cancel out against the same sides run the other way: sums to 0 over a closed
+// mesh.
+std::uint64_t imbalance(const Triangle& t);
+
 // True if every edge is passed as often one way as the other: the surface is closed, and all of it faces one way.
 // By a sum of 64-bit hashes that cancel out: takes one pass and no memory, and errs once in 2^64.
 bool is_closed(const Mesh& mesh);

@@ -76,8 +76,16 @@ void append(std::vector<Vec2>& points, std::size_t first, Vec2 p) {
     if (points.size() == first || !(points.back() == p)) points.push_back(p);
 }
 
+// Closed contours, and the body of each.
+struct Contours {
+    Loops loops;
+    std::vector<std::uint32_t> body;
+};
+
 // Chains from pieces that nothing comes before, and loops of the rest; both in the order of their first pieces.
-std::vector<Chain> link(const mesh::Mesh& mesh, double plane, const std::vector<Piece>& pieces, Loops& loops) {
+std::vector<Chain> link(const Part& part, double plane, const std::vector<Piece>& pieces, Contours& out) {
+    const mesh::Mesh& mesh = part.mesh;
+    Loops& loops = out.loops;
     const Order order = put_in_order(pieces);
     std::vector<char> done(pieces.size(), 0);
     std::vector<Chain> chains;
@@ -102,8 +110,10 @@ std::vector<Chain> link(const mesh::Mesh& mesh, double plane, const std::vector<
         while (loops.points.size() > first + 1 && loops.points.back() == loops.points[first]) loops.points.pop_back();
         if (loops.points.size() < first + 3)
             loops.points.resize(first); // smaller than the grid
-        else
+        else {
             loops.close();
+            out.body.push_back(part.bodies.of_vertex[pieces[i].from >> 32]);
+        }
     }
     return chains;
 }
@@ -111,12 +121,12 @@ std::vector<Chain> link(const mesh::Mesh& mesh, double plane, const std::vector<
 // The chains of the lids' triangles at this layer; all of their length is lid.
 std::vector<Chain> lid_chains(const Sweep& sweep, std::size_t layer) {
     std::vector<Piece> pieces;
-    for (const auto& t : sweep.lids) {
+    for (const auto& t : sweep.part->lids) {
         const bool a = sweep.rank[t[0]] > layer, b = sweep.rank[t[1]] > layer, c = sweep.rank[t[2]] > layer;
         if (a != b || b != c) pieces.push_back(piece(t, a, b, c));
     }
-    Loops unused;
-    auto out = link(*sweep.mesh, sweep.levels[layer].plane + kLift, pieces, unused);
+    Contours unused;
+    auto out = link(*sweep.part, sweep.levels[layer].plane + kLift, pieces, unused);
     for (Chain& c : out) c.lid = length(c);
     return out;
 }
@@ -127,32 +137,49 @@ double perimeter(const Loops& loops) {
     return sum;
 }
 
-Loops contours(const Sweep& sweep, std::size_t layer, const std::vector<Piece>& pieces, Notes& notes) {
-    Loops loops;
-    auto chains = link(*sweep.mesh, sweep.levels[layer].plane + kLift, pieces, loops);
+void add_walls(const Loops& loops, bool marked, std::vector<polygon::Wall>& out) {
+    for (polygon::Wall w : polygon::walls(loops)) {
+        w.marked = marked;
+        out.push_back(w);
+    }
+}
+
+// The solid of a layer some of whose contours had to be closed: as the surface winds round, whatever was guessed.
+Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector<Chain> chains, Notes& notes) {
+    std::vector<polygon::Wall> walls;
+    add_walls(loops, true, walls);
+    for (const Chain& c : chains)
+        for (std::size_t i = 1; i < c.points.size(); ++i) walls.push_back({c.points[i - 1], c.points[i], 0, true});
     const auto number = static_cast<std::int64_t>(layer);
-    auto rule = polygon::Fill::nonzero;
-    if (!chains.empty()) {
-        const double turned = close_chains(
-            std::move(chains), [&] { return lid_chains(sweep, layer); }, sweep.options, number, loops, notes);
-        const double all = perimeter(loops);
-        if (turned > kTurnedShare * all) {
-            rule = polygon::Fill::even_odd;
-            notes.push_back({.stage = "",
-                             .what = "layer with triangles facing every way: inside told by parity",
-                             .amount = all,
-                             .unit = "mm",
-                             .layer = number});
-        }
+    const Closed closed = close_chains(
+        std::move(chains), [&] { return lid_chains(sweep, layer); }, sweep.options, number, notes);
+    add_walls(closed.guessed, false, walls);
+    for (const Loops* more : {&closed.whole, &closed.guessed})
+        for (std::size_t l = 0; l < more->size(); ++l) loops.add((*more)[l]);
+    const double all = perimeter(loops);
+    if (closed.turned > kTurnedShare * all) {
+        notes.push_back({.stage = "",
+                         .what = "layer with triangles facing every way: inside told by parity",
+                         .amount = all,
+                         .unit = "mm",
+                         .layer = number});
+        return polygon::unite_exactly(loops, polygon::Fill::even_odd);
     }
-    const bool simple = polygon::is_simple(loops);
-    if (simple && !sweep.several_bodies) return loops;
-    if (simple) { // bodies that stay clear of each other need nothing
-        double area = 0;
-        std::size_t gaps = 0;
-        if (polygon::Loops between = bridges(loops, sweep.options.hairline, area, gaps); between.empty()) return loops;
-    }
-    return unite_bodies(loops, rule, sweep.options.hairline, number, notes);
+    if (closed.guessed.empty()) return polygon::unite_exactly(loops);
+    return solid_within(walls, *sweep.part->winding, sweep.levels[layer].plane + kLift);
+}
+
+Loops contours(const Sweep& sweep, std::size_t layer, const std::vector<Piece>& pieces, Notes& notes) {
+    Contours found;
+    auto chains = link(*sweep.part, sweep.levels[layer].plane + kLift, pieces, found);
+    const mesh::Bodies& bodies = sweep.part->bodies;
+    const bool simple = chains.empty() && polygon::is_simple(found.loops);
+    if (simple && bodies.shells == 1) return std::move(found.loops);
+    if (chains.empty())
+        found.loops = unite_bodies(found.loops, found.body, bodies.hollow);
+    else
+        found.loops = open_solid(sweep, layer, std::move(found.loops), std::move(chains), notes);
+    return heal_hairlines(found.loops, !simple, sweep.options.hairline, static_cast<std::int64_t>(layer), notes);
 }
 
 } // namespace
@@ -161,7 +188,7 @@ Cut cut(const Sweep& sweep, std::size_t chunk) {
     const std::size_t first = chunk * kChunk, last = std::min(first + kChunk, sweep.levels.size());
     std::vector<std::vector<Piece>> pieces(last - first);
     for (std::uint64_t k = sweep.chunk_start[chunk]; k < sweep.chunk_start[chunk + 1]; ++k) {
-        const auto& t = sweep.mesh->triangles[sweep.triangles[k]];
+        const auto& t = sweep.part->mesh.triangles[sweep.triangles[k]];
         const std::uint32_t a = sweep.rank[t[0]], b = sweep.rank[t[1]], c = sweep.rank[t[2]];
         const auto [low, high] = std::minmax({a, b, c});
         for (std::size_t i = std::max<std::size_t>(low, first); i < std::min<std::size_t>(high, last); ++i)

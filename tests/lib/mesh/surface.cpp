@@ -1,5 +1,6 @@
 // Placement, shells, holes.
 #include "base/error.hpp"
+#include "mesh/bodies.hpp"
 #include "mesh/holes.hpp"
 #include "mesh/place.hpp"
 #include "shapes.hpp"
@@ -59,20 +60,20 @@ TEST(Shells, what_is_inside_out_is_turned) {
     Notes notes;
     Mesh whole = shapes::inverted(
         shapes::together(shapes::box({0, 0, 0}, {9, 9, 9}), shapes::inverted(shapes::box({2, 2, 2}, {4, 4, 4}))));
-    EXPECT_EQ(face_outwards(whole, notes), 2U);
+    EXPECT_EQ(face_outwards(whole, false, 0.05, notes).shells, 2U);
     EXPECT_NEAR(volume(whole), 729 - 8, 1e-9);
     EXPECT_EQ(notes.size(), 1U);
 
     notes.clear(); // beside each other: one is wrong
     Mesh beside =
         shapes::together(shapes::box({0, 0, 0}, {9, 9, 9}), shapes::inverted(shapes::box({8, 2, 2}, {12, 4, 4})));
-    face_outwards(beside, notes);
+    face_outwards(beside, false, 0.05, notes);
     EXPECT_NEAR(volume(beside), 729 + 16, 1e-9);
 
     notes.clear(); // a cavity stays
     Mesh cavity =
         shapes::together(shapes::box({0, 0, 0}, {9, 9, 9}), shapes::inverted(shapes::box({2, 2, 2}, {4, 4, 4})));
-    face_outwards(cavity, notes);
+    face_outwards(cavity, false, 0.05, notes);
     EXPECT_NEAR(volume(cavity), 729 - 8, 1e-9);
     EXPECT_TRUE(notes.empty());
 }
