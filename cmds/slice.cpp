@@ -2,10 +2,10 @@
 // reads:  a mesh file: STL, OBJ, PLY, OFF, 3MF or STEP
 // writes: Layers
 // memory: the model
-#include "slice/slice.hpp"
 #include "cli/command.hpp"
 #include "cli/step_options.hpp"
 #include "mesh/place.hpp"
+#include "slice/volume.hpp"
 #include "step/step.hpp"
 #include "stream/crc32c.hpp"
 #include "wire/planar.hpp"
@@ -104,15 +104,22 @@ void run(const Options& o, const cli::Io& io) {
     mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
     const slice::Part part = slice::make_part(std::move(file.mesh), notes, o.slice.hairline);
     const slice::Sweep sweep = slice::prepare(part, o.slice, io.threads, notes);
+    const auto measured = slice::judge(sweep, io.threads, notes);
     auto header = cli::header(self, stream::Payload::layers);
     header.expected = sweep.levels.size();
-    cli::source_stage(io, header, sweep.chunks(), std::move(notes), [&](std::size_t chunk, Notes& found) {
+    std::vector<double> area(sweep.levels.size(), 0);
+    const auto work = [&](std::size_t chunk, Notes& found) {
         slice::Cut cut = slice::cut(sweep, chunk);
         found = std::move(cut.notes);
         std::vector<stream::RawFrame> frames;
-        for (const auto& layer : cut.layers) frames.push_back(wire::frame(layer));
+        for (const auto& layer : cut.layers) {
+            area[layer.index] = polygon::signed_area(layer.contours);
+            frames.push_back(wire::frame(layer));
+        }
         return frames;
-    });
+    };
+    cli::source_stage(io, header, sweep.chunks(), std::move(notes), work,
+                      [&](Notes& last) { slice::compare(sweep, measured, area, io.threads, last); });
 }
 
 } // namespace

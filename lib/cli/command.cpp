@@ -164,7 +164,8 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     report.say();
 }
 
-void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
+                  const SourceEnd& end) {
     stream::Writer writer(io.output, header);
     Report report(io);
     Progress progress(io, parts);
@@ -189,6 +190,11 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
             tell(result.notes);
             progress.step();
         });
+    if (end) {
+        Notes last;
+        end(last);
+        tell(last);
+    }
     writer.close();
     report.say();
 }

@@ -13,23 +13,6 @@ namespace {
 
 constexpr double kLargestLid = 0.6; // of the shell's area
 
-// Per half-edge the one that it meets on an edge of exactly two triangles, and whether both run the same way.
-struct Meeting {
-    std::uint32_t side = kNoSide;
-    bool same_way = false;
-};
-std::vector<Meeting> meetings(const Mesh& mesh) {
-    const auto sides = half_edges(mesh);
-    std::vector<Meeting> out(sides.size());
-    each_edge(sides, [&](std::size_t i, std::size_t j) {
-        if (j - i != 2) return;
-        const bool same = sides[i].falls == sides[i + 1].falls;
-        out[sides[i].side] = {sides[i + 1].side, same};
-        out[sides[i + 1].side] = {sides[i].side, same};
-    });
-    return out;
-}
-
 // Surplus sides of edges that are not balanced, as (from, to) vertices, ascending.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> rims(const Mesh& mesh) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
@@ -105,42 +88,6 @@ bool is_closed(const Mesh& mesh) {
     return sum == 0;
 }
 
-void face_one_way(Mesh& mesh, Notes& notes) {
-    if (is_closed(mesh)) return;
-    const auto meets = meetings(mesh);
-    std::vector<char> seen(mesh.triangles.size(), 0), turn(mesh.triangles.size(), 0);
-    std::vector<std::uint32_t> patch;
-    Note n = note("triangle turned round to face as its neighbours do", 0, "mm2");
-    n.count = 0;
-    for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
-        if (seen[first] != 0) continue;
-        seen[first] = 1;
-        patch.assign(1, first);
-        double all = 0, turned = 0;
-        for (std::size_t i = 0; i < patch.size(); ++i) {
-            const std::uint32_t t = patch[i];
-            const double a = area(mesh, mesh.triangles[t]);
-            all += a;
-            if (turn[t] != 0) turned += a;
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const Meeting& m = meets[3 * t + k];
-                if (m.side == kNoSide || seen[m.side / 3] != 0) continue;
-                seen[m.side / 3] = 1;
-                turn[m.side / 3] = static_cast<char>((turn[t] != 0) != m.same_way);
-                patch.push_back(m.side / 3);
-            }
-        }
-        const char wrong = turned > all / 2 ? 0 : 1; // the mark of the smaller part
-        for (const std::uint32_t t : patch) {
-            if (turn[t] != wrong) continue;
-            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-            ++n.count;
-        }
-        n.amount += std::min(turned, all - turned);
-    }
-    if (n.count > 0) notes.push_back(std::move(n));
-}
-
 Lids lids(Mesh& mesh) {
     Lids out;
     if (is_closed(mesh)) return out;
@@ -167,7 +114,7 @@ Lids lids(Mesh& mesh) {
             lid += area(mesh, out.triangles.back());
         }
         if (lid <= kLargestLid * size[shells.of_vertex[rim[0]]]) {
-            ++out.holes;
+            out.holes.push_back({lid, mesh.vertices[centre]});
             continue;
         }
         out.triangles.resize(before);

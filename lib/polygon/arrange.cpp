@@ -64,8 +64,8 @@ class FaceSweep {
         for (std::size_t f = number.size(); f-- > 0;) out.winding[number[f]] = winding_[f];
         out.borders.reserve(walls_.size());
         for (std::size_t w = 0; w < walls_.size(); ++w)
-            out.borders.push_back(
-                {off_grid(walls_[w].a), off_grid(walls_[w].b), number[above_[w]], number[below_[w]], walls_[w].marked});
+            out.borders.push_back({off_grid(walls_[w].a), off_grid(walls_[w].b), number[above_[w]], number[below_[w]],
+                                   walls_[w].weight, walls_[w].marked});
         return out;
     }
 

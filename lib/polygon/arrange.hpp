@@ -24,6 +24,7 @@ struct Wall {
 struct Border {
     Vec2 a, b;
     std::uint32_t left = 0, right = 0;
+    int weight = 0; // of all walls there, from a to b
     bool marked = false;
 };
 

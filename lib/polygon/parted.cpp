@@ -8,7 +8,7 @@ namespace filum::polygon {
 namespace {
 
 constexpr int kPasses = 100;     // in practice three
-constexpr std::size_t kFew = 12; // walls that are compared each with each
+constexpr std::size_t kFew = 32; // walls that are compared each with each
 constexpr int kDeep = 60;        // halvings
 constexpr double kNoGain = 1.8;  // of the walls, in both halves together: halving separates nothing
 constexpr double kRim = 2;       // grid steps around what is kept of a wall, more than rounding of doubles makes
@@ -109,13 +109,12 @@ class Parting {
     }
 
     bool parted_across(const std::vector<Stretch>& all, int k, std::vector<Stretch> (&half)[2]) const {
-        std::vector<double> middles;
-        middles.reserve(all.size());
-        for (const Stretch& s : all) middles.push_back((s.lo[k] + s.hi[k]) / 2);
-        const auto middle = middles.begin() + static_cast<std::ptrdiff_t>(middles.size() / 2);
-        std::nth_element(middles.begin(), middle, middles.end());
-        const double cut = *middle;
-        for (auto& h : half) h.clear();
+        double cut = 0; // the mean of the middles
+        for (const Stretch& s : all) cut += (s.lo[k] + s.hi[k]) / 2 / static_cast<double>(all.size());
+        for (auto& h : half) {
+            h.clear();
+            h.reserve(all.size());
+        }
         for (const Stretch& s : all) {
             if (s.lo[k] <= cut) half[0].push_back(clipped(s, k, cut, true));
             if (s.hi[k] >= cut) half[1].push_back(clipped(s, k, cut, false));

@@ -192,8 +192,9 @@ Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& g
     return out;
 }
 
-Loops heal_hairlines(const Loops& loops, bool united, double hairline, std::int64_t layer, Notes& notes) {
+Loops heal_hairlines(Loops loops, bool united, double hairline, std::int64_t layer, Notes& notes) {
     if (!(hairline > 0)) return loops;
+    if (united) loops = without_slivers(loops, hairline, layer, notes);
     double area = 0;
     std::size_t gaps = 0;
     const Loops between = bridges(loops, hairline, area, gaps);
@@ -204,10 +205,9 @@ Loops heal_hairlines(const Loops& loops, bool united, double hairline, std::int6
                          .unit = "mm2",
                          .count = gaps,
                          .layer = layer});
-    if (between.empty()) return united ? without_slivers(loops, hairline, layer, notes) : loops;
-    Loops all = loops;
-    for (std::size_t l = 0; l < between.size(); ++l) all.add(between[l]);
-    return without_slivers(polygon::unite_exactly(all), hairline, layer, notes);
+    if (between.empty()) return loops;
+    for (std::size_t l = 0; l < between.size(); ++l) loops.add(between[l]);
+    return without_slivers(polygon::unite_exactly(loops), hairline, layer, notes);
 }
 
 } // namespace filum::slice

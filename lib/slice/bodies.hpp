@@ -20,12 +20,12 @@ polygon::Loops unite_bodies(const polygon::Loops& loops, const std::vector<std::
                             const std::vector<char>& hollow);
 
 // What of the plane at height z lies within a surface that is not closed: `walls` part the plane, those of the surface
-// marked; within is where the surface winds round a face's borders by more than one half, on average over their length.
+// marked and with the weight 1, others with 0; within is where the surface winds round a face's borders by more than
+// one half, on average over their length.
 polygon::Loops solid_within(const std::vector<polygon::Wall>& walls, const mesh::Winding& surface, double z);
 
 // The same area with gaps and slivers below `hairline` mm healed and noted; slivers only where bodies met, if `united`:
 // what is thin by itself stays.  Precondition: simple loops.
-polygon::Loops heal_hairlines(const polygon::Loops& loops, bool united, double hairline, std::int64_t layer,
-                              Notes& notes);
+polygon::Loops heal_hairlines(polygon::Loops loops, bool united, double hairline, std::int64_t layer, Notes& notes);
 
 } // namespace filum::slice

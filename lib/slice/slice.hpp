@@ -8,6 +8,7 @@
 
 #include "base/note.hpp"
 #include "mesh/bodies.hpp"
+#include "mesh/holes.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/winding.hpp"
 #include "polygon/region.hpp"
@@ -58,6 +59,7 @@ struct Part {
     mesh::Mesh mesh;
     mesh::Bodies bodies;
     std::vector<mesh::Triangle> lids;               // used where a contour ends at a hole
+    std::vector<mesh::Hole> holes;                  // that have a lid
     std::shared_ptr<const mesh::Winding> winding{}; // of the mesh and its lids; none if it is closed
 };
 // A shell within another that leaves no wall of `least_wall` mm, taken over all, is a copy of it and no cavity.
@@ -69,6 +71,7 @@ struct Sweep {
     const Part* part = nullptr;
     Options options;
     std::vector<Level> levels;
+    double top = 0;                         // of the part, mm
     std::vector<std::uint32_t> rank;        // per vertex: the number of planes it is above
     std::vector<std::uint64_t> chunk_start; // per chunk of layers: where its triangles begin in `triangles`
     std::vector<std::uint32_t> triangles;   // met by a plane of the chunk, by ascending number
@@ -78,6 +81,8 @@ struct Sweep {
 
 // Throws Error as levels(), and if the contours of all layers together would have more than 2^32 points.
 Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes);
+// The same for levels of any kind, lowest first.
+Sweep sweep_over(const Part& part, const Options& options, std::vector<Level> levels, int threads);
 
 // The layers of one chunk, lowest first, each with what was repaired in it.  Chunks are independent of each other, and
 // their contours do not depend on the chunking.  Contours are simple, on a grid of 0.1 um, solid on the left.
@@ -87,7 +92,7 @@ struct Cut {
 };
 Cut cut(const Sweep& sweep, std::size_t chunk);
 
-// All of it: the layers of `part`, lowest first.
+// All of it: the layers of `part`, lowest first, judged and compared (see volume.hpp).
 std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads = 1);
 
 } // namespace filum::slice

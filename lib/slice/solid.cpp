@@ -15,7 +15,7 @@ using geom::Vec2;
 using polygon::Loops;
 
 constexpr std::size_t kTogether = 16;    // bodies that are united at once
-constexpr std::size_t kBordersAsked = 6; // of a face: the longest ones
+constexpr std::size_t kBordersAsked = 4; // of a face: the longest ones
 constexpr double kBeside = 5e-4;         // mm from a border, where it is asked
 
 void append(Loops& to, const Loops& from) {
@@ -114,16 +114,18 @@ Loops solid_within(const std::vector<polygon::Wall>& walls, const mesh::Winding&
         const polygon::Border& b = plane->borders[i];
         if (b.left == b.right) continue;
         const double l = size(i);
-        const Vec2 middle = 0.5 * (b.a + b.b), beside = kBeside / l * geom::left_of(b.b - b.a);
-        for (const bool left : {true, false}) {
-            const std::uint32_t face = left ? b.left : b.right;
-            if (face == 0 || asked[face] == kBordersAsked) continue;
+        const bool wanted =
+            (b.left != 0 && asked[b.left] < kBordersAsked) || (b.right != 0 && asked[b.right] < kBordersAsked);
+        if (!wanted) continue;
+        const Vec2 p = 0.5 * (b.a + b.b) + kBeside / l * geom::left_of(b.b - b.a);
+        const double left = surface.at({p.x, p.y, z});
+        for (const auto& [face, winding] : {std::pair{b.left, left}, {b.right, left - b.weight}}) {
             ++asked[face];
-            const Vec2 p = left ? middle + beside : middle - beside;
             found[face].length += l;
-            found[face].winding += l * surface.at({p.x, p.y, z});
+            found[face].winding += l * winding;
         }
     }
+    found[0] = {};
     return polygon::outline(*plane, [&](std::uint32_t face) { return found[face].winding > found[face].length / 2; });
 }
 

@@ -1,6 +1,6 @@
 // Five hundred damaged meshes and more: what is printed of them, against the mesh before.
-#include "mutate.hpp"
 #include "mesh/place.hpp"
+#include "mutate.hpp"
 #include "polygon/clip.hpp"
 #include "slice/slice.hpp"
 
