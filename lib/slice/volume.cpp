@@ -151,8 +151,8 @@ void note_holes(const Part& part, double solid, Notes& notes) {
     }
     if (!(hidden > kTold * solid)) return;
     notes.push_back({.stage = "",
-                     .what = "hole closed flat: what bulged out of it is not known, up to " + percent(hidden / solid) +
-                             " of the volume",
+                     .what = "hole closed flat: what bulged out of it is not known, as half a sphere " +
+                             percent(hidden / solid) + " of the volume",
                      .amount = hidden,
                      .unit = "mm3",
                      .count = part.holes.size(),

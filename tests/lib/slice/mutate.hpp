@@ -113,10 +113,16 @@ inline Mesh without(Mesh m, const std::function<bool(const Triangle&)>& pick) {
     return m;
 }
 
+// What a damaged mesh ought to be printed as: the part before; the part before, if it has neither hollows nor arms;
+// that with its faces where they now are; two of it.
+enum class Meant { as_before, as_before_if_round, as_it_is, twice };
+
 struct Kind {
     const char* name;
     // strength s in [0, 1]; the result is welded by whoever calls
     Mesh (*make)(const Mesh& m, double s, Dice& dice);
+    Meant meant = Meant::as_before;
+    bool destroys = false; // so that nobody can tell any more what is solid, if strong
 };
 
 // 1 um to 0.05 mm
@@ -168,7 +174,8 @@ inline const std::vector<Kind>& kinds() {
              return shapes::together(m, c);
          }},
         {"smaller copy inside",
-         [](const Mesh& m, double s, Dice&) { return shapes::together(m, scaled_about(m, 0.2 + 0.5 * s)); }},
+         [](const Mesh& m, double s, Dice&) { return shapes::together(m, scaled_about(m, 0.2 + 0.5 * s)); },
+         Meant::as_before_if_round},
         {"some triangles twice",
          [](const Mesh& m, double s, Dice& d) {
              Mesh out = m;
@@ -204,7 +211,8 @@ inline const std::vector<Kind>& kinds() {
              Mesh out = soup(m);
              for (Vec3& v : out.vertices) v = v + d.shift(0.05 * size_of(m) * s);
              return out;
-         }},
+         },
+         Meant::as_before, true},
         {"torn and some flipped",
          [](const Mesh& m, double s, Dice& d) {
              Mesh out = soup(m);
@@ -221,7 +229,8 @@ inline const std::vector<Kind>& kinds() {
                  for (const auto v : t) out.vertices[v] = c + (1 - 0.2 * s) * (out.vertices[v] - c);
              }
              return out;
-         }},
+         },
+         Meant::as_before, true},
         {"triangles moved",
          [](const Mesh& m, double s, Dice& d) {
              Mesh out = soup(m);
@@ -236,17 +245,20 @@ inline const std::vector<Kind>& kinds() {
              Mesh out = m;
              for (Vec3& v : out.vertices) v = v + d.shift(0.01 * size_of(m) * s);
              return out;
-         }},
+         },
+         Meant::as_it_is},
         {"some triangles gone",
          [](const Mesh& m, double s, Dice& d) {
              return without(m, [&](const Triangle&) { return d.unit() < 0.3 * s; });
-         }},
+         },
+         Meant::as_before, true},
         {"a patch gone",
          [](const Mesh& m, double s, Dice& d) {
              const Vec3 at = m.vertices[d.below(m.vertices.size())];
              const double r = 0.6 * s * size_of(m);
              return without(m, [&](const Triangle& t) { return distance(middle(m, t), at) < r; });
-         }},
+         },
+         Meant::as_before, true},
         {"cut off",
          [](const Mesh& m, double s, Dice& d) {
              Vec3 n = d.shift(1);
@@ -256,7 +268,8 @@ inline const std::vector<Kind>& kinds() {
              std::sort(h.begin(), h.end());
              const double limit = h[static_cast<std::size_t>((1 - 0.6 * s) * static_cast<double>(h.size() - 1))];
              return without(m, [&](const Triangle& t) { return dot(n, middle(m, t)) > limit; });
-         }},
+         },
+         Meant::as_before, true},
         {"T-junctions", [](const Mesh& m, double, Dice& d) { return split(m, d, 0.5); }},
         {"degenerate triangles",
          [](const Mesh& m, double s, Dice& d) {
@@ -277,7 +290,8 @@ inline const std::vector<Kind>& kinds() {
              for (Vec3& v : out.vertices)
                  v = {std::round(v.x / g) * g, std::round(v.y / g) * g, std::round(v.z / g) * g};
              return out;
-         }},
+         },
+         Meant::as_it_is},
         {"far away in single precision",
          [](const Mesh& m, double s, Dice& d) {
              Mesh out = m;
@@ -301,11 +315,13 @@ inline const std::vector<Kind>& kinds() {
                  out.triangles.push_back({v, v + 1, v + 2});
              }
              return out;
-         }},
+         },
+         Meant::as_before, true},
         {"twice side by side",
          [](const Mesh& m, double, Dice&) {
              return shapes::together(m, shapes::moved(m, {1.5 * size_of(m), 0, 0}));
-         }},
+         },
+         Meant::twice},
     };
     return all;
 }
