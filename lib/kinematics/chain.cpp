@@ -1,5 +1,7 @@
 #include "kinematics/chain.hpp"
 
+#include "geom/frame.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -11,11 +13,7 @@ constexpr Vec3 kUp{0, 0, 1};
 
 bool rotary(const Chain& c) { return c.carrier != Carrier::none && c.carrier != Carrier::frame; }
 
-// `v` turned about the unit vector `axis` (Rodrigues).
-Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
-}
+using geom::turned;
 
 Vec3 turned_by_turn(const Chain& c, const Vec3& v, double turn) { return turned(v, kUp, c.turn_sign * turn); }
 Vec3 turned_by_tilt(const Chain& c, const Vec3& v, double tilt) { return turned(v, c.tilt_axis, tilt); }
