@@ -101,28 +101,51 @@ Frame forward(const Arm& arm, const Posture& q) {
     return out;
 }
 
+namespace {
+
+// What tells ways to stand apart: each changes its sign where two of them are one.  Sines, or shares of the reach.
+struct Signs {
+    double shoulder = 0, elbow = 0, wrist = 0;
+};
+
+Signs signs(const Arm& arm, const Posture& q) {
+    const auto& x = arm.axes;
+    const auto turned_by = [&](std::size_t k, const Vec3& v) { return geom::turned(v, x[k].direction, q[k]); };
+    const bool meets = arm.build == Build::wrist;
+    Vec3 centre = arm.centre; // as axis 1 sees it
+    for (std::size_t k = meets ? 3 : 4; k-- > 1;) centre = x[k].point + turned_by(k, centre - x[k].point);
+    const Vec3 ahead = cross(x[1].direction, x[0].direction);
+    Signs out;
+    out.shoulder = dot(centre - x[0].point, ahead) / (norm(ahead) * arm.reach);
+    const auto level = [&](const Vec3& v) { return v - dot(v, x[1].direction) * x[1].direction; };
+    const Vec3 upper = level(x[2].point - x[1].point);
+    const Vec3 fore = level(turned_by(2, (meets ? arm.centre : x[3].point) - x[2].point));
+    out.elbow = dot(x[1].direction, cross(upper, fore)) / (norm(upper) * norm(fore));
+    // Axis 6 as axis 5 turns it, about which that is positive or negative.
+    const Vec3 hand = turned_by(4, x[5].direction), last = meets ? x[3].direction : x[1].direction;
+    out.wrist = dot(x[4].direction, cross(last, hand));
+    return out;
+}
+
+} // namespace
+
 Nearness nearness(const Arm& arm, const Posture& q) {
     if (arm.build == Build::general) {
         const Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>> svd(jacobian(arm, q));
         return {Singular::wrist, std::asin(std::min(1.0, svd.singularValues()(5)))};
     }
-    const auto& x = arm.axes;
-    const auto steep = [](double sine) { return std::asin(std::min(1.0, sine)); };
-    const auto turned_by = [&](std::size_t k, const Vec3& v) { return geom::turned(v, x[k].direction, q[k]); };
-    const bool meets = arm.build == Build::wrist;
-    Vec3 centre = arm.centre; // as axis 1 sees it
-    for (std::size_t k = meets ? 3 : 4; k-- > 1;) centre = x[k].point + turned_by(k, centre - x[k].point);
-    const Vec3 out = centre - x[0].point;
-    const Vec3 across = out - dot(out, x[0].direction) * x[0].direction;
-    const Vec3 side = cross(x[0].direction, x[1].direction);
-    const Nearness shoulder{Singular::shoulder, steep(std::abs(dot(across, side)) / (norm(side) * arm.reach))};
-    const Vec3 upper = x[2].point - x[1].point, end = meets ? arm.centre : x[3].point;
-    const auto level = [&](const Vec3& v) { return v - dot(v, x[1].direction) * x[1].direction; };
-    const Vec3 u = level(upper), f = level(turned_by(2, end - x[2].point));
-    const Nearness elbow{Singular::elbow, steep(norm(cross(u, f)) / (norm(u) * norm(f)))};
-    const Vec3 hand = turned_by(4, x[5].direction), last = meets ? x[3].direction : x[1].direction;
-    const Nearness bent{Singular::wrist, steep(norm(cross(hand, last)))};
-    return std::min({shoulder, elbow, bent}, [](const Nearness& a, const Nearness& b) { return a.angle < b.angle; });
+    const Signs s = signs(arm, q);
+    const auto angle = [](double sine) { return std::asin(std::min(1.0, std::abs(sine))); };
+    Nearness out{Singular::shoulder, angle(s.shoulder)};
+    if (angle(s.elbow) < out.angle) out = {Singular::elbow, angle(s.elbow)};
+    if (angle(s.wrist) < out.angle) out = {Singular::wrist, angle(s.wrist)};
+    return out;
+}
+
+Configuration configuration(const Arm& arm, const Posture& q) {
+    if (arm.build == Build::general) return {};
+    const Signs s = signs(arm, q);
+    return {s.shoulder < 0, s.elbow < 0, s.wrist < 0};
 }
 
 std::optional<Posture> refined(const Arm& arm, const Frame& flange, const Posture& from, int steps) {

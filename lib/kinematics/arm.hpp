@@ -69,6 +69,15 @@ struct Nearness {
 // Of other builds, the arc sine of the Jacobian's least singular value, lengths in units of the reach, as "wrist".
 Nearness nearness(const Arm& arm, const Posture& posture);
 
+// Which of the ways it stands in; of other builds always the same.
+struct Configuration {
+    bool behind = false;    // the wrist is behind axis 1, as far as axis 2 looks forward
+    bool bent_down = false; // axis 3 stands on the other side of where the arm is straight
+    bool flipped = false;   // axis 5 is negative; of parallel axes: on the other side of where the wrist is straight
+    friend bool operator==(const Configuration&, const Configuration&) = default;
+};
+Configuration configuration(const Arm& arm, const Posture& posture);
+
 // All ways to stand with the flange at `flange`: angles in (-pi, pi]; none outside of the arm's reach.  Limits do not
 // count.  At a singularity, where an axis is free, it stays at `near`'s.  Of other builds only what iteration finds
 // from `near` and from fixed other places to begin at.  Each is right to 1e-6 mm and 1e-8 rad.
