@@ -67,42 +67,6 @@ Eigen::Matrix<double, 6, 1> error(const Arm& arm, const Frame& is, const Frame& 
     return {turn[0], turn[1], turn[2], d.x, d.y, d.z};
 }
 
-} // namespace
-
-Arm arm(const std::array<Axis, kAxes>& axes, const Frame& flange) {
-    Arm out;
-    out.axes = axes, out.flange = flange;
-    for (Axis& a : out.axes) a.direction = 1 / norm(a.direction) * a.direction;
-    classify(out);
-    const Vec3 middle = out.build == Build::general ? out.axes[3].point : out.centre;
-    out.reach =
-        distance(axes[1].point, axes[2].point) + distance(axes[2].point, middle) + distance(middle, flange.origin);
-    return out;
-}
-
-// Row k's frame comes behind axis k, which is its z axis: what comes before it gives the line.
-Arm arm(const std::array<DhRow, kAxes>& rows, const std::array<Axis, kAxes>& limits, const Frame& flange) {
-    std::array<Axis, kAxes> axes = limits;
-    Frame at;
-    for (std::size_t k = 0; k < kAxes; ++k) {
-        axes[k].direction = rows[k].sign * at.turn.z, axes[k].point = at.origin;
-        at = at * Frame{geom::about({0, 0, 1}, rows[k].theta), {}} * link(rows[k]);
-    }
-    return arm(axes, at * flange);
-}
-
-Frame forward(const Arm& arm, const Posture& q) {
-    Frame out = arm.flange;
-    for (std::size_t k = kAxes; k-- > 0;) {
-        const Axis& a = arm.axes[k];
-        const geom::Rotation r = geom::about(a.direction, q[k]);
-        out = {r * out.turn, a.point + r * (out.origin - a.point)};
-    }
-    return out;
-}
-
-namespace {
-
 // What tells ways to stand apart: each changes its sign where two of them are one.  Sines, or shares of the reach.
 struct Signs {
     double shoulder = 0, elbow = 0, wrist = 0;
@@ -129,6 +93,39 @@ Signs signs(const Arm& arm, const Posture& q) {
 
 } // namespace
 
+Arm arm(const std::array<Axis, kAxes>& axes, const Frame& flange) {
+    Arm out;
+    out.axes = axes, out.flange = flange;
+    for (Axis& a : out.axes) a.direction = 1 / norm(a.direction) * a.direction;
+    classify(out);
+    const Vec3 middle = out.build == Build::general ? out.axes[3].point : out.centre;
+    out.reach =
+        distance(axes[1].point, axes[2].point) + distance(axes[2].point, middle) + distance(middle, flange.origin);
+    if (out.build != Build::general) out.ahead = signs(out, {}).shoulder < 0 ? -1 : 1;
+    return out;
+}
+
+// Row k's frame comes behind axis k, which is its z axis: what comes before it gives the line.
+Arm arm(const std::array<DhRow, kAxes>& rows, const std::array<Axis, kAxes>& limits, const Frame& flange) {
+    std::array<Axis, kAxes> axes = limits;
+    Frame at;
+    for (std::size_t k = 0; k < kAxes; ++k) {
+        axes[k].direction = rows[k].sign * at.turn.z, axes[k].point = at.origin;
+        at = at * Frame{geom::about({0, 0, 1}, rows[k].theta), {}} * link(rows[k]);
+    }
+    return arm(axes, at * flange);
+}
+
+Frame forward(const Arm& arm, const Posture& q) {
+    Frame out = arm.flange;
+    for (std::size_t k = kAxes; k-- > 0;) {
+        const Axis& a = arm.axes[k];
+        const geom::Rotation r = geom::about(a.direction, q[k]);
+        out = {r * out.turn, a.point + r * (out.origin - a.point)};
+    }
+    return out;
+}
+
 Nearness nearness(const Arm& arm, const Posture& q) {
     if (arm.build == Build::general) {
         const Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>> svd(jacobian(arm, q));
@@ -145,7 +142,7 @@ Nearness nearness(const Arm& arm, const Posture& q) {
 Configuration configuration(const Arm& arm, const Posture& q) {
     if (arm.build == Build::general) return {};
     const Signs s = signs(arm, q);
-    return {s.shoulder < 0, s.elbow < 0, s.wrist < 0};
+    return {s.shoulder * arm.ahead < 0, s.elbow < 0, s.wrist < 0};
 }
 
 std::optional<Posture> refined(const Arm& arm, const Frame& flange, const Posture& from, int steps) {

@@ -34,6 +34,7 @@ struct Arm {
     Build build = Build::general;
     geom::Vec3 centre; // mm, while all axes stand at 0: where the last three axes meet, or the last two
     double reach = 0;  // mm: no place of the flange is farther from axis 2's point
+    double ahead = 1;  // 1 or -1: on which side of axis 1 the arm is while all axes stand at 0
 };
 
 // Of axes and a flange, with the rest worked out.

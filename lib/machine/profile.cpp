@@ -153,9 +153,11 @@ void check_fibre(const Document& doc, const Profile& p) {
 }
 
 void read_templates(Document& doc, Profile& p) {
+    Values own = p.values;
+    if (p.axes.chain.carrier == kinematics::Carrier::frame) add_robot(p.robot, own);
     const auto one = [&](const std::string& key, std::string& out) {
         doc.text(key, out);
-        const auto fault = check_template(out, p.values);
+        const auto fault = check_template(out, own);
         if (!fault.why.empty()) doc.fail_in_text(key, fault.why, fault.line);
     };
     for (const auto& [name, value] : p.values) {
@@ -175,6 +177,11 @@ void read_templates(Document& doc, Profile& p) {
     one("fibre.tension", p.fibre.tension);
     one("fibre.on", p.fibre.on);
     one("fibre.off", p.fibre.off);
+    if (p.axes.chain.carrier != kinematics::Carrier::frame) return;
+    one("robot.module_file", p.robot.module_file);
+    one("robot.module_start", p.robot.module_start);
+    one("robot.module_end", p.robot.module_end);
+    one("robot.module_call", p.robot.module_call);
 }
 
 } // namespace
@@ -202,6 +209,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     if (p.extrusion.feeding == Feeding::valve) p.travel.retract = p.travel.extra = 0; // it has nothing to take back
     read_multi_axis(doc, p.axes);
     p.axes.limits.radius_min = p.bed.x_min;
+    read_robot(doc, file, p.axes.chain.carrier == kinematics::Carrier::frame, p.robot);
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");
     read_tools(doc, p.tools);

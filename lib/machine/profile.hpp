@@ -5,6 +5,7 @@
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
+#include "machine/robot.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -103,6 +104,7 @@ struct Profile {
     Travel travel;
     Motion motion;
     MultiAxis axes;
+    Robot robot; // of tool frames
     Tools tools;
     Fibre fibre;
     Format format;
@@ -117,7 +119,7 @@ struct Profile {
 // naming file, line and key for an unknown key, a wrong type or an impossible value.
 Profile load_profile(const std::string& name_or_path, const std::string& set = "");
 
-// The same from text; `file` is what messages call it.
+// The same from text; `file` is what messages call it, and beside which a robot's model is sought.
 Profile parse_profile(std::string_view text, const std::string& file, const std::string& set = "");
 
 // Names that load_profile knows, sorted.
