@@ -258,6 +258,14 @@ class Search {
 
 } // namespace
 
+void Followed::forget(std::size_t n) {
+    const auto cut = [n](auto& v) {
+        v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(std::min(n, v.size())));
+    };
+    cut(postures), cut(spin), cut(needed), cut(axis);
+    for (std::size_t* at : {&hindrance.stand, &nearest_at, &room_at}) *at -= std::min(n, *at);
+}
+
 Followed follow(const Carried& c, std::span<const Stand> stands, const Before& before) {
     if (stands.empty()) return {};
     Followed best;

@@ -52,6 +52,9 @@ struct Followed {
     std::size_t nearest_at = 0;
     double room = 10; // rad: the least that an axis is from its limit; negative: none
     std::size_t room_axis = 0, room_at = 0;
+
+    // As if the first `n` stands had not been there; what happened at them counts for the one behind.
+    void forget(std::size_t n);
 };
 
 // Postures for `stands`, continuous on the whole way, in between, too: moves are halved until no axis turns by more

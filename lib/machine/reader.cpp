@@ -33,6 +33,8 @@ namespace filum::machine {
 
 struct Document::State {
     std::string kind, file;
+    std::string within;                            // "tool.1.": what stands before every key that is asked for
+    toml::node* asked_for(const std::string& key); // that is asked for, within that
     toml::table root;
     std::set<std::string> asked; // dotted keys
     std::set<std::string> set;   // keys that came from `set`
@@ -58,6 +60,15 @@ toml::node* find(toml::table& root, std::string_view key) {
         key.remove_prefix(dot + 1);
     }
 }
+
+} // namespace
+
+toml::node* Document::State::asked_for(const std::string& key) {
+    asked.insert(within + key);
+    return find(root, within + key);
+}
+
+namespace {
 
 // What stands after '=' in `set`: a number, true or false, or else a text as it is.
 void assign(toml::table& to, const std::string& key, const std::string& value) {
@@ -123,9 +134,13 @@ Document::Document(std::string_view text, const std::string& file, const std::st
 
 Document::~Document() = default;
 
+void Document::enter(const std::string& section) { state_->within = section + "."; }
+void Document::leave() { state_->within.clear(); }
+
 void Document::fail(const std::string& key, const std::string& why) const { fail_in_text(key, why, 0); }
 
-void Document::fail_in_text(const std::string& key, const std::string& why, std::size_t line) const {
+void Document::fail_in_text(const std::string& name, const std::string& why, std::size_t line) const {
+    const std::string key = state_->within + name;
     if (state_->set.count(key) != 0) misused(key, why);
     const toml::node* node = find(state_->root, key);
     std::string where = "'" + state_->file + "'";
@@ -137,8 +152,10 @@ void Document::fail_in_text(const std::string& key, const std::string& why, std:
     throw Error(Exit::bad_input, "cannot use " + state_->kind + " " + where + ", key '" + printable(key) + "': " + why);
 }
 
+bool Document::has(const std::string& key) const { return find(state_->root, state_->within + key) != nullptr; }
+
 void Document::require(const std::string& key) const {
-    if (find(state_->root, key) == nullptr) fail(key, "it is missing");
+    if (state_->within.empty() && find(state_->root, key) == nullptr) fail(key, "it is missing");
 }
 
 namespace {
@@ -160,15 +177,13 @@ std::string number_in(const toml::node& node, const Document::Range& range, doub
 } // namespace
 
 void Document::number(const std::string& key, double& out, Range range) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     if (const auto why = number_in(*node, range, out); !why.empty()) fail(key, why);
 }
 
 void Document::whole(const std::string& key, int& out, int min, int max) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     const auto* value = node->as_integer();
     if (value == nullptr || value->get() < min || value->get() > max)
@@ -177,16 +192,14 @@ void Document::whole(const std::string& key, int& out, int min, int max) {
 }
 
 void Document::flag(const std::string& key, bool& out) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     if (!node->is_boolean()) fail(key, "it must be true or false");
     out = node->as_boolean()->get();
 }
 
 void Document::text(const std::string& key, std::string& out) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     if (!node->is_string()) fail(key, "it must be a text in quotes");
     out = node->as_string()->get();
@@ -210,8 +223,7 @@ void Document::pair(const std::string& key, double& a, double& b, Range range) {
 }
 
 bool Document::list(const std::string& key, std::span<double> out, Range range) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return false;
     const auto* array = node->as_array();
     if (array == nullptr || array->size() != out.size())
@@ -234,8 +246,7 @@ std::vector<std::string> Document::tables(const std::string& section) const {
 }
 
 void Document::numbers(const std::string& section, std::map<std::string, double>& out) {
-    state_->asked.insert(section);
-    const auto* node = find(state_->root, section);
+    const auto* node = state_->asked_for(section);
     if (node == nullptr) return;
     if (!node->is_table()) fail(section, "it must be a table");
     for (const auto& [name, value] : *node->as_table()) {

@@ -38,6 +38,11 @@ class Document {
     // The names of the sections within a section, in the order of their names; none: it is missing.
     [[nodiscard]] std::vector<std::string> tables(const std::string& section) const;
 
+    // From enter() to leave() every key is meant within that section; none of them is required there.
+    void enter(const std::string& section);
+    void leave();
+
+    [[nodiscard]] bool has(const std::string& key) const;
     void require(const std::string& key) const;
     void finish() const; // throws for the first key (in the file's order) that was not asked for
 

@@ -31,7 +31,9 @@ void modules(Document& doc, Robot& r) {
     doc.text("robot.module_file", r.module_file);
     doc.text("robot.module_start", r.module_start);
     doc.text("robot.module_end", r.module_end);
+    doc.text("robot.module_load", r.module_load);
     doc.text("robot.module_call", r.module_call);
+    doc.text("robot.module_unload", r.module_unload);
     if (r.module_moves == 0) return;
     if (r.module_moves < 100) doc.fail("robot.module_moves", "it must be 0, for one module, or at least 100");
     for (const auto& [key, text] : {std::pair{"robot.module_file", &r.module_file},
@@ -73,6 +75,8 @@ void read_robot(Document& doc, const std::string& file, bool frames, Robot& r) {
     if (!r.model.empty()) r.arm = load_robot(r.model, file, links);
     check_start(doc, r);
 }
+
+void read_tool_frame(Document& doc, Robot& r) { read_frame(doc, "frame", r.tool); }
 
 kinematics::Arm table_robot(std::string_view text, const std::string& file) {
     Document doc(text, file, "", "robot model");

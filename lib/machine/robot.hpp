@@ -22,12 +22,14 @@ struct Robot {
     kinematics::Posture start{};        // rad: where the axes stand when the program begins
     double singular = 0;                // rad: nearer to a singularity than that is told, and kept away from
     int module_moves = 0;               // moves in a module of a program; 0: it is one
-    std::string module_file, module_start, module_end, module_call; // its name, codes around it, codes that run it
+    std::string module_file, module_start, module_end;   // its name, codes around it
+    std::string module_load, module_call, module_unload; // codes before all moves, that run it, after all moves
 };
 
 // Reads the section [robot], which machines of tool frames need and others must not have; `file`: the profile's, beside
 // which a model's file is sought.  Throws Error(bad_input) as parse_profile does, or for a model that cannot be used.
 void read_robot(Document& doc, const std::string& file, bool frames, Robot& out);
+void read_tool_frame(Document& doc, Robot& out); // of a tool with a section of its own: `frame`
 
 // Which links of a URDF are the robot's base, as its controller counts, and its flange; "": a link named "base" or the
 // root, and a link named "tool0" or "flange" or, without one, the last of the only chain of six axes.

@@ -13,7 +13,7 @@
 
 using namespace filum;
 using geom::Vec3;
-using postproc::Orientation;
+using Orientation = geom::Rotation;
 
 namespace {
 
@@ -135,11 +135,11 @@ TEST(robot, orientations_come_back_from_every_form) {
         EXPECT_LT(distance(cross(o.x, o.y), o.z), 1e-12);
         EXPECT_LT(distance(o.z, -1.0 * axis), 1e-12);
         EXPECT_GT(dot(o.x, heading), 0);
-        expect_same(from_quaternion(postproc::quaternion(o)), o);
-        EXPECT_GE(postproc::quaternion(o)[0], 0);
-        const auto [a, b, c] = postproc::euler_zyx(o);
+        expect_same(from_quaternion(geom::quaternion(o)), o);
+        EXPECT_GE(geom::quaternion(o)[0], 0);
+        const auto [a, b, c] = geom::euler_zyx(o);
         expect_same(from_euler(a, b, c), o);
-        expect_same(from_vector(postproc::rotation_vector(o)), o, 1e-6);
+        expect_same(from_vector(geom::rotation_vector(o)), o, 1e-6);
     }
 }
 
