@@ -26,6 +26,7 @@ constexpr double kSlow = 10;      // how much a second more than given counts
 constexpr double kUneasy = 1;     // s, that a look at a limit or a singularity costs
 constexpr double kSpinCost = 0.5; // s per rad of change
 constexpr double kSameWay = 1e-3; // rad
+constexpr int kWindings = 2;      // of the last axis, either way, to begin a stroke at
 
 // The whole stroke with a spin for each stand, from a posture at the first one.
 Followed followed(const Carried& c, std::span<const Stand> stands, const Posture& first, std::vector<double> spin) {
@@ -67,7 +68,7 @@ bool easy(const Carried& c, std::span<const Stand> stands, const Followed& f) {
 }
 
 // Ways to stand at the first stand, reached as the axes like: the last axis, which winds with the spin, at each whole
-// turn that it can stand at, the others at the one nearest to where they are.
+// turn near by that it can stand at, the others at the one nearest to where they are.
 std::vector<Posture> begins(const Carried& c, const Follower& follower, const Frame& tip, const Posture& before,
                             Lack* lack) {
     constexpr double whole = 2 * std::numbers::pi;
@@ -83,8 +84,11 @@ std::vector<Posture> begins(const Carried& c, const Follower& follower, const Fr
         }
         if (!can) continue;
         const Axis& last = c.arm.axes.back();
-        const double low = q.back() - whole * std::floor((q.back() - last.min) / whole);
-        for (q.back() = low; q.back() <= last.max; q.back() += whole) out.push_back(q);
+        const double stands = q.back();
+        for (int turns = -kWindings; turns <= kWindings; ++turns) {
+            q.back() = stands + turns * whole;
+            if (q.back() >= last.min && q.back() <= last.max) out.push_back(q);
+        }
     }
     return out;
 }
@@ -113,6 +117,9 @@ class Search {
         : c_(c), stands_(stands), before_(before), keeps_(keeps), follower_(c) {
         set_knots();
     }
+
+    // The last stand that any way was seen to reach, if all are hindered: it looks at some of them only.
+    [[nodiscard]] std::size_t reached() const { return reached_; }
 
     // What was found; hindered if nothing is.
     Followed run() {
@@ -222,8 +229,11 @@ class Search {
             const Frame next = spun(stands_[i].tip, from.spin + share(k, i) * (to.spin - from.spin));
             const Passing p = follower_.pass(at, to.posture, next);
             if (p.hindrance.trouble != Trouble::none) {
-                if (farthest_.trouble == Trouble::none || i > farthest_.stand)
-                    farthest_ = p.hindrance, farthest_.stand = i;
+                if (farthest_.trouble == Trouble::none || i > farthest_.stand) {
+                    farthest_ = p.hindrance;
+                    farthest_.stand = i;
+                    reached_ = last;
+                }
                 return false;
             }
             double given = 0;
@@ -254,6 +264,7 @@ class Search {
     std::vector<std::size_t> knots_;          // stands
     std::vector<std::vector<State>> states_;
     Hindrance farthest_;
+    std::size_t reached_ = 0;
 };
 
 } // namespace
@@ -270,10 +281,6 @@ Followed follow(const Carried& c, std::span<const Stand> stands, const Before& b
     if (stands.empty()) return {};
     Followed best;
     best.hindrance = {Trouble::reach, 0, 0, 0};
-    const auto better = [&](const Followed& f) {
-        const bool stuck = f.hindrance.trouble != Trouble::none;
-        return !stuck || (best.hindrance.trouble != Trouble::none && f.hindrance.stand > best.hindrance.stand);
-    };
     // As it stands, without a turn of the spin.
     std::vector<Posture> firsts{before.posture};
     if (before.joint) {
@@ -288,8 +295,11 @@ Followed follow(const Carried& c, std::span<const Stand> stands, const Before& b
     }
     for (const bool keeps : {true, false}) {
         if (!keeps && (!before.joint || best.hindrance.trouble == Trouble::none)) break;
-        Followed found = Search(c, stands, before, keeps).run();
-        if (better(found) || (firsts.empty() && best.hindrance.stand == 0)) best = std::move(found);
+        Search search(c, stands, before, keeps);
+        Followed found = search.run();
+        const bool farther = best.hindrance.trouble != Trouble::none && search.reached() > best.hindrance.stand;
+        if (found.hindrance.trouble == Trouble::none || farther || (firsts.empty() && best.hindrance.stand == 0))
+            best = std::move(found);
     }
     return best;
 }

@@ -3,6 +3,7 @@
 
 #include "kinematics/arm.hpp"
 
+#include <limits>
 #include <span>
 
 namespace filum::kinematics {
@@ -50,7 +51,7 @@ struct Followed {
     Hindrance hindrance;
     Nearness nearest{Singular::wrist, 10}; // to a singularity, anywhere on the way
     std::size_t nearest_at = 0;
-    double room = 10; // rad: the least that an axis is from its limit; negative: none
+    double room = std::numeric_limits<double>::infinity(); // rad: the least that an axis is from its limit
     std::size_t room_axis = 0, room_at = 0;
 
     // As if the first `n` stands had not been there; what happened at them counts for the one behind.

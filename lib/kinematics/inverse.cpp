@@ -50,11 +50,6 @@ double to_angle(const Vec3& w, const Vec3& from, const Vec3& to, double idle) {
     return std::atan2(dot(w, cross(a, b)), dot(a, b));
 }
 
-double wrapped(double t) {
-    t = std::remainder(t, 2 * std::numbers::pi);
-    return t <= -std::numbers::pi ? t + 2 * std::numbers::pi : t;
-}
-
 class Ways {
   public:
     Ways(const Arm& arm, const Frame& flange, const Posture& near, Lack* lack)
@@ -166,7 +161,7 @@ class Ways {
     }
 
     void take(Posture q) {
-        for (double& t : q) t = wrapped(t);
+        for (double& t : q) t = geom::wrapped(t);
         for (const Posture& other : out_)
             if (apart(unwrapped(q, other), other) < kSame) return;
         out_.push_back(q);

@@ -11,7 +11,7 @@ struct Passing {
     double needed = 0; // s
     std::size_t axis = 0;
     Nearness nearest{Singular::wrist, 10};
-    double room = 10;
+    double room = std::numeric_limits<double>::infinity(); // rad, of an axis from its limit; negative: beyond
     std::size_t room_axis = 0;
     Hindrance hindrance;
 };

@@ -157,8 +157,10 @@ void add_arm_efforts(const machine::Profile& profile, const ArmEfforts& e, const
         notes.push_back({stage, "reach, limits and speeds of the robot not checked: robot.model names none", 1, "", 1});
         return;
     }
-    facts.push_back({stage, "least-room-of-an-axis", e.room / kDegree, "deg"});
-    facts.push_back({stage, "axis-of-least-room", static_cast<double>(e.room_axis + 1), ""});
+    if (std::isfinite(e.room)) { // else no axis has limits
+        facts.push_back({stage, "least-room-of-an-axis", e.room / kDegree, "deg"});
+        facts.push_back({stage, "axis-of-least-room", static_cast<double>(e.room_axis + 1), ""});
+    }
     facts.push_back({stage, "nearest-singularity", e.nearest.angle / kDegree, "deg"});
     facts.push_back({stage, "slowest-share-of-feed", e.slowest, ""});
     if (e.slow_moves > 0) facts.push_back({stage, "axis-of-slowest", static_cast<double>(e.slow_axis + 1), ""});

@@ -16,6 +16,7 @@ struct Options {
     std::string set;                     // changes to the profile: "feeds.bead=40,nozzle_temp=230"
     std::string short_strokes = "error"; // of fibre: error | drop
     std::string job;                     // file
+    std::string modules;                 // folder
 };
 
 // Writes the program of the steps that `survey` was made of, moved by `shift`.

@@ -50,8 +50,12 @@ class Writer {
     [[nodiscard]] const std::string& on(const Step& step) const;
     [[nodiscard]] const std::string& off(const Step& step) const;
     // The triggers that do the same, if there are any.
-    [[nodiscard]] const std::string& on_trigger(const Step& step) const { return own(step).extrusion.on_trigger; }
-    [[nodiscard]] const std::string& off_trigger(const Step& step) const { return own(step).extrusion.off_trigger; }
+    [[nodiscard]] std::string on_trigger(const Step& step) const {
+        return lays_fibre(step) ? "" : own(step).extrusion.on_trigger;
+    }
+    [[nodiscard]] std::string off_trigger(const Step& step) const {
+        return lays_fibre(step) ? "" : own(step).extrusion.off_trigger;
+    }
     // What a step feeds, in units of its tool's extruder.
     [[nodiscard]] double feeds(const Step& step) const {
         return lays_fibre(step) ? step.fed : step.volume * own(step).extrusion.per_mm3();

@@ -57,7 +57,7 @@ void expect_same(const Arm& a, const Arm& b) {
     }
 }
 
-std::string error_of(const std::string& text, const machine::RobotLinks& links = {}) {
+std::string model_error(const std::string& text, const machine::RobotLinks& links = {}) {
     try {
         if (text.find('<') != std::string::npos)
             (void)machine::urdf_robot(text, "r.urdf", links);
@@ -120,29 +120,29 @@ TEST(robot_model, what_is_no_robot_of_six_axes_says_why) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
         EXPECT_EQ(message.rfind("cannot use robot model 'r.", 0), 0U) << message;
     };
-    has(error_of("<robot"), "it is no XML");
-    has(error_of("<sdf/>"), "it has no <robot>");
-    has(error_of("<robot><joint name=\"j\" type=\"fixed\"/></robot>"), "joint 'j' lacks its links");
-    has(error_of(urdf(kIrb), {"", "link_5"}), "the way to link 'link_5' has 5 turning axes");
-    has(error_of(urdf(kIrb), {"", "hand"}), "it has no link 'hand'");
-    has(error_of(urdf(kIrb), {"link_1", ""}), "link 'link_1', the base, moves");
-    has(error_of(changed(urdf(kIrb), "type=\"revolute\"", "type=\"prismatic\"")), "does not turn on its own");
-    has(error_of(changed(urdf(kIrb), "0 0 0.495", "0 0 ${h}")), "is it a xacro?");
-    has(error_of(changed(urdf(kIrb), "0 0 0.495", "0 0")), "no number");
-    has(error_of(changed(urdf(kIrb), "0 0 1\"", "0 0 0\"")), "joint 'axis_1' has no axis");
-    has(error_of(changed(urdf(kIrb), "velocity=\"3\"", "velocity=\"0\"")), "its velocity");
-    has(error_of(changed(urdf(kIrb), "lower=\"-3.000000\"", "lower=\"4\"")), "leave it no room");
-    has(error_of(changed(urdf(kIrb), "child link=\"link_1\"", "child link=\"link_2\"")),
+    has(model_error("<robot"), "it is no XML");
+    has(model_error("<sdf/>"), "it has no <robot>");
+    has(model_error("<robot><joint name=\"j\" type=\"fixed\"/></robot>"), "joint 'j' lacks its links");
+    has(model_error(urdf(kIrb), {"", "link_5"}), "the way to link 'link_5' has 5 turning axes");
+    has(model_error(urdf(kIrb), {"", "hand"}), "it has no link 'hand'");
+    has(model_error(urdf(kIrb), {"link_1", ""}), "link 'link_1', the base, moves");
+    has(model_error(changed(urdf(kIrb), "type=\"revolute\"", "type=\"prismatic\"")), "does not turn on its own");
+    has(model_error(changed(urdf(kIrb), "0 0 0.495", "0 0 ${h}")), "is it a xacro?");
+    has(model_error(changed(urdf(kIrb), "0 0 0.495", "0 0")), "no number");
+    has(model_error(changed(urdf(kIrb), "0 0 1\"", "0 0 0\"")), "joint 'axis_1' has no axis");
+    has(model_error(changed(urdf(kIrb), "velocity=\"3\"", "velocity=\"0\"")), "its velocity");
+    has(model_error(changed(urdf(kIrb), "lower=\"-3.000000\"", "lower=\"4\"")), "leave it no room");
+    has(model_error(changed(urdf(kIrb), "child link=\"link_1\"", "child link=\"link_2\"")),
         "is the child of several joints");
-    has(error_of(changed(changed(urdf(kIrb), "parent link=\"base_link\"", "parent link=\"tool0\""),
-                         "<link name=\"base_link\"/>", "")),
+    has(model_error(changed(changed(urdf(kIrb), "parent link=\"base_link\"", "parent link=\"tool0\""),
+                            "<link name=\"base_link\"/>", "")),
         "go round in a circle");
-    EXPECT_EQ(error_of(kTable), "");
-    has(error_of(changed(kTable, "900, ", "")), "key 'dh.a': it must be 6 numbers in brackets");
-    has(error_of(changed(kTable, "max_deg = [1,", "max_deg = [-2,")), "each must be below that of max_deg");
-    has(error_of(changed(kTable, "[limits]", "sign = [1, 1, 0.5, 1, 1, 1]\n[limits]")), "each must be 1 or -1");
-    has(error_of(changed(kTable, "speed_deg", "speed")), "limits.speed_deg': it is missing");
-    has(error_of(std::string(kTable) + "[more]\nx = 1\n"), "key 'more': there is no such key");
+    EXPECT_EQ(model_error(kTable), "");
+    has(model_error(changed(kTable, "900, ", "")), "key 'dh.a': it must be 6 numbers in brackets");
+    has(model_error(changed(kTable, "max_deg = [1,", "max_deg = [-2,")), "each must be below that of max_deg");
+    has(model_error(changed(kTable, "[limits]", "sign = [1, 1, 0.5, 1, 1, 1]\n[limits]")), "each must be 1 or -1");
+    has(model_error(changed(kTable, "speed_deg", "speed")), "limits.speed_deg': it is missing");
+    has(model_error(std::string(kTable) + "[more]\nx = 1\n"), "key 'more': there is no such key");
 }
 
 TEST(robot_model, frames_are_told_in_every_form) {
