@@ -13,8 +13,7 @@ namespace filum::regions {
 // what rounding leaves.  Candidates come from a sweep over bounding boxes; each connected group of them costs one
 // intersection. A link is where a circle of radius w / 4 fits into the common area, or, between walls thinner than
 // that, half the smaller of the two inradii: outermost beads run half a bead inside the outlines, so their curves then
-// come within about one bead width `w` of each other (notes 3b asks w / 2; an overlap that narrow leaves a jog of w /
-// 2).
+// come within about one bead width `w` of each other (docs/algorithms/regions.md#why-it-is-right).
 std::vector<double> overlap(std::span<polygon::Region> upper, std::span<const polygon::Region> lower, double w,
                             double hairline);
 

@@ -1,4 +1,5 @@
-// The processing order over all layers (paper 3.1, notes 3b): few strokes that the head can print, and a proven bound.
+// The processing order over all layers (docs/algorithms/sequence.md; Sun et al. 2019, 3.1): few strokes that the head
+// can print, and a proven bound.
 #pragma once
 
 #include "base/fact.hpp"

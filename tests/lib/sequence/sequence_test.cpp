@@ -86,7 +86,7 @@ TEST(Outline, OneInsideTheOtherIsAtDistanceZeroAndOneInItsHoleIsNot) {
     EXPECT_EQ(distance(outline(box(-5, -5, 50, 50)), outline(ring)), 0);
 }
 
-// The table of notes 3b: exact optima of k columns.
+// Exact optima of k columns.
 TEST(Search, FindsTheKnownOptimaOfEqualTowers) {
     struct Row {
         Index k, layers, c, optimum;
