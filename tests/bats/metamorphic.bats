@@ -9,7 +9,7 @@ setup() {
 # regions_and_strokes MESH [HAIRLINE]: "REGIONS STROKES"
 regions_and_strokes() {
     slice --hairline 0 "$1" --quiet | regions --hairline "${2:-0}" --quiet -o m.regions
-    sequence m.regions --report 2>&1 >m.sequence | awk '$2 == "regions" { r = $3 } $2 ~ /strokes$/ { s = $3 } END { print r, s }'
+    sequence m.regions --report 2>&1 >m.sequence | awk '$2 == "regions" { r = $3 } $2 == "planned-strokes" { s = $3 } END { print r, s }'
 }
 
 # same PART KIND...: each kind gives what the part itself does.
