@@ -164,15 +164,17 @@ Record record(const surface::Sheet& sheet) {
 }
 
 Record record(const Note& n) {
-    return {"note",
-            {{"stage", n.stage},
-             {"what", n.what},
-             {"amount", n.amount},
-             {"unit", n.unit},
-             {"count", whole(n.count)},
-             {"layer", n.layer},
-             {"x", n.x},
-             {"y", n.y}}};
+    Record out{"note",
+               {{"stage", n.stage},
+                {"what", n.what},
+                {"amount", n.amount},
+                {"unit", n.unit},
+                {"count", whole(n.count)},
+                {"layer", n.layer},
+                {"x", n.x},
+                {"y", n.y}}};
+    if (std::isfinite(n.z)) out.fields.push_back({"z", n.z});
+    return out;
 }
 
 Record record(const Fact& f) {

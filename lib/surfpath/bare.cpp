@@ -111,7 +111,7 @@ void tell_bare(const Surface& s, Plan& plan, double spacing) {
     Vec3 at = bare.front().p;
     for (const Point& b : bare)
         if (const double d = far.distance_to(b.p, b.normal, worst); d > worst) worst = d, at = b.p;
-    plan.notes.push_back({"", "no line within a spacing", area, "mm2", 1, -1, at.x, at.y});
+    plan.notes.push_back({"", "no line within a spacing", area, "mm2", 1, -1, at.x, at.y, at.z});
 }
 
 } // namespace filum::surfpath

@@ -38,7 +38,7 @@ class Path {
                 {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
         if (rows_.drops > 0)
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
-                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
+                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
         if (out_.strokes.size() > 1)
             out_.notes.push_back({"", "no way on along rims and rows: cut",
                                   static_cast<double>(out_.strokes.size() - 1), "cuts", out_.strokes.size() - 1});

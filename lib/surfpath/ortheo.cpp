@@ -119,7 +119,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     for (const Strands::Short& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
         Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
-        note.x = p.x, note.y = p.y;
+        note.x = p.x, note.y = p.y, note.z = p.z;
         out.notes.push_back(std::move(note));
     }
     return out;

@@ -113,7 +113,7 @@ void tell(Plan& plan, std::size_t apart) {
     note.what = "ring not joined";
     note.amount = static_cast<double>(apart);
     note.unit = "rings";
-    note.x = at.x, note.y = at.y;
+    note.x = at.x, note.y = at.y, note.z = at.z;
     plan.notes.push_back(std::move(note));
 }
 
