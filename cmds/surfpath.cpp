@@ -53,6 +53,7 @@ cli::Spec spec(Options& o) {
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
              Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             {"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"},
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
                  .one_of({"none", "hairpin", "wide"}),
              Option{"min-length", &o.plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
@@ -85,13 +86,14 @@ cli::Spec spec(Options& o) {
 }
 
 surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
-    surfpath::Options plan = o.plan;
-    plan.algorithm = algorithm;
-    if (plan.method != "kipping2022") return surfpath::plan(sheet, plan);
+    surfpath::Options asked = o.plan;
+    asked.algorithm = algorithm, asked.offset = o.laying.offset;
     kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm, paper.spacing = plan.spacing;
+    paper.algorithm = algorithm, paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    return kipping2022::plan(sheet, paper);
+    surfpath::Plan out = asked.method == "kipping2022" ? kipping2022::plan(sheet, paper) : surfpath::plan(sheet, asked);
+    surfpath::finish(sheet.surface, out, asked);
+    return out;
 }
 
 void run(const Options& o, const cli::Io& io) {

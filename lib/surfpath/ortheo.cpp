@@ -108,9 +108,6 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
             raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
         const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
         out = boustrophedon(s, rows(s, raw, o.spacing / 2, o.spacing / 2), {o.spacing, radius});
-        if (o.turns == "hairpin") // rows and turns take turns
-            for (Stroke& stroke : out.strokes)
-                for (std::size_t i = 1; i < stroke.pieces.size(); i += 2) stroke.pieces[i].hairpin = true;
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);
