@@ -6,7 +6,7 @@ namespace filum::geodesic {
 namespace {
 
 // Nearer still, and what rounding leaves of the angles between windows would no longer tell where they lead.
-constexpr double kOnIt = 1e-7;        // of the triangle's longest side: a point nearer to a corner, or a side, is on it
+constexpr double kOnIt = 1e-7;      // of the triangle's longest side: a point nearer to a corner, or a side, is on it
 constexpr double kLevelLine = 1e-9; // slope: a line that leaves a side flatter than this does not leave it
 
 } // namespace

@@ -5,7 +5,7 @@
 
 namespace filum::surfpath {
 
-// What remains tight, as curve::tight_turns has it.
+// What remains tight, as surface::curve::tight_turns has it.
 struct Tight {
     std::size_t count = 0; // stretches
     double length = 0;     // mm of them

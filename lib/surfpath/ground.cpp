@@ -1,8 +1,9 @@
 #include "surfpath/ground.hpp"
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace filum::surfpath {
 
@@ -21,9 +22,9 @@ enum class Step { whole, bent, none };
 
 // How the surface leads from one place to the next; `way`: the places between if it is bent.
 Step step(const Surface& s, const Place& a, const Place& b, Line& way) {
-    if (curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame) return Step::whole;
-    way = curve::join(s, a, b);
-    if (!curve::leads(s, way)) return Step::none;
+    if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame) return Step::whole;
+    way = surface::curve::join(s, a, b);
+    if (!surface::curve::leads(s, way)) return Step::none;
     double most = 0;
     for (const Place& p : way.places) most = std::max(most, off_line(p.point, a.point, b.point));
     return most > kOff ? Step::bent : Step::whole;
@@ -38,16 +39,17 @@ struct Breaks {
 // The stroke in pieces that hang together.
 std::vector<Stroke> parted(const Surface& s, const Stroke& stroke, Breaks& breaks) {
     std::vector<Stroke> out(1);
-    const Place* before = nullptr;
+    std::optional<Place> before;
     for (const Piece& piece : stroke.pieces) {
         Piece now{{}, piece.hairpin};
         const auto close = [&] {
             if (now.line.size() > 1) out.back().pieces.push_back(now);
             now.line.places.clear();
         };
-        for (const Place& p : piece.line.places) {
+        for (const Place& given : piece.line.places) {
+            const Place p = surface::curve::settled(s, given);
             Line way;
-            const Step to = before != nullptr ? step(s, *before, p, way) : Step::whole;
+            const Step to = before ? step(s, *before, p, way) : Step::whole;
             if (to == Step::none) {
                 const double l = distance(before->point, p.point);
                 if (l > breaks.longest) breaks.longest = l, breaks.at = before->point;
@@ -58,7 +60,7 @@ std::vector<Stroke> parted(const Surface& s, const Stroke& stroke, Breaks& break
             if (to == Step::bent)
                 now.line.places.insert(now.line.places.end(), way.places.begin() + 1, way.places.end() - 1);
             now.line.places.push_back(p);
-            before = &p;
+            before = p;
         }
         close();
     }

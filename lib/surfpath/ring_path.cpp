@@ -1,8 +1,8 @@
 #include "surfpath/ring_path.hpp"
 
 #include "base/error.hpp"
-#include "curve/ease.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/rings.hpp"
 #include "surfpath/seam.hpp"
 
@@ -19,23 +19,6 @@ constexpr double kPathStep = 0.1; // least radii: between points of the path
 constexpr double kEase = 1.08;    // least radii: so that what remains keeps to it
 constexpr double kSeam = 25;      // spacings: length of a seam, per lane that lanes go over by
 
-// The place, in the triangle among those about its own that it lies in: where lines were joined it may be another.
-Place settled(const Surface& s, Place p) {
-    for (int round = 0; round < 3; ++round) {
-        Place best{p.triangle, surface::nearest_in(s, p.triangle, p.point)};
-        double least = distance(best.point, p.point);
-        if (least < 1e-9) return best;
-        for (const auto v : s.triangles[p.triangle])
-            surface::each_outgoing(s, v, [&](std::uint32_t h) {
-                const Vec3 q = surface::nearest_in(s, h / 3, p.point);
-                if (const double d = distance(q, p.point); d < least) least = d, best = {h / 3, q};
-            });
-        if (best.triangle == p.triangle) return best;
-        p.triangle = best.triangle;
-    }
-    return {p.triangle, surface::nearest_in(s, p.triangle, p.point)};
-}
-
 // The line with points where it crosses edges only if it would leave the surface by more than 0.004 mm between its own:
 // of two points that are next to nothing apart, each turns by any angle.
 Line slim_threaded(const Surface& s, const Line& line) {
@@ -43,7 +26,7 @@ Line slim_threaded(const Surface& s, const Line& line) {
     Line out;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         out.places.push_back(line.places[i]);
-        const Line way = curve::join(s, line.places[i], line.places[i + 1]);
+        const Line way = surface::curve::join(s, line.places[i], line.places[i + 1]);
         const Vec3 d = line[i + 1] - line[i];
         for (std::size_t k = 1; k + 1 < way.size(); ++k) {
             const Vec3 p = way[k] - line[i];
@@ -58,9 +41,9 @@ Line slim_threaded(const Surface& s, const Line& line) {
 // The line eased, with points in equal steps, so that the noise of crossings with edges does not count as curvature.
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     const auto eased =
-        curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
-    Line out = curve::resampled(eased.line, kPathStep * radius);
-    for (Place& p : out.places) p = settled(s, p);
+        surface::curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
+    Line out = surface::curve::resampled(eased.line, kPathStep * radius);
+    for (Place& p : out.places) p = surface::curve::settled(s, p);
     return slim_threaded(s, out);
 }
 
@@ -70,7 +53,7 @@ void tell_apart(const Surface& s, const Rings& made, Plan& plan) {
     for (const Line& line : made.lines) components.insert(s.component[line.places[0].triangle]);
     const std::size_t apart = plan.strokes.size() - components.size();
     if (apart == 0) return;
-    const auto length = [](const Stroke& stroke) { return curve::length(stroke.pieces[0].line); };
+    const auto length = [](const Stroke& stroke) { return surface::curve::length(stroke.pieces[0].line); };
     const auto shortest = std::min_element(plan.strokes.begin(), plan.strokes.end(),
                                            [&](const auto& a, const auto& b) { return length(a) < length(b); });
     const Vec3 at = shortest->pieces[0].line[0];

@@ -1,7 +1,7 @@
 #include "judge.hpp"
 
-#include "curve/locate.hpp"
 #include "geom/box_tree.hpp"
+#include "surface/curve/locate.hpp"
 
 #include "random.hpp"
 
@@ -200,7 +200,7 @@ Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& aske
     Judged out;
     out.least_radius = kFar;
     const auto laid = chains(spans, out.jump);
-    const curve::Locator ground(s);
+    const surface::curve::Locator ground(s);
     for (const Chain& c : laid) {
         out.length += c.way.back();
         measure_turns(c, asked, out);

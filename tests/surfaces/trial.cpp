@@ -2,10 +2,10 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "baselines/kipping2022/kipping2022.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
 #include "geodesic/measure.hpp"
-#include "kipping2022/kipping2022.hpp"
 #include "surface/remesh.hpp"
 #include "surfpath/plan.hpp"
 
@@ -139,7 +139,8 @@ Outcome run(const Trial& t) {
     const bool rings = ours && (t.options.algorithm == "geo-fiso" || t.options.algorithm == "geo-contour");
     const Asked asked{t.options.spacing, t.options.least_radius, ours, rings};
     try {
-        surfpath::Plan plan = ours ? surfpath::plan(t.sheet, t.options) : kipping2022::plan(t.sheet, t.paper);
+        surfpath::Plan plan =
+            ours ? surfpath::plan(t.sheet, t.options) : baselines::kipping2022::plan(t.sheet, t.paper);
         surfpath::finish(t.sheet.surface, plan, t.options);
         surfpath::Laying laying;
         laying.width = t.options.spacing;

@@ -4,7 +4,7 @@
 #include "judge.hpp"
 #include "random.hpp"
 
-#include "kipping2022/options.hpp"
+#include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/surfpath.hpp"
 
@@ -14,7 +14,7 @@ struct Trial {
     std::string words; // what it is, for a person
     surface::Sheet sheet;
     surfpath::Options options;
-    kipping2022::Options paper;
+    baselines::kipping2022::Options paper;
     Notes notes; // of making the surface
 };
 
