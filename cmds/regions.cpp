@@ -4,6 +4,7 @@
 // memory: two layers
 #include "regions/regions.hpp"
 #include "cli/command.hpp"
+#include "regions/sizes.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -22,6 +23,9 @@ cli::Spec spec(regions::Options& o) {
             "area, a radius that certainly fits into it, and whether a stroke can climb there. It can where a circle "
             "of half a bead's diameter fits into the common area, or, between walls thinner than a bead, one of half "
             "the thinner wall's. The rest of the area hangs free and is reported as unsupported.\n\n"
+            "Layers higher than a bead is wide, and beads wider than the part, are refused, as are layers that take "
+            "more beads "
+            "than memory holds: 25 million squares of a bead's width.\n\n"
             "Regions that touch in a single point are separate. A region into which no circle of --least-width fits is "
             "left out, with a note.",
         .in = cli::reads(stream::Payload::layers),
@@ -47,15 +51,19 @@ void run(const regions::Options& options, const cli::Io& io) {
     std::vector<polygon::Region> below;
     std::uint32_t id = 0;
     std::int64_t last = -2;
-    cli::scan_stage(io, stream::Payload::layers, stream::Payload::regions,
-                    [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
-                        const auto layer = wire::layer(frame);
-                        if (layer.index != last + 1) below.clear(); // a gap in the stack carries nothing
-                        last = layer.index;
-                        below = regions::regions(layer, below, id, options, notes);
-                        id += static_cast<std::uint32_t>(below.size());
-                        for (const auto& r : below) emit(wire::frame(r));
-                    });
+    geom::Box2 box;
+    cli::scan_stage(
+        io, stream::Payload::layers, stream::Payload::regions,
+        [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
+            const auto layer = wire::layer(frame);
+            regions::check_layer(layer, options.bead_width, box);
+            if (layer.index != last + 1) below.clear(); // a gap in the stack carries nothing
+            last = layer.index;
+            below = regions::regions(layer, below, id, options, notes);
+            id += static_cast<std::uint32_t>(below.size());
+            for (const auto& r : below) emit(wire::frame(r));
+        },
+        [&](const auto&, Notes& notes) { regions::check_part(box, options.bead_width, notes); });
 }
 
 } // namespace
