@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "machine/feed.hpp"
+#include "postproc/approach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -217,6 +218,11 @@ void TiltedWalk::finish_stroke() {
     for (std::size_t i = 0; i < std::min(exchange(), stroke_.poses.size()); ++i)
         stroke_.joints[i] =
             kinematics::place(own().axes.chain, stroke_.poses[i].tip, stroke_.joints[i].tilt, stroke_.joints[i].turn);
+    if (layer_ < 0) {
+        std::size_t added = 0;
+        stroke_ = approached(next, std::move(stroke_), added);
+        landing_ += added;
+    }
     auto seconds = durations();
     if (a.chain.carrier == kinematics::Carrier::frame) {
         headings_ = carrier_.headings(stroke_);
