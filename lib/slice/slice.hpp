@@ -38,8 +38,8 @@ struct Level {
     double plane = 0;  // mid-height
 };
 
-// Planes are cut this much higher: more than what single precision leaves of a height below 100 mm.
-inline constexpr double kLift = 1e-5; // mm
+// Planes are cut this much higher: more than a mesh is rounded or jittered by (1 um at each end), less than shows.
+inline constexpr double kLift = 2.5e-3; // mm
 
 // The levels of a part that reaches from z = bottom to z = top, lowest first.  Without `adaptive` there are
 // round(height / layer_height) of them, half a layer rounded down, the first as high as asked for.  A part lower than
