@@ -6,6 +6,7 @@
 #include "postproc/about.hpp"
 #include "postproc/job.hpp"
 #include "postproc/measure.hpp"
+#include "postproc/options.hpp"
 #include "postproc/program.hpp"
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
@@ -15,9 +16,11 @@ namespace {
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
-    "travel with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken "
-    "back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
+    "Writes the program that a machine runs: every bead as moves with their own material, every break as a travel "
+    "with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken back. "
+    "Material is counted exactly: what rounding leaves over goes into the next move. What lies within "
+    "--path-tolerance of one straight move (or of an arc, if the profile's format.arcs says so) becomes that; the "
+    "section of a bead stays within 5 % of the toolpath's, at each point or averaged over a bead's width.\n\n"
     "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
     "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
@@ -57,6 +60,18 @@ cli::Spec spec(postproc::Options& o) {
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
              cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
                  {"error", "drop"}),
+             cli::Option{"path-tolerance", &o.path_tolerance, "MM",
+                         "moves are merged as long as the path stays that near; 0: only those below 0.001 mm; left "
+                         "out: 0.01, on surfaces 0.02"}
+                 .at_least(0)
+                 .at_most(10)
+                 .numbers(1),
+             cli::Option{"axis-tolerance", &o.axis_tolerance, "DEG",
+                         "and the tool's axis, on machines with rotary axes; left out: 0.5"}
+                 .at_least(0)
+                 .at_most(45)
+                 .numbers(1),
+             {"flatten", &o.flatten, "", "let an upright nozzle follow a path that leans the tool"},
              cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
@@ -78,15 +93,14 @@ std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io&
 }
 
 void run(const postproc::Options& o, const cli::Io& io) {
-    auto profile = machine::load_profile(o.machine, o.set);
-    profile.fibre.omit_short = o.short_strokes == "drop";
+    const auto profile = postproc::profile_for(o);
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient));
+    postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient), o.flatten);
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
         if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
@@ -108,7 +122,8 @@ void run(const postproc::Options& o, const cli::Io& io) {
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
     program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
+    const auto written = postproc::walker(
+        profile, measure.walk_shift(), [&](auto steps) { program->add(steps); }, measure.joins());
     while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
     written->end();
     program->end();

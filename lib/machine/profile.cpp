@@ -80,8 +80,23 @@ void read_extrusion(Document& doc, Extrusion& e) {
         doc.fail(e.on.empty() ? "extrusion.on" : "extrusion.off", "a valve needs codes to open and to close");
 }
 
+void read_planner(Document& doc, Motion& m) {
+    std::string controller = "marlin";
+    doc.choice("motion.controller", controller, {"marlin", "klipper", "reprapfirmware", "linuxcnc"});
+    m.controller = controller == "klipper"          ? Controller::klipper
+                   : controller == "reprapfirmware" ? Controller::reprapfirmware
+                   : controller == "linuxcnc"       ? Controller::linuxcnc
+                                                    : Controller::marlin;
+    doc.number("motion.acceleration_z", m.acceleration_z, above_zero(kInf));
+    doc.number("motion.extruder_corner_speed", m.extruder_corner_speed, above_zero(kInf));
+    doc.number("motion.minimum_cruise_ratio", m.minimum_cruise_ratio, {0, 0.99});
+    doc.whole("motion.look_ahead", m.look_ahead, 0, 1000);
+    doc.number("motion.moves_per_second", m.moves_per_second, above_zero(kInf));
+}
+
 void read_motion(Document& doc, Profile& p) {
     Motion& m = p.motion;
+    read_planner(doc, m);
     doc.number("motion.max_speed", m.max_speed, above_zero(1e5));
     doc.number("motion.max_speed_z", m.max_speed_z, above_zero(1e5));
     doc.number("motion.acceleration", m.acceleration, above_zero(1e7));
@@ -104,6 +119,7 @@ void read_travel(Document& doc, Travel& t) {
     doc.number("travel.lift", t.lift, {0, 1000});
     doc.number("travel.retract", t.retract, {0, 1000});
     doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
+    doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
     doc.number("travel.extra", t.extra, {0, 1000});
     doc.number("travel.min_length", t.min_length, {0, 1e5});
 }
@@ -128,6 +144,7 @@ void read_format(Document& doc, Format& f) {
     f.crlf = line_end == "crlf";
     doc.flag("format.viewer_comments", f.viewer_comments);
     doc.choice("format.travel_code", f.travel_code, {"G0", "G1"});
+    doc.flag("format.arcs", f.arcs);
 }
 
 // A robot's language goes with tool frames, and with nothing else.
@@ -179,6 +196,8 @@ void read_templates(Document& doc, Profile& p) {
 
 } // namespace
 
+Merging standard_merging() { return {0.01, 0.02, geom::radians(0.5)}; }
+
 double Extrusion::per_mm3() const {
     const double area = std::numbers::pi * diameter * diameter / 4;
     return flow * (feeding == Feeding::filament || feeding == Feeding::plunger ? 1 / area : 1);
@@ -210,6 +229,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_format(doc, p.format);
     check_robot(doc, p);
     doc.numbers("values", p.values);
+    if (const auto found = p.values.find("tolerance"); found != p.values.end()) p.motion.blend = found->second;
     read_templates(doc, p);
     doc.finish();
     return p;

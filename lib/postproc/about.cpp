@@ -5,6 +5,7 @@
 #include "postproc/digits.hpp"
 #include "postproc/job.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace filum::postproc {
@@ -123,8 +124,15 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
                  Facts& facts) {
     const auto& a = profile.axes;
-    if (!a.active() || a.chain.carrier == kinematics::Carrier::frame) return;
     const Efforts& e = survey.efforts;
+    facts.push_back({stage, "moves", static_cast<double>(survey.moves), ""});
+    facts.push_back({stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, survey.laying)), ""});
+    facts.push_back({stage, "largest-merge", e.off, "mm"});
+    constexpr double told = 0.01; // degrees
+    if (!a.active() && geom::degrees(e.lean) > told)
+        notes.push_back({stage, "nozzle upright where the toolpath leans it", geom::degrees(e.lean), "deg", 1, -1,
+                         e.lean_at.x, e.lean_at.y});
+    if (!a.active() || a.chain.carrier == kinematics::Carrier::frame) return;
     const auto degrees = [](double rad) { return geom::degrees(rad); };
     facts.push_back({stage, "unwinds", static_cast<double>(e.unwinds), ""});
     facts.push_back({stage, "largest-lean", degrees(e.lean), "deg"});
@@ -134,7 +142,6 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
     if (e.unwinds_in_turns > 0)
         notes.push_back(
             {stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks", e.unwinds_in_turns});
-    constexpr double told = 0.01; // degrees
     if (degrees(e.clipped) > told)
         notes.push_back({stage, "tool leans to keep the limits of the tilt axis", degrees(e.clipped), "deg", 1, -1,
                          e.clipped_at.x, e.clipped_at.y});

@@ -183,12 +183,12 @@ void FibreWalk::end() {
     inner_->end();
 }
 
-std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out) {
+std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out, const Joins* joins) {
     std::unique_ptr<Walker> inner;
     if (profile.axes.active())
         inner = std::make_unique<TiltedWalk>(profile, shift, out);
     else
-        inner = std::make_unique<Walk>(profile, out);
+        inner = std::make_unique<Walk>(profile, out, joins);
     return std::make_unique<FibreWalk>(profile, std::move(inner), std::move(out));
 }
 

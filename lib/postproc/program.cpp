@@ -148,6 +148,26 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
     return true;
 }
 
+// Of what lays material: an arc where it can be told from its chord.
+bool Program::bead_words(const Step& step, const std::array<std::int64_t, 5>& to) {
+    const std::int64_t i = units(step.centre.x + shift_.x, xyz_scale_) - at_[0],
+                       j = units(step.centre.y + shift_.y, xyz_scale_) - at_[1];
+    constexpr std::int64_t least = 10; // units of the last decimal
+    const auto far = [](std::int64_t a, std::int64_t b) { return std::abs(a) + std::abs(b) >= least; };
+    if (step.sweep == 0 || !far(i, j) || !far(to[0] - at_[0], to[1] - at_[1])) return words(to, "G1");
+    text_ += step.sweep > 0 ? "G3" : "G2";
+    const auto word = [&](char letter, std::int64_t value) {
+        text_ += ' ';
+        text_ += letter;
+        append_units(text_, value, profile_->format.xyz_decimals);
+    };
+    word('X', to[0]), word('Y', to[1]);
+    if (to[2] != at_[2]) word('Z', to[2]);
+    word('I', i), word('J', j);
+    at_ = to;
+    return true;
+}
+
 void Program::feed_units(double value) {
     const auto f = std::max<std::int64_t>(1, units(value, f_scale_));
     if (f == f_) return;
@@ -188,7 +208,7 @@ void Program::extruder_only(std::int64_t units, double speed) {
     if (units == 0 || !counts()) return;
     text_ += "G1";
     material(units);
-    const double seconds = static_cast<double>(std::abs(units)) / e_scale_ / speed;
+    const double seconds = std::max(static_cast<double>(std::abs(units)) / e_scale_ / speed, kLeastSeconds);
     if (profile_->axes.active() && profile_->axes.feed_word != machine::FeedWord::per_minute) {
         f_ = -1;
         feed_units(profile_->axes.feed_word == machine::FeedWord::inverse ? 60 / seconds : seconds);
@@ -205,7 +225,8 @@ void Program::move(const Step& step) {
     if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
     if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
-    const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
+    double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
+    if (known && way < toolpath::kLeastMove * (1 - 1e-9)) to[0] = at_[0], to[1] = at_[1], to[2] = at_[2], way = 0;
     if (step.act == Act::climb) {
         if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, "G1")) return; // x and y stay, known or not
     } else if (step.act == Act::travel) {
@@ -213,7 +234,7 @@ void Program::move(const Step& step) {
     } else {
         laid_ += feeds(step);
         bead_comments(step);
-        if (!words(to, "G1")) return; // too short to see: its material goes on with the next
+        if (!bead_words(step, to)) return; // too short to see: its material goes on with the next
         if (counts()) material(due());
     }
     if (rotary)

@@ -9,20 +9,12 @@
 
 namespace filum::postproc {
 
-struct Options {
-    std::string machine = "marlin";      // profile: name or file
-    std::string place = "center";        // center | as-is
-    std::string orient = "as-is";        // see parse_orient
-    std::string set;                     // changes to the profile: "feeds.bead=40,nozzle_temp=230"
-    std::string short_strokes = "error"; // of fibre: error | drop
-    std::string job;                     // file
-};
-
 // Writes the program of the steps that `survey` was made of, moved by `shift`.
 //
 // Coordinates are whole multiples of the last decimal; a word is written only if it changed, a move that changes
 // nothing is left out and its material goes into the next one.  The extruder word is the difference of rounded totals,
-// so rounding never adds up and never takes back.  No number has an exponent.  The last line says "end of program".
+// so rounding never adds up and never takes back.  No move is shorter than toolpath::kLeastMove.  No number has an
+// exponent.  The last line says "end of program".
 class Program final : public Writer {
   public:
     Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
@@ -38,6 +30,7 @@ class Program final : public Writer {
     void push() override;
     void cut() override;
     void move(const Step& step) override;
+    bool bead_words(const Step& step, const std::array<std::int64_t, 5>& to);
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
     void begin_axes();
     void end_axes();

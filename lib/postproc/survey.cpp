@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace filum::postproc {
@@ -20,7 +21,7 @@ std::string place(std::uint32_t layer, Vec3 p) {
 
 } // namespace
 
-Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile.motion) {
+Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile) {
     for (auto& e : survey_.low) e.value = kInfinity;
     for (auto& e : survey_.high) e.value = -kInfinity;
     survey_.part_low.fill(kInfinity);
@@ -33,6 +34,20 @@ void Surveyor::check_section(const Step& step, double length) const {
     throw Error(Exit::failure, "cannot print " + place(step.layer, step.to) + ": a bead of " + fixed_text(section, 4) +
                                    " mm2 is above the " + fixed_text(profile_->limits.section, 4) + " mm2 that '" +
                                    profile_->name + "' allows; use narrower beads, thinner layers or a larger nozzle");
+}
+
+// The point of an arc that lies farthest out in each direction that it passes.
+void Surveyor::visit_arc(const Step& step) {
+    const Vec2 arm = at_.xy() - step.centre;
+    const double radius = norm(arm), begin = std::atan2(arm.y, arm.x);
+    constexpr double quarter = std::numbers::pi / 2;
+    const double low = std::min(begin, begin + step.sweep), high = std::max(begin, begin + step.sweep);
+    for (double k = std::ceil(low / quarter); k * quarter < high; ++k) {
+        Step out = step;
+        out.to.x = step.centre.x + radius * std::cos(k * quarter);
+        out.to.y = step.centre.y + radius * std::sin(k * quarter);
+        visit(out, true);
+    }
 }
 
 void Surveyor::visit(const Step& step, bool extruding) {
@@ -54,16 +69,32 @@ void Surveyor::spend() {
     (open_ ? tool.print_seconds : tool.travel_seconds) += time;
 }
 
+// Of machines with rotary axes the program says how long a move is to take; robots are believed to do it.
+void Surveyor::spend_move(const Step& step, const Vec3& d) {
+    const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
+    if (profile_->axes.chain.carrier == kinematics::Carrier::frame) return clock_.pause(step.seconds);
+    machine::PlannedMove m{.step = d, .feed = step.feed, .extruding = step.act == Act::extrude};
+    m.extruded = fibre ? step.fed : step.volume * profile_->extrusion.per_mm3();
+    if (step.sweep != 0) m.sweep = step.sweep, m.arm = at_.xy() - step.centre;
+    if (rotary) {
+        if (!placed_ || !(step.seconds > 0)) return; // nobody knows whence it comes
+        m.tilt = step.tilt - tilt_, m.turn = step.turn - turn_;
+        const double way = norm(d);
+        m.feed = (way > 0 ? way : std::max(std::abs(m.tilt), std::abs(m.turn))) / step.seconds;
+    }
+    clock_.move(m);
+}
+
 void Surveyor::move(const Step& step) {
     const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
     const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
-    const double length = rotary ? step.length : geom::norm(d);
+    const double length = rotary            ? step.length
+                          : step.sweep != 0 ? std::abs(step.sweep) * geom::distance(at_.xy(), step.centre)
+                                            : geom::norm(d);
     const bool extruding = step.act == Act::extrude;
     if (extruding && step.volume > 0 && !fibre) check_section(step, length);
-    if (rotary)
-        clock_.pause(step.seconds);
-    else
-        clock_.move(d, step.feed, extruding);
+    spend_move(step, d);
+    if (step.sweep != 0) visit_arc(step);
     visit(step, extruding);
     auto& tool = survey_.tools[step.tool];
     (extruding ? survey_.path_len : survey_.travel_len) += length;
@@ -75,7 +106,8 @@ void Surveyor::move(const Step& step) {
     else
         survey_.volume += step.volume;
     survey_.moves += length > 0 ? 1 : 0;
-    at_ = step.to;
+    survey_.laying += extruding ? 1 : 0;
+    at_ = step.to, tilt_ = step.tilt, turn_ = step.turn;
     tool_ = step.tool;
     placed_ = true;
 }
@@ -100,10 +132,10 @@ void Surveyor::add(std::span<const Step> steps) {
             open_ = false;
             break;
         case Act::retract:
-            clock_.pause(t.retract / t.retract_speed);
+            clock_.pause(machine::stop_to_stop(t.retract, t.retract_speed, t.retract_acceleration));
             break;
         case Act::prime:
-            clock_.pause((t.retract + t.extra) / t.retract_speed);
+            clock_.pause(machine::stop_to_stop(t.retract + t.extra, t.retract_speed, t.retract_acceleration));
             break;
         case Act::tool:
             spend();

@@ -44,6 +44,7 @@ struct Survey {
     double volume = 0;                             // mm3 of bead but for fibre, as the toolpath says
     double seconds = 0;
     std::uint64_t moves = 0, strokes = 0;
+    std::uint64_t laying = 0;                        // moves that lay material
     std::uint32_t layers = 0;                        // highest index + 1
     Efforts efforts;                                 // of rotary axes
     std::string placed;                              // how the numbers' frame lies to the toolpath's; may be empty
@@ -64,6 +65,8 @@ class Surveyor {
 
   private:
     void move(const Step& step);
+    void spend_move(const Step& step, const Vec3& way);
+    void visit_arc(const Step& step);
     void spend();
     void omit(const Step& step);
     void check_fibre() const;
@@ -73,7 +76,8 @@ class Surveyor {
     machine::Clock clock_;
     Survey survey_;
     Vec3 at_;
-    double spent_ = 0; // s of the clock that tools were charged with
+    double tilt_ = 0, turn_ = 0; // rad
+    double spent_ = 0;           // s of the clock that tools were charged with
     std::uint32_t tool_ = 0;
     bool placed_ = false, open_ = false;
 };

@@ -164,7 +164,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
-        const Laying how = laying(tip_, span, i);
+        const Laying how = laying(tip_, span.tool, machine::laid(span, i), i + 2 == span.points.size());
         go(pose(span, i + 1, shift_),
            {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
             (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
@@ -257,7 +257,7 @@ std::vector<double> TiltedWalk::durations() const {
                            distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
                            robot ? 0 : std::abs(j[i].xyz.z - j[i - 1].xyz.z) / profile_->motion.max_speed_z,
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
-                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i)});
+                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i), kLeastSeconds});
     // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
     bool eased = true;
     const auto ease = [&](std::size_t i, double before, double after, double acceleration) {

@@ -1,12 +1,13 @@
 // From the spans of a toolpath to the steps of a machine: what to do, one after the other, still in numbers.
 #pragma once
 
-#include "machine/profile.hpp"
-#include "toolpath/path.hpp"
+#include "machine/feed.hpp"
+#include "toolpath/merge.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -22,6 +23,9 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kTouch = 1e-6; // mm; spans that meet are written from the same number
 // mm above its place from where the first stroke is sought: clear of clips and fixtures
 inline constexpr double kApproach = 5;
+// s: no move of a machine with rotary axes is said to take less.  A controller's servo does nothing in less, and words
+// of inverse time stay below 1e5.
+inline constexpr double kLeastSeconds = 1e-3;
 
 enum class Act : std::uint8_t {
     layer,   // a span of another layer begins: `to.z` its top, `height` its thickness
@@ -55,17 +59,28 @@ struct Step {
     std::uint32_t tool = 0;
     double fed = 0;    // mm of fibre, fed on the way
     bool halt = false; // the tool comes to a stand there: what follows belongs to that very place
+    double sweep = 0;  // rad of an arc, positive counter-clockwise; 0: straight
+    Vec2 centre{};     // of an arc, placed as `to`
 };
 
 using Steps = std::function<void(std::span<const Step>)>;
 
-// What it took to bring the axes of a machine with rotary ones along the path.
+// What it took to bring a machine along the path.
 struct Efforts {
+    std::uint64_t given = 0; // segments of what is laid, as the toolpath has them; survey.hpp counts the moves
+    double off = 0;          // mm: the farthest that merging leads from them
     std::uint64_t unwinds = 0, unwinds_in_turns = 0; // breaks of a stroke to turn the axes back; in tight turns
     Vec3 unwind;                                     // where the first one is, as placed
     std::uint32_t unwind_layer = 0;
     double lean = 0, clipped = 0; // rad: the most a tool leans off its axis; the most of it to keep the tilt's limits
     Vec3 lean_at, clipped_at;
+};
+
+// Where a toolpath goes without filling (lifts, jogs, connectors), layer by layer: what merged moves must not cross.
+struct Joins {
+    std::map<std::uint32_t, std::vector<geom::Segment>> of_layer;
+    void add(const toolpath::Span& span); // to its layer and those that it may touch: below and above
+    [[nodiscard]] std::span<const geom::Segment> near(std::uint32_t layer) const;
 };
 
 // Turns spans, in their order, into steps.
@@ -85,7 +100,8 @@ class Walker {
         double feed = 0, fed = 0; // mm/s; mm of fibre
         bool halt = false;
     };
-    [[nodiscard]] Laying laying(const machine::Profile& profile, const toolpath::Span& span, std::size_t i) const;
+    [[nodiscard]] Laying laying(const machine::Profile& profile, std::uint32_t tool, const machine::Laid& move,
+                                bool last) const;
     [[nodiscard]] Act before() const; // what comes before its first move; Act::extrude for nothing
     virtual void travel(const toolpath::Span& span) = 0;
     virtual void extrude(const toolpath::Span& span) = 0;
@@ -100,10 +116,14 @@ class Walker {
 };
 
 // Of three axes: a Walk, whose steps are not placed; of more: a TiltedWalk of what is placed by `shift`; before either
-// a FibreWalk.
-std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out);
+// a FibreWalk.  `joins`, if any, of the whole toolpath, as long as the walker.
+std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out, const Joins* joins = nullptr);
 
-// Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.
+// How far what a walker makes of a span may be from it.
+toolpath::Tolerance tolerance(const machine::Profile& profile, const toolpath::Span& span);
+
+// Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.  Moves are merged as the
+// profile's Merging allows, of each span by itself: so no end of a stroke, role, tool or layer moves.
 // A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
 // machine), moves, comes down, primes and opens again; one with normals goes where its points are instead, behind a
 // change of the tool from above the second of them; one shorter
@@ -112,7 +132,7 @@ std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Step
 // whole number of mm/s where it is above one.
 class Walk final : public Walker {
   public:
-    Walk(const machine::Profile& profile, Steps out);
+    Walk(const machine::Profile& profile, Steps out, const Joins* joins = nullptr);
     void end() override;
 
   private:
@@ -126,6 +146,7 @@ class Walk final : public Walker {
 
     const machine::Profile* profile_;
     Steps out_;
+    const Joins* joins_;
     std::vector<Step> buffer_;
     Vec3 path_;      // end of the span before
     Vec3 at_;        // of the nozzle

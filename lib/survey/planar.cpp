@@ -50,6 +50,8 @@ figures::Figures planar(const metrics::Options& given, const cli::Io& io) {
         }
     }
     input.seconds = pace.seconds();
+    if (!pace.why().empty())
+        input.notes.push_back({io.program, "print time not known: " + pace.why(), 0, "", 1, -1, NAN, NAN});
     input.tools = pace.tools();
     const auto layers = metrics::measure_layers(beads, regions, options.pixel, io.threads);
     if (options.pores) input.pores = metrics::measure_pores(beads, regions, layers, io.threads);

@@ -95,8 +95,9 @@ Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uin
         Section section(line, from, t.section);
         for (std::uint32_t k = from.i + 1; k <= to; ++k) section.take(k);
         if (!section.suits()) return false;
-        const auto round = circle(line, from, to, most);
-        const auto d = round ? distance_of(line, from, to, *round, most) : std::nullopt;
+        const double may = most * full_share(line, from, line.at[to] - length_at(line, from));
+        const auto round = circle(line, from, to, may);
+        const auto d = round ? distance_of(line, from, to, *round, may) : std::nullopt;
         if (!d) return false;
         out = {to, round->centre, round->sweep}, worst = *d;
         return true;

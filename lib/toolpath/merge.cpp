@@ -161,14 +161,14 @@ Course course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>
 
 } // namespace
 
-Merged merge(const Span& span, const Tolerance& given) {
+Merged merge(const Span& span, const Tolerance& given, std::span<const geom::Segment> others) {
     Tolerance t = given;
-    t.path = std::max(0.0, t.path - t.grid / std::numbers::sqrt2); // a rounded place is as far as that
+    t.path = fills(span.role) ? std::max(0.0, t.path - t.grid / std::numbers::sqrt2) : 0; // as rounding is
     const Line l = line_of(span);
     std::vector<std::uint8_t> as_given(l.size(), 0);
     Course c = course(l, t, as_given);
     for (int k = 0; t.path > 0 && k <= kUntangled; ++k) {
-        const auto all = tangles(l, c.moves, c.begins);
+        const auto all = tangles(l, c.moves, c.begins, others);
         if (all.empty()) break;
         if (k == kUntangled) t.path = 0;
         for (const Tangle& x : all) std::fill(as_given.begin() + x.first, as_given.begin() + x.last + 1, 1);

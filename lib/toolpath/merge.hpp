@@ -1,6 +1,7 @@
 // Fewer moves for the same line: what lies within a tolerance of one straight move, or of one arc, becomes that.
 #pragma once
 
+#include "geom/segment_grid.hpp"
 #include "toolpath/path.hpp"
 
 #include <algorithm>
@@ -16,8 +17,9 @@ inline constexpr double kLeastMove = 1e-3;
 struct Tolerance {
     double path = 0; // mm between the line as given and as moved; 0: only points nearer than kLeastMove are merged
     double grid = 0; // mm: coordinates will be rounded to whole multiples of it, which is part of `path`
-    // A move lays its mean cross-section all along.  That is within this share of the one that was given, at each point
-    // or averaged over a bead's width: nothing finer leaves a nozzle.
+    // A move lays its mean cross-section all along.  That is within this share of the one that was given, at each
+    // point, or what is laid so far is always right within this share of what a bead's width holds: a nozzle does no
+    // better.
     double section = 0.05;
     bool arcs = false;
 };
@@ -43,9 +45,10 @@ struct Merged {
 // Their ends need not be points of the span.  Greedy: from each end the farthest place that one move reaches; level
 // stretches by ordered stabbing of the discs around the points (Guibas, Hershberger, Mitchell, Snoeyink 1993) with the
 // ray that turns the most to where the line goes on, and arcs through one end and the best centre (Chebyshev); others
-// by points alone.  No two moves cross each other where the line as given does not: where they would, it stays as
-// given. Volumes add up to the span's.  Ties: the later place, a straight move before an arc.
-Merged merge(const Span& span, const Tolerance& tolerance);
+// by points alone.  No two moves cross each other, or one of `others`, where the line as given does not: there it
+// stays as given.  So does all of a span that is no fill: others do not know where else it would be.
+// Volumes add up to the span's.  Ties: the later place, a straight move before an arc.
+Merged merge(const Span& span, const Tolerance& tolerance, std::span<const geom::Segment> others = {});
 
 // Points of a line that straight moves between them need, ascending, the first and the last among them; greedy.  In
 // between, each point is within `distance` mm of the place on the move at its share of the way (so what is laid evenly

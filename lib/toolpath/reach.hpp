@@ -30,6 +30,10 @@ struct Place {
 double length_at(const Line& line, const Place& place); // mm along the line
 double volume_at(const Line& line, const Place& place); // mm3 laid as far as that, with widths that change evenly
 
+// A move of up to three bead widths may be off by all of the tolerance, one of `length` mm by this share of it: as the
+// gap that it opens to its neighbours has no larger area.
+double full_share(const Line& line, const Place& from, double length);
+
 // Which mean sections suit all that one move would lay.
 class Section {
   public:
@@ -46,13 +50,14 @@ class Section {
     Place from_;
     double share_, begun_length_, begun_volume_;
     double low_ = 0, high_ = std::numeric_limits<double>::infinity();         // of the mean, mm2: at each point
-    double sum_low_ = 0, sum_high_ = std::numeric_limits<double>::infinity(); // averaged over a bead's width
+    double sum_low_ = 0, sum_high_ = std::numeric_limits<double>::infinity(); // of what is laid so far
     double volume_ = 0, length_ = 0;
 };
 
 // The farthest place that a straight move in the plane of the level piece [from.i, last] reaches from `from`; `last`
-// itself only exactly.  Never `from`.  `off` grows to the distance between move and line where it is more.  Where arcs
-// are wanted, too, moves end at points of the line: an arc that begins at the edge of the tolerance has little of it.
+// itself only exactly.  Never `from`.  `off` becomes the distance of move and line.
+// Where arcs are wanted, too, moves end at points of the line: an arc that begins at the edge of the tolerance has
+// little of it.
 Place straight_reach(const Line& line, const Place& from, std::uint32_t last, const Tolerance& t, double& off);
 
 // An arc from a place to a point.
@@ -66,11 +71,12 @@ struct Arc {
 Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
               double& off);
 
-// Pairs of moves that cross each other where what they lay did not, as segments [first, last] of `line`; `begins` of
-// each move, ascending: the point of the line at or before which it begins.
+// Moves that cross each other or one of `others` where what they lay did not, as segments [first, last] of `line`;
+// `begins` of each move, ascending: the point of the line at or before which it begins.
 struct Tangle {
     std::uint32_t first = 0, last = 0;
 };
-std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins);
+std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins,
+                            std::span<const geom::Segment> others);
 
 } // namespace filum::toolpath

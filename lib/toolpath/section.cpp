@@ -7,7 +7,8 @@ namespace filum::toolpath {
 
 namespace {
 
-constexpr double kSlack = 1e-9; // of a mean section, for rounding
+constexpr double kFullLength = 3; // bead widths
+constexpr double kSlack = 1e-9;   // of a mean section, for rounding
 
 } // namespace
 
@@ -23,6 +24,10 @@ double volume_at(const Line& line, const Place& p) {
     return line.volume[p.i] + share * (line.volume[p.i + 1] - line.volume[p.i]);
 }
 
+double full_share(const Line& line, const Place& from, double length) {
+    return std::min(1.0, kFullLength * line.width[from.i] / length);
+}
+
 Section::Section(const Line& line, const Place& from, double share)
     : line_(&line), from_(from), share_(share), begun_length_(length_at(line, from)),
       begun_volume_(volume_at(line, from)) {}
@@ -30,9 +35,9 @@ Section::Section(const Line& line, const Place& from, double share)
 void Section::piece(double a, double b, double width, double length) {
     low_ = std::max(low_, std::max(a, b) * (1 - share_));
     high_ = std::min(high_, std::min(a, b) * (1 + share_));
-    // What is laid so far may be off by half of what a bead's width holds of the share: then the mean over any stretch
-    // of that length is within the share.  Within the piece it bends off its chord by an eighth of the change.
-    const double may = share_ * std::min(a, b) * width / 2 - std::abs(b - a) * length / 8;
+    // What is laid so far may be off by the share of what a bead's width holds.  Within the piece it bends off its
+    // chord by an eighth of the change.
+    const double may = share_ * std::min(a, b) * width - std::abs(b - a) * length / 8;
     if (may < 0) return void(sum_low_ = std::numeric_limits<double>::infinity());
     if (!(length_ > 0)) return;
     sum_low_ = std::max(sum_low_, (volume_ - may) / length_);

@@ -8,6 +8,9 @@ namespace filum::toolpath {
 
 namespace {
 
+constexpr int kTries = 4; // until a longer one is off by little enough; it never is by more than the tolerance
+constexpr double kNearly = 1.05, kLess = 0.9;
+
 // The directions from a place in which a straight move meets each of some discs.
 class Wedge {
   public:
@@ -83,9 +86,7 @@ Place exit(const Line& line, Vec2 q, Vec2 u, std::uint32_t j, double most) {
     return out;
 }
 
-} // namespace
-
-Place straight_reach(const Line& line, const Place& from, std::uint32_t last, const Tolerance& t, double& off) {
+Place reach_within(const Line& line, const Place& from, std::uint32_t last, const Tolerance& t, double& off) {
     const double most = t.path * (1 - 1e-9); // so that rounding leaves it within
     const bool free = !t.arcs;
     const auto point = [&](std::uint32_t k) { return line.points[k].xy(); };
@@ -125,6 +126,23 @@ Place straight_reach(const Line& line, const Place& from, std::uint32_t last, co
     for (; exact > from.i + 1; exact = from.i + 1 + (exact - from.i - 1) / 2)
         if (const Place out{exact, 0, point(exact)}; accept(out)) return out;
     return {from.i + 1, 0, point(from.i + 1)};
+}
+
+} // namespace
+
+Place straight_reach(const Line& line, const Place& from, std::uint32_t last, const Tolerance& t, double& off) {
+    Tolerance now = t;
+    Place to;
+    for (int k = 0; k < kTries; ++k) {
+        off = 0;
+        to = reach_within(line, from, last, now, off);
+        const double length = length_at(line, to) - length_at(line, from);
+        const double may = t.path * full_share(line, from, length);
+        if (off <= may * kNearly) break;
+        // Of a circle the length goes with the root of what it may be off, so both with the power 3/2.
+        now.path = std::min(std::pow(may / off, 2.0 / 3), kLess) * now.path;
+    }
+    return to;
 }
 
 } // namespace filum::toolpath

@@ -9,7 +9,7 @@ namespace filum::toolpath {
 namespace {
 
 constexpr double kSagitta = 1e-3;  // mm, of the chords that stand for an arc in the grid
-constexpr double kTouching = 1e-6; // mm; ends that touch do not cross, however they are rounded
+constexpr double kTouching = 1e-9; // mm; ends that touch do not cross, however they are rounded
 constexpr int kFine = 32;          // pieces of each where two come that near: a thousandth of it
 
 // Moves as segments in the plane; each with the move it belongs to.
@@ -78,6 +78,12 @@ bool cross(const geom::Segment& s, const Move& m, const geom::Segment& t, const 
     return false;
 }
 
+bool crossed_before(const Line& l, const Tangle& a, const geom::Segment& b) {
+    for (std::uint32_t i = a.first; i <= a.last; ++i)
+        if (geom::cross_properly(l.points[i].xy(), l.points[i + 1].xy(), b.a, b.b)) return true;
+    return false;
+}
+
 bool crossed_before(const Line& l, const Tangle& a, const Tangle& b) {
     for (std::uint32_t i = a.first; i <= a.last; ++i)
         for (std::uint32_t k = b.first; k <= b.last; ++k)
@@ -88,11 +94,12 @@ bool crossed_before(const Line& l, const Tangle& a, const Tangle& b) {
 
 } // namespace
 
-std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins) {
+std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins,
+                            std::span<const geom::Segment> others) {
     std::vector<Tangle> out;
     const Chords all = chords(line.points.front().xy(), moves);
     const auto n = static_cast<std::uint32_t>(all.segments.size());
-    if (n < 3) return out;
+    if (n < 3 && others.empty()) return out;
     // A move lays what lies from the point at or before its start to the one at or after its end.
     const auto range = [&](std::uint32_t m) {
         const std::uint32_t end = m + 1 < begins.size() ? begins[m + 1] : line.size() - 2;
@@ -102,18 +109,25 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
     double length = 0;
     for (const auto& s : all.segments) length += distance(s.a, s.b);
     const geom::SegmentGrid grid(all.segments, std::max(length / n, kLeastMove));
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const auto [a, b] = all.segments[i];
-        const Vec2 low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
-        const Vec2 more = arcs ? Vec2{2 * kSagitta, 2 * kSagitta} : Vec2{};
-        grid.near(low - more, high + more, [&](std::uint32_t k) {
-            if (k < i + 2) return;
+    const auto near = [&](const geom::Segment& s, auto&& f) {
+        const double more = arcs ? 2 * kSagitta : 0;
+        grid.near({std::min(s.a.x, s.b.x) - more, std::min(s.a.y, s.b.y) - more},
+                  {std::max(s.a.x, s.b.x) + more, std::max(s.a.y, s.b.y) + more}, f);
+    };
+    for (std::uint32_t i = 0; i < n; ++i)
+        near(all.segments[i], [&](std::uint32_t k) {
+            const bool straight = moves[all.move[i]].sweep == 0 && moves[all.move[k]].sweep == 0;
+            if (k < i + 1 || (k == i + 1 && (straight || all.move[i] == all.move[k]))) return;
             if (!cross(all.segments[i], moves[all.move[i]], all.segments[k], moves[all.move[k]])) return;
             const Tangle one = range(all.move[i]), other = range(all.move[k]);
             if (crossed_before(line, one, other)) return;
             out.push_back(one), out.push_back(other);
         });
-    }
+    for (const geom::Segment& s : others)
+        near(s, [&](std::uint32_t k) {
+            if (!cross(all.segments[k], moves[all.move[k]], s, {})) return;
+            if (const Tangle one = range(all.move[k]); !crossed_before(line, one, s)) out.push_back(one);
+        });
     return out;
 }
 

@@ -89,16 +89,61 @@ TEST(Merge, NoMoveIsShorterThanAMicrometre) {
     }
 }
 
-// A circle within d needs chords of four times the root of d R when their ends are free.
+// A circle within d needs chords of four times the root of d R when their ends are free; wide beads, as a move that is
+// longer than three of them may not use all of it.
 TEST(Merge, ACircleTakesAsFewStraightMovesAsItsBandAllows) {
     Tolerance t;
     t.path = 0.01;
     for (const double radius : {1.0, 5.0, 40.0}) {
-        const auto m = merge(circle(radius, 2000), t);
+        Span s = circle(radius, 2000);
+        s.width = {4};
+        const auto m = merge(s, t);
         const double best = 2 * std::numbers::pi * radius / (4 * std::sqrt(t.path * radius));
         EXPECT_LE(static_cast<double>(m.moves.size()), 1.06 * best + 2) << radius;
         EXPECT_GE(static_cast<double>(m.moves.size()), best - 1) << radius;
     }
+}
+
+TEST(Merge, ALongMoveOpensNoWiderGapThanAShortOne) {
+    Tolerance t;
+    t.path = 0.01;
+    const Span s = circle(40, 2000);
+    const auto m = merge(s, t);
+    const double bead = s.width[0];
+    for (const Move& move : m.moves)
+        EXPECT_LE(move.length * move.length / (8 * 40), 2.2 * t.path * 3 * bead / move.length);
+    EXPECT_LE(m.off, 0.8 * t.path);
+}
+
+TEST(Merge, NothingCrossesWhatOthersLay) {
+    const Span s = circle(5, 500);
+    Tolerance t;
+    t.path = 0.01;
+    // from outside as near as it gets
+    std::vector<geom::Segment> others;
+    for (int k = 0; k < 50; ++k) {
+        const double a = 2 * std::numbers::pi * k / 50, r = 5.0005;
+        others.push_back({{r * std::cos(a), r * std::sin(a)}, {6 * std::cos(a), 6 * std::sin(a)}});
+    }
+    const auto count = [&](const Merged& m) {
+        int out = 0;
+        const auto way = lines::way(s.points.front(), m.moves, 1e-5);
+        for (std::size_t i = 0; i + 1 < way.size(); ++i)
+            for (const auto& o : others) out += geom::cross_properly(way[i].xy(), way[i + 1].xy(), o.a, o.b) ? 1 : 0;
+        return out;
+    };
+    EXPECT_GT(count(merge(s, t)), 0);
+    EXPECT_EQ(count(merge(s, t, others)), 0);
+    t.arcs = true;
+    EXPECT_EQ(count(merge(s, t, others)), 0);
+}
+
+TEST(Merge, WhatIsNoFillStaysAsGiven) {
+    Span s = circle(5, 100);
+    s.role = Role::lift;
+    Tolerance t;
+    t.path = 0.1;
+    EXPECT_EQ(merge(s, t).moves.size(), 100U);
 }
 
 TEST(Merge, ACircleIsFewArcs) {
@@ -181,7 +226,7 @@ TEST(Merge, NothingCrossesThatDidNot) {
         Tolerance t;
         t.path = 0.01, t.arcs = k % 2 == 0;
         const auto m = merge(s, t);
-        EXPECT_EQ(crossings(lines::way(s.points.front(), m.moves, 1e-5)), 0) << k;
+        EXPECT_EQ(crossings(lines::way(s.points.front(), m.moves, 1e-7)), 0) << k;
         tangled += m.moves.size() > 100 ? 1 : 0;
     }
     EXPECT_GT(tangled, 0); // it did happen

@@ -1,0 +1,21 @@
+#include "postproc/options.hpp"
+
+#include "base/error.hpp"
+#include "geom/angle.hpp"
+
+namespace filum::postproc {
+
+machine::Profile profile_for(const Options& o) {
+    auto out = machine::load_profile(o.machine, o.set);
+    out.fibre.omit_short = o.short_strokes == "drop";
+    out.merging = machine::standard_merging();
+    if (!o.path_tolerance.empty()) out.merging.planar = out.merging.surface = o.path_tolerance.front();
+    if (o.axis_tolerance.empty()) return out;
+    if (!out.axes.active())
+        throw Error(Exit::usage, "--axis-tolerance is for machines with rotary axes: '" + out.name +
+                                     "' holds the nozzle upright; leave it out, or name another machine");
+    out.merging.axis = geom::radians(o.axis_tolerance.front());
+    return out;
+}
+
+} // namespace filum::postproc
