@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "machine/feed.hpp"
+#include "postproc/poses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,7 @@ using geom::kDegree;
 using kinematics::Joints;
 using kinematics::Pose;
 
-constexpr int kSweeps = 30;            // over a stroke, until rotary axes can follow
-constexpr std::uint32_t kParts = 4096; // of a move, at most
+constexpr int kSweeps = 30; // over a stroke, until rotary axes can follow
 // rad that the tool's axis may change between two poses; near upright the profile's orientation, but for the last.
 constexpr double kAxisStep = 5 * kDegree, kFineAxisStep = 0.25 * kDegree;
 constexpr double kOpposite = 179 * kDegree; // beyond that no way from one axis to the other is the shortest
@@ -36,15 +36,6 @@ Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
 Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
     const double whole = kinematics::angle(a, b), s = std::sin(whole);
     return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
-}
-
-// By how much the last decimals may move the tip, mm.
-double rounding(const machine::Profile& profile, const Joints& at) {
-    const double linear = std::pow(10.0, -profile.format.xyz_decimals) / 2;
-    const double angular = std::pow(10.0, -profile.axes.angle_decimals) / 2 * kDegree;
-    const auto& c = profile.axes.chain;
-    const double arm = norm(at.xyz) + norm(c.tip_to_tilt) + norm(c.tilt_to_turn);
-    return std::sqrt(3.0) * linear + 2 * angular * arm;
 }
 
 } // namespace
@@ -159,8 +150,8 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
     if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
-        go(from,
-           {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool});
+        go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool,
+                  0, false, Act::extrude, true, !span.normals.empty()});
     Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
@@ -168,7 +159,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
         go(pose(span, i + 1, shift_),
            {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
             (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
-            how.fed, how.halt, std::exchange(first, Act::extrude)});
+            how.fed, how.halt, std::exchange(first, Act::extrude), true, !span.normals.empty()});
         top_ = std::max(top_, stroke_.poses.back().tip.z);
     }
     laid_ = true;
@@ -213,10 +204,14 @@ void TiltedWalk::finish_stroke() {
     if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
     const double lift = profile_->travel.lift;
     stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
+    std::size_t marks[] = {landing_, exchange()};
+    for (const Leg& leg : stroke_.legs) efforts_.given += leg.act == Act::extrude ? 1 : 0;
+    stroke_ = fewer(*profile_, refined(*profile_, std::move(stroke_), marks), marks, efforts_.off);
+    landing_ = marks[0];
     head();
     auto seconds = durations();
-    if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
-    emit(seconds);
+    if (marks[1] < seconds.size()) seconds[marks[1]] = 0; // nobody knows whence the tool comes
+    emit(seconds, marks[1]);
     at_ = stroke_.joints.back();
     stroke_ = {};
     laid_ = false;
@@ -290,7 +285,8 @@ std::size_t TiltedWalk::exchange() const {
     return layer_ < 0 ? 0 : std::min<std::size_t>(2, landing_);
 }
 
-void TiltedWalk::emit(const std::vector<double>& seconds) {
+// `change`: the leg before which the tool is changed.
+void TiltedWalk::emit(const std::vector<double>& seconds, std::size_t change) {
     const auto& joints = stroke_.joints;
     bool open = false;
     const auto mark = [&](Act act, std::size_t i, std::size_t at) {
@@ -303,7 +299,6 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
              .axes = joints[at].xyz,
              .tool = tool_});
     };
-    const std::size_t change = exchange();
     if (layer_ >= 0 && !ended_ && !profile_->fibre.lays(tool_)) {
         mark(Act::retract, 0, 0);
         retracted_.insert(tool_);
@@ -329,63 +324,28 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
     if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
 }
 
-// In how many parts the axes go straight to pose i, so that the tip keeps to its line.
-std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
-    const auto& a = profile_->axes;
-    if (a.numbers == machine::Numbers::tip || i == 0 || !(seconds > 0) || !stroke_.legs[i].straight) return 1;
-    const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
-    const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
-    const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
-    const double chord = std::max(a.chord - rounding(*profile_, to), a.chord / 2);
-    std::uint32_t parts = 1;
-    // The tip strays most in the middle of a part; by a quarter when parts are halved.
-    for (; parts < kParts; parts *= 2) {
-        double off = 0;
-        Joints l = at(0);
-        for (std::uint32_t k = 0; k < parts; ++k) {
-            const Joints r = at((k + 1.0) / parts);
-            const double middle = (k + 0.5) / parts;
-            const Joints m{0.5 * (l.xyz + r.xyz), (l.tilt + r.tilt) / 2, (l.turn + r.turn) / 2};
-            off = std::max(off, distance(kinematics::forward(a.chain, m).tip, begin + middle * (tip - begin)));
-            l = r;
-        }
-        if (off <= chord) break;
-    }
-    return parts;
-}
-
 void TiltedWalk::move(std::size_t i, double seconds) {
-    const auto& a = profile_->axes;
     const Leg& leg = stroke_.legs[i];
-    const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
+    const Joints& to = stroke_.joints[i];
     const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
-    const std::uint32_t n = parts(i, seconds);
-    Joints last = from;
-    for (std::uint32_t k = 1; k <= n; ++k) {
-        const double f = k == n ? 1 : k / static_cast<double>(n);
-        const Joints here = k == n ? to : kinematics::between(a.chain, begin, from, tip, to, f);
-        // A polar machine turns most where it passes the axis.
-        const double turning = seconds > 0 ? std::abs(here.turn - last.turn) / a.turn_speed : 0;
-        put({.act = leg.act,
-             .role = leg.role,
-             .layer = leg.layer,
-             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
-             .feed = leg.feed,
-             .volume = leg.volume / n,
-             .width = leg.width,
-             .height = leg.height,
-             .tilt = here.tilt,
-             .turn = here.turn,
-             .length = distance(begin, tip) / n,
-             .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
-             .axes = here.xyz,
-             .axis = stroke_.poses[i].axis,
-             .heading = headings_[i],
-             .tool = tool_,
-             .fed = leg.fed / n,
-             .halt = leg.halt && k == n});
-        last = here;
-    }
+    put({.act = leg.act,
+         .role = leg.role,
+         .layer = leg.layer,
+         .to = profile_->axes.numbers == machine::Numbers::tip ? tip : to.xyz,
+         .feed = leg.feed,
+         .volume = leg.volume,
+         .width = leg.width,
+         .height = leg.height,
+         .tilt = to.tilt,
+         .turn = to.turn,
+         .length = distance(begin, tip),
+         .seconds = seconds,
+         .axes = to.xyz,
+         .axis = stroke_.poses[i].axis,
+         .heading = headings_[i],
+         .tool = tool_,
+         .fed = leg.fed,
+         .halt = leg.halt});
 }
 
 } // namespace filum::postproc

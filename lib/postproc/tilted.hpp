@@ -9,8 +9,8 @@ namespace filum::postproc {
 
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
 // that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
-// joints the axes move straight, so they are cut in equal parts until the tip is off its line by no more than the
-// profile's chord, its last decimals included.
+// joints the axes move straight; as many are written as keep the tip to its line, and no more than the profile's
+// Merging needs (poses.hpp).
 //
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
@@ -32,7 +32,7 @@ class TiltedWalk final : public Walker {
     void finish_stroke();
     void check(const kinematics::Track& track) const;
     void note(const kinematics::Track& track, std::span<const kinematics::Lifting> places);
-    void emit(const std::vector<double>& seconds);
+    void emit(const std::vector<double>& seconds, std::size_t change);
     void move(std::size_t to, double seconds);
     [[nodiscard]] std::vector<double> durations() const;
     [[nodiscard]] std::size_t exchange() const;
@@ -41,7 +41,6 @@ class TiltedWalk final : public Walker {
     [[nodiscard]] double swing(std::size_t i) const;
     [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
     [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
-    [[nodiscard]] std::uint32_t parts(std::size_t i, double seconds) const;
 
     const machine::Profile* profile_;
     machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
