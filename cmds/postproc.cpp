@@ -3,6 +3,8 @@
 // writes: text
 // memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
 #include "cli/command.hpp"
+#include "cli/deviation_options.hpp"
+#include "cli/head_options.hpp"
 #include "postproc/about.hpp"
 #include "postproc/job.hpp"
 #include "postproc/measure.hpp"
@@ -18,9 +20,8 @@ using namespace filum;
 constexpr const char* kDescription =
     "Writes the program that a machine runs: every bead as moves with their own material, every break as a travel "
     "with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken back. "
-    "Material is counted exactly: what rounding leaves over goes into the next move. What lies within "
-    "--path-tolerance of one straight move (or of an arc, if the profile's format.arcs says so) becomes that; the "
-    "section of a bead stays within 5 % of the toolpath's, at each point or averaged over a bead's width.\n\n"
+    "Material is exact: what rounding leaves over goes into the next move. What lies within --path-tolerance of one "
+    "move, straight or (with format.arcs) an arc, becomes that; a bead's section stays within 5 % meanwhile.\n\n"
     "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
     "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
@@ -48,36 +49,20 @@ cli::Spec spec(postproc::Options& o) {
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
         .memory = "one span; what else arrives is kept, beyond 48 MiB in a temporary file in $TMPDIR",
-        .options =
+        .options = cli::with(
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
-             cli::Option{"place", &o.place, "",
-                         "where the part goes: center, the middle of the bed; or as-is, where it is"}
-                 .one_of({"center", "as-is"}),
+             cli::Option{"place", &o.place, "", "where the part goes: center, of the bed; or as-is"}.one_of(
+                 {"center", "as-is"}),
              {"orient", &o.orient, "",
               "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
               "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
              {"set", &o.set, "KEY=VALUE,...",
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
-             cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
-                 {"error", "drop"}),
-             cli::Option{"path-tolerance", &o.path_tolerance, "MM",
-                         "moves are merged as long as the path stays that near; 0: only those below 0.001 mm; left "
-                         "out: 0.01, on surfaces 0.02"}
-                 .at_least(0)
-                 .at_most(10)
-                 .numbers(1),
-             cli::Option{"axis-tolerance", &o.axis_tolerance, "DEG",
-                         "and the tool's axis, on machines with rotary axes; left out: 0.5"}
-                 .at_least(0)
-                 .at_most(45)
-                 .numbers(1),
-             {"flatten", &o.flatten, "", "let an upright nozzle follow a path that leans the tool"},
              cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
-        .examples =
-            {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
-              "G-code for a filament printer"},
-             {"slice part.stl | regions | sequence | fill | link3d | postproc --set feeds.bead=80 -o part.gcode",
-              "the same, faster"}},
+            cli::deviation_options(o)),
+        .examples = {{"slice part.stl | regions | sequence | fill | link3d | postproc > part.gcode",
+                      "for a filament printer"},
+                     {"link3d plan.fil | postproc --set feeds.bead=80 -o part.gcode", "the same, faster"}},
         .see_also = {"link3d", "metrics", "sequence"}};
 }
 
@@ -88,7 +73,7 @@ std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io&
         for (const auto& s : run.settings) out.back().settings.emplace_back(s.name, s.value);
     }
     auto& own = out.back().settings;
-    own.insert(own.begin(), {"machine", profile.name + " (profile " + profile.fingerprint + ")"});
+    own.emplace(own.begin(), "machine", profile.name + " (profile " + profile.fingerprint + ")");
     return out;
 }
 
@@ -98,7 +83,7 @@ void run(const postproc::Options& o, const cli::Io& io) {
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;
     cli::Progress progress(io, reader.header().expected);
-    Notes notes;
+    Notes notes; // of all stages
     Facts facts;
     postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient), o.flatten);
     while (auto frame = reader.next()) {
@@ -112,18 +97,18 @@ void run(const postproc::Options& o, const cli::Io& io) {
     for (; measure.again(); spool.rewind())
         while (const auto frame = spool.next()) measure.add(wire::span(*frame));
     const auto survey = measure.end();
-    cli::Report said(io);
     for (const Note& n : postproc::omissions(survey, io.program)) notes.push_back(n);
     postproc::add_efforts(profile, survey, io.program, notes, facts);
+    cli::Report said(io);
     for (const Note& n : notes) said.add(n);
     said.say();
-    if (!o.job.empty()) cli::write_text(o.job, figures::text(postproc::job(profile, survey), figures::Format::tsv));
-
-    const auto program =
-        postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
+    if (!o.job.empty())
+        cli::write_text(o.job, metrics::figures::text(postproc::job(profile, survey), metrics::figures::Format::tsv));
+    const auto text = [&](std::string_view lines) { sink.write(lines); };
+    const auto program = postproc::writer(profile, survey, measure.program_shift(), text);
     program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    const auto written = postproc::walker(
-        profile, measure.walk_shift(), [&](auto steps) { program->add(steps); }, measure.joins());
+    const auto add = [&](std::span<const postproc::Step> steps) { program->add(steps); };
+    const auto written = postproc::walker(profile, measure.walk_shift(), add, measure.joins());
     while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
     written->end();
     program->end();

@@ -97,6 +97,18 @@ std::vector<std::string> axes(const machine::Profile& profile) {
     return {chain, pivots(a.chain), numbers, " feed: F is " + feed};
 }
 
+// How far the program may be from the toolpath.
+std::string merged(const machine::Profile& profile) {
+    const auto& m = profile.merging;
+    std::string out = " path: moves merged within " + shortest_text(m.planar) + " mm of the toolpath";
+    if (!profile.axes.active() && m.surface != m.planar)
+        out += ", " + shortest_text(m.surface) + " mm where it leans the tool";
+    if (profile.axes.active())
+        out += ", where it leans the tool " + shortest_text(m.surface) + " mm and " +
+               shortest_text(geom::degrees(m.axis)) + " degrees";
+    return out;
+}
+
 void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
     const double volume = s.volume * e.flow;
@@ -128,6 +140,7 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
     facts.push_back({stage, "moves", static_cast<double>(survey.moves), ""});
     facts.push_back({stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, survey.laying)), ""});
     facts.push_back({stage, "largest-merge", e.off, "mm"});
+    facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
     constexpr double told = 0.01; // degrees
     if (!a.active() && geom::degrees(e.lean) > told)
         notes.push_back({stage, "nozzle upright where the toolpath leans it", geom::degrees(e.lean), "deg", 1, -1,
@@ -155,6 +168,7 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
+    lines.push_back(merged(profile));
     if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
     pipeline(stages, lines);
     remarks(notes, lines);

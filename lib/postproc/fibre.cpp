@@ -83,6 +83,12 @@ bool any_omitted(const std::vector<Span>& travels) {
 
 } // namespace
 
+void check_tool(const machine::Profile& profile, const Span& span) {
+    if (span.tool == 0 || !profile.tools.change.empty()) return;
+    throw Error(Exit::bad_input, "cannot take tool " + std::to_string(span.tool) + " " + place(span) + ": '" +
+                                     profile.name + "' has no codes to change tools; add tools.change");
+}
+
 FibreWalk::FibreWalk(const machine::Profile& profile, std::unique_ptr<Walker> inner, Steps out)
     : profile_(&profile), inner_(std::move(inner)), out_(std::move(out)) {}
 
@@ -93,9 +99,7 @@ void FibreWalk::travel(const Span& span) {
 
 void FibreWalk::extrude(const Span& span) {
     if (span.tool != tool_) {
-        if (span.tool != 0 && profile_->tools.change.empty())
-            throw Error(Exit::bad_input, "cannot take tool " + std::to_string(span.tool) + " " + place(span) + ": '" +
-                                             profile_->name + "' has no codes to change tools; add tools.change");
+        check_tool(*profile_, span);
         finish();
         if (begun_ && travels_.empty()) {
             travels_.push_back(like(span));

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "postproc/fibre.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +44,7 @@ toolpath::Span Measure::turned(toolpath::Span span) const {
 void Measure::add(const toolpath::Span& span) {
     if (walk_) return turning_.none() ? walk_->add(span) : walk_->add(turned(span));
     joins_.add(span);
+    if (toolpath::extrudes(span.role)) check_tool(*profile_, span);
     if (!rotary_) {
         if (!span.normals.empty() && toolpath::extrudes(span.role)) see_upright(span);
         return;

@@ -10,6 +10,9 @@ machine::Profile profile_for(const Options& o) {
     out.fibre.omit_short = o.short_strokes == "drop";
     out.merging = machine::standard_merging();
     if (!o.path_tolerance.empty()) out.merging.planar = out.merging.surface = o.path_tolerance.front();
+    if (o.flatten && out.axes.active())
+        throw Error(Exit::usage, "--flatten is for machines that hold the nozzle upright: '" + out.name +
+                                     "' leans it; leave it out, or name another machine");
     if (o.axis_tolerance.empty()) return out;
     if (!out.axes.active())
         throw Error(Exit::usage, "--axis-tolerance is for machines with rotary axes: '" + out.name +

@@ -21,7 +21,7 @@ struct Options {
 };
 
 // The machine, as these options have it.  Throws as load_profile does, and Error(usage) for a tolerance of axes on a
-// machine that cannot lean the tool.
+// machine that cannot lean the tool, or for `flatten` on one that can.
 machine::Profile profile_for(const Options& options);
 
 } // namespace filum::postproc

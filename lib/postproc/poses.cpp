@@ -141,6 +141,8 @@ class Course {
         double volume = 0;
         for (std::uint32_t k = i + 1; k <= j; ++k) volume += m_.legs[k].volume;
         const double mean = volume / (at_[j] - at_[i]);
+        // What is laid along a chord that is shorter is thicker.
+        if (volume > 0 && at_[j] - at_[i] > (1 + share) * distance(m_.poses[i].tip, m_.poses[j].tip)) return false;
         bool pointwise = true, so_far = true;
         double laid = 0;
         for (std::uint32_t k = i + 1; k <= j; ++k) {

@@ -183,7 +183,10 @@ void Program::feed(const Step& step, double way) {
     constexpr double degrees = 180 / std::numbers::pi;
     const double turned = std::max(std::abs(step.tilt - tilt_), std::abs(step.turn - turn_)) * degrees;
     tilt_ = step.tilt, turn_ = step.turn;
-    if (!(step.seconds > 0)) return;
+    if (!(step.seconds > 0)) { // as fast as a travel; a feed that the start template left could be any
+        if (profile_->axes.feed_word == machine::FeedWord::per_minute) feed(step.feed);
+        return;
+    }
     switch (profile_->axes.feed_word) {
     case machine::FeedWord::per_minute:
         return feed_units(60 * (way > 0 ? way : turned) / step.seconds);

@@ -5,6 +5,7 @@
 #include "geom/angle.hpp"
 #include "machine/feed.hpp"
 #include "postproc/poses.hpp"
+#include "postproc/throughput.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -238,7 +239,7 @@ void TiltedWalk::head() {
 }
 
 // Per leg; the very first takes none: nobody knows whence it comes.
-std::vector<double> TiltedWalk::durations() const {
+std::vector<double> TiltedWalk::durations() {
     const auto& j = stroke_.joints;
     const auto& a = profile_->axes;
     const bool robot = a.chain.carrier == kinematics::Carrier::frame;
@@ -269,6 +270,7 @@ std::vector<double> TiltedWalk::durations() const {
             ease(i, j[i].tilt - j[i - 1].tilt, j[i + 1].tilt - j[i].tilt, a.tilt_acceleration);
             ease(i, j[i].turn - j[i - 1].turn, j[i + 1].turn - j[i].turn, a.turn_acceleration);
         }
+    efforts_.slowed += slow_down(out, pace(*profile_));
     return out;
 }
 

@@ -14,7 +14,8 @@ namespace filum::postproc {
 //
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
-// its speed faster than it can, so the path slows down, never the reverse.
+// its speed faster than it can, so the path slows down, never the reverse; and where the controller takes no more moves
+// at a time (throughput.hpp).
 // Where an axis would leave its limits the stroke is broken and the axes turned back in the air (see lifts.hpp), which
 // the efforts count.  Throws Error(failure) naming the place that the axes cannot reach, or where the tool would lean
 // off its axis by more than the profile's orientation.
@@ -34,7 +35,7 @@ class TiltedWalk final : public Walker {
     void note(const kinematics::Track& track, std::span<const kinematics::Lifting> places);
     void emit(const std::vector<double>& seconds, std::size_t change);
     void move(std::size_t to, double seconds);
-    [[nodiscard]] std::vector<double> durations() const;
+    [[nodiscard]] std::vector<double> durations();
     [[nodiscard]] std::size_t exchange() const;
     void put(const Step& step);
     void head();

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "postproc/throughput.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 namespace filum::postproc {
 
 namespace {
-
-constexpr std::size_t kBatch = 1024;
 
 double highest(const toolpath::Span& span) {
     double z = span.points.front().z;
@@ -43,19 +42,11 @@ std::span<const geom::Segment> Joins::near(std::uint32_t layer) const {
 }
 
 Walk::Walk(const machine::Profile& profile, Steps out, const Joins* joins)
-    : profile_(&profile), out_(std::move(out)), joins_(joins) {
-    buffer_.reserve(kBatch);
-}
+    : profile_(&profile), steps_(std::make_unique<Throughput>(profile, std::move(out))), joins_(joins) {}
 
-void Walk::put(const Step& step) {
-    buffer_.push_back(step);
-    if (buffer_.size() == kBatch) flush();
-}
+Walk::~Walk() = default;
 
-void Walk::flush() {
-    if (!buffer_.empty()) out_(buffer_);
-    buffer_.clear();
-}
+void Walk::put(const Step& step) { steps_->add(step); }
 
 Walker::Laying Walker::laying(const machine::Profile& profile, std::uint32_t tool, const machine::Laid& move,
                               bool last) const {
@@ -96,7 +87,8 @@ void Walker::add(const toolpath::Span& span, const machine::Stretch& how, bool h
 void Walk::end() {
     if (open_) put({.act = Act::close, .layer = static_cast<std::uint32_t>(layer_), .to = at_, .tool = tool_});
     open_ = false;
-    flush();
+    steps_->end();
+    efforts_.slowed = steps_->slowed();
 }
 
 // Ends the stroke, takes back, rises unless the travel has normals and the tool stays, and changes the tool.
@@ -206,6 +198,7 @@ void Walk::extrude(const toolpath::Span& span) {
              .volume = m.volume,
              .width = m.width,
              .height = m.height,
+             .length = m.length,
              .tool = tool_,
              .fed = how.fed,
              .halt = how.halt,

@@ -51,8 +51,9 @@ struct Step {
     double feed = 0;              // mm/s
     double volume = 0;            // mm3
     double width = 0, height = 0; // mm, mean of the two ends
-    // On machines with rotary axes, where `to` are the program's numbers: where the axes stand, rad and mm, how far the
-    // tip goes, mm, and how long the move takes, s (0: nobody knows whence it comes).
+    // How far the tip goes, mm, if it lays material; and on machines with rotary axes, where `to` are the program's
+    // numbers: that of each move, where the axes stand, rad and mm, and how long it takes, s (0: nobody knows whence it
+    // comes).
     double tilt = 0, turn = 0, length = 0, seconds = 0;
     Vec3 axes{};
     Vec3 axis{0, 0, 1}, heading{1, 0, 0}; // of a robot: up the tool, and whereto its x axis points; unit
@@ -67,8 +68,9 @@ using Steps = std::function<void(std::span<const Step>)>;
 
 // What it took to bring a machine along the path.
 struct Efforts {
-    std::uint64_t given = 0; // segments of what is laid, as the toolpath has them; survey.hpp counts the moves
-    double off = 0;          // mm: the farthest that merging leads from them
+    std::uint64_t given = 0;  // segments of what is laid, as the toolpath has them; survey.hpp counts the moves
+    double off = 0;           // mm: the farthest that merging leads from them
+    std::uint64_t slowed = 0; // moves that are slower because a controller takes no more of them at a time
     std::uint64_t unwinds = 0, unwinds_in_turns = 0; // breaks of a stroke to turn the axes back; in tight turns
     Vec3 unwind;                                     // where the first one is, as placed
     std::uint32_t unwind_layer = 0;
@@ -122,6 +124,8 @@ std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Step
 // How far what a walker makes of a span may be from it.
 toolpath::Tolerance tolerance(const machine::Profile& profile, const toolpath::Span& span);
 
+class Throughput;
+
 // Three axes.  Within a stroke nothing but extruding moves (and layer marks) comes out.  Moves are merged as the
 // profile's Merging allows, of each span by itself: so no end of a stroke, role, tool or layer moves.
 // A travel closes the stroke, retracts, rises above all printed so far and the span's own points (cut at the top of the
@@ -129,15 +133,15 @@ toolpath::Tolerance tolerance(const machine::Profile& profile, const toolpath::S
 // change of the tool from above the second of them; one shorter
 // than the profile's min_length only moves.
 // Feeds: by role, lowered on layer 0, and so that limits.flow and motion.max_speed_z are kept; a lowered feed is a
-// whole number of mm/s where it is above one.
+// whole number of mm/s where it is above one; and to motion.moves_per_second (throughput.hpp).
 class Walk final : public Walker {
   public:
     Walk(const machine::Profile& profile, Steps out, const Joins* joins = nullptr);
+    ~Walk() override;
     void end() override;
 
   private:
     void put(const Step& step);
-    void flush();
     void travel(const toolpath::Span& span) override;
     void leave(const toolpath::Span& travel);
     void go(const Vec3& to, const toolpath::Span& travel);
@@ -145,10 +149,8 @@ class Walk final : public Walker {
     void extrude(const toolpath::Span& span) override;
 
     const machine::Profile* profile_;
-    Steps out_;
+    std::unique_ptr<Throughput> steps_;
     const Joins* joins_;
-    std::vector<Step> buffer_;
-    Vec3 path_;      // end of the span before
     Vec3 at_;        // of the nozzle
     double top_ = 0; // highest point printed so far
     std::int64_t layer_ = -1;

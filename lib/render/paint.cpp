@@ -1,8 +1,8 @@
 #include "render/paint.hpp"
 
 #include "base/error.hpp"
-#include "curve/line.hpp"
 #include "render/camera.hpp"
+#include "surface/curve/line.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ Scale scale_of(const surface::Field& field) {
 Paint::Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan)
     : scene_(&scene), sheet_(&*scene.sheet), laid_(&laid), show_(show), plan_(plan),
       lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)),
-      normal_(curve::vertex_normals(scene.sheet->surface)), lines_({}) {
+      normal_(surface::curve::vertex_normals(scene.sheet->surface)), lines_({}) {
     if (!show.by.empty()) scale_ = scale_of(find_field(*sheet_, show.by, 0));
     if (!show.by.empty() && !show.voids) slim_ = kSlim;
     draw_lines();

@@ -1,8 +1,8 @@
 #include "surfpath/ortheo.hpp"
 
 #include "base/error.hpp"
-#include "curve/ease.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/strands.hpp"
 
@@ -22,8 +22,9 @@ constexpr double kGrain = 0.5;     // spacings, between the lines that tell wher
 Line drawn(const Fronts& fronts, const Strand& s) {
     Line out{{fronts.place(s.first, s.spots[0])}, false};
     for (std::size_t j = 1; j < s.spots.size(); ++j)
-        curve::append(out, curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
-    if (s.end != StrandEnd::law) curve::append(out, fronts.last(s.last(), s.spots.back()));
+        surface::curve::append(
+            out, surface::curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
+    if (s.end != StrandEnd::law) surface::curve::append(out, fronts.last(s.last(), s.spots.back()));
     return out;
 }
 
@@ -57,16 +58,18 @@ std::vector<Line> lines(const Fronts& fronts, const std::vector<Strand>& strands
         while (i != kNone && !used[i]) {
             used[i] = 1;
             Line more = drawn(fronts, strands[i]);
-            if (from == 1) curve::reverse(more);
+            if (from == 1) surface::curve::reverse(more);
             if (all.size() > 0 && distance(all.places.back().point, more[0]) > 1e-9) {
-                curve::append(all, curve::join(fronts.surface(), all.places.back(), more.places[0]));
+                surface::curve::append(all, surface::curve::join(fronts.surface(), all.places.back(), more.places[0]));
                 turns = true;
             }
-            curve::append(all, more);
+            surface::curve::append(all, more);
             from = 1 - from; // it goes on at the other end, and from there on the same way round
             i = next[i][from];
         }
-        if (turns) all = curve::ease(fronts.surface(), all, {.radius = 0.45 * spacing, .corridor = 0.5 * spacing}).line;
+        if (turns)
+            all =
+                surface::curve::ease(fronts.surface(), all, {.radius = 0.45 * spacing, .corridor = 0.5 * spacing}).line;
         out.push_back(std::move(all));
     };
     for (std::uint32_t i = 0; i < strands.size(); ++i)
@@ -98,7 +101,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     Plan out;
     if (alone) {
         for (Line& line : all) {
-            if (out.strokes.size() % 2 == 1) curve::reverse(line);
+            if (out.strokes.size() % 2 == 1) surface::curve::reverse(line);
             out.strokes.push_back({{{std::move(line), false}}});
         }
         fact(out, "rows", out.strokes.size());

@@ -252,7 +252,7 @@ class Making {
     // tighter.
     [[nodiscard]] double affordable(const Rounding& rounding) {
         double length = 0;
-        for (const auto& line : outer_) length += curve::length(curve::line(line));
+        for (const auto& line : outer_) length += surface::curve::length(surface::curve::line(line));
         const double most = kTightPart * length * kTighter / least_;
         for (const double gain : kGains)
             if (tight(rounding, gain) <= most) return gain;

@@ -64,15 +64,15 @@ Place place_at(const Lanes& lanes, const Rungs& rungs, Vec2 uv) {
     if (f < 1e-9) return a;
     const Place b = lanes.at(rungs.lane[k + 1], way_at(lanes, rungs, k + 1, uv.y));
     if (f > 1 - 1e-9) return b;
-    const Line line = curve::join(lanes.surface(), a, b);
-    const auto ways = curve::ways(line);
-    return curve::at(line, ways, f * ways.back());
+    const Line line = surface::curve::join(lanes.surface(), a, b);
+    const auto ways = surface::curve::ways(line);
+    return surface::curve::at(line, ways, f * ways.back());
 }
 
 Line drawn(const Lanes& lanes, const Rungs& rungs, const std::vector<Vec2>& uv) {
     Line out;
     for (const Vec2 p : uv) out.places.push_back(place_at(lanes, rungs, p));
-    return curve::threaded(lanes.surface(), out);
+    return surface::curve::threaded(lanes.surface(), out);
 }
 
 double shortest(const Lanes& lanes, const Rungs& rungs) {

@@ -116,11 +116,12 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, doub
         const auto over = lanes.across(lane, here, 1, kRidge);
         if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
         if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
-        const Line line = curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
-        const auto ways = curve::ways(line);
-        out.places.push_back(curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
+        const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
+        const auto ways = surface::curve::ways(line);
+        out.places.push_back(
+            surface::curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
     }
-    return curve::threaded(lanes.surface(), out);
+    return surface::curve::threaded(lanes.surface(), out);
 }
 
 void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
@@ -275,7 +276,8 @@ class Crossover {
         Line links[2];
         for (const int k : {0, 1}) {
             const double end = k == 0 ? -half : half;
-            links[k] = curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end), lanes_.at(s.b, there + end * sense));
+            links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end),
+                                            lanes_.at(s.b, there + end * sense));
             if (!leads_over(lanes_.surface(), links[k])) return false;
         }
         const std::uint32_t a = weave_.cut(s.a, s.way - half, s.way + half);

@@ -347,7 +347,7 @@ void drop_short(Strands& all, const Fronts& fronts, double shortest, double brie
         const Strand& s = all.strands[i];
         const bool runs_out = s.end == StrandEnd::rim;
         length[i] = static_cast<double>(s.last() - s.first) * fronts.step() +
-                    (runs_out ? curve::length(fronts.last(s.last(), s.spots.back())) : 0);
+                    (runs_out ? surface::curve::length(fronts.last(s.last(), s.spots.back())) : 0);
     }
     std::vector<std::uint32_t> number(n, kNone);
     std::vector<Strand> kept;

@@ -74,7 +74,7 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
     for (std::uint32_t r = 0; r < rows.rows.size(); ++r) {
         const Row& row = rows.rows[r];
         if (row.line.closed) continue;
-        const double l = curve::length(row.line);
+        const double l = surface::curve::length(row.line);
         steps_[2 * r].push_back({2 * r + 1, l});
         steps_[2 * r + 1].push_back({2 * r, l});
         if (row.begin.ring != kNone) on[row.begin.ring].emplace_back(row.begin.way, 2 * r);
@@ -122,9 +122,9 @@ Line Transits::along(std::uint32_t from, std::uint32_t to) const {
     const Line& ring = rows_.inset.rings[a.ring];
     const auto& ways = rows_.inset.ways[a.ring];
     const double on = ahead(ring, ways, a.way, b.way);
-    if (on >= 0) return curve::part(ring, ways, a.way, a.way + on);
-    Line out = curve::part(ring, ways, b.way, b.way - on);
-    curve::reverse(out);
+    if (on >= 0) return surface::curve::part(ring, ways, a.way, a.way + on);
+    Line out = surface::curve::part(ring, ways, b.way, b.way - on);
+    surface::curve::reverse(out);
     return out;
 }
 
@@ -139,13 +139,13 @@ std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to)
         if ((ends[i - 1] ^ 1u) != ends[i]) {
             Line next = along(ends[i - 1], ends[i]);
             if (i > 1 && (ends[i - 2] ^ 1u) != ends[i - 1])
-                curve::append(out.stretches.back(), next);
+                surface::curve::append(out.stretches.back(), next);
             else
                 out.stretches.push_back(std::move(next));
             continue;
         }
         out.stretches.push_back(rows_.rows[ends[i] / 2].line);
-        if (ends[i] % 2 == 0) curve::reverse(out.stretches.back());
+        if (ends[i] % 2 == 0) surface::curve::reverse(out.stretches.back());
     }
     return out;
 }

@@ -24,7 +24,7 @@ std::uint32_t Weave::cut(std::uint32_t lane, double from, double to) {
 
 void Weave::link(LaneEnd a, LaneEnd b, Line line) {
     Line back = line;
-    curve::reverse(back);
+    surface::curve::reverse(back);
     links_[index(a)] = {b, std::move(line), false};
     links_[index(b)] = {a, std::move(back), false};
     linked_[index(a)] = linked_[index(b)] = 1;
@@ -52,7 +52,7 @@ Line Weave::arc(LaneEnd from, LaneEnd& to) const {
     to = {best, !from.after};
     if (from.after) return lanes_.part(w.lane, at, at + least);
     Line out = lanes_.part(w.lane, at - least, at);
-    curve::reverse(out);
+    surface::curve::reverse(out);
     return out;
 }
 
@@ -62,12 +62,12 @@ Weave::Course Weave::follow(LaneEnd from, std::vector<char>& seen) const {
     for (;;) {
         seen[index(from)] = 1;
         LaneEnd to;
-        curve::append(out.line, arc(from, to));
+        surface::curve::append(out.line, arc(from, to));
         seen[index(to)] = 1;
         out.lanes.push_back(windows_[to.window].lane);
         if (!linked_[index(to)]) break;
         const Link& link = links_[index(to)];
-        curve::append(out.line, link.line);
+        surface::curve::append(out.line, link.line);
         if (link.open) break;
         from = link.to;
         if (from.window == first.window && from.after == first.after) {
@@ -91,8 +91,8 @@ std::vector<Weave::Course> Weave::courses() const {
                 Course course = follow(e, seen);
                 if (!closed && linked_[index(e)]) {
                     Line head = links_[index(e)].line;
-                    curve::reverse(head);
-                    curve::append(head, course.line);
+                    surface::curve::reverse(head);
+                    surface::curve::append(head, course.line);
                     course.line = std::move(head);
                 }
                 out.push_back(std::move(course));

@@ -1,6 +1,6 @@
 #include "surfpath/winding.hpp"
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,8 @@ bool beside(const Contour& a, const Contour& b) {
     const double most = kRingsBeside * std::abs(a.level - b.level);
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double f = static_cast<double>(i) / kSamples;
-        if (foot(b.line, b.ways, curve::at(a.line, a.ways, f * a.ways.back()).point).far > most) return false;
-        if (foot(a.line, a.ways, curve::at(b.line, b.ways, f * b.ways.back()).point).far > most) return false;
+        if (foot(b.line, b.ways, surface::curve::at(a.line, a.ways, f * a.ways.back()).point).far > most) return false;
+        if (foot(a.line, a.ways, surface::curve::at(b.line, b.ways, f * b.ways.back()).point).far > most) return false;
     }
     return true;
 }
@@ -67,7 +67,7 @@ std::vector<std::vector<Contour>> chained(std::vector<Contour> rings, double spa
 class Winder {
   public:
     Winder(const Surface& s, const Rows& rows, double spacing)
-        : surface_(s), rows_(rows), spacing_(spacing), normals_(curve::vertex_normals(s)) {}
+        : surface_(s), rows_(rows), spacing_(spacing), normals_(surface::curve::vertex_normals(s)) {}
 
     [[nodiscard]] Row wound(const std::vector<Contour>& chain, bool from_rim) const {
         Row out;
@@ -77,11 +77,11 @@ class Winder {
         Line line;
         if (from_rim || chain.size() == 1) {
             const double lap = chain.front().ways.back();
-            line = curve::part(chain.front().line, chain.front().ways, at - lap, at);
+            line = surface::curve::part(chain.front().line, chain.front().ways, at - lap, at);
         }
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const Line lap = over(chain[i], at, chain[i + 1]);
-            curve::append(line, lap);
+            surface::curve::append(line, lap);
             at = foot(chain[i + 1].line, chain[i + 1].ways, line.places.back().point).way;
         }
         const Contour& last = chain.back();
@@ -90,12 +90,14 @@ class Winder {
             const double lap = last.ways.back();
             while (to < at + 0.25 * lap) to += lap;
             while (to > at + 1.25 * lap) to -= lap;
-            if (to > at + lap) curve::append(line, curve::part(last.line, last.ways, at, at + lap)), to -= lap;
-            if (to > at) curve::append(line, curve::part(last.line, last.ways, at, to));
+            if (to > at + lap)
+                surface::curve::append(line, surface::curve::part(last.line, last.ways, at, at + lap)), to -= lap;
+            if (to > at) surface::curve::append(line, surface::curve::part(last.line, last.ways, at, to));
         }
         if (port.ring != surface::kNone)
-            line.places.push_back(curve::at(rows_.inset.rings[port.ring], rows_.inset.ways[port.ring], port.way));
-        out.line = curve::threaded(surface_, line);
+            line.places.push_back(
+                surface::curve::at(rows_.inset.rings[port.ring], rows_.inset.ways[port.ring], port.way));
+        out.line = surface::curve::threaded(surface_, line);
         out.end = port;
         return out;
     }
@@ -117,7 +119,9 @@ class Winder {
         const auto [port, to_inset] = landing(chain.back());
         double way = port.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
         for (std::size_t i = chain.size() - 1; i-- > 0;)
-            way = foot(chain[i].line, chain[i].ways, curve::at(chain[i + 1].line, chain[i + 1].ways, way).point).way;
+            way =
+                foot(chain[i].line, chain[i].ways, surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)
+                    .way;
         return way;
     }
 
@@ -137,13 +141,13 @@ class Winder {
 
     // The place beside the ring, mm to its left.
     [[nodiscard]] Place aside(const Contour& ring, double way, double left) const {
-        const Place p = curve::at(ring.line, ring.ways, way);
+        const Place p = surface::curve::at(ring.line, ring.ways, way);
         if (left == 0) return p;
         const double h = std::min(0.5 * spacing_, ring.ways.back() / 16);
-        const Vec3 along =
-            curve::at(ring.line, ring.ways, way + h).point - curve::at(ring.line, ring.ways, way - h).point;
-        const Vec3 across = cross(curve::normal_at(surface_, normals_, p), along);
-        return curve::step(surface_, p, left / norm(across) * across);
+        const Vec3 along = surface::curve::at(ring.line, ring.ways, way + h).point -
+                           surface::curve::at(ring.line, ring.ways, way - h).point;
+        const Vec3 across = cross(surface::curve::normal_at(surface_, normals_, p), along);
+        return surface::curve::step(surface_, p, left / norm(across) * across);
     }
 
     [[nodiscard]] double outward(const Contour& ring, double at, const Contour& to, double gap) const {
@@ -162,7 +166,7 @@ class Winder {
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     std::vector<Contour> rings;
     for (const Row& row : rows.rows)
-        if (row.line.closed) rings.push_back({row.line, curve::ways(row.line), row.level});
+        if (row.line.closed) rings.push_back({row.line, surface::curve::ways(row.line), row.level});
     if (rings.empty()) return;
     const Winder winder(s, rows, spacing);
     std::vector<Row> wound;

@@ -59,7 +59,7 @@ std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, 
             if (aside > t.path || s < reached) return false;
             reached = s, here = std::max(here, aside);
         }
-        if (!section.suits()) return false;
+        if (!section.suits() || l.at[to] - l.at[i] > (1 + t.section) * length) return false;
         worst = here;
         return true;
     };

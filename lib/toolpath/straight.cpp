@@ -109,6 +109,9 @@ Place reach_within(const Line& line, const Place& from, std::uint32_t last, cons
         const auto d = distance_of(line, from, to, t.path);
         const double end = abreast(line, to);
         if (!d || end > t.path) return false;
+        // What is laid along a chord that is shorter is thicker.
+        const double given = length_at(line, to) - length_at(line, from);
+        if (given > (1 + t.section) * geom::distance(from.q, to.q)) return false;
         off = std::max({off, *d, end});
         return true;
     };

@@ -211,8 +211,8 @@ TEST(Check, TheSameForAnyNumberOfThreads) {
     for (const int threads : {2, 8}) {
         const Found other = check(s, {}, moves, {}, threads);
         EXPECT_EQ(places({moves, one, {}}), places({moves, other, {}}));
-        EXPECT_EQ(figures::text(summary({moves, one, {}}), figures::Format::json),
-                  figures::text(summary({moves, other, {}}), figures::Format::json));
+        EXPECT_EQ(metrics::figures::text(summary({moves, one, {}}), metrics::figures::Format::json),
+                  metrics::figures::text(summary({moves, other, {}}), metrics::figures::Format::json));
     }
 }
 

@@ -1,7 +1,7 @@
 // Paths of rings on surfaces whose answers are known: one stroke that meets itself piece by piece, stays on the
 // surface, turns no tighter than it says, and covers what it can.
 #include "base/error.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
 
@@ -47,7 +47,7 @@ Lift disc(double r, const std::function<double(double)>& height) {
 
 Line whole(const Stroke& stroke) {
     Line out;
-    for (const Piece& piece : stroke.pieces) curve::append(out, piece.line);
+    for (const Piece& piece : stroke.pieces) surface::curve::append(out, piece.line);
     return out;
 }
 
@@ -55,10 +55,10 @@ Line whole(const Stroke& stroke) {
 double tight(const Surface& s, const Plan& plan) {
     double out = 0, all = 0;
     for (const Stroke& stroke : plan.strokes) {
-        all += curve::length(whole(stroke));
+        all += surface::curve::length(whole(stroke));
         for (const Piece& piece : stroke.pieces) {
-            if (piece.hairpin || curve::length(piece.line) < 1) continue;
-            const Line line = curve::resampled(piece.line, 0.5);
+            if (piece.hairpin || surface::curve::length(piece.line) < 1) continue;
+            const Line line = surface::curve::resampled(piece.line, 0.5);
             for (std::size_t i = 1; i + 1 < line.size(); ++i) {
                 const Vec3 a = line[i] - line[i - 1], b = line[i + 1] - line[i];
                 const Vec3 n = surface::normal(s, line.places[i].triangle);
@@ -90,7 +90,7 @@ void check(const surface::Sheet& sheet, const Plan& plan, double least) {
     }
     const double area = surface::area(sheet.surface);
     EXPECT_GT(covered(sheet.surface, plan, 0.51), least);
-    EXPECT_LT(curve::length(line) / area - covered(sheet.surface, plan, 0.51), 0.06);
+    EXPECT_LT(surface::curve::length(line) / area - covered(sheet.surface, plan, 0.51), 0.06);
     EXPECT_LT(tight(sheet.surface, plan), 0.01);
 }
 
@@ -157,7 +157,7 @@ TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
     for (const Place& p : line.places)
         nearest = std::min({nearest, p.point.x, p.point.y, 48 - p.point.x, 32 - p.point.y});
     EXPECT_NEAR(nearest, 1, 0.06);
-    EXPECT_NEAR(curve::length(line) * 2 / (48 * 32), 0.95, 0.06);
+    EXPECT_NEAR(surface::curve::length(line) * 2 / (48 * 32), 0.95, 0.06);
 }
 
 // A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
@@ -166,7 +166,7 @@ TEST(geo_contour, rings_through_vertices_are_whole) {
     const Plan p = plan(s, {.algorithm = "geo-contour", .spacing = 1.6});
     ASSERT_EQ(p.strokes.size(), 1);
     double length = 0;
-    for (const Piece& piece : p.strokes[0].pieces) length += curve::length(piece.line);
+    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
     EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
 }
 

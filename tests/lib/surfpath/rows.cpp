@@ -37,13 +37,13 @@ Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
 
 // The least radius of turning along the surface outside hairpins, in steps of 0.25 mm.
 double least_radius(const Surface& s, const Stroke& stroke) {
-    const auto normals = curve::vertex_normals(s);
+    const auto normals = surface::curve::vertex_normals(s);
     double most = 0;
     for (const Piece& piece : stroke.pieces) {
-        if (piece.hairpin || curve::length(piece.line) < 1) continue;
-        const Line l = curve::resampled(piece.line, 0.25);
+        if (piece.hairpin || surface::curve::length(piece.line) < 1) continue;
+        const Line l = surface::curve::resampled(piece.line, 0.25);
         for (std::size_t i = 1; i + 1 < l.size(); ++i) {
-            const Vec3 a = l[i] - l[i - 1], b = l[i + 1] - l[i], n = curve::normal_at(s, normals, l.places[i]);
+            const Vec3 a = l[i] - l[i - 1], b = l[i + 1] - l[i], n = surface::curve::normal_at(s, normals, l.places[i]);
             most = std::max(most, std::abs(std::atan2(dot(cross(a, b), n), dot(a, b) - dot(a, n) * dot(b, n))) / 0.25);
         }
     }
@@ -158,7 +158,8 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
     ASSERT_EQ(plan.strokes[0].pieces.size(), 1U);
     expect_sound(s.surface, plan);
     const Line& l = plan.strokes[0].pieces[0].line;
-    EXPECT_NEAR(curve::length(l), 20 * 60 * 2 * 10 * std::sin(pi / 60), 40); // area by spacing, but for its ends
+    EXPECT_NEAR(surface::curve::length(l), 20 * 60 * 2 * 10 * std::sin(pi / 60),
+                40); // area by spacing, but for its ends
     double turned = 0;
     for (std::size_t i = 1; i < l.size(); ++i)
         turned += std::atan2(l[i - 1].x * l[i].y - l[i - 1].y * l[i].x, l[i - 1].x * l[i].x + l[i - 1].y * l[i].y);

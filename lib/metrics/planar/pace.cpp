@@ -1,0 +1,101 @@
+#include "metrics/planar/pace.hpp"
+
+#include "base/error.hpp"
+#include "geom/polyline.hpp"
+#include "postproc/measure.hpp"
+
+#include <limits>
+
+namespace filum::metrics::planar {
+
+namespace {
+
+using toolpath::Span;
+
+// The profile, but that nothing of what it would refuse ends the measuring.
+machine::Profile lenient(machine::Profile p) {
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    p.limits.section = endless;
+    p.fibre.omit_short = true, p.fibre.most_path = endless, p.fibre.spool = 0;
+    if (p.tools.change.empty()) p.tools.change = "\n";
+    p.merging = machine::standard_merging();
+    return p;
+}
+
+} // namespace
+
+Pace::Pace(const machine::Profile& profile) : profile_(lenient(profile)), surveyor_(profile_) {
+    if (!profile_.axes.active()) walker_ = postproc::walker(profile_, {}, [this](auto steps) { surveyor_.add(steps); });
+}
+
+// A stroke of fibre ends.
+void Pace::close() {
+    if (open_ && profile_.fibre.lays(tool_)) {
+        ToolShare& tool = tools_[tool_];
+        tool.fibre = true;
+        ++tool.cuts;
+        tool.too_short += fibre_ < profile_.fibre.least_path - 1e-3 ? 1 : 0;
+    }
+    open_ = false, fibre_ = 0;
+}
+
+void Pace::count(const Span& span) {
+    const double length = geom::length(span.points);
+    if (!toolpath::extrudes(span.role)) {
+        close();
+        if (begun_) tools_[span.tool].travel += length;
+        return;
+    }
+    if (span.tool != tool_) close();
+    tool_ = span.tool;
+    ToolShare& tool = tools_[tool_];
+    tool.strokes += open_ ? 0 : 1;
+    open_ = begun_ = true;
+    tool.laid += length, fibre_ += length;
+    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) tool.volume += toolpath::volume(span, i);
+}
+
+void Pace::add(const Span& span) {
+    count(span);
+    if (!walker_) {
+        if (profile_.axes.active()) kept_.push_back(span);
+        return;
+    }
+    try {
+        walker_->add(span);
+    } catch (const Error& e) { // the spans do not meet
+        why_ = e.what();
+        walker_.reset();
+    }
+}
+
+postproc::Survey Pace::survey() {
+    if (walker_) {
+        walker_->end();
+        return surveyor_.end();
+    }
+    postproc::Measure measure(profile_, postproc::Place::center);
+    do
+        for (const Span& span : kept_) measure.add(span);
+    while (measure.again());
+    return measure.end();
+}
+
+double Pace::seconds() {
+    close();
+    if (!begun_) return 0;
+    if (!why_.empty()) return -1;
+    try {
+        const auto found = survey();
+        for (const auto& [number, totals] : found.tools) {
+            tools_[number].print_seconds = totals.print_seconds;
+            tools_[number].travel_seconds = totals.travel_seconds;
+        }
+        return found.seconds;
+    } catch (const Error& e) {
+        why_ = e.what();
+        return -1;
+    }
+}
+
+} // namespace filum::metrics::planar
