@@ -184,6 +184,8 @@ void read_templates(Document& doc, Profile& p) {
     }
     one("templates.start", p.templates.start);
     one("templates.layer", p.templates.layer);
+    one("templates.first_layer", p.templates.first_layer);
+    one("templates.upper_layers", p.templates.upper_layers);
     one("templates.end", p.templates.end);
     one("extrusion.on", p.extrusion.on);
     one("extrusion.off", p.extrusion.off);

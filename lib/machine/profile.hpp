@@ -110,6 +110,7 @@ struct Format {
 // Text with {placeholders}; see template.hpp.
 struct Templates {
     std::string start, layer, end;
+    std::string upper_layers, first_layer; // when the first layer is left for those above, and when it is come back to
 };
 
 struct Profile {

@@ -104,6 +104,9 @@ void Program::layer(const Step& step) {
         comment("HEIGHT:" + fixed_text(step.height, 3));
         height_ = step.height;
     }
+    const bool upper = step.layer > 0;
+    if (std::exchange(upper_, upper) != upper)
+        code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
     code(profile_->templates.layer);
     // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
     // offset could halt the stroke.

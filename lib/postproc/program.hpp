@@ -51,6 +51,7 @@ class Program final : public Writer {
     double laid_ = 0;                // extruder units of the bead so far, exact
     std::int64_t laid_units_ = 0;    // the same as written
     std::int64_t e_ = 0;             // where the controller believes the extruder to be
+    bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;
     double width_ = 0, height_ = 0; // as last told to viewers
     std::uint64_t lines_ = 0;       // moves written

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,8 @@
 namespace filum::postproc {
 
 namespace {
+
+constexpr double kUnlimited = 1e6; // what templates are told where there is no limit
 
 std::array<double, 3> coordinates(Vec3 p) { return {p.x, p.y, p.z}; }
 
@@ -231,6 +234,20 @@ void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 sh
                                        " mm3 is more than the extruder's numbers hold; are the bead widths right?");
 }
 
+geom::Segment purge_line(const machine::Bed& bed, Vec2 low, Vec2 high) {
+    constexpr double inset = 2, longest = 60, clear = 5; // mm
+    const Vec2 a{bed.x_min + inset, bed.y_min + inset}, c{bed.x_max - inset, bed.y_max - inset};
+    const double x = std::min(longest, c.x - a.x), y = std::min(longest, c.y - a.y);
+    const geom::Segment along[] = {
+        {a, {a.x + x, a.y}}, {a, {a.x, a.y + y}}, {{a.x, c.y}, {a.x + x, c.y}}, {{c.x, a.y}, {c.x, a.y + y}}};
+    for (const geom::Segment& s : along) {
+        const bool beside = s.b.x + clear < low.x || s.a.x - clear > high.x;
+        const bool before = s.b.y + clear < low.y || s.a.y - clear > high.y;
+        if (x > 0 && y > 0 && (beside || before)) return s;
+    }
+    return {{bed.x_min, bed.y_min}, {bed.x_min, bed.y_min}};
+}
+
 std::map<std::string, double> placeholders(const Survey& s, const machine::Profile& profile, Vec2 shift) {
     const auto& bed = profile.bed;
     std::map<std::string, double> out = profile.values;
@@ -255,6 +272,20 @@ std::map<std::string, double> placeholders(const Survey& s, const machine::Profi
     add("tool_no", profile.tools.first);
     add("cut_dwell", f.cut_dwell), add("cut_dwell_ms", f.cut_dwell * 1000);
     add("tension_dwell", f.tension_dwell), add("tension_dwell_ms", f.tension_dwell * 1000);
+    const auto purge = purge_line(bed, {s.part_low[0] + shift.x, s.part_low[1] + shift.y},
+                                  {s.part_high[0] + shift.x, s.part_high[1] + shift.y});
+    add("purge_x", purge.a.x);
+    add("purge_y", purge.a.y);
+    add("purge_x_end", purge.b.x);
+    add("purge_y_end", purge.b.y);
+    const auto& a = profile.axes; // where nothing limits an axis, a number that is as good as none
+    const auto degrees = [&](const char* name, double rad) { add(name, std::min(geom::degrees(rad), kUnlimited)); };
+    degrees("tilt_speed", a.tilt_speed);
+    degrees("turn_speed", a.turn_speed);
+    degrees("tilt_acceleration", a.tilt_acceleration);
+    degrees("turn_acceleration", a.turn_acceleration);
+    degrees("tilt_corner_speed", a.tilt_corner_speed);
+    degrees("turn_corner_speed", a.turn_corner_speed);
     return out;
 }
 

@@ -96,6 +96,10 @@ Vec2 placement(const Survey& survey, const machine::Bed& bed, Place place);
 // there is more material than the extruder's numbers can count.
 void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift);
 
+// A line near an edge of the bed where a nozzle may be primed, 60 mm or as long as the bed: the first of front, left,
+// back and right that stays 5 mm off the box [low, high] of the part.  Where none does, no line: the bed's corner.
+geom::Segment purge_line(const machine::Bed& bed, Vec2 low, Vec2 high);
+
 // What templates may name, for a program placed by `shift`; {layer}, {z}, {height} are those of the first layer.
 std::map<std::string, double> placeholders(const Survey& survey, const machine::Profile& profile, Vec2 shift);
 
