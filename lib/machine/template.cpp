@@ -74,12 +74,12 @@ const std::vector<std::string>& known_placeholders() {
                                                    "purge_y",
                                                    "purge_x_end",
                                                    "purge_y_end",
-                                                   "tilt_speed",
-                                                   "turn_speed",
-                                                   "tilt_acceleration",
-                                                   "turn_acceleration",
-                                                   "tilt_corner_speed",
-                                                   "turn_corner_speed"};
+                                                   "tilt_axis_speed",
+                                                   "turn_axis_speed",
+                                                   "tilt_axis_acceleration",
+                                                   "turn_axis_acceleration",
+                                                   "tilt_axis_jump",
+                                                   "turn_axis_jump"};
     return names;
 }
 
@@ -101,7 +101,7 @@ TemplateFault check_template(std::string_view text, const Values& own) {
     return {};
 }
 
-std::string expand(std::string_view text, const Values& values) {
+std::string expand(std::string_view text, const Values& values, int decimals) {
     std::string out;
     while (!text.empty()) {
         const Piece p = next_piece(text);
@@ -112,7 +112,7 @@ std::string expand(std::string_view text, const Values& values) {
         const auto it = values.find(std::string(p.text));
         if (p.kind == Piece::Kind::fault || it == values.end())
             throw Error(Exit::bad_input, "cannot fill in a template: nothing known for '" + std::string(p.text) + "'");
-        append_fixed(out, it->second, 5);
+        append_fixed(out, it->second, decimals);
     }
     return out;
 }

@@ -84,9 +84,11 @@ bool any_omitted(const std::vector<Span>& travels) {
 } // namespace
 
 void check_tool(const machine::Profile& profile, const Span& span) {
-    if (span.tool == 0 || !profile.tools.change.empty()) return;
-    throw Error(Exit::bad_input, "cannot take tool " + std::to_string(span.tool) + " " + place(span) + ": '" +
-                                     profile.name + "' has no codes to change tools; add tools.change");
+    if (span.tool == 0 || !machine::change_codes(profile, span.tool).empty()) return;
+    const std::string number = std::to_string(span.tool);
+    throw Error(Exit::bad_input, "cannot take tool " + number + " " + place(span) + ": '" + profile.name +
+                                     "' has no codes to change tools; add tools.change, or [tool." + number +
+                                     "] with change");
 }
 
 FibreWalk::FibreWalk(const machine::Profile& profile, std::unique_ptr<Walker> inner, Steps out)

@@ -9,7 +9,6 @@ namespace filum::postproc {
 
 namespace {
 
-using kinematics::Carrier;
 using kinematics::Joints;
 using kinematics::Pose;
 
@@ -20,7 +19,8 @@ constexpr double kSameFeed = 1.05;     // of legs that become one
 double rounding(const machine::Profile& profile, const Joints& at) {
     const double linear = std::pow(10.0, -profile.format.xyz_decimals) / 2;
     const auto& a = profile.axes;
-    if (a.chain.carrier == Carrier::frame || a.numbers == machine::Numbers::tip) return std::sqrt(3.0) * linear;
+    if (a.chain.carrier == kinematics::Carrier::frame || a.numbers == machine::Numbers::tip)
+        return std::sqrt(3.0) * linear;
     const double angular = std::pow(10.0, -a.angle_decimals) / 2 * geom::kDegree;
     const auto& c = a.chain;
     const double arm = norm(at.xyz) + norm(c.tip_to_tilt) + norm(c.tilt_to_turn);
@@ -67,8 +67,8 @@ Leg part_of(const Leg& leg, std::uint32_t k, std::uint32_t n) {
 // One stroke's poses, as merging looks at them.
 class Course {
   public:
-    Course(const machine::Profile& profile, const Motion& motion, Marks marks)
-        : p_(profile), m_(motion), frames_(profile.axes.chain.carrier == Carrier::frame),
+    Course(const machine::Profile& profile, const Motion& motion, std::size_t stay, std::size_t landing)
+        : p_(profile), m_(motion), frames_(profile.axes.chain.carrier == kinematics::Carrier::frame),
           tips_(frames_ || profile.axes.numbers == machine::Numbers::tip), at_(motion.poses.size(), 0),
           stays_(motion.poses.size(), 0) {
         const auto& chain = p_.axes.chain;
@@ -77,8 +77,8 @@ class Course {
             const Joints& j = m_.joints[i];
             axes_.push_back(frames_ ? m_.poses[i].axis : kinematics::tool_axis(chain, j.tilt, j.turn));
         }
-        for (const std::size_t k : marks)
-            if (k < stays_.size()) stays_[k] = 1;
+        for (std::size_t k = 0; k <= stay && k < stays_.size(); ++k) stays_[k] = 1;
+        if (landing < stays_.size()) stays_[landing] = 1;
     }
 
     // May one move go from pose i to pose j?
@@ -181,13 +181,14 @@ Leg whole(const Motion& m, std::uint32_t i, std::uint32_t j) {
 
 } // namespace
 
-Motion refined(const machine::Profile& p, Motion m, Marks marks) {
+Motion refined(const machine::Profile& p, Motion m, std::size_t stay, std::size_t& landing) {
     const auto& a = p.axes;
-    if (a.chain.carrier == Carrier::frame || a.numbers == machine::Numbers::tip) return m;
+    if (a.chain.carrier == kinematics::Carrier::frame || a.numbers == machine::Numbers::tip) return m;
     Motion out;
     std::vector<std::size_t> moved(m.poses.size());
     for (std::size_t i = 0; i < m.poses.size(); ++i) {
-        const std::uint32_t n = i > 0 && m.legs[i].straight ? parts(p, m, i) : 1;
+        const bool lies = i > 0 && (stay == 0 || i > stay) && m.legs[i].straight;
+        const std::uint32_t n = lies ? parts(p, m, i) : 1;
         for (std::uint32_t k = 1; k < n; ++k) {
             const double f = k / static_cast<double>(n);
             const Vec3 &begin = m.poses[i - 1].tip, &tip = m.poses[i].tip;
@@ -197,20 +198,17 @@ Motion refined(const machine::Profile& p, Motion m, Marks marks) {
             out.legs.push_back(part_of(m.legs[i], k, n));
         }
         moved[i] = out.poses.size();
-        out.poses.push_back(m.poses[i]), out.joints.push_back(m.joints[i]),
-            out.legs.push_back(part_of(m.legs[i], n, n));
+        out.poses.push_back(m.poses[i]);
+        out.joints.push_back(m.joints[i]);
+        out.legs.push_back(part_of(m.legs[i], n, n));
     }
-    for (std::size_t& k : marks)
-        if (k < moved.size())
-            k = moved[k];
-        else
-            k = out.poses.size();
+    landing = landing < moved.size() ? moved[landing] : out.poses.size();
     return out;
 }
 
-Motion fewer(const machine::Profile& p, Motion m, Marks marks, double& off) {
+Motion fewer(const machine::Profile& p, Motion m, std::size_t stay, std::size_t& landing, double& off) {
     if (m.poses.size() < 3 || (p.merging.planar <= 0 && p.merging.surface <= 0)) return m;
-    Course course(p, m, marks);
+    Course course(p, m, stay, landing);
     const auto kept = toolpath::greedy_steps(static_cast<std::uint32_t>(m.poses.size()),
                                              [&](std::uint32_t i, std::uint32_t j) { return course.fits(i, j); });
     Motion out;
@@ -218,10 +216,7 @@ Motion fewer(const machine::Profile& p, Motion m, Marks marks, double& off) {
         out.poses.push_back(m.poses[kept[k]]), out.joints.push_back(m.joints[kept[k]]);
         out.legs.push_back(k == 0 ? m.legs[0] : whole(m, kept[k - 1], kept[k]));
     }
-    for (std::size_t& mark : marks) {
-        const auto found = std::lower_bound(kept.begin(), kept.end(), mark);
-        mark = static_cast<std::size_t>(found - kept.begin());
-    }
+    landing = static_cast<std::size_t>(std::lower_bound(kept.begin(), kept.end(), landing) - kept.begin());
     off = std::max(off, course.off());
     return out;
 }

@@ -31,7 +31,9 @@ class Program final : public Writer {
     void cut() override;
     void move(const Step& step) override;
     bool bead_words(const Step& step, const std::array<std::int64_t, 5>& to);
+    void stand(const Step&) override {} // of robots only
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
+    void begin_counting();
     void begin_axes();
     void end_axes();
     std::int64_t due();
@@ -50,6 +52,7 @@ class Program final : public Writer {
     double tilt_ = 0, turn_ = 0;     // rad, of the step before
     double laid_ = 0;                // extruder units of the bead so far, exact
     std::int64_t laid_units_ = 0;    // the same as written
+    bool counted_ = false;           // the controller was told how extruder words count
     std::int64_t e_ = 0;             // where the controller believes the extruder to be
     bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;

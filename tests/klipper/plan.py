@@ -46,14 +46,14 @@ def config(keys):
 
 
 def marked(text):
-    """The program with a mark behind its first move of its own (G90 and M83 come before), and one before its end."""
+    """The program with a mark behind its first move of its own (G90 and M83 come before), one before its end, and one behind all."""
     lines = text.split("\n")
     layer = next(i for i, line in enumerate(lines) if "LAYER_CHANGE" in line)
     begin = max(i for i in range(layer) if lines[i] == "M83")
     first = next(i for i in range(begin, len(lines)) if re.match(r"G[01] .*X", lines[i]))
     last = max(i for i, line in enumerate(lines) if re.match(r"G[123] .*[XYAC].* E0*\.?0*[1-9]", line))
     end = next(i for i in range(last, len(lines)) if lines[i].startswith("G1 E-"))
-    return "\n".join(lines[:first + 1] + [MARK] + lines[first + 1:end] + [MARK] + lines[end:])
+    return "\n".join(lines[:first + 1] + [MARK] + lines[first + 1:end] + [MARK] + lines[end:] + [MARK, ""])
 
 
 def dictionary(klipper, room):
@@ -82,8 +82,11 @@ def run_klippy(folder, arguments):
 
     def make(self, config):
         made(self, config)
-        config.get_printer().lookup_object("gcode").register_command(
-            MARK, lambda _: print("mark", self.get_last_move_time(), flush=True))
+
+        def mark(_):
+            print("mark", self.get_last_move_time(), flush=True)
+            self.flush_step_generation()
+        config.get_printer().lookup_object("gcode").register_command(MARK, mark)
     toolhead.ToolHead.__init__ = make
     sys.argv = ["klippy.py", *arguments]
     klippy.main()
@@ -108,7 +111,7 @@ def plan(program, keys):
             log = f.read()
         wrong = re.findall(r"^(?:ERROR|Traceback|.*!! |.*Unknown command|.*Must home|.*Move out of range).*", log, re.M)
         marks = [float(line.split()[1]) for line in done.stdout.split("\n") if line.startswith("mark ")]
-        if wrong or len(marks) != 2:
+        if wrong or len(marks) != 3:
             sys.stderr.write("\n".join(wrong[:5] or [log[-300:], done.stderr[-1000:], f"{len(marks)} marks"]) + "\n")
             sys.exit(1)
         return marks[1] - marks[0], steps(klipper, spoken, at["serial"])

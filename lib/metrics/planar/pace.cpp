@@ -18,7 +18,12 @@ machine::Profile lenient(machine::Profile p) {
     p.limits.section = endless;
     p.fibre.omit_short = true, p.fibre.most_path = endless, p.fibre.spool = 0;
     if (p.tools.change.empty()) p.tools.change = "\n";
-    p.merging = machine::standard_merging();
+    machine::merge_moves(p, machine::standard_merging());
+    for (auto& [number, one] : p.own) {
+        machine::Profile copy = *one;
+        copy.limits.section = endless;
+        one = std::make_shared<const machine::Profile>(std::move(copy));
+    }
     return p;
 }
 
