@@ -3,7 +3,8 @@
 
 FILUM_KLIPPER names a checkout of Klipper.  KEY is one of [printer] (max_accel=5000), `resolution` of [gcode_arcs], or
 `rotary=a,c`: names of manual steppers.  Prints, tab-separated: the seconds from above the first stroke to the end of the
-last one, without what the profile's templates do before and after, then each motor and how many steps it makes in all.  Exit 1 and Klipper's own words if it refuses a line, 77 if it cannot be run here.
+last one, without what the profile's templates do before and after, then each motor and how many steps it makes in all.
+Exit 1 and Klipper's own words if it refuses a line, 77 if it cannot be run here.
 """
 import os
 import re
@@ -46,7 +47,7 @@ def config(keys):
 
 
 def marked(text):
-    """The program with a mark behind its first move of its own (G90 and M83 come before), one before its end, and one behind all."""
+    """The program with marks: behind its first own move (G90 and M83 come before), before its end, and behind all."""
     lines = text.split("\n")
     layer = next(i for i, line in enumerate(lines) if "LAYER_CHANGE" in line)
     begin = max(i for i in range(layer) if lines[i] == "M83")
@@ -83,9 +84,13 @@ def run_klippy(folder, arguments):
     def make(self, config):
         made(self, config)
 
+        seen = []
+
         def mark(_):
             print("mark", self.get_last_move_time(), flush=True)
-            self.flush_step_generation()
+            seen.append(True)
+            if len(seen) == 3:  # at the end: all steps are to be seen
+                self.flush_step_generation()
         config.get_printer().lookup_object("gcode").register_command(MARK, mark)
     toolhead.ToolHead.__init__ = make
     sys.argv = ["klippy.py", *arguments]
