@@ -33,8 +33,7 @@ cli::Spec spec(regions::Options& o) {
             "shortest straight way over it from what carries to what carries, or how far it hangs over. The first "
             "layer lies on the bed.\n\n"
             "Layers higher than a bead is wide, and beads wider than the part, are refused, as are layers that take "
-            "more "
-            "beads than memory holds: 25 million squares of a bead's width.",
+            "more beads than memory holds: 25 million squares of a bead's width.",
         .in = cli::reads(stream::Payload::layers),
         .out = cli::writes(stream::Payload::regions),
         .memory = "two layers",
@@ -73,8 +72,8 @@ void run(const regions::Options& options, const cli::Io& io) {
             for (const auto& r : below.regions) emit(wire::frame(r));
         },
         [&](const auto&, Notes& notes) {
-            if (const auto said = regions::note(air)) notes.push_back(*said);
             regions::check_part(box, options.bead_width, notes);
+            if (const auto said = regions::note(air)) notes.push_back(*said);
         });
 }
 
