@@ -15,7 +15,7 @@ namespace filum::slice {
 
 namespace {
 
-constexpr double kTold = 0.02;             // of the volume: more is told
+constexpr double kTold = 0.015;            // of the volume: more is told; 2 %, less what the measure itself is off
 constexpr double kUncertain = 0.25;        // winding numbers so far from whole ones leave open what is inside
 constexpr std::size_t kPlanes = 256;       // that a part is measured by,
 constexpr std::size_t kPoints = 64000;     // and points on them all, where contours are open;
