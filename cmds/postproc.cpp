@@ -80,6 +80,7 @@ std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io&
 void run(const postproc::Options& o, const cli::Io& io) {
     auto profile = machine::load_profile(o.machine, o.set);
     profile.fibre.omit_short = o.short_strokes == "drop";
+    if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;

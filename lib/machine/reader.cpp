@@ -1,6 +1,7 @@
 #include "machine/reader.hpp"
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "machine/toml_text.hpp"
 
@@ -36,6 +37,8 @@ struct Document::State {
     std::set<std::string> asked; // dotted keys
     std::set<std::string> set;   // keys that came from `set`
     std::vector<bool> opens;     // by line: a text of several lines begins at its end, so below it
+    std::string texts;           // all that were asked for: where names in braces may stand
+    std::set<std::string> named; // sections whose keys are such names
 };
 
 namespace {
@@ -183,6 +186,7 @@ void Document::text(const std::string& key, std::string& out) {
     for (const char c : out)
         if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
             fail(key, "it holds a control character");
+    state_->texts += out;
 }
 
 void Document::choice(const std::string& key, std::string& out, const std::vector<std::string>& choices) {
@@ -209,11 +213,35 @@ void Document::numbers(const std::string& section, std::map<std::string, double>
     const auto* node = find(state_->root, section);
     if (node == nullptr) return;
     if (!node->is_table()) fail(section, "it must be a table");
+    state_->named.insert(section);
     for (const auto& [name, value] : *node->as_table()) {
         const std::string key = section + "." + std::string(name.str());
         double v = 0;
         if (const auto why = number_in(value, {}, v); !why.empty()) fail(key, why);
         out[std::string(name.str())] = v;
+    }
+}
+
+void Document::check_names() const {
+    for (const std::string& section : state_->named) {
+        const auto* table = state_->root.get_as<toml::table>(section);
+        std::vector<std::string> used;
+        std::vector<std::string> idle;
+        for (const auto& [name, node] : *table) {
+            const std::string key(name.str());
+            const bool in_use = state_->texts.find("{" + key + "}") != std::string::npos;
+            (in_use ? used : idle).push_back(key);
+        }
+        if (idle.empty()) continue;
+        const auto set = std::find_if(idle.begin(), idle.end(),
+                                      [&](const auto& name) { return state_->set.count(section + "." + name) != 0; });
+        const std::string& name = set != idle.end() ? *set : idle.front();
+        for (const std::string& key : state_->asked) // "bead" may be feeds.bead
+            if (key.ends_with("." + name)) used = {key};
+        const std::string meant = did_you_mean(name, used);
+        fail(section + "." + name,
+             "no template names it" +
+                 (meant.empty() ? "; leave it out, or write {" + name + "} where it is to stand" : meant));
     }
 }
 
@@ -237,11 +265,12 @@ void Document::finish() const {
         if (!node.is_table()) fail(key, "it must be a section");
         for (const auto& [inner, value] : *node.as_table()) consider(key + "." + std::string(inner.str()), value);
     }
-    if (left.empty()) return;
+    if (left.empty()) return check_names();
     const auto first = std::min_element(left.begin(), left.end(), [](const Left& a, const Left& b) {
         return std::pair(a.at.line, a.key) < std::pair(b.at.line, b.key);
     });
-    fail(first->key, "there is no such key");
+    const std::vector<std::string> keys(state_->asked.begin(), state_->asked.end());
+    fail(first->key, "there is no such key" + did_you_mean(first->key, keys));
 }
 
 } // namespace filum::machine

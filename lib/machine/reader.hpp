@@ -33,7 +33,9 @@ class Document {
     void numbers(const std::string& section, std::map<std::string, double>& out); // a table of any names
 
     void require(const std::string& key) const;
-    void finish() const; // throws for the first key (in the file's order) that was not asked for
+    // Throws for the first key (in the file's order) that was not asked for, then for the first of numbers() that
+    // stands in braces in no text.
+    void finish() const;
 
     // Throws: the value of `key` cannot be used.
     [[noreturn]] void fail(const std::string& key, const std::string& why) const;
@@ -41,6 +43,7 @@ class Document {
     [[noreturn]] void fail_in_text(const std::string& key, const std::string& why, std::size_t line) const;
 
   private:
+    void check_names() const;
     struct State;
     std::unique_ptr<State> state_;
 };
