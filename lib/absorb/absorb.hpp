@@ -1,4 +1,5 @@
-// Void absorption: what beads leave uncovered beside their corners, turns and ends is reached by noses (notes 3a, A8).
+// Void absorption: what beads leave uncovered beside their corners, turns and ends is reached by noses
+// (docs/algorithms/fill.md).
 #pragma once
 
 #include "polygon/loops.hpp"

@@ -8,7 +8,7 @@
 namespace filum::absorb {
 
 // Widens the beads on both sides of slits narrower than a sixth of `width`, each by half of the slit on either hand
-// (the last pass of A7: widths alone).  Slits are looked for beside the long ones of `segments`, one place per bead
+// (positions stay, widths alone change).  Slits are looked for beside the long ones of `segments`, one place per bead
 // width; a bead grows by the least slit found along it.  Places out of the tile do not count.
 void close_cracks(Tile& tile, Chain& chain, const Near& near, std::span<const std::uint32_t> segments, double width);
 

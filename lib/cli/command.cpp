@@ -157,7 +157,8 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     output.close();
 }
 
-void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
+                  const SourceEnd& end) {
     Output output(io, header);
     Progress progress(io, parts);
     output.add(found);
@@ -174,6 +175,11 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
             output.add(result.notes);
             progress.step();
         });
+    if (end) {
+        Notes last;
+        end(last);
+        output.add(last);
+    }
     output.close();
 }
 

@@ -1,4 +1,4 @@
-// Whether the head meets anything on its way, and how near it comes.
+// Whether the head meets anything on its way, and how near it comes (docs/algorithms/routing.md).
 #pragma once
 
 #include "collision/tree.hpp"

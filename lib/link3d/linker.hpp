@@ -4,7 +4,7 @@
 // at the nearest place of its curve: a plain lift, then a short jog that cannot cross that curve.  If the region above
 // is out of reach, a lane is laid from the exit along the middle of the strip between two lanes of the curve
 // (strip_route.hpp), at half a bead's width, and the beads on both sides give up what it deposits.  Looking some
-// regions ahead, entries drift towards where the column goes, so that such lanes stay rare (notes 3c, L0).
+// regions ahead, entries drift towards where the column goes, so that such lanes stay rare (docs/algorithms/link3d.md).
 #pragma once
 
 #include "base/fact.hpp"

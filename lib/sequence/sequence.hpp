@@ -1,4 +1,5 @@
-// The processing order over all layers (paper 3.1, notes 3b): few strokes that the head can print, and a proven bound.
+// The processing order over all layers (docs/algorithms/sequence.md; Sun et al. 2019, 3.1): few strokes that the head
+// can print, and a proven bound.
 #pragma once
 
 #include "base/fact.hpp"
@@ -14,7 +15,6 @@ struct Options {
     // if so: an order to take as it is, for comparison; none: the one with the fewest strokes
     std::function<Order(std::span<const polygon::Region>)> layers = {};
     machine::Head head;
-    double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
     std::uint64_t budget = 600'000'000; // steps that searches and bounds may take
 };
 

@@ -82,6 +82,7 @@ struct Sink::State {
             return;
         }
         const bool exists = ::stat(wanted.c_str(), &info) == 0;
+        if (!exists && errno == ELOOP) fail("create", name, errno); // links that lead to themselves
         if (exists && !S_ISREG(info.st_mode)) {
             fd = ::open(wanted.c_str(), O_WRONLY | O_CLOEXEC);
             if (fd < 0) fail("create", name, errno);

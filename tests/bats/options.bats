@@ -39,10 +39,13 @@ make_more_inputs() {
     collide --strict=false --gantry-height 0.5 --places gantry.tsv needle.toolpath --output hit.toolpath 2> /dev/null
     filum print part.stl --output part.gcode
     filum print two.stl --output two.gcode
+    boxes small.stl 0,0,0,2,2,1.2 3,0,0,5,2,1.2
+    slice --layer-height 0.4 small.stl | regions | sequence --head none | fill | link3d --head none -o small.toolpath
     boxes towers.stl 0,0,0,12,5,1 0,0,1,4,5,3 8,0,1,12,5,3
     slice towers.stl | regions --output towers.regions
     half_ball 6 | without_triangles 60 > open.off
-    geodesic part.stl --remesh 1 | stressfield --stress stress.csv --case X --reach 1 --output fine.stress 2> /dev/null
+    geodesic part.stl --remesh 1 --output fine.surface
+    stressfield --stress stress.csv --case X --tangent --reach 9 fine.surface --output fine.stress 2> /dev/null
     geodesic round.off --output round.surface
     printf '1 1 0\n14 1 0\n' > lines.txt
 }

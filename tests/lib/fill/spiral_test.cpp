@@ -81,7 +81,7 @@ TEST_P(RandomRegion, IsFilledByOneClosedCurveThatDoesNotCrossItself) {
 
 INSTANTIATE_TEST_SUITE_P(Spiral, RandomRegion, testing::Range(1U, 60U));
 
-// A8: noses never take away, and lay little twice.
+// Noses never take away, and lay little twice.
 TEST_P(RandomRegion, IsCoveredBetterWithVoidsAbsorbed) {
     const Loops region = test::random_region(GetParam());
     Notes notes;

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "sequence/canon.hpp"
 #include "sequence/climb.hpp"
 #include "sequence/matching.hpp"
 #include "sequence/relaxation.hpp"
@@ -85,7 +86,7 @@ TEST(Outline, OneInsideTheOtherIsAtDistanceZeroAndOneInItsHoleIsNot) {
     EXPECT_EQ(distance(outline(box(-5, -5, 50, 50)), outline(ring)), 0);
 }
 
-// The table of notes 3b: exact optima of k columns.
+// Exact optima of k columns.
 TEST(Search, FindsTheKnownOptimaOfEqualTowers) {
     struct Row {
         Index k, layers, c, optimum;
@@ -128,8 +129,8 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
             random_world(random, 2 + random() % 4, 2 + static_cast<int>(random() % 3), uniform(random, 2, 8));
         if (regions.size() > 13) continue;
         ++worlds;
-        Graph g = support_graph(regions, 0.001);
-        const Columns c = columns(regions, 0.001);
+        Graph g = support_graph(regions);
+        const Columns c = columns(g, colours(g));
         machine::Head head;
         head.flat_radius = uniform(random, 0, 2);
         head.none = random() % 4 == 0;
@@ -154,7 +155,7 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
         EXPECT_GE(cost(g, narrow.order).strokes, least);
         search_best += cost(g, narrow.order).strokes == least ? 1 : 0;
         Index greedy = kNone;
-        for (const Choice choice : {Choice::longest, Choice::lowest, Choice::nearest}) {
+        for (const Choice choice : {Choice::longest, Choice::lowest, Choice::latest}) {
             const Order o = climb(g, choice);
             check(g, o);
             EXPECT_GE(cost(g, o).strokes, least);
@@ -189,10 +190,10 @@ TEST(Collisions, KeepTheHeadClearInEveryPairOfRegions) {
         head.carriage_x = uniform(random, 2, 30);
         head.carriage_y = uniform(random, 2, 30);
         if (trial % 5 == 0) head.gantry_height = 1.5;
-        Graph g = support_graph(regions, 0.001);
+        Graph g = support_graph(regions);
         std::vector<Outline> outlines;
         for (const auto& r : regions) outlines.push_back(outline(r.loops));
-        const auto hits = collisions(g, columns(regions, 0.001), outlines, head);
+        const auto hits = collisions(g, columns(g, colours(g)), outlines, head);
         kept += hits.size();
         add_precedence(g, hits);
         // reach[v] holds u if v comes before u in every order
@@ -264,7 +265,7 @@ TEST(LayerOrder, UsesAsManyLinksAsAnyLayerOrder) {
     Random random(6);
     for (int trial = 0; trial < 100; ++trial) {
         const auto regions = random_world(random, 4, 3, 4);
-        const Graph g = support_graph(regions, 0.001);
+        const Graph g = support_graph(regions);
         // all of a layer before all of the next: enumerate by precedence
         Graph strict = g;
         std::vector<Pair> more;

@@ -1,0 +1,20 @@
+// The whole job of `slice`: a mesh in, layers out.
+#pragma once
+
+#include "cli/command.hpp"
+#include "mesh/place.hpp"
+#include "mesh/step/step.hpp"
+#include "slice/slice.hpp"
+
+namespace filum::app::slice {
+
+struct Options {
+    mesh::Placement place;
+    filum::slice::Options slice;
+    mesh::step::Tessellation step;
+};
+
+// Reads, places and cuts the mesh, and writes its layers as they come.  Throws Error as those do.
+void run(const Options& options, const cli::Io& io);
+
+} // namespace filum::app::slice
