@@ -39,16 +39,16 @@ cli::Spec spec(regions::Options& o) {
         .memory = "two layers",
         .options = {cli::Option{"bead-width", &o.bead_width, "MM",
                                 "width of a bead, which decides where a stroke can climb"}
-                        .above(0)
-                        .at_most(1000),
+                        .within(0.01, 100)
+                        .a_limit(),
                     cli::Option{"tolerance", &o.tolerance, "MM",
                                 "how far a removed contour point may lie from the outline"}
-                        .at_least(0)
-                        .at_most(1),
+                        .within(0, 1)
+                        .a_limit(),
                     cli::Option{"hairline", &o.hairline, "MM",
                                 "narrower gaps, walls and contacts do not count; 0: 0.107 of the bead width"}
-                        .at_least(0)
-                        .at_most(10)},
+                        .within(0, 10)
+                        .a_limit()},
         .examples = {{"slice part.stl | regions > part.regions", "the regions of a part"},
                      {"slice part.stl | regions --bead-width 0.8 | peek", "for a wide nozzle; what came out"}},
         .see_also = {"slice", "sequence", "fill"}};

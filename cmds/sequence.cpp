@@ -49,10 +49,13 @@ cli::Spec spec(Options& o) {
         .options = cli::with(
             cli::with({cli::Option{"order", &o.order, "ORDER",
                                    "climb columns, go layer by layer, or do so as in the 2019 paper"}
-                           .one_of({"columns", "layers", "sun2019"})},
+                           .one_of({"columns", "layers", "sun2019"})
+                           .a_limit()},
                       cli::head_options(o.head)),
             {cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
-                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"},
+                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"}
+                 .when("order=columns")
+                 .a_limit(),
              cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},

@@ -32,32 +32,46 @@ std::vector<Option> placing(mesh::Placement& p) {
         Option{"unit", &p.unit, "", "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
             .one_of({"mm", "cm", "m", "in", "um", "auto"}),
         {"scale", &p.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"},
-        Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3),
-        Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3),
-        Option{"center", &p.center, "X,Y", "place for the middle of the part's box, mm"}.numbers(2),
-        {"on-bed", &p.on_bed, "", "move the part's lowest point to z = 0: done unless --no-on-bed is given"},
-        {"no-on-bed", &p.keep_z, "", "leave the part at its own height"},
+        Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3).within(
+            -360, 360),
+        Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3).within(-1e7, 1e7),
+        Option{"center", &p.center, "X,Y", "place for the middle of the part's box, mm"}.numbers(2).within(-1e7, 1e7),
+        Option{"on-bed", &p.on_bed, "", "move the part's lowest point to z = 0: done unless --no-on-bed is given"}
+            .when("!no-on-bed")
+            .a_limit(),
+        Option{"no-on-bed", &p.keep_z, "", "leave the part at its own height"}.a_limit(),
     };
 }
 
 std::vector<Option> cutting(slice::Options& s) {
     return {
-        Option{"layer-height", &s.layer_height, "MM", "thickness of a layer"}.above(0),
+        Option{"layer-height", &s.layer_height, "MM", "thickness of a layer"}.within(0.001, 1000),
         Option{"first-layer-height", &s.first_layer_height, "MM", "thickness of the first layer, 0: as the others"}
-            .at_least(0),
+            .zero_or_at_least(0.001)
+            .at_most(1000),
         {"adaptive", &s.adaptive, "", "choose the thickness of every layer by the slope of the surface"},
-        Option{"min-layer-height", &s.min_layer_height, "MM", "least thickness of adaptive layers"}.above(0),
-        Option{"max-layer-height", &s.max_layer_height, "MM", "greatest thickness of adaptive layers"}.above(0),
-        Option{"cusp", &s.cusp, "MM", "how far the steps of adaptive layers may stand off the surface"}.above(0),
-        Option{"close-gaps", &s.close_gaps, "MM", "width up to which gaps in contours are closed"}.at_least(0).at_most(
-            100),
+        Option{"min-layer-height", &s.min_layer_height, "MM", "least thickness of adaptive layers"}
+            .within(0.001, 1000)
+            .when("adaptive")
+            .a_limit(),
+        Option{"max-layer-height", &s.max_layer_height, "MM", "greatest thickness of adaptive layers"}
+            .within(0.001, 1000)
+            .when("adaptive")
+            .a_limit(),
+        Option{"cusp", &s.cusp, "MM", "how far the steps of adaptive layers may stand off the surface"}
+            .within(1e-5, 100)
+            .when("adaptive")
+            .a_limit(),
+        Option{"close-gaps", &s.close_gaps, "MM", "width up to which gaps in contours are closed"}
+            .within(0, 100)
+            .a_limit(),
         Option{"close-openings", &s.close_openings, "SHARE",
                "close wider openings straight, up to this part of the contour's length; 0: never, nor holes"}
-            .at_least(0)
-            .at_most(1),
+            .within(0, 1)
+            .a_limit(),
         Option{"hairline", &s.hairline, "MM", "heal gaps and slivers between bodies narrower than this"}
-            .at_least(0)
-            .at_most(1),
+            .within(0, 1)
+            .a_limit(),
     };
 }
 

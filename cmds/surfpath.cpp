@@ -5,9 +5,12 @@
 #include "surfpath/surfpath.hpp"
 #include "baselines/kipping2022/kipping2022.hpp"
 #include "cli/command.hpp"
+#include "cli/head_options.hpp"
 #include "surfpath/patches.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
+
+#include <algorithm>
 
 namespace {
 
@@ -39,6 +42,35 @@ constexpr const char* kDescription =
     "All options from --plane on are for this method only. What the paper does not give: --resample, --savgol-window, "
     "--savgol-degree, --least-spacing. Smoothing takes the path off the surface.";
 
+std::vector<Option> paper_options(Options& o) {
+    return {Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}
+                .numbers(4)
+                .within(-1e7, 1e7)
+                .when("algorithm=planned|fina|fexa|ortheo"),
+            Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}
+                .zero_or_at_least(0.001)
+                .at_most(1000),
+            Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}.within(
+                1, 9999),
+            Option{"savgol-degree", &o.paper.degree, "", "of its polynomials"}.within(0, 9),
+            Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}
+                .zero_or_at_least(0.001)
+                .at_most(1e4)
+                .when("algorithm=planned|ortheo"),
+            Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}
+                .within(0, 1e4)
+                .when("algorithm=planned|ortheo")
+                .a_limit(),
+            Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}
+                .within(0, 1e4)
+                .when("algorithm=planned|geo-fiso|geo-contour")
+                .a_limit(),
+            Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}
+                .within(0, 1e6)
+                .when("algorithm=planned|geo-fiso|geo-contour|geo-spiral")
+                .a_limit()};
+}
+
 cli::Spec spec(Options& o) {
     return {
         .name = "surfpath",
@@ -47,31 +79,31 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",
-        .options =
+        .options = cli::with(
             {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
                  .one_of({"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
-             Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
-             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
+                 .within(0.001, 1000)
+                 .same_as({"choose.spacing"}),
+             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5).same_as(
+                 {"choose.least-radius"}),
              {"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"},
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
-                 .one_of({"none", "hairpin", "wide"}),
-             Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}.at_least(
-                 0),
-             Option{"height", &o.laying.height, "MM", "of the bead"}.above(0),
-             Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.at_least(0).at_most(1e6),
-             Option{"offset", &o.laying.offset, "MM", "along the normals: the height of the plies below"}.at_least(0),
-             Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}.at_least(0),
-             Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}.numbers(4),
-             Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}.at_least(0),
-             Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}
-                 .at_least(1)
-                 .at_most(9999),
-             Option{"savgol-degree", &o.paper.degree, "", "of its polynomials"}.at_least(0).at_most(9),
-             Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
-             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}.at_least(0),
-             Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}.at_least(0),
-             Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for, or 0"}.at_least(0)},
+                 .one_of({"none", "hairpin", "wide"})
+                 .when("!method=kipping2022 algorithm=planned|ortheo"),
+             Option{"min-length", &o.plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
+                 .within(0, 1e6)
+                 .when("!method=kipping2022 algorithm=planned|ortheo")
+                 .a_limit(),
+             Option{"height", &o.laying.height, "MM", "of the bead"}.within(0.001, 100),
+             Option{"ply", &o.ply, "N", "number of this ply on the surface, its layer in the toolpath"}.within(0, 1e6),
+             Option{"offset", &o.laying.offset, "MM", "along the normals: the height of the plies below"}.within(0,
+                                                                                                                 1e4),
+             Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}
+                 .within(0, 1e4)
+                 .a_limit()},
+            cli::when("method=kipping2022", paper_options(o))),
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                       "one path over a surface, here a part without its top"},
                      {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "
@@ -94,11 +126,27 @@ surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::str
     return out;
 }
 
+// Warns of options of algorithms that no patch follows.
+void tell_idle(const std::vector<std::string>& algorithms, const cli::Io& io) {
+    const auto used = [&](const char* name) {
+        return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
+    };
+    const auto idle = [&](const std::vector<const char*>& options, const char* of) {
+        for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
+    };
+    if (!used("ortheo")) idle({"turns", "min-length", "d-iso", "least-spacing"}, "ortheo");
+    if (!used("fina") && !used("fexa") && !used("ortheo")) idle({"plane"}, "fina, fexa or ortheo");
+    const bool rings = used("geo-fiso") || used("geo-contour");
+    if (!rings) idle({"t-dist"}, "geo-fiso or geo-contour");
+    if (!rings && !used("geo-spiral")) idle({"n-thresh"}, "geo-fiso, geo-contour or geo-spiral");
+}
+
 void run(const Options& o, const cli::Io& io) {
     std::vector<surface::Sheet> sheets;
     auto whole = cli::read_all(io.input, stream::Payload::surface,
                                [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
     const auto algorithms = surfpath::algorithms(sheets, o.plan.algorithm);
+    tell_idle(algorithms, io);
     auto patches = surfpath::each_patch(sheets, algorithms, io.threads,
                                         [&](std::size_t k) { return lay(sheets[k], o, algorithms[k]); });
     surfpath::Laying laying = o.laying;

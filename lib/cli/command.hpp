@@ -24,9 +24,17 @@ struct Io {
     int threads = 0;                       // --threads, 0 for all cores
     bool quiet = false;                    // --quiet: no warnings
     std::vector<stream::Setting> settings; // the resolved options, for the history
+    std::vector<std::string> given;        // options that are not at their defaults
+    struct Same {
+        std::string name;
+        std::vector<std::string> as; // PROGRAM.NAME
+    };
+    std::vector<Same> same; // settings that stages before should have been told, too
 
-    // A line on standard error: "program: text".
+    // A line on standard error: "program: text", as printable() makes it.
     void say(const std::string& text) const;
+    // Warns, unless quiet, if the option was given: on this input it does nothing, since `why`.
+    void idle(const std::string& option, const std::string& why) const;
 };
 
 // A header for `payload` whose history is that of `before`, if any, plus this run.

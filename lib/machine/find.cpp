@@ -1,5 +1,6 @@
 // Where profiles and models of robots live.
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "machine/profile.hpp"
 #include "machine/robot.hpp"
 
@@ -104,10 +105,13 @@ Profile load_profile(const std::string& name_or_path, const std::string& set) {
             return parse_profile(contents(path, path.filename().string()), path.filename().string(), set);
     }
     std::string known;
-    for (const auto& name : profile_names()) known += (known.empty() ? "" : ", ") + name;
+    const auto names = profile_names();
+    for (const auto& name : names) known += (known.empty() ? "" : ", ") + name;
     if (known.empty())
         throw Error(Exit::usage, "unknown machine '" + name_or_path +
                                      "': there are no profiles; set FILUM_PROFILES to their folder");
+    if (const auto meant = did_you_mean(name_or_path, names); !meant.empty())
+        throw Error(Exit::usage, "unknown machine '" + name_or_path + "'" + meant);
     throw Error(Exit::usage, "unknown machine '" + name_or_path + "'; known are " + known + ", or give a .toml file");
 }
 

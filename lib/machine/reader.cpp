@@ -1,6 +1,7 @@
 #include "machine/reader.hpp"
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "machine/toml_text.hpp"
 
@@ -39,6 +40,8 @@ struct Document::State {
     std::set<std::string> asked; // dotted keys
     std::set<std::string> set;   // keys that came from `set`
     std::vector<bool> opens;     // by line: a text of several lines begins at its end, so below it
+    std::string texts;           // all that were asked for: where names in braces may stand
+    std::set<std::string> named; // sections whose keys are such names
 };
 
 namespace {
@@ -206,6 +209,7 @@ void Document::text(const std::string& key, std::string& out) {
     for (const char c : out)
         if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
             fail(key, "it holds a control character");
+    state_->texts += out;
 }
 
 void Document::choice(const std::string& key, std::string& out, const std::vector<std::string>& choices) {
@@ -249,11 +253,35 @@ void Document::numbers(const std::string& section, std::map<std::string, double>
     const auto* node = state_->asked_for(section);
     if (node == nullptr) return;
     if (!node->is_table()) fail(section, "it must be a table");
+    state_->named.insert(section);
     for (const auto& [name, value] : *node->as_table()) {
         const std::string key = section + "." + std::string(name.str());
         double v = 0;
         if (const auto why = number_in(value, {}, v); !why.empty()) fail(key, why);
         out[std::string(name.str())] = v;
+    }
+}
+
+void Document::check_names() const {
+    for (const std::string& section : state_->named) {
+        const auto* table = state_->root.get_as<toml::table>(section);
+        std::vector<std::string> used;
+        std::vector<std::string> idle;
+        for (const auto& [name, node] : *table) {
+            const std::string key(name.str());
+            const bool in_use = state_->texts.find("{" + key + "}") != std::string::npos;
+            (in_use ? used : idle).push_back(key);
+        }
+        if (idle.empty()) continue;
+        const auto set = std::find_if(idle.begin(), idle.end(),
+                                      [&](const auto& name) { return state_->set.count(section + "." + name) != 0; });
+        const std::string& name = set != idle.end() ? *set : idle.front();
+        for (const std::string& key : state_->asked) // "bead" may be feeds.bead
+            if (key.ends_with("." + name)) used = {key};
+        const std::string meant = did_you_mean(name, used);
+        fail(section + "." + name,
+             "no template names it" +
+                 (meant.empty() ? "; leave it out, or write {" + name + "} where it is to stand" : meant));
     }
 }
 
@@ -285,15 +313,16 @@ void left_over(const toml::table& table, const std::string& above, const std::se
 void Document::finish() const {
     std::vector<Left> left;
     left_over(state_->root, "", state_->asked, left);
-    if (left.empty()) return;
+    if (left.empty()) return check_names();
     const auto first = std::min_element(left.begin(), left.end(), [](const Left& a, const Left& b) {
         return std::pair(a.at.line, a.key) < std::pair(b.at.line, b.key);
     });
+    const std::vector<std::string> keys(state_->asked.begin(), state_->asked.end());
     for (const auto& key : state_->set)
-        if (key.starts_with(first->key + ".")) misused(key, "there is no such key");
+        if (key.starts_with(first->key + ".")) misused(key, "there is no such key" + did_you_mean(key, keys));
     const auto inside = state_->asked.lower_bound(first->key + ".");
     const bool section = inside != state_->asked.end() && inside->starts_with(first->key + ".");
-    fail(first->key, section ? "it must be a section" : "there is no such key");
+    fail(first->key, section ? "it must be a section" : "there is no such key" + did_you_mean(first->key, keys));
 }
 
 } // namespace filum::machine

@@ -44,7 +44,9 @@ class Document {
 
     [[nodiscard]] bool has(const std::string& key) const;
     void require(const std::string& key) const;
-    void finish() const; // throws for the first key (in the file's order) that was not asked for
+    // Throws for the first key (in the file's order) that was not asked for, then for the first of numbers() that
+    // stands in braces in no text.
+    void finish() const;
 
     // Throws: the value of `key` cannot be used.
     [[noreturn]] void fail(const std::string& key, const std::string& why) const;
@@ -52,6 +54,7 @@ class Document {
     [[noreturn]] void fail_in_text(const std::string& key, const std::string& why, std::size_t line) const;
 
   private:
+    void check_names() const;
     struct State;
     std::unique_ptr<State> state_;
 };

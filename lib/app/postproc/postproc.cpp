@@ -53,6 +53,8 @@ std::vector<filum::postproc::Stage> stages(const stream::Header& before, const c
 
 void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto profile = filum::postproc::profile_for(o);
+    if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
+    if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;

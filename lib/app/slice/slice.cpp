@@ -1,6 +1,7 @@
 #include "app/slice/slice.hpp"
 
 #include "app/slice/sizes.hpp"
+#include "cli/step_options.hpp"
 #include "slice/volume.hpp"
 #include "stream/crc32c.hpp"
 #include "wire/planar.hpp"
@@ -27,6 +28,7 @@ mesh::File read(const Options& o, cli::Io& self) {
 void run(const Options& o, const cli::Io& io) {
     cli::Io self = io;
     mesh::File file = read(o, self);
+    cli::step_idle(io, file.kind == mesh::Kind::step);
     Notes notes = std::move(file.notes);
     check_precision(file.mesh, notes);
     mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
