@@ -103,6 +103,7 @@ class Reader {
         : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(tool_lines(profile)),
           width_(options.width), height_(options.height) {
         lose_place();
+        if (p_.axes.start) stand(*p_.axes.start);
         tip_ = !p_.axes.active() || (p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty());
     }
 
@@ -118,6 +119,13 @@ class Reader {
     void lose_place() {
         at_[0] = at_[1] = at_[2] = std::numeric_limits<double>::quiet_NaN();
         if (p_.axes.chain.carrier == kinematics::Carrier::polar) at_[1] = p_.axes.chain.turn_point.y;
+    }
+
+    // Where the profile takes the axes to stand; their numbers are the axes' own while no code tells of tips.
+    void stand(const Joints& j) {
+        const bool tips = p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty();
+        const Vec3 at = tips ? kinematics::forward(p_.axes.chain, j).tip : j.xyz;
+        at_ = {at.x, at.y, at.z, j.tilt / kDegree, j.turn / kDegree};
     }
 
     Program finish() {

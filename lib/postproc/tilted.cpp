@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "machine/feed.hpp"
+#include "postproc/approach.hpp"
 #include "postproc/poses.hpp"
 #include "postproc/throughput.hpp"
 
@@ -213,6 +214,11 @@ void TiltedWalk::finish_stroke() {
             kinematics::place(own().axes.chain, stroke_.poses[i].tip, stroke_.joints[i].tilt, stroke_.joints[i].turn);
     for (const Leg& leg : stroke_.legs) efforts_.given += leg.act == Act::extrude ? 1 : 0;
     stroke_ = fewer(next, refined(next, std::move(stroke_), stay, landing_), stay, landing_, efforts_.off);
+    if (layer_ < 0) {
+        std::size_t added = 0;
+        stroke_ = approached(next, std::move(stroke_), added);
+        landing_ += added;
+    }
     auto seconds = durations();
     if (a.chain.carrier == kinematics::Carrier::frame) {
         headings_ = carrier_.headings(stroke_);
