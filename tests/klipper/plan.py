@@ -2,7 +2,7 @@
 """plan.py PROGRAM [KEY=VALUE...]: lets real Klipper plan a program, without hardware; says how long it takes.
 
 FILUM_KLIPPER names a checkout of Klipper.  KEY is one of [printer] (max_accel=5000), `resolution` of [gcode_arcs], or
-`rotary=a,c`: names of manual steppers.  Prints, tab-separated: the seconds from above the first stroke to the end of the
+`rotary=a,c`: manual steppers.  Prints, tab-separated: the seconds from above the first stroke to the end of the
 last one, without what the profile's templates do before and after, then each motor and how many steps it makes in all.
 Exit 1 and Klipper's own words if it refuses a line, 77 if it cannot be run here.
 """
@@ -47,11 +47,13 @@ def config(keys):
 
 
 def marked(text):
-    """The program with marks: behind its first own move (G90 and M83 come before), before its end, and behind all."""
+    """The program with marks: behind the moves to above its start (after G90 and M83), before its end, behind all."""
     lines = text.split("\n")
     layer = next(i for i, line in enumerate(lines) if "LAYER_CHANGE" in line)
     begin = max(i for i in range(layer) if lines[i] == "M83")
-    first = next(i for i in range(begin, len(lines)) if re.match(r"G[01] .*X", lines[i]))
+    over = next(i for i in range(begin, len(lines)) if re.match(r"G[01] .*X", lines[i]))
+    # Machines with rotary axes come down from far above first.
+    first = max([over] + [i for i in range(begin, layer) if i > over and re.match(r"G1 Z\S+ F", lines[i])])
     last = max(i for i, line in enumerate(lines) if re.match(r"G[123] .*[XYAC].* E0*\.?0*[1-9]", line))
     end = next(i for i in range(last, len(lines)) if lines[i].startswith("G1 E-"))
     return "\n".join(lines[:first + 1] + [MARK] + lines[first + 1:end] + [MARK] + lines[end:] + [MARK, ""])
