@@ -4,6 +4,7 @@
 #include "fill/spacing.hpp"
 #include "fill/spiral.hpp"
 #include "fill/thin.hpp"
+#include "rings/rings.hpp"
 
 #include <limits>
 
@@ -31,6 +32,14 @@ Rings outer(const Rings& all, int levels) {
 } // namespace
 
 std::vector<toolpath::Curve> contour(const Loops& region, const ContourOptions& o, Notes& notes) {
+    if (o.fit) {
+        const auto all = rings::rings(rings::beading(rings::medial_axis(rings::sites_of(region, 0.005), 0.0025, rings::kWallSlope), o.bead_width, std::min(.1*o.bead_width*o.bead_width, atof(getenv("VS"))*polygon::signed_area(region))), o.rings, 0.005);
+        std::vector<toolpath::Curve> out;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            out.push_back({true, {all.points.begin() + all.start[i], all.points.begin() + all.start[i + 1]},
+                           {all.width.begin() + all.start[i], all.width.begin() + all.start[i + 1]}});
+        return out;
+    }
     struct Try {
         double tolerance; // bead widths
         int lanes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace filum::fill {
 
@@ -11,10 +12,10 @@ namespace {
 constexpr double kTurned = 0.97;      // chord to arc: a smaller ratio is a corner
 constexpr double kLeastTurning = 0.3; // rad: where a line turns less within the reach, its chord is longer than that
 constexpr double kAcute = 0.66;       // and a smaller one than this an acute corner
-constexpr double kAcuteReach = 2.6;   // about those
+static const double kAcuteReach = getenv("ACUTE")?atof(getenv("ACUTE")):2.6;  // about those
 constexpr double kOuter = 0.75; // bead widths from the outline: nearer, acute corners are worth more than their room
 constexpr double kShortestRounded = 60; // a shorter line stays as it is
-constexpr double kWiden = 1.7;          // times the width, at most
+static const double kWiden = getenv("WIDEN")?atof(getenv("WIDEN")):1.7;          // times the width, at most
 constexpr double kSpill = 0.03;         // bead widths that a widened bead may reach over the outline
 constexpr int kPoints = 6;              // per corner
 

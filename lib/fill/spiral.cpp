@@ -6,6 +6,8 @@
 #include "fill/rounding.hpp"
 #include "fill/speck.hpp"
 #include "fill/thin.hpp"
+#include "rings/join.hpp"
+#include "rings/round.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
 
@@ -16,7 +18,7 @@ namespace {
 using polygon::Loops;
 
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
-constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
+static const double kRound = getenv("ROUND")?atof(getenv("ROUND")):.4;         // bead widths of path on each side that corners are rounded within
 constexpr double kRoundMost = 0.7;     // the same where a least radius asks for more
 
 constexpr double kGrid = 1e-3; // mm
@@ -80,10 +82,29 @@ Spiral spiral_by(const polygon::Loops& region, const SpiralOptions& o, double to
         });
         return best;
     };
-    for (ClosedLine& line :
-         join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
-        if (round && rings.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), reach, room);
+    (void)move;
+    std::vector<ClosedLine> lines;
+    BeadRings beads;
+    if (getenv("NEW")) {
+        const double lv = std::min(.1*w*w, atof(getenv("VS"))*polygon::signed_area(region));
+        const auto bd = rings::beading(rings::medial_axis(rings::sites_of(region, 0.005), 0.0025, getenv("SLOPE")?atof(getenv("SLOPE")):rings::kWallSlope), w, lv);
+        const auto all = rings::rings(bd, 0, 0.005);
+        if (getenv("NJ")) {
+            for (auto& l : rings::joined(bd, all, lv)) {
+                auto m = rings::thinned(round && !getenv("NORND") ? rings::rounded(l) : l, getenv("TOL")?atof(getenv("TOL")):std::min(0.01, w / 40));
+                out.curves.push_back({true, std::move(m.points), std::move(m.width)});
+            }
+            return out;
+        }
+        beads.loops.points = all.points, beads.loops.start = all.start, beads.width = all.width;
+        for (auto& x : beads.width) x = std::max(x, w / 16);
+    } else beads = even_spacing(rings, region, w, move ? o.lanes : 0, tolerance);
+    if (!lines.empty()) {} else if (getenv("NOJOIN")) { for (std::size_t i=0;i<beads.loops.size();++i) { lines.push_back({{beads.loops[i].begin(),beads.loops[i].end()},{beads.width.begin()+beads.loops.start[i],beads.width.begin()+beads.loops.start[i+1]}}); } }
+    else lines = join_rings(beads, w, region, wind);
+    for (ClosedLine& line : lines) {
+        if (round && beads.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), reach, room);
         tidy(line);
+        for (std::size_t q=0;q<line.points.size();++q) if (!(line.width[q]>0)) fprintf(stderr,"after %g at %g %g n %zu\n", line.width[q], line.points[q].x,line.points[q].y,line.points.size());
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
     }
     return out;
@@ -163,9 +184,10 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
     };
     constexpr double kUsual = 1.0 / 128, kFine = 1.0 / 1024;
     Spiral out;
-    if (is_speck(region, o.bead_width)) {
+    if (!getenv("NEW") && is_speck(region, o.bead_width)) {
         ClosedLine line = speck_loop(region);
         tidy(line);
+        for (std::size_t q=0;q<line.points.size();++q) if (!(line.width[q]>0)) fprintf(stderr,"after %g at %g %g n %zu\n", line.width[q], line.points[q].x,line.points[q].y,line.points.size());
         out.curves.push_back({true, std::move(line.points), std::move(line.width)});
         return out;
     }
@@ -174,7 +196,7 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
         out = spiral_by(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
         if (count_crossings(out.curves, o.bead_width) > 0) continue;
         // noses are sharp: not where a least radius is asked for
-        if (o.absorb && o.min_radius <= 0) absorb_voids(region, o, out);
+        if (o.absorb && !getenv("NOAB") && o.min_radius <= 0) absorb_voids(region, o, out);
         break;
     }
     return out;
