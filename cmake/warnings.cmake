@@ -9,6 +9,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # the compiler that counts; clang build
 endif()
 # -ffp-contract=off: the same bytes whether or not the compiler finds a fused multiply-add.
 add_compile_options(-ffp-contract=off)
+# A program asks only for the shared libraries that it uses.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_link_options(LINKER:--as-needed)
+endif()
 if(FILUM_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)

@@ -2,9 +2,9 @@
 // reads:  Toolpath streams
 // writes: Toolpath
 // memory: one toolpath
-#include "assemble/assemble.hpp"
-#include "cli/command.hpp"
+#include "cli/output.hpp"
 #include "mesh/place.hpp"
+#include "toolpath/assembly.hpp"
 #include "wire/planar.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr const char* kDescription =
     "turned.";
 
 struct Options {
-    assemble::Options job;
+    toolpath::AssemblyOptions job;
     std::vector<double> rotate_deg{0, 0, 0}, translate{0, 0, 0}; // mm
 };
 
@@ -66,21 +66,21 @@ void run(const Options& o, const cli::Io& io) {
         readers.push_back(std::make_unique<stream::Reader>(name, stream::Payload::toolpath));
         before.push_back(&readers.back()->header());
     }
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::toolpath, before));
-    assemble::Options options = o.job;
+    cli::Output output(io, cli::header(io, stream::Payload::toolpath, before));
+    toolpath::AssemblyOptions options = o.job;
     options.place = mesh::rigid(o.rotate_deg, o.translate);
-    assemble::Job job(options);
+    toolpath::Assembly job(options);
     for (const auto& reader : readers) {
         job.begin();
         while (auto frame = reader->next()) {
             if (frame->tag != stream::Tag::span) {
-                writer.write(*frame);
+                output.write(*frame);
                 continue;
             }
-            for (const auto& span : job.add(wire::span(*frame))) writer.write(wire::frame(span));
+            for (const auto& span : job.add(wire::span(*frame))) output.write(wire::frame(span));
         }
     }
-    writer.close();
+    output.close();
 }
 
 } // namespace

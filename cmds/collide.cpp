@@ -2,7 +2,7 @@
 // reads:  Toolpath
 // writes: Toolpath
 // memory: the toolpath at 350 bytes per move, meshes at 150 per triangle
-#include "survey/collide.hpp"
+#include "app/collide/collide.hpp"
 #include "cli/head_options.hpp"
 
 namespace {
@@ -35,7 +35,7 @@ constexpr const char* kDescription =
     "is where the program has it: use postproc --place as-is, or say with --shift how to get from there to the meshes. "
     "Places are right to 0.002 mm.";
 
-cli::Spec spec(survey::CollideOptions& o) {
+cli::Spec spec(app::collide::Options& o) {
     using cli::Option;
     return {
         .name = "collide",
@@ -45,7 +45,7 @@ cli::Spec spec(survey::CollideOptions& o) {
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the toolpath at 350 bytes per move, meshes at 150 per triangle",
         .options = cli::with(
-            survey::options(o),
+            app::collide::options(o),
             {Option{"program", &o.program, "FILE", "check this machine code instead of a toolpath"}.not_a_setting(),
              Option{"bead", &o.bead, "MM,MM", "width and height of the program's beads"}
                  .above(0)
@@ -67,4 +67,4 @@ cli::Spec spec(survey::CollideOptions& o) {
 
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<survey::CollideOptions>(argc, argv, spec, survey::collide); }
+int main(int argc, char** argv) { return cli::main<app::collide::Options>(argc, argv, spec, app::collide::run); }

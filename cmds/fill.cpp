@@ -2,6 +2,7 @@
 // reads:  Regions
 // writes: Paths
 // memory: one region per thread, and outlines filled before, up to 32 MB
+#include "baselines/sun2019/spiral.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
 #include "wire/planar.hpp"
@@ -34,8 +35,15 @@ constexpr const char* kThin =
     "top, "
     "where lanes would be below --min-width; or a single pass, where the curve may have two ends for it";
 
-cli::Spec spec(fill::Options& o) {
+struct Options {
+    fill::Options how;
+    std::string method = "cyc"; // of the spiral
+    baselines::sun2019::SpiralOptions sun2019;
+};
+
+cli::Spec spec(Options& all) {
     using cli::Option;
+    fill::Options& o = all.how;
     return {
         .name = "fill",
         .synopsis = "bead lines that fill each region",
@@ -45,7 +53,7 @@ cli::Spec spec(fill::Options& o) {
         .memory = "one region per thread, and outlines filled before, up to 32 MB",
         .options =
             {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
-             Option{"method", &o.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
+             Option{"method", &all.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
              Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
              Option{"min-width", &o.min_width, "MM",
                     "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
@@ -70,10 +78,10 @@ cli::Spec spec(fill::Options& o) {
                     "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
                  .at_least(-1)
                  .at_most(1e6),
-             Option{"threshold", &o.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
+             Option{"threshold", &all.sun2019.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
                  .at_least(1)
                  .at_most(4),
-             Option{"start-shift", &o.start_shift, "MM",
+             Option{"start-shift", &all.sun2019.start_shift, "MM",
                     "sun2019: how far the start moves along the outer contour from layer to layer"}
                  .at_least(0)
                  .at_most(1e6)},
@@ -85,7 +93,8 @@ cli::Spec spec(fill::Options& o) {
         .see_also = {"sequence", "link3d", "metrics"}};
 }
 
-void run(const fill::Options& options, const cli::Io& io) {
+void run(const Options& o, const cli::Io& io) {
+    const fill::Options& options = o.how;
     if (options.pattern == "scaffold") {
         fill::strand_spacing(options);
         fill::Before before;
@@ -94,7 +103,10 @@ void run(const fill::Options& options, const cli::Io& io) {
         };
         return cli::scan_stage(io, stream::Payload::regions, stream::Payload::paths, work);
     }
-    fill::Reuse filled(options);
+    baselines::sun2019::SpiralOptions paper = o.sun2019;
+    paper.offset = options.bead_width;
+    const bool as_paper = options.pattern == "spiral" && o.method == "sun2019";
+    fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
         return std::vector{wire::frame(filled(wire::region(frame), notes))};
     });
@@ -102,4 +114,4 @@ void run(const fill::Options& options, const cli::Io& io) {
 
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<fill::Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

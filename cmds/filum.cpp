@@ -2,7 +2,7 @@
 // reads:  what the stage reads
 // writes: what the stage writes
 // memory: nothing of its own
-#include "chain/front.hpp"
+#include "app/filum/front.hpp"
 #include "cli/command.hpp"
 
 namespace {
@@ -47,5 +47,5 @@ void refuse(const Options&, const cli::Io&) {
 
 int main(int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return cli::main<Options>(argc, argv, spec, refuse);
-    return cli::guarded("filum", [&] { return chain::front({argv + 1, argv + argc}); });
+    return cli::guarded("filum", [&] { return app::filum::front({argv + 1, argv + argc}); });
 }

@@ -2,25 +2,14 @@
 // reads:  a mesh file (STL, OBJ, PLY, OFF, 3MF or STEP), or Surface
 // writes: Surface
 // memory: the model, and some hundred bytes per edge for exact distances
+#include "app/geodesic/geodesic.hpp"
 #include "cli/head_options.hpp"
 #include "cli/step_options.hpp"
-#include "geodesic/choose.hpp"
-#include "geodesic/lines.hpp"
-#include "geodesic/measure.hpp"
-#include "model/shape.hpp"
 
 namespace {
 
 using namespace filum;
 using cli::Option;
-
-struct Options {
-    mesh::Placement place;
-    model::Shaping shape;
-    std::string source, lines, mesh;
-    geodesic::Options measure;
-    step::Tessellation step;
-};
 
 constexpr const char* kDescription =
     "Reads a triangle mesh, open or closed, from a file or standard input, and makes it a surface: every edge with "
@@ -53,7 +42,7 @@ constexpr const char* kDescription =
     "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
     "taken as linear in every triangle, is from 1: it is where fronts meet, near points and on coarse meshes.";
 
-cli::Spec spec(Options& o) {
+cli::Spec spec(app::geodesic::Options& o) {
     return {
         .name = "geodesic",
         .synopsis = "measure distances on a surface",
@@ -77,7 +66,7 @@ cli::Spec spec(Options& o) {
                     "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
                  .one_of({"mm", "cm", "m", "in", "um", "auto"}),
              {"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}},
-            cli::with(cli::step_options(o.step), model::options(o.shape))),
+            cli::with(cli::step_options(o.step), app::geodesic::options(o.shape))),
         .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
                      {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",
                       "lines at 1, 2, 3 ... mm from where a plane cuts a part"},
@@ -85,35 +74,6 @@ cli::Spec spec(Options& o) {
         .see_also = {"slice", "peek"}};
 }
 
-geodesic::Sources sources(const Options& o, const surface::Surface& s, cli::Io& self, Notes& notes, Facts& facts) {
-    auto out = geodesic::choose(s, o.source, notes);
-    if (!o.lines.empty()) {
-        const mesh::Bytes text = model::load(o.lines, "source_lines_crc32c", self);
-        geodesic::add_lines(out, s, geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
-    }
-    if (!o.mesh.empty()) {
-        const auto mesh = model::read_mesh(o.mesh, "source_mesh_crc32c", o.place, self, notes, o.step);
-        const Facts met = geodesic::add_mesh(out, s, mesh);
-        facts.insert(facts.end(), met.begin(), met.end());
-    }
-    return out;
-}
-
-void run(const Options& o, const cli::Io& io) {
-    cli::Io self = io; // with what identifies the input
-    model::Model m = model::read(o.place, self, o.step);
-    model::shape(m, o.shape, o.place, self);
-    Facts facts = surface::facts(m.sheet.surface);
-    const auto from = sources(o, m.sheet.surface, self, m.notes, facts);
-    if (!from.empty()) {
-        const Facts found = geodesic::measure(m.sheet, from, o.measure, m.notes);
-        facts.insert(facts.end(), found.begin(), found.end());
-    } else if (!o.measure.levels.empty() || o.measure.spacing > 0 || o.measure.with_sides) {
-        throw Error(Exit::usage, "cannot draw isolines, or tell sides, without a source");
-    }
-    model::write(m, facts, self);
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<app::geodesic::Options>(argc, argv, spec, app::geodesic::run); }

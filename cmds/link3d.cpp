@@ -2,10 +2,10 @@
 // reads:  Paths
 // writes: Toolpath
 // memory: the regions it looks ahead; all of them with --connect outside or --links sun2019
+#include "baselines/sun2019/link.hpp"
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
 #include "link3d/linker.hpp"
-#include "link3d/sun2019.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -42,7 +42,7 @@ struct Options {
     link3d::Options link; // what needs no name
     link3d::Names names;
     std::string links = "free";
-    link3d::Sun2019Options sun2019;
+    baselines::sun2019::LinkOptions sun2019;
     machine::HeadChoice head;
 };
 
@@ -106,7 +106,7 @@ void link(Linker linker, const cli::Io& io) {
 }
 
 void run(const Options& o, const cli::Io& given) {
-    if (o.links == "sun2019") return link(link3d::Sun2019Linker(o.sun2019), given);
+    if (o.links == "sun2019") return link(baselines::sun2019::Linker(o.sun2019), given);
     cli::Io io = given;
     link3d::Options how = link3d::named(o.link, o.names);
     how.head = machine::head(o.head);

@@ -2,7 +2,7 @@
 // reads:  Toolpath or Paths
 // writes: text
 // memory: the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows
-#include "survey/survey.hpp"
+#include "app/metrics/metrics.hpp"
 
 namespace {
 
@@ -35,10 +35,10 @@ constexpr const char* kDescription =
     "stream. docs/surface-metrics.md defines each figure. --voids writes the surface with the distance from the path, "
     "for render: what is farther than half a bead is not covered.";
 
-cli::Spec spec(survey::Options& all) {
+cli::Spec spec(app::metrics::Options& all) {
     using cli::Option;
-    metrics::Options& o = all.plane;
-    criteria::Options& c = all.curved;
+    metrics::planar::Options& o = all.plane;
+    metrics::surface::Options& c = all.curved;
     return {
         .name = "metrics",
         .synopsis = "measure a finished toolpath, or the curves of a fill",
@@ -81,4 +81,4 @@ cli::Spec spec(survey::Options& all) {
 
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<survey::Options>(argc, argv, spec, survey::run); }
+int main(int argc, char** argv) { return cli::main<app::metrics::Options>(argc, argv, spec, app::metrics::run); }

@@ -2,24 +2,13 @@
 // reads:  Surface
 // writes: Surface
 // memory: the surfaces, and some hundred bytes per vertex
-#include "partition/partition.hpp"
+#include "app/partition/partition.hpp"
 #include "cli/command.hpp"
-#include "geodesic/lines.hpp"
-#include "model/model.hpp"
-#include "model/patches.hpp"
-#include "partition/names.hpp"
-#include "wire/surface.hpp"
 
 namespace {
 
 using namespace filum;
 using cli::Option;
-
-struct Options {
-    partition::Options how;
-    std::string cases, names, only, seam;
-    bool as_is = false;
-};
 
 constexpr const char* kDescription =
     "Divides surfaces into patches in which neither directions nor normals are far from their mean, and writes a "
@@ -39,7 +28,7 @@ constexpr const char* kDescription =
     "--mask, what bears less load; both are noted with place and area. Facts tell for each patch its area, the mean "
     "cosine between directions and their mean (coherence), and what 95 % of angles and bends stay below.";
 
-cli::Spec spec(Options& o) {
+cli::Spec spec(app::partition::Options& o) {
     return {
         .name = "partition",
         .synopsis = "divide a surface into patches in which fibres can go one way",
@@ -83,28 +72,6 @@ cli::Spec spec(Options& o) {
     };
 }
 
-void run(const Options& o, const cli::Io& io) {
-    partition::Options how = o.how;
-    how.pull.cases = partition::words(o.cases, "case");
-    cli::Io self = io; // with what identifies the lines
-    if (!o.seam.empty())
-        how.lines = geodesic::read_lines(model::load(o.seam, "seam_crc32c", self).view(), mesh::spoken_name(o.seam));
-    const auto names = partition::words(o.names, "names"), only = partition::words(o.only, "only");
-    std::vector<cli::Whole> before;
-    std::vector<surface::Sheet> patches;
-    Notes notes;
-    const auto add = [&](const stream::RawFrame& f) {
-        surface::Sheet sheet = wire::sheet(f);
-        if (o.as_is || !sheet.name.empty()) return patches.push_back(std::move(sheet));
-        for (auto& p : partition::divide(std::move(sheet), how, io.threads, notes)) patches.push_back(std::move(p));
-    };
-    for (const auto& input : io.inputs.empty() ? std::vector<std::string>{"-"} : io.inputs)
-        before.push_back(cli::read_all(input, stream::Payload::surface, add));
-    partition::name(patches, names);
-    partition::keep_only(patches, only);
-    model::write(before, patches, notes, partition::facts(patches, how.pull), self);
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<app::partition::Options>(argc, argv, spec, app::partition::run); }

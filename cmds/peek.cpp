@@ -2,20 +2,13 @@
 // reads:  any stream
 // writes: text
 // memory: one frame
-#include "cli/command.hpp"
-#include "show/text.hpp"
-#include "stream/reader.hpp"
+#include "app/peek/peek.hpp"
 
 namespace {
 
 using namespace filum;
 
-struct Options {
-    bool check = false, text = false, json = false, script = false, defaults = false, frames = false;
-    std::int64_t decimals = 6;
-};
-
-cli::Spec spec(Options& o) {
+cli::Spec spec(app::peek::Options& o) {
     return {
         .name = "peek",
         .synopsis = "show or verify what is in a stream",
@@ -49,46 +42,6 @@ cli::Spec spec(Options& o) {
         .arguments = "[STREAM]"};
 }
 
-// Prints the frames and sums them up.
-show::Summary read_frames(const Options& o, stream::Reader& reader, stream::Sink& out) {
-    show::Summary summary;
-    bool first = true;
-    for (std::uint64_t at = reader.offset(); const auto frame = reader.next(); at = reader.offset()) {
-        const show::Record record = show::record(*frame);
-        add(summary, *frame, record);
-        if (o.json) out.write((first ? "\n" : ",\n") + show::json(record));
-        if (o.text) out.write(show::text(record, static_cast<int>(o.decimals)));
-        if (o.frames) out.write(std::to_string(at) + " " + record.kind + "\n");
-        first = false;
-    }
-    return summary;
-}
-
-void run(const Options& o, const cli::Io& io) {
-    if (o.check + o.text + o.json + o.script + o.frames > 1)
-        throw Error(Exit::usage, "cannot use two of --check, --text, --json, --frames and --script at once");
-    stream::Reader reader(io.input, stream::Payload::unknown);
-    stream::Sink out(io.output, stream::Sink::Content::text);
-    if (o.json)
-        out.write("{\"header\":" + show::json(reader.header()) + ",\"frames\":[");
-    else if (!o.check && !o.script && !o.frames)
-        out.write(show::text(reader.header()));
-    show::Summary summary;
-    try {
-        summary = read_frames(o, reader, out);
-    } catch (const Error&) {
-        if (io.output == "-") out.commit(); // show how far it goes
-        throw;
-    }
-    if (o.json)
-        out.write("],\n\"summary\":" + show::json(summary) + "}\n");
-    else if (o.script)
-        out.write(show::script(reader.header(), o.defaults));
-    else if (!o.check && !o.text && !o.frames)
-        out.write(show::text(summary));
-    out.commit();
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<app::peek::Options>(argc, argv, spec, app::peek::run); }

@@ -103,8 +103,8 @@ void run(const postproc::Options& o, const cli::Io& io) {
     postproc::add_efforts(profile, survey, io.program, notes, facts);
     for (const Note& n : notes) said.add(n);
     said.say();
-    if (!o.job.empty()) cli::write_text(o.job, figures::text(postproc::job(profile, survey), figures::Format::tsv));
-
+    if (!o.job.empty())
+        cli::write_text(o.job, metrics::figures::text(postproc::job(profile, survey), metrics::figures::Format::tsv));
     const auto program =
         postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
     program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));

@@ -2,7 +2,7 @@
 // reads:  Toolpath
 // writes: Toolpath
 // memory: the toolpath at 1000 bytes per move, meshes at 150 per triangle
-#include "survey/route.hpp"
+#include "app/route/route.hpp"
 #include "cli/head_options.hpp"
 
 namespace {
@@ -22,7 +22,7 @@ constexpr const char* kDescription =
     "What comes out is checked as `collide` does, with the least clearances as facts. Where the head still meets "
     "something route ends with 1 and says where; --strict=false goes on with a note. --places lists all such places.";
 
-cli::Spec spec(survey::RouteOptions& o) {
+cli::Spec spec(app::route::Options& o) {
     using cli::Option;
     return {.name = "route",
             .synopsis = "lead the head past what it would meet",
@@ -40,7 +40,7 @@ cli::Spec spec(survey::RouteOptions& o) {
                      .at_least(0.1)
                      .at_most(90),
                  Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting()},
-                survey::options(o)),
+                app::collide::options(o)),
             .examples = {{"slice part.stl | regions | sequence | fill | link3d | route --bed | postproc > part.gcode",
                           "travels that go no higher than they have to"}},
             .see_also = {"assemble", "collide", "postproc"}};
@@ -48,4 +48,4 @@ cli::Spec spec(survey::RouteOptions& o) {
 
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<survey::RouteOptions>(argc, argv, spec, survey::route); }
+int main(int argc, char** argv) { return cli::main<app::route::Options>(argc, argv, spec, app::route::run); }

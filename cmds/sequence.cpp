@@ -4,8 +4,9 @@
 // memory: the whole graph
 #include "sequence/sequence.hpp"
 #include "base/number.hpp"
-#include "cli/command.hpp"
+#include "baselines/sun2019/order.hpp"
 #include "cli/head_options.hpp"
+#include "cli/output.hpp"
 #include "machine/head.hpp"
 #include "sequence/budget.hpp"
 #include "wire/planar.hpp"
@@ -70,7 +71,7 @@ void run(const Options& o, const cli::Io& given) {
     for (const auto& [name, value, changed] : machine::settings(options.head))
         io.settings.push_back({name, value, changed});
     options.by_layers = o.order != "columns";
-    options.sun2019 = o.order == "sun2019";
+    if (o.order == "sun2019") options.layers = baselines::sun2019::order;
     options.budget = sequence::budget(o.budget);
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;
@@ -81,13 +82,11 @@ void run(const Options& o, const cli::Io& given) {
     auto result = sequence::sequence(std::move(regions), options);
 
     whole.header.expected = frames.size();
-    stream::Writer writer(io.output, cli::header(io, stream::Payload::regions, {&whole.header}));
-    for (const auto& note : whole.notes) writer.write(note);
-    for (const auto& fact : whole.facts) writer.write(fact);
-    for (const auto& fact : result.facts) {
-        writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-        if (o.report) io.say(fact.name + " " + fixed_text(fact.value, 4));
-    }
+    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
+    output.pass_on(whole);
+    output.add(result.facts);
+    if (o.report)
+        for (const auto& fact : result.facts) io.say(fact.name + " " + fixed_text(fact.value, 4));
     if (o.report) io.say("bound-by " + result.bound_by);
     if (!o.ends.empty()) {
         stream::Sink table(o.ends, stream::Sink::Content::text);
@@ -99,9 +98,9 @@ void run(const Options& o, const cli::Io& given) {
         auto region = wire::region(frame);
         region.stroke = result.stroke[i];
         region.join = result.join[i];
-        writer.write(wire::frame(region));
+        output.write(wire::frame(region));
     }
-    writer.close();
+    output.close();
 }
 
 } // namespace

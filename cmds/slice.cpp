@@ -6,7 +6,7 @@
 #include "cli/command.hpp"
 #include "cli/step_options.hpp"
 #include "mesh/place.hpp"
-#include "step/step.hpp"
+#include "mesh/step/step.hpp"
 #include "stream/crc32c.hpp"
 #include "wire/planar.hpp"
 
@@ -20,7 +20,7 @@ using cli::Option;
 struct Options {
     mesh::Placement place;
     slice::Options slice;
-    step::Tessellation step;
+    mesh::step::Tessellation step;
 };
 
 constexpr const char* kDescription =
@@ -98,7 +98,7 @@ void run(const Options& o, const cli::Io& io) {
         char crc[9];
         std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
         self.settings.push_back({"input_crc32c", crc});
-        file = step::read(bytes.view(), mesh::spoken_name(io.input), o.step);
+        file = mesh::step::read(bytes.view(), mesh::spoken_name(io.input), o.step);
     }
     Notes notes = std::move(file.notes);
     mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);

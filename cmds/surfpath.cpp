@@ -3,8 +3,8 @@
 // writes: Toolpath
 // memory: the model, and windows of distance
 #include "surfpath/surfpath.hpp"
+#include "baselines/kipping2022/kipping2022.hpp"
 #include "cli/command.hpp"
-#include "kipping2022/kipping2022.hpp"
 #include "surfpath/patches.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
@@ -19,7 +19,7 @@ struct Options {
     surfpath::Laying laying;
     std::int64_t ply = 0;
     std::vector<double> plane;
-    kipping2022::Options paper;
+    baselines::kipping2022::Options paper;
 };
 
 constexpr const char* kDescription =
@@ -88,10 +88,10 @@ surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::str
     surfpath::Options plan = o.plan;
     plan.algorithm = algorithm;
     if (plan.method != "kipping2022") return surfpath::plan(sheet, plan);
-    kipping2022::Options paper = o.paper;
+    baselines::kipping2022::Options paper = o.paper;
     paper.algorithm = algorithm, paper.spacing = plan.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    return kipping2022::plan(sheet, paper);
+    return baselines::kipping2022::plan(sheet, paper);
 }
 
 void run(const Options& o, const cli::Io& io) {

@@ -27,7 +27,7 @@ struct Candidate {
 std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& pull);
 
 // How much of the pull would run along such a path, by the directions of a distance field on `sheet`: as
-// criteria::pull_adequacy, by area.  nan without load cases.  Throws Error as sources() does.
+// metrics::surface::pull_adequacy, by area.  nan without load cases.  Throws Error as sources() does.
 double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candidate& candidate);
 
 } // namespace filum::choose

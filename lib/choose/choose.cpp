@@ -1,9 +1,9 @@
 #include "choose/choose.hpp"
 
 #include "base/error.hpp"
-#include "curve/carry.hpp"
 #include "geodesic/measure.hpp"
 #include "parallel/parallel.hpp"
+#include "surface/curve/carry.hpp"
 #include "surface/remesh.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Ground rough(const Sheet& sheet, const Options& o, double area) {
     if (surface::mean_edge(sheet.surface) < kFine * edge) try {
             Notes unsaid;
             Sheet coarse{surface::remesh(sheet.surface, edge, unsaid), {}, {}};
-            coarse.fields = curve::carried(sheet.surface, sheet.fields, coarse.surface);
+            coarse.fields = surface::curve::carried(sheet.surface, sheet.fields, coarse.surface);
             out.sheet = std::move(coarse);
         } catch (const Error&) { // of CGAL: then on the patch as it is
         }
@@ -49,11 +49,11 @@ Criteria lay(const Ground& ground, const Candidate& candidate) {
     Sheet sheet{ground.sheet.surface, {}, {}, sources(ground.sheet, ground.pull, candidate.seed)};
     surfpath::Options plan = ground.plan;
     plan.algorithm = candidate.algorithm;
-    criteria::Fibres fibres;
+    metrics::surface::Fibres fibres;
     surfpath::Laying laying;
     laying.width = plan.spacing;
     for (const auto& span : surfpath::spans(sheet.surface, surfpath::plan(sheet, plan), laying))
-        criteria::add(fibres, span);
+        metrics::surface::add(fibres, span);
     return measure(fibres, ground.sheet, plan.spacing, ground.stable);
 }
 

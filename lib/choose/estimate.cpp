@@ -1,6 +1,6 @@
 #include "choose/candidates.hpp"
-#include "criteria/load.hpp"
 #include "geodesic/exact.hpp"
+#include "metrics/surface/load.hpp"
 
 namespace filum::choose {
 
@@ -17,7 +17,7 @@ Vec3 slope(const Surface& s, std::uint32_t t, const std::vector<double>& value) 
 
 double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candidate& candidate) {
     const Surface& s = sheet.surface;
-    const auto loads = criteria::load_cases(sheet);
+    const auto loads = metrics::surface::load_cases(sheet);
     if (loads.empty()) return std::nan("");
     const bool planes = candidate.algorithm == "fexa" && candidate.seed.kind == Seed::Kind::plane;
     const auto from = sources(sheet, pull, candidate.seed);
@@ -31,7 +31,7 @@ double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candida
         const Vec3 way = candidate.algorithm == "ortheo" ? up : cross(n, up);
         if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;
         for (const std::uint32_t v : corners) {
-            const auto at = criteria::pull(loads, v, 1 / norm(way) * way);
+            const auto at = metrics::surface::pull(loads, v, 1 / norm(way) * way);
             along += norm(n) * at.along, most += norm(n) * at.most;
         }
     }

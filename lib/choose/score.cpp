@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "criteria/area.hpp"
-#include "criteria/curvature.hpp"
-#include "criteria/load.hpp"
+#include "metrics/surface/area.hpp"
+#include "metrics/surface/curvature.hpp"
+#include "metrics/surface/load.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -47,21 +47,23 @@ Weights weights(std::string_view words) {
     return out;
 }
 
-Criteria measure(const criteria::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable) {
+Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable) {
     if (fibres.chains.empty()) throw Error(Exit::failure, "nothing is laid");
-    const criteria::Ground ground(sheet.surface, spacing);
-    const auto samples = criteria::samples(fibres, ground, spacing / 4, 1);
-    const auto shadow = criteria::shadow(fibres, ground, {0, 0, spacing / 2}, 1);
-    const auto area = criteria::measure_area(ground, criteria::path_field(ground, shadow), 0, 1, stable);
-    const auto loads = criteria::load_cases(sheet);
+    const metrics::surface::Ground ground(sheet.surface, spacing);
+    const auto samples = metrics::surface::samples(fibres, ground, spacing / 4, 1);
+    const auto shadow = metrics::surface::shadow(fibres, ground, {0, 0, spacing / 2}, 1);
+    const auto area =
+        metrics::surface::measure_area(ground, metrics::surface::path_field(ground, shadow), 0, 1, stable);
+    const auto loads = metrics::surface::load_cases(sheet);
     Criteria out;
     out.area = area.surface;
     out.coverage = area.covered / area.surface;
-    out.load = criteria::pull_adequacy(samples, sheet.surface, loads);
-    out.paper_load = loads.empty() ? std::nan("") : criteria::paper_adequacy(samples, sheet.surface, loads).mean;
-    out.angle = criteria::paper_angle(fibres, spacing / 4) * kDegrees;
+    out.load = metrics::surface::pull_adequacy(samples, sheet.surface, loads);
+    out.paper_load =
+        loads.empty() ? std::nan("") : metrics::surface::paper_adequacy(samples, sheet.surface, loads).mean;
+    out.angle = metrics::surface::paper_angle(fibres, spacing / 4) * kDegrees;
     out.cuts = static_cast<double>(fibres.chains.size() - 1);
-    out.length = criteria::length(fibres);
+    out.length = metrics::surface::length(fibres);
     out.overlap = std::max(0.0, 1 - area.covered / (out.length * spacing));
     return out;
 }

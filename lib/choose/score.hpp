@@ -1,7 +1,7 @@
 // What a path is worth, by weights.
 #pragma once
 
-#include "criteria/chains.hpp"
+#include "metrics/surface/chains.hpp"
 #include "surface/sheet.hpp"
 
 #include <string_view>
@@ -21,8 +21,8 @@ Weights weights(std::string_view words);
 struct Criteria {
     double area = 0;       // mm2, of the surface
     double coverage = 0;   // share of it within half a bead of the path
-    double load = 0;       // criteria::pull_adequacy; nan where there is no load case, or no pull
-    double paper_load = 0; // criteria::paper_adequacy, for comparison; likewise
+    double load = 0;       // metrics::surface::pull_adequacy; nan where there is no load case, or no pull
+    double paper_load = 0; // metrics::surface::paper_adequacy, for comparison; likewise
     double angle = 0;      // deg: the paper's mean of the top 1 % of angles, at a quarter of the spacing
     double cuts = 0;       // fibres - 1
     double length = 0;     // mm of fibre
@@ -31,7 +31,7 @@ struct Criteria {
 
 // `spacing`: mm, the width of the beads, too; `stable`: to what the coverage is measured.  Throws Error(failure) if
 // there is no fibre.
-Criteria measure(const criteria::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable);
+Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable);
 
 // The mean, by weights, of terms from 0 to 1:
 //   coverage;  load;  1 - angle / 90 deg;  1 - cuts * cut_length / length;  1 - overlap

@@ -2,15 +2,15 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "criteria/load.hpp"
-#include "curve/walk.hpp"
+#include "metrics/surface/load.hpp"
+#include "surface/curve/walk.hpp"
 
 namespace filum::choose {
 
 namespace {
 
-using curve::Line;
-using curve::Place;
+using surface::curve::Line;
+using surface::curve::Place;
 
 constexpr double kPart = 0.5;   // of a mean edge: a step along the pull
 constexpr double kClear = 1e-6; // by how much of itself the pull must be greater one way than across
@@ -51,7 +51,7 @@ surface::Sources rim_side(const Surface& s, const Seed& seed) {
 }
 
 Vec3 pull_at(const Surface& s, const std::vector<Vec3>& pull, const Place& at, const Vec3& heading, bool across) {
-    const auto w = curve::barycentric(s, at);
+    const auto w = surface::curve::barycentric(s, at);
     const Vec3 n = surface::normal(s, at.triangle);
     Vec3 sum{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -71,9 +71,9 @@ Line half(const Surface& s, const std::vector<Vec3>& pull, const Place& from, Ve
         // The direction half a step ahead (midpoint rule), so that a line round something does not drift outwards.
         const Place before = out.places.back();
         const Vec3 here = pull_at(s, pull, before, heading, across);
-        const Vec3 d = pull_at(s, pull, curve::step(s, before, step / 2 * here), here, across);
+        const Vec3 d = pull_at(s, pull, surface::curve::step(s, before, step / 2 * here), here, across);
         if (!(norm(d) > 0)) throw Error(Exit::failure, "the pull ends within the surface");
-        const Place after = curve::step(s, before, step * d, &out);
+        const Place after = surface::curve::step(s, before, step * d, &out);
         if (distance(before.point, after.point) < step / 10) return out;
         heading = d;
     }
@@ -94,8 +94,8 @@ surface::Sources stress_line(const Sheet& sheet, const std::vector<Vec3>& pull, 
     }
     const double step = kPart * surface::mean_edge(s), longest = kLongest * distance(box.lo, box.hi);
     Line line = half(s, pull, start, -1 * ahead, across, step, longest);
-    curve::reverse(line);
-    curve::append(line, half(s, pull, start, ahead, across, step, longest));
+    surface::curve::reverse(line);
+    surface::curve::append(line, half(s, pull, start, ahead, across, step, longest));
     surface::Sources out;
     for (std::size_t i = 1; i < line.size(); ++i)
         if (line[i - 1] != line[i]) out.segments.push_back({line.places[i - 1].triangle, line[i - 1], line[i]});
@@ -126,10 +126,10 @@ std::string spoken(const Seed& seed) {
 }
 
 std::vector<Vec3> pulls(const Sheet& sheet) {
-    const auto loads = criteria::load_cases(sheet);
+    const auto loads = metrics::surface::load_cases(sheet);
     std::vector<Vec3> out;
     if (loads.empty()) return out;
-    const auto normals = curve::vertex_normals(sheet.surface);
+    const auto normals = surface::curve::vertex_normals(sheet.surface);
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const Vec3& n = normals[v];
         const Vec3 axis = std::abs(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};

@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "cli/document.hpp"
+#include "cli/output.hpp"
 #include "cli/parse.hpp"
 #include "parallel/parallel.hpp"
 
@@ -108,8 +109,7 @@ struct MapResult {
 
 void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapWork& work) {
     stream::Reader reader(io.input, in);
-    stream::Writer writer(io.output, header(io, out, {&reader.header()}));
-    Report report(io);
+    Output output(io, header(io, out, {&reader.header()}));
     Progress progress(io, reader.header().expected);
     parallel::ordered<stream::RawFrame, MapResult>(
         io.threads, [&] { return reader.next(); },
@@ -122,60 +122,38 @@ void map_stage(const Io& io, stream::Payload in, stream::Payload out, const MapW
             return result;
         },
         [&](MapResult result) {
-            for (const auto& frame : result.frames) writer.write(frame);
-            for (Note& note : result.notes) {
-                note.stage = io.program;
-                writer.write(note);
-                report.add(note);
-            }
+            for (const auto& frame : result.frames) output.write(frame);
+            output.add(result.notes);
             progress.step();
         });
-    writer.close();
-    report.say();
+    output.close();
 }
 
 void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const ScanWork& work, const ScanEnd& end) {
     stream::Reader reader(io.input, in);
-    stream::Writer writer(io.output, header(io, out, {&reader.header()}));
-    Report report(io);
+    Output output(io, header(io, out, {&reader.header()}));
     Progress progress(io, reader.header().expected);
-    const auto emit = [&](stream::RawFrame frame) { writer.write(frame); };
-    const auto tell = [&](Notes& notes) {
-        for (Note& note : notes) {
-            note.stage = io.program;
-            writer.write(note);
-            report.add(note);
-        }
-        notes.clear();
-    };
-    Notes notes;
+    const auto emit = [&](stream::RawFrame frame) { output.write(frame); };
     while (auto frame = reader.next()) {
         if (stream::is_remark(frame->tag)) {
-            writer.write(*frame);
+            output.write(*frame);
             continue;
         }
+        Notes notes;
         work(*frame, emit, notes);
-        tell(notes);
+        output.add(notes);
         progress.step();
     }
+    Notes notes;
     if (end) end(emit, notes);
-    tell(notes);
-    writer.close();
-    report.say();
+    output.add(notes);
+    output.close();
 }
 
 void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
-    stream::Writer writer(io.output, header);
-    Report report(io);
+    Output output(io, header);
     Progress progress(io, parts);
-    const auto tell = [&](Notes& notes) {
-        for (Note& note : notes) {
-            note.stage = io.program;
-            writer.write(note);
-            report.add(note);
-        }
-    };
-    tell(found);
+    output.add(found);
     std::size_t next = 0;
     parallel::ordered<std::size_t, MapResult>(
         io.threads, [&]() -> std::optional<std::size_t> { return next < parts ? std::optional(next++) : std::nullopt; },
@@ -185,29 +163,11 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
             return result;
         },
         [&](MapResult result) {
-            for (const auto& frame : result.frames) writer.write(frame);
-            tell(result.notes);
+            for (const auto& frame : result.frames) output.write(frame);
+            output.add(result.notes);
             progress.step();
         });
-    writer.close();
-    report.say();
-}
-
-void write_one(const Io& io, const stream::Header& header, Notes notes, Facts facts, const stream::RawFrame& frame) {
-    stream::Writer writer(io.output, header);
-    Report report(io);
-    for (Note& note : notes) {
-        note.stage = io.program;
-        writer.write(note);
-        report.add(note);
-    }
-    for (Fact& fact : facts) {
-        fact.stage = io.program;
-        writer.write(fact);
-    }
-    writer.write(frame);
-    writer.close();
-    report.say();
+    output.close();
 }
 
 Whole read_all(const std::string& path, stream::Payload expected, const std::function<void(stream::RawFrame)>& frame) {
@@ -247,20 +207,14 @@ int fail(const std::string& program, Exit exit, const std::string& what) {
 
 } // namespace
 
-void write_all(const Io& io, const stream::Header& header, const Whole& before, Notes notes, const Facts& facts,
+void write_all(const Io& io, const stream::Header& header, const Whole& before, const Notes& notes, const Facts& facts,
                std::span<const stream::RawFrame> frames) {
-    stream::Writer writer(io.output, header);
-    Report report(io);
-    for (const Note& note : before.notes) writer.write(note);
-    for (const Fact& fact : before.facts) writer.write(fact);
-    for (Note& note : notes) {
-        note.stage = io.program;
-        report.add(note), writer.write(note);
-    }
-    for (const Fact& fact : facts) writer.write(Fact{io.program, fact.name, fact.value, fact.unit});
-    for (const auto& frame : frames) writer.write(frame);
-    writer.close();
-    report.say();
+    Output output(io, header);
+    output.pass_on(before);
+    output.add(notes);
+    output.add(facts);
+    for (const auto& frame : frames) output.write(frame);
+    output.close();
 }
 
 int guarded(const std::string& program, const std::function<int()>& work) {

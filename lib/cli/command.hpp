@@ -76,9 +76,6 @@ void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, con
 using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
 void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
 
-// Shape "source" with one frame only: writes it behind notes and facts, which become this program's.
-void write_one(const Io& io, const stream::Header& header, Notes notes, Facts facts, const stream::RawFrame& frame);
-
 // Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {
     stream::Header header;
@@ -91,7 +88,7 @@ Whole read_all(stream::Reader reader, const std::function<void(stream::RawFrame)
 // Writes a text file, whole or not at all.
 void write_text(const std::string& file, const std::string& text);
 // Shape "fold" of such: writes what came by the stream before, then notes and facts as this program's, then all frames.
-void write_all(const Io& io, const stream::Header& header, const Whole& before, Notes notes, const Facts& facts,
+void write_all(const Io& io, const stream::Header& header, const Whole& before, const Notes& notes, const Facts& facts,
                std::span<const stream::RawFrame> frames);
 
 // Runs `work` as the program of that name: its exit code, or that of the Error it throws, said on standard error.

@@ -7,7 +7,7 @@
 
 namespace filum::cli {
 
-// Bound to the fields of `to`, a step::Tessellation.
+// Bound to the fields of `to`, a mesh::step::Tessellation.
 template <class Tessellation>
 std::vector<Option> step_options(Tessellation& to) {
     return {

@@ -1,5 +1,6 @@
 #include "collision/check.hpp"
 
+#include "kinematics/chain.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -13,10 +14,7 @@ namespace {
 constexpr std::size_t kGrain = 2048;  // moves that share what they found
 constexpr std::size_t kTogether = 8;  // moves that may be seen to be clear at once
 constexpr std::size_t kSamples = 512; // of all moves, looked at first
-constexpr int kHalvings = 40;
-constexpr double kArc = 1.02; // no arc of a chord below 0.5 is longer by more
-
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+constexpr double kArc = 1.02;         // no arc of a chord below 0.5 is longer by more
 
 Vec3 any_across(const Vec3& v) {
     const Vec3 other = std::abs(v.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -26,24 +24,12 @@ Vec3 any_across(const Vec3& v) {
 
 // Unit vectors; even speed along the great circle.
 Vec3 turned(const Vec3& a, const Vec3& b, double share) {
-    const double all = angle(a, b);
+    const double all = kinematics::angle(a, b);
     if (all < 1e-9) return share < 0.5 ? a : b;
     const Vec3 across = b - dot(a, b) * a;
     const double l = norm(across);
     const Vec3 towards = l > 1e-9 ? (1 / l) * across : any_across(a);
     return std::cos(share * all) * a + std::sin(share * all) * towards;
-}
-
-// How far a whole move goes.
-struct Motion {
-    Vec3 way;
-    double length, angle;
-};
-
-Motion motion(const Move& m) {
-    double turn = angle(m.from.axis, m.to.axis);
-    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += angle(m.from.side, m.to.side);
-    return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
 }
 
 struct Search {
@@ -54,7 +40,6 @@ struct Search {
 
     // Clearances below this collide: touching does for solid things.
     [[nodiscard]] double demanded(Against against) const {
-        constexpr double kTouch = 1e-6;
         return against == Against::beads ? options.margin - options.press : std::max(options.margin, kTouch);
     }
 
@@ -79,7 +64,7 @@ struct Search {
         double cutoff = std::max(best, demanded(c.against));
         if (c.found) cutoff = std::min(cutoff, c.worst.clearance);
         Probe p = probe(at(m, middle), m, c.against, cutoff);
-        p.shift = half * c.motion.length, p.turn = half * c.motion.angle;
+        p.shift = half * c.motion.length, p.turn = half * c.motion.turn;
         p.sink = half * std::abs(dot(c.motion.way, p.stance.axis));
         const auto near = tree.any(shape, p, {at(m, begin), at(m, end)}, options.step);
         if (near == Tree::Near::nothing) return;
@@ -181,6 +166,12 @@ Stance at(const Move& m, double along) {
     out.side = {};
     if (m.from.side != Vec3{} && m.to.side != Vec3{}) out.side = turned(m.from.side, m.to.side, along);
     return out;
+}
+
+Motion motion(const Move& m) {
+    double turn = kinematics::angle(m.from.axis, m.to.axis);
+    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += kinematics::angle(m.from.side, m.to.side);
+    return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
 }
 
 Found check(const Scene& scene, const machine::Head& head, const std::vector<Move>& moves, const Options& options,

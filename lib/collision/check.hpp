@@ -59,6 +59,16 @@ Found check(const Scene& scene, const machine::Head& head, const std::vector<Mov
 // The stance at a share of a move.
 Stance at(const Move& move, double along);
 
+// What a whole move does to the head.
+struct Motion {
+    Vec3 way;                    // mm: of the tip
+    double length = 0, turn = 0; // mm, rad: of the axis, and about it where that is known
+};
+Motion motion(const Move& move);
+
+inline constexpr double kTouch = 1e-6; // mm: solid things may not be touched
+inline constexpr int kHalvings = 40;   // of a move at most
+
 // The plane z = 0 below all tips of `moves`, and 300 mm around.
 std::vector<Solid> bed(const std::vector<Move>& moves);
 

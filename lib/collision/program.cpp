@@ -1,6 +1,7 @@
 #include "collision/program.hpp"
 
 #include "base/error.hpp"
+#include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -17,12 +17,12 @@ namespace filum::collision {
 
 namespace {
 
+using geom::kDegree;
 using kinematics::Joints;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kChord = 0.002, kLean = 0.2 * kDegree, kTurn = 2 * kDegree;
-constexpr double kFarthest = 1e7; // mm, degrees
-constexpr int kHalvings = 16;
+constexpr double kFarthest = 1e7;  // mm, degrees
+constexpr int kChordHalvings = 16; // of a move at most
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -255,7 +255,7 @@ class Reader {
         Axes middle;
         for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = (a[k] + b[k]) / 2;
         const bool turns = a[3] != b[3] || a[4] != b[4];
-        if (turns && depth < kHalvings) {
+        if (turns && depth < kChordHalvings) {
             const Stance true_middle = stance(middle);
             const Stance straight = at(Move{from, to, 0, 0, 0, 0, false}, 0.5);
             const bool near = distance(true_middle.tip, straight.tip) <= kChord &&

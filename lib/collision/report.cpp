@@ -84,10 +84,10 @@ Facts facts(const Answer& a) {
     return out;
 }
 
-figures::Figures summary(const Answer& a) {
-    figures::Figures out{{"moves", std::string(name(a.source)) + "s", static_cast<std::uint64_t>(sources(a))},
-                         {"moves", "colliding", static_cast<std::uint64_t>(colliding(a))},
-                         {"moves", "step", a.options.step, 3, "mm"}};
+metrics::figures::Figures summary(const Answer& a) {
+    metrics::figures::Figures out{{"moves", std::string(name(a.source)) + "s", static_cast<std::uint64_t>(sources(a))},
+                                  {"moves", "colliding", static_cast<std::uint64_t>(colliding(a))},
+                                  {"moves", "step", a.options.step, 3, "mm"}};
     for (const auto& least : a.found.least) {
         if (!least) continue;
         out.push_back({"clearance", name(least->against), least->clearance, 4, "mm"});

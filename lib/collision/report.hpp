@@ -4,7 +4,7 @@
 #include "base/fact.hpp"
 #include "base/note.hpp"
 #include "collision/program.hpp"
-#include "figures/figures.hpp"
+#include "metrics/figures/figures.hpp"
 
 #include <string>
 
@@ -33,7 +33,7 @@ Notes notes(const Answer& answer);
 Facts facts(const Answer& answer);
 
 // The same as figures, with places.
-figures::Figures summary(const Answer& answer);
+metrics::figures::Figures summary(const Answer& answer);
 
 // A line per collision: the point or line, layer, stroke, bead or travel, what is met, with which piece of the head,
 // clearance, where the tip is, mm, and the unit vector up the tool.

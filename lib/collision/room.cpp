@@ -1,7 +1,5 @@
 #include "collision/room.hpp"
 
-#include "kinematics/track.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,21 +7,7 @@ namespace filum::collision {
 
 namespace {
 
-constexpr double kStep = 0.02;  // mm: how far points of the head move in the shortest pieces
-constexpr double kTouch = 1e-6; // mm: solid things may not be touched
-constexpr int kHalvings = 40;
-
-// What a whole move does to the head.
-struct Motion {
-    Vec3 way;
-    double length, turn;
-};
-
-Motion motion(const Move& m) {
-    const bool known = m.from.side != Vec3{} && m.to.side != Vec3{};
-    return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip),
-            kinematics::angle(m.from.axis, m.to.axis) + (known ? kinematics::angle(m.from.side, m.to.side) : 0)};
-}
+constexpr double kStep = 0.02; // mm: how far points of the head move in the shortest pieces
 
 // The first place between two shares of a move at which stand(share, half) does not see room.
 template <class Look>

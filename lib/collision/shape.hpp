@@ -22,6 +22,15 @@ struct Stance {
     Vec3 side{1, 0, 0}; // unit, across the axis: the carriage's x; zero if nobody knows how it is turned
 };
 
+// The frame of a head: its tip and unit vectors of the part's frame, z up the tool.
+struct Frame {
+    Vec3 tip, x, y, z;
+    Vec3 operator()(const Vec3& p) const { // as seen from it
+        const Vec3 d = p - tip;
+        return {dot(d, x), dot(d, y), dot(d, z)};
+    }
+};
+
 // Points whose hull is meant: the corners of a polygon, or of one that moved.
 struct Corners {
     std::array<Vec3, 24> point;

@@ -23,14 +23,6 @@ double extent(const Vec3& half, const Vec3& d) {
     return half.x * std::abs(d.x) + half.y * std::abs(d.y) + half.z * std::abs(d.z);
 }
 
-struct Frame {
-    Vec3 tip, x, y, z;
-    Vec3 operator()(const Vec3& p) const { // as seen from it
-        const Vec3 d = p - tip;
-        return {dot(d, x), dot(d, y), dot(d, z)};
-    }
-};
-
 Frame frame(const Stance& s) {
     Vec3 x = s.side - dot(s.side, s.axis) * s.axis;
     if (dot(x, x) < 1e-12) { // any side will do: the carriage is round

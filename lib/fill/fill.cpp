@@ -8,7 +8,6 @@
 #include "fill/scaffold.hpp"
 #include "fill/single_lane.hpp"
 #include "fill/spiral.hpp"
-#include "fill/sun2019.hpp"
 #include "fill/wall_walk.hpp"
 #include "fill/zigzag.hpp"
 #include "geom/angle.hpp"
@@ -53,7 +52,7 @@ void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve&
 std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const Options& o, double& unplaced,
                                                Notes& notes) {
     const double w = o.bead_width;
-    if (o.pattern == "spiral" && o.method == "cyc") {
+    if (o.pattern == "spiral") {
         if (o.thin == "single")
             if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
         const double least = o.min_width > 0 ? o.min_width : w / 4;
@@ -62,8 +61,6 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
         if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
         return std::move(s.curves);
     }
-    if (o.pattern == "spiral" && o.method == "sun2019")
-        return sun2019(r.loops, {.offset = w, .threshold = o.threshold, .start_shift = o.start_shift * r.layer}, notes);
     if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)}, notes);
     if (o.pattern == "zigzag") return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o)}, notes);
     if (o.pattern == "rectilinear")
@@ -73,7 +70,7 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
         return ringed_zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 2), .linked = linked},
                              notes);
     }
-    throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "' and method '" + o.method + "'");
+    throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
 }
 
 toolpath::RegionPaths paths_of(const polygon::Region& r) {
@@ -129,8 +126,15 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     toolpath::RegionPaths out = paths_of(r);
     const std::size_t first = notes.size();
     out.curves = curves_by_pattern(r, o, out.unplaced, notes);
-    if (o.thin == "half-height" && o.pattern == "spiral" && o.method == "cyc")
-        stack_thin_walls(r, o, notes, first, out);
+    if (o.thin == "half-height" && o.pattern == "spiral") stack_thin_walls(r, o, notes, first, out);
+    place(r, notes, first, out);
+    return out;
+}
+
+toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& r, Notes& notes) {
+    toolpath::RegionPaths out = paths_of(r);
+    const std::size_t first = notes.size();
+    out.curves = lay(r, notes);
     place(r, notes, first, out);
     return out;
 }

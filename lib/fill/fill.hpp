@@ -5,6 +5,7 @@
 #include "polygon/region.hpp"
 #include "toolpath/path.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,6 @@ inline const std::vector<std::string> kPatterns = {"spiral",         "contour", 
 
 struct Options {
     std::string pattern = "spiral"; // one of kPatterns
-    std::string method = "cyc";     // of the spiral: cyc, or sun2019 for the paper's own construction
     double bead_width = 0.4;        // mm
     double min_width = 0.1;         // mm: narrower beads of the spiral are reported
     double min_radius = 0;          // mm: the spiral turns no tighter where it has room
@@ -28,13 +28,15 @@ struct Options {
     std::string thin = "lanes";     // walls of the spiral thinner than a bead: lanes, half-height or single
     double spacing = 0;             // scaffold: mm between strands; 0: two and a half bead widths
     double stagger = 0;             // scaffold: spacings by which every other round of angles is shifted
-    double threshold = 1.5;         // sun2019: bead widths within which contours are adjacent
-    double start_shift = 0;         // sun2019: mm that the start moves along the outer contour from layer to layer
 };
 
 // What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,
-// zigzag and spiral+zigzag give one closed curve.  Throws Error(usage) for a pattern or method that does not exist.
+// zigzag and spiral+zigzag give one closed curve.  Throws Error(usage) for a pattern that does not exist.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
+
+// The same by another way to lay curves, such as a baseline's.
+using Lay = std::function<std::vector<toolpath::Curve>(const polygon::Region&, Notes&)>;
+toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& region, Notes& notes);
 
 // What a scaffold's next region takes from those before: where it begins, and which lattice its strands lie on.
 struct Before {

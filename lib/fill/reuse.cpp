@@ -23,14 +23,16 @@ std::uint64_t key_of(const polygon::Loops& loops, double layer) {
 
 } // namespace
 
-double Reuse::of_layer(std::uint32_t layer) const {
-    if (options_.pattern == "spiral" && options_.method == "sun2019") return options_.start_shift * layer;
-    return options_.angles_deg.empty() ? 0 : options_.angles_deg[layer % options_.angles_deg.size()];
-}
+Reuse::Reuse(Options options, std::size_t most)
+    : Reuse([options](const polygon::Region& region, Notes& notes) { return fill(region, options, notes); },
+            [angles = options.angles_deg](std::uint32_t layer) {
+                return angles.empty() ? 0 : angles[layer % angles.size()];
+            },
+            most) {}
 
 std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
     auto fresh = std::make_shared<Filled>();
-    fresh->loops = region.loops, fresh->layer = of_layer(region.layer);
+    fresh->loops = region.loops, fresh->layer = of_layer_(region.layer);
     fresh->key = key_of(fresh->loops, fresh->layer);
     const std::scoped_lock lock(mutex_);
     const auto before = filled_.try_emplace(fresh->key, fresh).first->second;
@@ -42,7 +44,7 @@ std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
 void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled) {
     const std::scoped_lock lock(filled->mutex);
     if (filled->done) return;
-    filled->paths = fill(region, options_, filled->notes);
+    filled->paths = work_(region, filled->notes);
     filled->points = filled->loops.points.size();
     for (const auto& c : filled->paths.curves) filled->points += c.points.size();
     for (const auto& s : filled->paths.stacked) filled->points += s.size();

@@ -4,6 +4,7 @@
 #include "fill/fill.hpp"
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -15,13 +16,19 @@ namespace filum::fill {
 // Holds up to `most` points of outlines and curves; what came first is forgotten first.
 class Reuse {
   public:
-    explicit Reuse(Options options, std::size_t most = std::size_t{1} << 20)
-        : options_(std::move(options)), most_(most) {}
+    explicit Reuse(Options options, std::size_t most = kMost);
 
-    // As fill(region, options, notes).
+    // The same of another way to fill; `of_layer` is all that matters to it of a layer.
+    using Work = std::function<toolpath::RegionPaths(const polygon::Region&, Notes&)>;
+    using OfLayer = std::function<double(std::uint32_t layer)>;
+    Reuse(Work work, OfLayer of_layer, std::size_t most = kMost)
+        : work_(std::move(work)), of_layer_(std::move(of_layer)), most_(most) {}
+
+    // As fill(region, options, notes), or the other way.
     toolpath::RegionPaths operator()(const polygon::Region& region, Notes& notes);
 
   private:
+    static constexpr std::size_t kMost = std::size_t{1} << 20;
     struct Filled {
         std::uint64_t key = 0;
         polygon::Loops loops;
@@ -32,12 +39,12 @@ class Reuse {
         Notes notes;
         std::size_t points = 0;
     };
-    [[nodiscard]] double of_layer(std::uint32_t layer) const;
     std::shared_ptr<Filled> find(const polygon::Region& region); // or begins it
     void work_out(const polygon::Region& region, const std::shared_ptr<Filled>& filled);
     void hold(const std::shared_ptr<Filled>& filled);
 
-    Options options_;
+    Work work_;
+    OfLayer of_layer_;
     std::size_t most_, held_ = 0; // points
     std::mutex mutex_;
     std::unordered_map<std::uint64_t, std::shared_ptr<Filled>> filled_; // only ever asked for one key

@@ -6,8 +6,8 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kNarrow = 1e-9;   // of the edge: windows not wider are dropped
-constexpr double kGrazing = 1e-12; // slope: lines that run flatter never cross
+constexpr double kNarrow = 1e-9;      // of the edge: windows not wider are dropped
+constexpr double kLevelSlope = 1e-12; // slope: lines that run flatter never cross
 constexpr std::uint32_t kNew = 0;
 
 // True if both continue each other in [b0, b1]: the same source, or the same line, but for rounding.
@@ -131,7 +131,7 @@ void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first,
 // A window that comes to an exit; the source is a line's direction if `line`.
 void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line) {
     if (!(b1 - b0 > kNarrow * exit.length)) return; // or no number: the source lies on the exit's line
-    if (line && sy < kGrazing) return;
+    if (line && sy < kLevelSlope) return;
     if (!line) sy = std::min(sy, 0.0);
     Window w{b0, b1, sx, sy, sigma, kNone, exit.list < surface_.twin.size()};
     const double at0 = w.at(b0), at1 = w.at(b1);

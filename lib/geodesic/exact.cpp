@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSlack = 1e-10;    // of a mean edge: differences of distance that count as none
 constexpr double kFlatAngle = 1e-9; // rad: less excess makes no saddle
-constexpr double kGrazing = 1e-12;  // of the edge: sources nearer to its line cannot be seen across it
+constexpr double kInLine = 1e-12;   // of the edge: sources nearer to its line cannot be seen across it
 constexpr double kTouch = 1e-6;     // of the edge: windows that end nearer to a corner reach it
 
 // Vertices that shortest paths may bend at: the angle around them is more than full, or at a rim more than half.
@@ -110,7 +110,7 @@ void Propagation::cross(std::uint32_t h) {
         const bool line = w.is_line();
         // rays through both ends of the window, along (dx, dy); k > 0: the ray passes the third corner to its right
         const double dx0 = line ? w.sx : w.b0 - w.sx, dx1 = line ? w.sx : w.b1 - w.sx, dy = line ? w.sy : -w.sy;
-        if (dy < kGrazing * (line ? 1 : f.length)) continue;
+        if (dy < kInLine * (line ? 1 : f.length)) continue;
         const double k0 = dx0 * cy - dy * (cx - w.b0), k1 = dx1 * cy - dy * (cx - w.b1);
         // Of a ray along the side itself no place can be told: all of the side is as good as any.
         const auto within = [](double x, double length) { return x > 0 ? std::min(x, length) : 0; };

@@ -11,22 +11,6 @@ namespace {
 
 constexpr Eigen::Index kSupernodal = 150'000; // rows from which the overhead of supernodes pays
 
-// One CHOLMOD workspace, shared by the factors that come of one analysis.
-struct Workspace {
-    cholmod_common common;
-    Workspace() {
-        cholmod_start(&common);
-        common.print = 0;
-        common.supernodal = CHOLMOD_SUPERNODAL;
-        common.nmethods = 1; // AMD: nested dissection takes twice as long on surfaces, and threads would race
-        common.method[0].ordering = CHOLMOD_AMD;
-        common.postorder = 1;
-    }
-    ~Workspace() { cholmod_finish(&common); }
-    Workspace(const Workspace&) = delete;
-    Workspace& operator=(const Workspace&) = delete;
-};
-
 // The matrix as CHOLMOD sees it, without a copy.
 cholmod_sparse view(const Sparse& a) {
     cholmod_sparse out{};
@@ -48,6 +32,22 @@ cholmod_sparse view(const Sparse& a) {
 } // namespace
 
 struct Factor::State {
+    // One CHOLMOD workspace, shared by the factors that come of one analysis.
+    struct Workspace {
+        cholmod_common common;
+        Workspace() {
+            cholmod_start(&common);
+            common.print = 0;
+            common.supernodal = CHOLMOD_SUPERNODAL;
+            common.nmethods = 1; // AMD: nested dissection takes twice as long on surfaces, and threads would race
+            common.method[0].ordering = CHOLMOD_AMD;
+            common.postorder = 1;
+        }
+        ~Workspace() { cholmod_finish(&common); }
+        Workspace(const Workspace&) = delete;
+        Workspace& operator=(const Workspace&) = delete;
+    };
+
     std::shared_ptr<Workspace> workspace; // of CHOLMOD; null: Eigen's
     cholmod_factor* super = nullptr;
     Eigen::SimplicialLDLT<Sparse> simple;
@@ -67,7 +67,7 @@ void Factor::analyse(const Sparse& a) {
         state_->simple.analyzePattern(a);
         return;
     }
-    state_->workspace = std::make_shared<Workspace>();
+    state_->workspace = std::make_shared<State::Workspace>();
     cholmod_sparse m = view(a);
     state_->super = cholmod_analyze(&m, &state_->workspace->common);
     if (state_->super == nullptr) throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");

@@ -14,7 +14,7 @@ using toolpath::Span;
 
 constexpr double kNeck = 0.4;       // of the flow: where a connector is to break off
 constexpr double kNeckLength = 2;   // bead widths
-constexpr double kDetourMargin = 2;         // bead widths between the part and the way around
+constexpr double kDetourMargin = 2; // bead widths between the part and the way around
 constexpr double kUncarried = 0.1;  // share of a carried connector that may hang free
 constexpr double kClearance = 0.05; // mm between the head and what it passes
 

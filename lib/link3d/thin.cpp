@@ -11,8 +11,8 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kRoom = 0.3;    // bead widths that must be free behind a bead that moves aside
-constexpr double kSlope = 0.25;  // mm per mm: how fast a bead that moves aside does so
+constexpr double kRoom = 0.3;          // bead widths that must be free behind a bead that moves aside
+constexpr double kSlope = 0.25;        // mm per mm: how fast a bead that moves aside does so
 constexpr double kSelfDistance = 0.02; // bead widths; nearer lines are the bead itself
 
 // A piece of the lane's area that is to come out of one place of the bead.

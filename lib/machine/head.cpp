@@ -1,9 +1,8 @@
 #include "machine/head.hpp"
 
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "machine/profile.hpp"
-
-#include <numbers>
 
 namespace filum::machine {
 
@@ -19,7 +18,7 @@ Head head(const HeadChoice& o) {
 Head altered(const Head& from, const HeadChoice& o) {
     Head h = from;
     if (!o.flat_radius.empty()) h.flat_radius = o.flat_radius[0];
-    if (!o.cone_angle_deg.empty()) h.cone_angle = o.cone_angle_deg[0] * std::numbers::pi / 180;
+    if (!o.cone_angle_deg.empty()) h.cone_angle = geom::radians(o.cone_angle_deg[0]);
     if (!o.cone_height.empty()) h.cone_height = o.cone_height[0];
     if (!o.carriage.empty()) h.carriage_x = o.carriage[0], h.carriage_y = o.carriage[1];
     if (!o.gantry_height.empty()) h.gantry_height = o.gantry_height[0] > 0 ? o.gantry_height[0] : Head{}.gantry_height;
@@ -30,7 +29,7 @@ namespace {
 
 std::vector<HeadSetting> plain(const Head& h) {
     if (h.none) return {{"head", "none", true}};
-    const double degrees = std::round(h.cone_angle * 180 / std::numbers::pi * 1e9) / 1e9;
+    const double degrees = std::round(geom::degrees(h.cone_angle) * 1e9) / 1e9;
     return {{"flat-radius", shortest_text(h.flat_radius)},
             {"cone-angle", shortest_text(degrees)},
             {"cone-height", shortest_text(h.cone_height)},

@@ -1,9 +1,9 @@
 #include "machine/multi_axis.hpp"
 
+#include "geom/angle.hpp"
 #include "machine/reader.hpp"
 
 #include <limits>
-#include <numbers>
 
 namespace filum::machine {
 
@@ -12,7 +12,7 @@ namespace {
 using kinematics::Carrier;
 using Range = Document::Range;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 constexpr Range kPlace{-1e5, 1e5};
 
 void point(Document& doc, const std::string& key, geom::Vec3& out) {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "machine/reader.hpp"
 #include "machine/template.hpp"
 
@@ -46,9 +47,9 @@ void read_bed(Document& doc, Bed& bed) {
 
 void read_head(Document& doc, Head& head) {
     doc.number("head.flat_radius", head.flat_radius, above_zero(100));
-    double degrees = head.cone_angle * 180 / std::numbers::pi;
+    double degrees = geom::degrees(head.cone_angle);
     doc.number("head.cone_angle_deg", degrees, {0, 179});
-    head.cone_angle = degrees * std::numbers::pi / 180;
+    head.cone_angle = geom::radians(degrees);
     doc.number("head.cone_height", head.cone_height, {0, 1000});
     doc.pair("head.carriage", head.carriage_x, head.carriage_y, {0, 10000});
     doc.number("head.gantry_height", head.gantry_height, {0, kInf, true});

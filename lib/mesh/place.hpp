@@ -2,11 +2,14 @@
 #pragma once
 
 #include "base/note.hpp"
-#include "mesh/affine.hpp"
+#include "geom/affine.hpp"
+#include "mesh/mesh.hpp"
 
 #include <string>
 
 namespace filum::mesh {
+
+using geom::Affine;
 
 // Applied in this order.
 struct Placement {

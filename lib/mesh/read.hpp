@@ -31,7 +31,7 @@ struct File {
 // no finite number are left out, with a note.  Polygons are cut into fans, whose slices are right for planar polygons
 // of any shape.  Coordinates are in the file's unit; of a 3MF, which states it, in mm.
 // Throws Error: truncated if the file is empty or ends before what it announces, bad_input if it is of no known kind or
-// STEP (step::read reads that), malformed, or holds no triangle.
+// STEP (mesh::step::read reads that), malformed, or holds no triangle.
 File read(std::string_view bytes, const std::string& name);
 
 // A whole file in memory.

@@ -1,7 +1,7 @@
 // 3MF (core specification 1.3, and the production extension's parts in several files): a zip archive whose root model
 // lists objects (a mesh, or components: other objects, moved) and the build items that are to be made of them.
 #include "base/error.hpp"
-#include "mesh/affine.hpp"
+#include "geom/affine.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/text.hpp"
 
@@ -12,6 +12,8 @@
 #include <zip.h>
 
 namespace filum::mesh {
+
+using geom::Affine;
 
 namespace {
 

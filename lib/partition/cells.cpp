@@ -1,6 +1,6 @@
 #include "partition/cells.hpp"
 
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ double half_border(const Surface& s, std::uint32_t h) {
 
 Cells cells(const Surface& s) {
     Cells out;
-    out.normal = curve::vertex_normals(s);
+    out.normal = surface::curve::vertex_normals(s);
     out.area.assign(s.vertices.size(), 0);
     double length = 0;
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {

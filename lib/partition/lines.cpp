@@ -1,7 +1,7 @@
 #include "partition/lines.hpp"
 
 #include "base/error.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ class Pen {
     std::uint32_t put(const Vec3& p, double& off) {
         const surface::Segment at = surface::nearest(s_, p);
         off = std::max(off, distance(at.a, p));
-        const auto w = curve::barycentric(s_, {at.triangle, at.a});
+        const auto w = surface::curve::barycentric(s_, {at.triangle, at.a});
         const std::uint32_t h = 3 * at.triangle;
         for (std::uint32_t k = 0; k < 3; ++k)
             if (w[k] > 1 - kNear) return s_.tail(h + k);

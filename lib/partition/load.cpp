@@ -65,7 +65,7 @@ Vec3 pulled(const Case& c, std::size_t v, const Vec3& n) {
 }
 
 using Complex = std::complex<double>;
-using Matrix = Eigen::SparseMatrix<Complex>;
+using ComplexMatrix = Eigen::SparseMatrix<Complex>;
 
 // `d` in the tangent plane across n, with its angle from across(n) doubled.
 Complex doubled(const Vec3& d, const Vec3& n) {
@@ -74,7 +74,7 @@ Complex doubled(const Vec3& d, const Vec3& n) {
     return z * z;
 }
 
-Matrix system(const Pull& p, const Cells& cells, double length) {
+ComplexMatrix system(const Pull& p, const Cells& cells, double length) {
     std::vector<Eigen::Triplet<Complex>> entries;
     entries.reserve(p.load.size() + 3 * cells.sides.size());
     const auto at = [](std::uint32_t v) { return static_cast<int>(v); };
@@ -88,7 +88,7 @@ Matrix system(const Pull& p, const Cells& cells, double length) {
         entries.emplace_back(at(side.b), at(side.a), -w * doubled(turned(across(na), na, nb), nb)); // lower triangle
     }
     const auto n = static_cast<int>(p.load.size());
-    Matrix out(n, n);
+    ComplexMatrix out(n, n);
     out.setFromTriplets(entries.begin(), entries.end());
     return out;
 }
@@ -115,7 +115,7 @@ Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& op
 
 void smooth(Pull& p, const Cells& cells, double length) {
     if (std::none_of(p.trust.begin(), p.trust.end(), [](double t) { return t > 0; })) return;
-    Eigen::SimplicialLDLT<Matrix> factor(system(p, cells, length));
+    Eigen::SimplicialLDLT<ComplexMatrix> factor(system(p, cells, length));
     if (factor.info() != Eigen::Success)
         throw Error(Exit::failure, "cannot smooth the directions: the surface's triangles are too uneven; remesh it");
     Eigen::VectorXcd given(static_cast<Eigen::Index>(p.load.size()));

@@ -1,8 +1,9 @@
 #include "partition/merge.hpp"
 
+#include "geom/angle.hpp"
+
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <queue>
 #include <set>
 
@@ -10,7 +11,7 @@ namespace filum::partition {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 constexpr double kBeyond = 0.05; // share of a patch that may be beyond a limit
 constexpr double kAcross = 3;    // what a border across full load counts more
 constexpr double kEven = 1e-4;   // of the spread: where there is none, patches grow evenly

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "partition/lines.hpp"
 #include "partition/relax.hpp"
 #include "partition/split.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -248,9 +248,9 @@ Facts facts(const std::vector<Sheet>& patches, const PullOptions& options) {
         out.push_back({"", name + "area", f.area, "mm2"});
         if (f.pulled) {
             out.push_back({"", name + "coherence", f.coherence, ""});
-            out.push_back({"", name + "angle", f.angle * 180 / std::numbers::pi, "deg"});
+            out.push_back({"", name + "angle", geom::degrees(f.angle), "deg"});
         }
-        out.push_back({"", name + "bend", f.bend * 180 / std::numbers::pi, "deg"});
+        out.push_back({"", name + "bend", geom::degrees(f.bend), "deg"});
     }
     return out;
 }

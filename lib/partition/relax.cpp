@@ -19,8 +19,8 @@ constexpr double kFew = 2e-3;           // of all
 constexpr double kVanished = -1e300;
 constexpr double kSteps = 2; // mean sides that indicators spread by, at least: less, and borders do not move
 
-using Matrix = Eigen::SparseMatrix<double>;
-using Factor = Eigen::SimplicialLDLT<Matrix>;
+using DiffusionMatrix = Eigen::SparseMatrix<double>;
+using Factor = Eigen::SimplicialLDLT<DiffusionMatrix>;
 
 // Components of the cells, by first cells.
 std::vector<std::uint32_t> components(const Cells& cells) {
@@ -85,7 +85,7 @@ std::unique_ptr<Factor> diffusion(const Cells& cells, const Pull* pull, double s
         entries.emplace_back(a, a, w), entries.emplace_back(b, b, w), entries.emplace_back(b, a, -w);
     }
     const auto n = static_cast<int>(cells.area.size());
-    Matrix m(n, n);
+    DiffusionMatrix m(n, n);
     m.setFromTriplets(entries.begin(), entries.end());
     auto out = std::make_unique<Factor>(m);
     if (out->info() != Eigen::Success)

@@ -1,4 +1,5 @@
 #include "partition/seams.hpp"
+#include "geom/angle.hpp"
 #include "partition/flood.hpp"
 
 #include "base/error.hpp"
@@ -112,7 +113,7 @@ std::vector<char> seams(const Sheet& sheet, const SeamOptions& options) {
     const Surface& s = sheet.surface;
     if (options.faces && sheet.faces.empty())
         throw Error(Exit::usage, "cannot use --faces: the surface has no CAD faces; it comes from a mesh file");
-    Creases creases(s, options.crease_deg * std::numbers::pi / 180);
+    Creases creases(s, geom::radians(options.crease_deg));
     creases.drop_round_small(options.least_area, options.detail_area);
     creases.drop_dead_ends();
     std::vector<char> out = creases.take();

@@ -1,11 +1,11 @@
 #include "postproc/about.hpp"
 
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "postproc/digits.hpp"
 #include "postproc/job.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace filum::postproc {
 
@@ -125,7 +125,7 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
     const auto& a = profile.axes;
     if (!a.active() || a.chain.carrier == kinematics::Carrier::frame) return;
     const Efforts& e = survey.efforts;
-    const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
+    const auto degrees = [](double rad) { return geom::degrees(rad); };
     facts.push_back({stage, "unwinds", static_cast<double>(e.unwinds), ""});
     facts.push_back({stage, "largest-lean", degrees(e.lean), "deg"});
     if (e.unwinds > 0)

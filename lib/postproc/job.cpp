@@ -42,8 +42,8 @@ std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
 
 } // namespace
 
-figures::Figures job(const machine::Profile& profile, const Survey& survey) {
-    figures::Figures out;
+metrics::figures::Figures job(const machine::Profile& profile, const Survey& survey) {
+    metrics::figures::Figures out;
     for (const Sum& s : sums(profile, survey)) {
         const ToolTotals& t = s.totals;
         out.push_back({s.name, "strokes", t.strokes});

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/note.hpp"
-#include "figures/figures.hpp"
+#include "metrics/figures/figures.hpp"
 #include "postproc/survey.hpp"
 
 #include <string>
@@ -13,7 +13,7 @@ namespace filum::postproc {
 // A group of figures per tool, "tool 0", "tool 1 (fibre)", and one of the whole "job": strokes, cuts, length laid,
 // fibre used (laid, and pushed into the air), travel, material as it leaves the nozzle, mass where the profile has the
 // density, time of printing and of travel, each with its pauses.  The codes of templates take no time.
-figures::Figures job(const machine::Profile& profile, const Survey& survey);
+metrics::figures::Figures job(const machine::Profile& profile, const Survey& survey);
 
 // The same as comment lines, if there is more to tell than the totals say: several tools, or fibre.
 std::vector<std::string> job_lines(const machine::Profile& profile, const Survey& survey);

@@ -2,26 +2,24 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::postproc {
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 double um(double v) { return std::round(v * 1000) / 1000; }
 
-std::string degrees(double rad) { return fixed_text(rad * 180 / std::numbers::pi, 1); }
+std::string degrees(double rad) { return fixed_text(geom::degrees(rad), 1); }
 
 } // namespace
 
 Measure::Measure(const machine::Profile& profile, Place place, const Orient& orient)
     : profile_(&profile), place_(place), rotary_(profile.axes.active()), surveyor_(profile),
-      automatic_(orient.automatic), turning_(orient.turning), low_(kInf), turned_low_(kInf) {
+      automatic_(orient.automatic), turning_(orient.turning), low_(kInfinity), turned_low_(kInfinity) {
     if (!rotary_ && (automatic_ || !turning_.none()))
         throw Error(Exit::usage, "--orient is for machines with rotary axes; turn the part before it is sliced");
     if (!rotary_) walk_ = walker(profile, {}, [this](auto steps) { surveyor_.add(steps); });

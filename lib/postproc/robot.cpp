@@ -1,10 +1,10 @@
 #include "postproc/robot.hpp"
 
+#include "geom/angle.hpp"
 #include "postproc/digits.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::postproc {
 
@@ -12,7 +12,7 @@ namespace {
 
 using machine::Dialect;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 constexpr double kAxisSpeed = 5000; // mm/s: the extruder keeps up with the path
 
 } // namespace

@@ -11,8 +11,6 @@ namespace filum::postproc {
 
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
 std::array<double, 3> coordinates(Vec3 p) { return {p.x, p.y, p.z}; }
 
 std::string place(std::uint32_t layer, Vec3 p) {
@@ -23,10 +21,10 @@ std::string place(std::uint32_t layer, Vec3 p) {
 } // namespace
 
 Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile.motion) {
-    for (auto& e : survey_.low) e.value = kInf;
-    for (auto& e : survey_.high) e.value = -kInf;
-    survey_.part_low.fill(kInf);
-    survey_.part_high.fill(-kInf);
+    for (auto& e : survey_.low) e.value = kInfinity;
+    for (auto& e : survey_.high) e.value = -kInfinity;
+    survey_.part_low.fill(kInfinity);
+    survey_.part_high.fill(-kInfinity);
 }
 
 void Surveyor::check_section(const Step& step, double length) const {

@@ -2,28 +2,26 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "machine/feed.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace filum::postproc {
 
 namespace {
 
+using geom::kDegree;
 using kinematics::Joints;
 using kinematics::Pose;
 
-constexpr double kTouch = 1e-6;        // mm; spans that meet are written from the same number
-constexpr double kApproach = 5;        // mm above its place from where the first stroke is sought
 constexpr int kSweeps = 30;            // over a stroke, until rotary axes can follow
 constexpr std::uint32_t kParts = 4096; // of a move, at most
-constexpr double kDegree = std::numbers::pi / 180;
 // rad that the tool's axis may change between two poses; near upright the profile's orientation, but for the last.
-constexpr double kStep = 5 * kDegree, kFineStep = 0.25 * kDegree;
+constexpr double kAxisStep = 5 * kDegree, kFineAxisStep = 0.25 * kDegree;
 constexpr double kOpposite = 179 * kDegree; // beyond that no way from one axis to the other is the shortest
 
 std::string text(const Vec3& p) {
@@ -53,7 +51,7 @@ double rounding(const machine::Profile& profile, const Joints& at) {
 
 TiltedWalk::TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out)
     : profile_(&profile), tip_(profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)) {
-    tip_.motion.max_speed_z = std::numeric_limits<double>::infinity();
+    tip_.motion.max_speed_z = kInfinity;
 }
 
 void TiltedWalk::put(const Step& step) {
@@ -96,11 +94,11 @@ std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
     if (stroke_.poses.empty() || a.chain.carrier == kinematics::Carrier::frame) return out;
     const Vec3 &from = stroke_.poses.back().axis, &to = pose.axis;
     const double change = kinematics::angle(from, to);
-    if (change > kFineStep && change < kOpposite) {
+    if (change > kFineAxisStep && change < kOpposite) {
         const double upright = std::acos(std::clamp(std::max(from.z, to.z), -1.0, 1.0));
-        const double fine = std::max(a.orientation, kFineStep);
+        const double fine = std::max(a.orientation, kFineAxisStep);
         const int n =
-            static_cast<int>(std::ceil(change / (upright < 10 * fine ? std::min(fine, kStep) : kStep) - 1e-9));
+            static_cast<int>(std::ceil(change / (upright < 10 * fine ? std::min(fine, kAxisStep) : kAxisStep) - 1e-9));
         for (int k = 1; k < n; ++k) out.push_back(k / static_cast<double>(n));
     }
     if (const double f = over_axis(pose); f > 0) {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ namespace filum::postproc {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kStep = 1e4; // of angles, per degree
+using geom::kDegree;
+constexpr double kAnglesPerDegree = 1e4;
 
 struct Ball {
     Vec3 centre;
@@ -69,7 +70,9 @@ Turning of_columns(const Vec3& x, const Vec3& y, const Vec3& z) {
     const double ry = std::asin(std::clamp(-x.z, -1.0, 1.0));
     const bool level = std::hypot(x.x, x.y) > 1e-9;
     const double rx = level ? std::atan2(y.z, z.z) : std::atan2(-z.y, y.y), rz = level ? std::atan2(x.y, x.x) : 0;
-    const auto rounded = [](double rad) { return std::round(rad / kDegree * kStep) / kStep + 0.0; };
+    const auto rounded = [](double rad) {
+        return std::round(rad / kDegree * kAnglesPerDegree) / kAnglesPerDegree + 0.0;
+    };
     return turning({rounded(rx), rounded(ry), rounded(rz)});
 }
 

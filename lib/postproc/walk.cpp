@@ -13,8 +13,6 @@ namespace filum::postproc {
 namespace {
 
 constexpr std::size_t kBatch = 1024;
-constexpr double kApproach = 5; // mm above its place from where the first stroke is sought: clear of clips and fixtures
-constexpr double kTouch = 1e-6; // mm; spans that meet are written from the same number
 
 double highest(const toolpath::Span& span) {
     double z = span.points.front().z;

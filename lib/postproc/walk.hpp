@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 #include <span>
@@ -16,6 +17,11 @@ namespace filum::postproc {
 using geom::Vec2;
 using geom::Vec3;
 using toolpath::Role;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kTouch = 1e-6; // mm; spans that meet are written from the same number
+// mm above its place from where the first stroke is sought: clear of clips and fixtures
+inline constexpr double kApproach = 5;
 
 enum class Act : std::uint8_t {
     layer,   // a span of another layer begins: `to.z` its top, `height` its thickness

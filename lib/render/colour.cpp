@@ -1,5 +1,7 @@
 #include "render/colour.hpp"
 
+#include "geom/angle.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,8 +43,7 @@ std::string hex(Rgb c) {
 
 // Ottosson, "A perceptual color space for image processing" (2020).
 Rgb oklch(double lightness, double chroma, double hue) {
-    const double a = chroma * std::cos(hue * std::numbers::pi / 180),
-                 b = chroma * std::sin(hue * std::numbers::pi / 180);
+    const double a = chroma * std::cos(geom::radians(hue)), b = chroma * std::sin(geom::radians(hue));
     const auto cube = [](double v) { return v * v * v; };
     const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b);
     const double m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b);

@@ -1,9 +1,9 @@
 #include "render/lay.hpp"
 
-#include "curve/locate.hpp"
 #include "render/camera.hpp"
 #include "render/sampling.hpp"
 #include "render/simplify.hpp"
+#include "surface/curve/locate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ std::vector<Stroke> beads(const Scene& scene, const Tint& tint) {
 }
 
 // True if both ends and the middle are within reach of triangles that face as the stroke does, or against it.
-bool lies_on(const curve::Locator& locator, const Stroke& s, bool against) {
+bool lies_on(const surface::curve::Locator& locator, const Stroke& s, bool against) {
     const Vec3 n = against ? -1.0 * s.normal : s.normal;
     for (const Vec3 p : {s.a, 0.5 * (s.a + s.b), s.b}) {
         const auto place = locator.nearest(p, n);
@@ -61,7 +61,7 @@ Laid lay(const Scene& scene, const Tint& tint) {
     auto all = beads(scene, tint);
     if (all.empty()) return out;
     const auto& surface = scene.sheet->surface;
-    const curve::Locator locator(surface);
+    const surface::curve::Locator locator(surface);
     double front = 0, back = 0; // mm
     for (Stroke& s : all) {
         if (s.normal == Vec3{}) s.normal = surface::normal(surface, locator.nearest(0.5 * (s.a + s.b)).triangle);

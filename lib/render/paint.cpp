@@ -1,8 +1,8 @@
 #include "render/paint.hpp"
 
 #include "base/error.hpp"
-#include "curve/line.hpp"
 #include "render/camera.hpp"
+#include "surface/curve/line.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr double kCrease = 0.8;                 // cosine of the angle from whic
 constexpr std::uint32_t kIsoline = 0, kRim = 1; // layers of lines
 constexpr double kSlim = 0.35;                  // of their width, where a field is to be seen between the beads
 constexpr Rgb kBack{0.50F, 0.55F, 0.68F};       // the back is darker, and bluish
-constexpr Rgb kInk{0.020F, 0.022F, 0.030F};
+constexpr Rgb kLineInk{0.020F, 0.022F, 0.030F};
 
 Vec3 blend(const std::vector<Vec3>& v, const mesh::Triangle& t, Vec3 shares) {
     return shares.x * v[t[0]] + shares.y * v[t[1]] + shares.z * v[t[2]];
@@ -60,7 +60,7 @@ Scale scale_of(const surface::Field& field) {
 Paint::Paint(const Scene& scene, const Laid& laid, const Show& show, const Plan& plan)
     : scene_(&scene), sheet_(&*scene.sheet), laid_(&laid), show_(show), plan_(plan),
       lamp_(unit(plan.towards + 0.45 * plan.up - 0.35 * plan.right)),
-      normal_(curve::vertex_normals(scene.sheet->surface)), lines_({}) {
+      normal_(surface::curve::vertex_normals(scene.sheet->surface)), lines_({}) {
     if (!show.by.empty()) scale_ = scale_of(find_field(*sheet_, show.by, 0));
     if (!show.by.empty() && !show.voids) slim_ = kSlim;
     draw_lines();
@@ -128,9 +128,9 @@ Rgb Paint::at(std::uint32_t triangle, Vec3 shares) const {
     const auto light = static_cast<float>(0.40 + 0.66 * std::max(0.0, dot(n, lamp_)));
     colour = light * colour;
     if (line.stroke == nullptr) return colour;
-    if (line.stroke->layer == kRim) return mix(colour, kInk, 0.85F);
+    if (line.stroke->layer == kRim) return mix(colour, kLineInk, 0.85F);
     if (!laid_->beads.empty()) return colour;
-    return on_dark ? mix(colour, {1, 1, 1}, 0.6F) : mix(colour, kInk, 0.7F);
+    return on_dark ? mix(colour, {1, 1, 1}, 0.6F) : mix(colour, kLineInk, 0.7F);
 }
 
 } // namespace filum::render

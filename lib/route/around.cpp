@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPlaces = 3000, kLeast = 0.5; // of the grid; mm between two
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-enum class State : std::uint8_t { unknown, free, blocked };
+enum class Occupancy : std::uint8_t { unknown, free, blocked };
 
 // Columns across from start to goal, rows aside.
 class Grid {
@@ -25,7 +25,7 @@ class Grid {
         aside_ = static_cast<int>(wide / 2 / cell_);
         columns_ = columns_between_ + 1 + 2 * beyond_;
         const auto n = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(2 * aside_ + 1);
-        state_.assign(n, State::unknown), cost_.assign(n, std::numeric_limits<double>::infinity());
+        state_.assign(n, Occupancy::unknown), cost_.assign(n, std::numeric_limits<double>::infinity());
         from_.assign(n, kNone), done_.assign(n, false);
     }
 
@@ -63,8 +63,8 @@ class Grid {
     }
 
     bool free(std::uint32_t i) {
-        if (state_[i] == State::unknown) state_[i] = fan_.free(knot(i)) ? State::free : State::blocked;
-        return state_[i] == State::free;
+        if (state_[i] == Occupancy::unknown) state_[i] = fan_.free(knot(i)) ? Occupancy::free : Occupancy::blocked;
+        return state_[i] == Occupancy::free;
     }
 
     void spread(std::uint32_t at) {
@@ -91,7 +91,7 @@ class Grid {
     const Fan& fan_;
     double rise_, most_, chord_, cell_ = 0;
     int columns_between_ = 1, columns_ = 1, beyond_ = 0, aside_ = 0;
-    std::vector<State> state_;
+    std::vector<Occupancy> state_;
     std::vector<double> cost_;
     std::vector<std::uint32_t> from_;
     std::vector<bool> done_;

@@ -1,12 +1,12 @@
 #include "route/tilt.hpp"
 
+#include "geom/angle.hpp"
 #include "parallel/parallel.hpp"
 #include "route/dense.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace filum::route {
 
@@ -14,14 +14,14 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 constexpr double kCoarse = 5 * kDegree, kFine = 0.25 * kDegree; // first and last step of the tilt
 constexpr double kStiff = 2;                                    // mm; see lean()
 constexpr double kEase = 3;                                     // of that, where a tilt fades out
 constexpr double kBlocked = 1e4;                                // rad2: what no room costs, more than any tilt
 constexpr double kNothing = 0.01 * kDegree;                     // tilts below are none
 
-struct State {
+struct TiltState {
     Vec2 tilt; // rad
     double cost = 0, sum = 0;
     std::uint32_t from = 0; // state of the station before
@@ -40,7 +40,7 @@ struct Station {
     std::size_t point = 0; // of the dense stroke
     std::size_t first = 0, last = 0;
     Vec2 tilt;
-    std::vector<State> states;
+    std::vector<TiltState> states;
 };
 
 class Leaner {
@@ -122,10 +122,10 @@ class Leaner {
                 if (norm(t) <= o_.most * (1 + 1e-9)) s.states.push_back({t});
             }
         std::stable_sort(s.states.begin(), s.states.end(),
-                         [](const State& a, const State& b) { return norm2(a.tilt) < norm2(b.tilt); });
+                         [](const TiltState& a, const TiltState& b) { return norm2(a.tilt) < norm2(b.tilt); });
         for (std::size_t l = s.first; l < s.last; ++l) {
             bool stuck = true;
-            for (State& state : s.states) {
+            for (TiltState& state : s.states) {
                 const bool free = room_for(state.tilt, looks_[l]);
                 stuck = stuck && !free;
                 state.cost += looks_[l].weight * (norm2(state.tilt) + (free ? 0 : kBlocked));
@@ -143,7 +143,7 @@ class Leaner {
 
     void choose() {
         for (std::size_t k = 0; k < stations_.size(); ++k)
-            for (State& to : stations_[k].states) reach(k, to);
+            for (TiltState& to : stations_[k].states) reach(k, to);
         const auto& last = stations_.back().states;
         auto best = static_cast<std::uint32_t>(
             std::min_element(last.begin(), last.end(), [](auto& a, auto& b) { return a.sum < b.sum; }) - last.begin());
@@ -153,7 +153,7 @@ class Leaner {
         }
     }
 
-    void reach(std::size_t k, State& to) const {
+    void reach(std::size_t k, TiltState& to) const {
         to.sum = to.cost;
         if (k == 0) return;
         const auto& before = stations_[k - 1].states;

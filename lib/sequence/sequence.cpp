@@ -3,7 +3,6 @@
 #include "base/error.hpp"
 #include "sequence/collision.hpp"
 #include "sequence/plan.hpp"
-#include "sequence/sun2019_order.hpp"
 
 namespace filum::sequence {
 
@@ -64,7 +63,10 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
         add_precedence(g, hits);
     }
     Plan p = options.by_layers ? layer_plan(g) : plan(g, c, options.budget);
-    if (options.by_layers && options.sun2019) p.order = sun2019_order(regions), p.cost = cost(g, p.order);
+    if (options.by_layers && options.layers) {
+        p.order = options.layers(regions);
+        p.cost = cost(g, p.order);
+    }
     check(g, p.order);
     if (p.cost.strokes < p.bound) throw Error(Exit::failure, "internal error: fewer strokes than the lower bound");
     add_strokes(out, p.order);

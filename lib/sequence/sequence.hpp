@@ -5,11 +5,14 @@
 #include "machine/head.hpp"
 #include "sequence/ends.hpp"
 
+#include <functional>
+
 namespace filum::sequence {
 
 struct Options {
     bool by_layers = false; // strictly layer by layer
-    bool sun2019 = false;   // if so, as in the 2019 paper (sun2019_order.hpp)
+    // if so: an order to take as it is, for comparison; none: the one with the fewest strokes
+    std::function<Order(std::span<const polygon::Region>)> layers = {};
     machine::Head head;
     double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
     std::uint64_t budget = 600'000'000; // steps that searches and bounds may take

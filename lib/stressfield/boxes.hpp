@@ -10,11 +10,11 @@ namespace filum::stressfield {
 
 using geom::Vec3;
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 struct Box3 {
-    Vec3 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-            std::numeric_limits<double>::infinity()};
-    Vec3 hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-            -std::numeric_limits<double>::infinity()};
+    Vec3 lo{kInfinity, kInfinity, kInfinity};
+    Vec3 hi{-kInfinity, -kInfinity, -kInfinity};
     void add(const Vec3& p) {
         lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
         hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};

@@ -9,14 +9,12 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr std::size_t kNear = 12;   // samples that speak for a vertex
-constexpr double kSteep = 0.7;      // off a vertex's plane per mm along it: 35 degrees
-constexpr double kAlike = 0.5;      // least cosine between normals of one side: 60 degrees
-constexpr double kHole = 2;         // spacings without a sample that are a hole in the data
-constexpr double kRound = 1e-9;     // of a triangle: rounding
-constexpr double kRidge = 1e-6;     // keeps slopes along which no samples lie at 0
-constexpr std::size_t kGrain = 512; // vertices or samples of a piece of work
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kNear = 12; // samples that speak for a vertex
+constexpr double kSteep = 0.7;    // off a vertex's plane per mm along it: 35 degrees
+constexpr double kAlike = 0.5;    // least cosine between normals of one side: 60 degrees
+constexpr double kHole = 2;       // spacings without a sample that are a hole in the data
+constexpr double kRound = 1e-9;   // of a triangle: rounding
+constexpr double kRidge = 1e-6;   // keeps slopes along which no samples lie at 0
 
 struct Near {
     double distance;

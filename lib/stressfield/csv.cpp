@@ -14,7 +14,7 @@ namespace {
 
 using Cells = std::vector<std::string_view>;
 
-std::string_view trim(std::string_view t) {
+std::string_view without_quotes(std::string_view t) {
     const auto from = t.find_first_not_of(" \t\r\"");
     if (from == std::string_view::npos) return {};
     return t.substr(from, t.find_last_not_of(" \t\r\"") + 1 - from);
@@ -31,14 +31,14 @@ void split(std::string_view line, char mark, Cells& out) {
     out.clear();
     for (std::size_t from = 0; from <= line.size();) {
         const std::size_t end = std::min(line.find(mark, from), line.size());
-        const auto cell = trim(line.substr(from, end - from));
+        const auto cell = without_quotes(line.substr(from, end - from));
         if (!cell.empty() || (mark != ' ' && end < line.size())) out.push_back(cell);
         from = end + 1;
     }
 }
 
 // "nan", "inf" and what overflows are numbers, not finite ones; so is an empty cell.
-bool number(std::string_view cell, bool decimal_comma, double& value) {
+bool cell_value(std::string_view cell, bool decimal_comma, double& value) {
     value = std::nan("");
     if (cell.empty()) return true;
     if (cell.front() == '+') cell.remove_prefix(1);
@@ -93,7 +93,7 @@ class Table {
             last_ = end == rest_.size();
             std::string_view line = rest_.substr(0, end);
             rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            line = trim(line.substr(0, line.find('#')));
+            line = without_quotes(line.substr(0, line.find('#')));
             if (line.empty()) continue;
             if (width_ == 0) mark_ = separator(line);
             split(line, mark_, cells_);
@@ -106,7 +106,7 @@ class Table {
     bool parse(std::vector<double>& row) {
         row.resize(cells_.size());
         for (std::size_t i = 0; i < cells_.size(); ++i)
-            if (!number(cells_[i], mark_ == ';' || mark_ == '\t', row[i])) {
+            if (!cell_value(cells_[i], mark_ == ';' || mark_ == '\t', row[i])) {
                 culprit_ = cells_[i];
                 return false;
             }

@@ -16,7 +16,7 @@ constexpr std::size_t kMantissa = 8; // sign, digit, point, five digits
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 
-std::string_view trim(std::string_view t) {
+std::string_view without_blanks(std::string_view t) {
     while (!t.empty() && t.front() == ' ') t.remove_prefix(1);
     while (!t.empty() && t.back() == ' ') t.remove_suffix(1);
     return t;
@@ -60,13 +60,13 @@ bool take(std::string_view& text, double& value) {
 } // namespace
 
 bool whole(std::string_view field, long long& value) {
-    field = trim(field);
+    field = without_blanks(field);
     const auto [stop, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     return error == std::errc() && stop == field.data() + field.size();
 }
 
 bool number(std::string_view field, double& value) {
-    field = trim(field);
+    field = without_blanks(field);
     if (field.starts_with('+')) field.remove_prefix(1);
     std::string with;
     const std::size_t sign = field.find_last_of("+-");
@@ -87,7 +87,7 @@ bool numbers(std::string_view line, std::size_t from, std::size_t count, double*
         line.remove_prefix(from);
         for (std::size_t k = 0; k < count; ++k)
             if (!take(line, values[k])) return false;
-        return trim(line).empty();
+        return without_blanks(line).empty();
     }
     if (line.size() < from + kWidth * count) return false;
     for (std::size_t k = 0; k < count; ++k) {

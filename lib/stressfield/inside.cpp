@@ -6,9 +6,7 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEdge = 1e-9; // share of a tetrahedron by which a point may lie outside
-constexpr std::size_t kGrain = 256;
 
 using Weights = std::vector<std::pair<std::uint32_t, double>>; // of samples
 

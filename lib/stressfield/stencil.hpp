@@ -8,6 +8,8 @@ namespace filum::stressfield {
 
 using surface::Surface;
 
+inline constexpr std::size_t kGrain = 512; // vertices or samples of a piece of work
+
 // The value at vertex v is the sum of weight[k] times that of sample[k], for k in [start[v], start[v + 1]); the
 // weights sum to 1.  None: nothing is known there.
 struct Stencils {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "parallel/parallel.hpp"
+#include "stressfield/boxes.hpp"
 #include "stressfield/principal.hpp"
 #include "stressfield/stencil.hpp"
 
@@ -9,9 +10,7 @@ namespace filum::stressfield {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kGrain = 1024; // vertices of a piece of work
-const double kOut = std::sqrt(0.5);  // sine of 45 degrees
+const double kOut = std::sqrt(0.5); // sine of 45 degrees
 
 // What is known at a vertex.
 struct Place {

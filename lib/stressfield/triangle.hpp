@@ -18,7 +18,7 @@ std::array<double, 3> nearest_weights(const Vec3& a, const Vec3& b, const Vec3& 
 
 struct Hit {
     std::uint32_t triangle = ~std::uint32_t{0}; // none
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = kInfinity;
     std::array<double, 3> weights{};
     Vec3 at;
 };

@@ -6,8 +6,8 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kFlat = 1e-9; // height over longest side
-constexpr int kRounds = 20;    // of splitting, each of which may leave new triangles without area
+constexpr double kFlat = 1e-9;       // height over longest side
+constexpr int kSplittingRounds = 20; // of splitting, each of which may leave new triangles without area
 
 struct Side {
     std::uint64_t key; // both vertices, the lower number in the high half
@@ -139,7 +139,7 @@ void remove_copies(mesh::Mesh& mesh, Notes& notes) {
 
 void remove_flat(mesh::Mesh& mesh, Notes& notes) {
     std::size_t out = 0;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kSplittingRounds; ++round) {
         const std::size_t gone = split_across_flat(mesh);
         out += gone;
         if (gone == 0) break;

@@ -14,7 +14,6 @@ namespace {
 using geom::Box3;
 using Corners = std::array<Vec3, 3>;
 
-constexpr double kInPlane = 1e-9;     // of the box's diagonal
 constexpr double kNear = 0.05;        // of a mean edge
 constexpr double kSpotsPerEdge = 4;   // per mean edge: where rims are looked at
 constexpr double kStraight = 0.87;    // cosine of the sharpest bend on the way, 30 degrees

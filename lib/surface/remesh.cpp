@@ -24,7 +24,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 
 constexpr double kMostTriangles = 2e7;
 constexpr double kSharp = 30; // degrees between normals
-constexpr unsigned kRounds = 3;
+constexpr unsigned kRemeshingRounds = 3;
 
 CgalMesh to_cgal(const Surface& s, const char* verb) {
     CgalMesh out;
@@ -85,9 +85,10 @@ Surface remesh(const Surface& s, double edge, Notes& notes) {
         for (const auto e : m.edges())
             if (kept[e]) lines.push_back(e);
         pmp::split_long_edges(lines, edge, m, pmp::parameters::edge_is_constrained_map(kept));
-        pmp::isotropic_remeshing(
-            m.faces(), edge, m,
-            pmp::parameters::number_of_iterations(kRounds).edge_is_constrained_map(kept).protect_constraints(true));
+        pmp::isotropic_remeshing(m.faces(), edge, m,
+                                 pmp::parameters::number_of_iterations(kRemeshingRounds)
+                                     .edge_is_constrained_map(kept)
+                                     .protect_constraints(true));
         return connect(from_cgal(m), notes);
     } catch (const CGAL::Failure_exception&) {
         throw Error(Exit::failure, "cannot remesh the surface: CGAL found it not fit; try another --remesh");

@@ -7,8 +7,6 @@ namespace filum::surface {
 
 namespace {
 
-constexpr double kInPlane = 1e-9; // of the box's diagonal
-
 // With the normal's side of the plane to its left, seen from the side that the surface faces.
 Segment turned(const Surface& s, const Segment& line, const Plane& plane) {
     const bool wrong = dot(line.b - line.a, cross(plane.normal, normal(s, line.triangle))) < 0;

@@ -16,8 +16,9 @@ struct Plane {
     double offset = 0; // of the points p of the plane: dot(normal, p) = offset
 };
 
-// Per vertex its distance from the plane, mm, positive where the normal points; 0 if it is nearer than 1e-9 of the
-// surface's box.
+inline constexpr double kInPlane = 1e-9; // of the box's diagonal: what is nearer to a plane lies in it
+
+// Per vertex its distance from the plane, mm, positive where the normal points; 0 if it lies in it.
 std::vector<double> sides(const Surface& s, const Plane& plane);
 
 // The lines that the plane cuts out of the surface, by triangles; an edge that lies in the plane comes once.  The side

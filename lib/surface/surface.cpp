@@ -150,6 +150,13 @@ double mean_edge(const Surface& s) {
     return sum / static_cast<double>(s.twin.size());
 }
 
+double longest_edge(const Surface& s) {
+    double out = 0;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
+        out = std::max(out, distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+    return out;
+}
+
 Vec3 normal(const Surface& s, std::uint32_t triangle) {
     const auto& [a, b, c] = s.triangles[triangle];
     const Vec3 n = cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a]);

@@ -74,6 +74,7 @@ Facts facts(const Surface& s);
 double area(const Surface& s);                         // mm2
 double rim_length(const Surface& s, const Rim& rim);   // mm
 double mean_edge(const Surface& s);                    // mm, over half-edges
+double longest_edge(const Surface& s);                 // mm
 Vec3 normal(const Surface& s, std::uint32_t triangle); // unit
 
 } // namespace filum::surface

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPart = 1.0 / 3;         // of the spacing, between points of a triangle
 constexpr double kTold = 0.01;            // of the surface: more is told aloud
-constexpr double kFar = 4;                // spacings: up to where the farthest place is sought
+constexpr double kSought = 4;             // spacings: up to where the farthest place is sought
 constexpr std::uint32_t kMostParts = 256; // of a triangle's side
 
 // The stretches of a plan by the cubes, one spacing wide, that they touch with one spacing around.
@@ -106,7 +106,7 @@ void tell_bare(const Surface& s, Plan& plan, double spacing) {
     }
     plan.facts.push_back({"", "bare", area, "mm2"});
     if (!(area > kTold * surface::area(s))) return;
-    const Stretches far(s, plan, kFar * spacing);
+    const Stretches far(s, plan, kSought * spacing);
     double worst = 0;
     Vec3 at = bare.front().p;
     for (const Point& b : bare)

@@ -1,6 +1,6 @@
 #include "surfpath/boustrophedon.hpp"
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/order.hpp"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ class Path {
         const double l = transits_.length(from, to);
         if (std::isfinite(l)) return l;
         const Line line = across(from, to);
-        return line.size() > 1 ? kBreak + curve::length(line) : l;
+        return line.size() > 1 ? kBreak + surface::curve::length(line) : l;
     }
 
     // Straight across the surface from one end to another; empty if that does not lead there.
@@ -127,7 +127,7 @@ class Path {
             return e % 2 == 0 ? places.front() : places.back();
         };
         const Place a = place(from), b = place(to);
-        Line out = curve::join(surface_, a, b);
+        Line out = surface::curve::join(surface_, a, b);
         return out.size() > 2 || a.triangle == b.triangle ? out : Line{};
     }
 
@@ -140,7 +140,7 @@ class Path {
         if (known && it->line.size() > 1) {
             LaidTurn out = *it;
             if (from != a) {
-                curve::reverse(out.line);
+                surface::curve::reverse(out.line);
                 std::swap(out.from, out.to), std::swap(out.from_trim, out.to_trim);
             }
             return out;
@@ -149,7 +149,7 @@ class Path {
         const auto stretches = known ? std::vector<Line>{transits_.along(from, to)}
                                : way ? way->stretches
                                      : std::vector<Line>{across(from, to)};
-        for (const Line& l : stretches) transited_ += curve::length(l);
+        for (const Line& l : stretches) transited_ += surface::curve::length(l);
         return turner_.eased(from, stretches, to);
     }
 

@@ -7,13 +7,12 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kNoGap = 2.2;    // spacings
-constexpr double kParallel = 0.2; // slope against a rim up to which it has a say
+constexpr double kNoGap = 2.2; // spacings
 constexpr int kSweeps = 400;
 constexpr double kOver = 1.6;  // relaxation
 constexpr double kRest = 1e-4; // spacings: what moves less rests
 constexpr double kLean = 1;    // weight of squared slopes against that of squared strains
-constexpr int kSmooth = 4;
+constexpr int kSmoothings = 4;
 
 constexpr std::size_t kNobody = ~std::size_t{0};
 
@@ -54,7 +53,7 @@ class Sheet {
                 if (!k.held) most = std::max(most, std::abs(pull(k)));
             if (most < kRest * d_) break;
         }
-        for (int i = 0; i < kSmooth; ++i) smooth();
+        for (int i = 0; i < kSmoothings; ++i) smooth();
     }
 
     [[nodiscard]] double moved(std::size_t strand, std::size_t spot) const {

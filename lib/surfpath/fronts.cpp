@@ -1,9 +1,9 @@
 #include "surfpath/fronts.hpp"
 
 #include "base/error.hpp"
-#include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr std::size_t kMost = 20'000;
-constexpr double kNear = 0.05;  // of a step: what ends farther from the next front has not come there
-constexpr double kInset = 0.02; // of the grain: how far from the ends of a front its outermost samples are
-constexpr double kApart = 1e-4; // of a step: how far levels keep from distances of vertices
-constexpr double kSpeck = 1e-3; // of a step: what is shorter is no front
-constexpr int kRings = 3;       // of triangles about a place, in which fronts near it are sought
+constexpr std::size_t kMostFronts = 20'000;
+constexpr double kArrived = 0.05;     // of a step: what ends farther from the next front has not come there
+constexpr double kInset = 0.02;       // of the grain: how far from the ends of a front its outermost samples are
+constexpr double kOffVertices = 1e-4; // of a step: how far levels keep from distances of vertices
+constexpr double kSpeck = 1e-3;       // of a step: what is shorter is no front
+constexpr int kRings = 3;             // of triangles about a place, in which fronts near it are sought
 
 double farthest(const Surface& s, std::span<const double> distance) {
     double out = 0;
@@ -35,9 +35,9 @@ std::vector<double> levels_between(std::vector<double> distance, double step, do
     for (std::size_t k = 1; static_cast<double>(k) * step <= far; ++k) {
         double level = static_cast<double>(k) * step;
         while (true) {
-            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kApart * step);
-            if (near == distance.end() || *near > level + kApart * step) break;
-            level = *near + 2 * kApart * step;
+            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kOffVertices * step);
+            if (near == distance.end() || *near > level + kOffVertices * step) break;
+            level = *near + 2 * kOffVertices * step;
         }
         out.push_back(level);
     }
@@ -104,11 +104,11 @@ Vec3 right_of(const Vec3& along, const Vec3& normal) { return cross(along, norma
 Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double step, double grain)
     : surface_(surface), field_(geodesic::exact(surface, sources)), step_(step) {
     const double far = farthest(surface, field_.distance);
-    if (!(far / step < kMost)) throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
+    if (!(far / step < kMostFronts)) throw Error(Exit::usage, "cannot follow more than 20000 fronts; raise --spacing");
     std::vector<Line> lines = source_lines(sources);
     for (std::size_t i = 0, n = lines.size(); i < n; ++i) {
         Line back = lines[2 * i];
-        curve::reverse(back);
+        surface::curve::reverse(back);
         lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(2 * i + 1), std::move(back));
     }
     add_level(std::move(lines));
@@ -118,7 +118,7 @@ Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double s
     for (const double level : levels) {
         lines.clear();
         for (; next < isolines.size() && isolines[next].level == level; ++next)
-            if (isolines[next].points.size() > 1) lines.push_back(curve::line(isolines[next]));
+            if (isolines[next].points.size() > 1) lines.push_back(surface::curve::line(isolines[next]));
         add_level(std::move(lines));
     }
     for (std::size_t k = 0; k + 1 < levels_.size(); ++k) sample(k, grain);
@@ -127,7 +127,7 @@ Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double s
 void Fronts::add_level(std::vector<Line> lines) {
     Level level;
     for (Line& line : lines) {
-        auto ways = curve::ways(line);
+        auto ways = surface::curve::ways(line);
         if (!(ways.back() > kSpeck * step_)) continue; // about a vertex
         const auto front = static_cast<std::uint32_t>(level.fronts.size());
         for (std::uint32_t i = 0; i + 1 < ways.size(); ++i) level.pieces.push_back({line.places[i].triangle, front, i});
@@ -140,7 +140,7 @@ void Fronts::add_level(std::vector<Line> lines) {
 
 Place Fronts::place(std::size_t level, Spot spot) const {
     const Front& f = levels_[level].fronts[spot.front];
-    return curve::at(f.line, f.ways, spot.x);
+    return surface::curve::at(f.line, f.ways, spot.x);
 }
 
 // Upright on the front; on a source curve on its right, elsewhere by the slope of the distance.
@@ -167,7 +167,7 @@ Vec3 Fronts::heading(std::size_t level, Spot spot, const Place& from) const {
 
 std::optional<Spot> Fronts::locate(std::size_t level, const Place& p) const {
     const Level& l = levels_[level];
-    double least = kNear * step_;
+    double least = kArrived * step_;
     std::optional<Spot> out;
     for (const std::uint32_t t : about(surface_, p.triangle)) {
         auto it = std::lower_bound(l.pieces.begin(), l.pieces.end(), t,
@@ -187,7 +187,7 @@ std::optional<Spot> Fronts::walk_on(std::size_t level, Spot spot) const {
     const Place from = place(level, spot);
     const Vec3 way = heading(level, spot, from);
     if (!(norm(way) > 0)) return {};
-    return locate(level + 1, curve::walk(surface_, from, way, step_).places.back());
+    return locate(level + 1, surface::curve::walk(surface_, from, way, step_).places.back());
 }
 
 // Where lines lead that are `grain` apart, in order (see uncross).
@@ -231,17 +231,17 @@ Line Fronts::last(std::size_t level, Spot spot) const {
     const Place from = place(level, spot);
     const Vec3 way = heading(level, spot, from);
     if (!(norm(way) > 0)) return {{from}, false};
-    const Line whole = curve::walk(surface_, from, way, 2 * step_);
-    const auto ways = curve::ways(whole);
+    const Line whole = surface::curve::walk(surface_, from, way, 2 * step_);
+    const auto ways = surface::curve::ways(whole);
     const auto shortest = [&](double w) {
-        const Place p = curve::at(whole, ways, w);
+        const Place p = surface::curve::at(whole, ways, w);
         return geodesic::distance_at(surface_, field_, p.triangle, p.point) >
-               static_cast<double>(level) * step_ + w - kNear * step_;
+               static_cast<double>(level) * step_ + w - kArrived * step_;
     };
     double lo = 0, hi = ways.back();
     if (shortest(hi)) return whole;
     for (int i = 0; i < 20; ++i) (shortest((lo + hi) / 2) ? lo : hi) = (lo + hi) / 2;
-    return curve::part(whole, ways, 0, lo);
+    return surface::curve::part(whole, ways, 0, lo);
 }
 
 } // namespace filum::surfpath

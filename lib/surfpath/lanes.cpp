@@ -7,21 +7,21 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kStep = 0.2;    // of the spacing: between nodes
-constexpr double kNearest = 0.5; // of the spacing: what is nearer is no neighbour
-constexpr double kSame = 3;      // spacings along a lane from where it counts as another one
+constexpr double kNodeStep = 0.2;  // of the spacing: between nodes
+constexpr double kNearest = 0.5;   // of the spacing: what is nearer is no neighbour
+constexpr double kAnotherLane = 3; // spacings along a lane from where it counts as another one
 
 } // namespace
 
 Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     : surface_(surface), lines_(std::move(lines)), spacing_(spacing) {
     for (std::uint32_t l = 0; l < lines_.size(); ++l) {
-        ways_.push_back(curve::ways(lines_[l]));
+        ways_.push_back(surface::curve::ways(lines_[l]));
         const double all = ways_[l].back();
-        const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kStep * spacing))));
+        const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kNodeStep * spacing))));
         for (std::size_t i = 0; i < n; ++i) {
             const double way = all * static_cast<double>(i) / static_cast<double>(n);
-            const Place p = curve::at(lines_[l], ways_[l], way);
+            const Place p = surface::curve::at(lines_[l], ways_[l], way);
             nodes_.push_back({l, way, p.point, surface::normal(surface, p.triangle)});
         }
     }
@@ -38,7 +38,7 @@ std::uint64_t Lanes::key(const Vec3& p, int dx, int dy, int dz) const {
     return axis(p.x, dx) << 42 | axis(p.y, dy) << 21 | axis(p.z, dz);
 }
 
-Place Lanes::at(std::uint32_t lane, double way) const { return curve::at(lines_[lane], ways_[lane], way); }
+Place Lanes::at(std::uint32_t lane, double way) const { return surface::curve::at(lines_[lane], ways_[lane], way); }
 
 Vec3 Lanes::tangent(std::uint32_t lane, double way) const {
     const double half = std::min(0.3 * spacing_, length(lane) / 8);
@@ -48,7 +48,7 @@ Vec3 Lanes::tangent(std::uint32_t lane, double way) const {
 }
 
 Line Lanes::part(std::uint32_t lane, double from, double to) const {
-    return curve::part(lines_[lane], ways_[lane], from, to);
+    return surface::curve::part(lines_[lane], ways_[lane], from, to);
 }
 
 double Lanes::curvature(std::uint32_t lane, double way) const {
@@ -61,7 +61,7 @@ double Lanes::curvature(std::uint32_t lane, double way) const {
 
 LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
     LanePlace out{node.lane, node.way, distance(node.point, p)};
-    const double step = kStep * spacing_, all = length(node.lane);
+    const double step = kNodeStep * spacing_, all = length(node.lane);
     double lo = node.way - step, hi = node.way + step;
     for (int i = 0; i < 12; ++i) { // the nearest of a stretch without bends
         const double a = lo + (hi - lo) / 3, b = hi - (hi - lo) / 3;
@@ -108,11 +108,11 @@ std::optional<LanePlace> Lanes::across(std::uint32_t lane, double way, double si
     const Vec3 out = side * cross(tangent(lane, way), n);
     const auto use = [&](std::uint32_t l, double w) {
         if (l != lane) return true;
-        return std::min(ahead(l, way, w, 1), ahead(l, w, way, 1)) > kSame * spacing_;
+        return std::min(ahead(l, way, w, 1), ahead(l, w, way, 1)) > kAnotherLane * spacing_;
     };
     for (double far = 1; far < farthest + 0.1; far += 0.5) {
         const double length = std::min(far, farthest) * spacing_;
-        const Place q = curve::step(surface_, from, length * out);
+        const Place q = surface::curve::step(surface_, from, length * out);
         const auto found = nearest(q, 0.45 * spacing_, use);
         if (!found) continue;
         const Vec3 off = at(found->lane, found->way).point - from.point;

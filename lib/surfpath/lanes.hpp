@@ -1,17 +1,17 @@
 // Closed lines side by side on a surface: which runs next to which, and where.  Private to lib/surfpath.
 #pragma once
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <functional>
 #include <optional>
 
 namespace filum::surfpath {
 
-using curve::Line;
-using curve::Place;
 using geom::Vec3;
 using surface::Surface;
+using surface::curve::Line;
+using surface::curve::Place;
 
 // A place on a lane.
 struct LanePlace {

@@ -1,8 +1,8 @@
 #include "surfpath/necks.hpp"
 
-#include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 
@@ -10,11 +10,11 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLongest = 14;  // spacings between tips
-constexpr double kDeepest = 0.6; // spacings that the neck lies below the level
-constexpr double kBelow = 0.1;   // spacings that the bridges lie below the neck
-constexpr double kDrift = 8;     // spacings from the ring to the bridge
-constexpr double kCut = 2;       // spacings of length that a tip is cut by, at least
+constexpr double kLongestBridge = 14; // spacings between tips
+constexpr double kDeepest = 0.6;      // spacings that the neck lies below the level
+constexpr double kBelow = 0.1;        // spacings that the bridges lie below the neck
+constexpr double kBridgeDrift = 8;    // spacings from the ring to the bridge
+constexpr double kCut = 2;            // spacings of length that a tip is cut by, at least
 
 struct Tip {
     std::size_t bend;
@@ -48,7 +48,9 @@ class Necks {
   private:
     [[nodiscard]] const Ring& ring(const Tip& t) const { return rings_[bends_[t.bend].ring]; }
     [[nodiscard]] const Corner& corner(const Tip& t) const { return *bends_[t.bend].corner; }
-    [[nodiscard]] Place at(const Tip& t, double way) const { return curve::at(ring(t).line, ring(t).ways, way); }
+    [[nodiscard]] Place at(const Tip& t, double way) const {
+        return surface::curve::at(ring(t).line, ring(t).ways, way);
+    }
 
     void find_tips() {
         for (std::size_t i = 0; i < bends_.size(); ++i) {
@@ -72,11 +74,12 @@ class Necks {
     void look_across(std::size_t a, std::size_t b, std::vector<Neck>& necks) const {
         const Place &from = tips_[a].place, &to = tips_[b].place;
         const double length = distance(from.point, to.point);
-        if (length > kLongest * spacing_ || length < 0.1 * spacing_) return;
-        const Line line = curve::join(surface_, from, to);
+        if (length > kLongestBridge * spacing_ || length < 0.1 * spacing_) return;
+        const Line line = surface::curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
-        const auto ways = curve::ways(line);
-        if (nearest(rings_, curve::at(line, ways, length / 2).point).distance < 0.3 * length) return; // along a ring
+        const auto ways = surface::curve::ways(line);
+        if (nearest(rings_, surface::curve::at(line, ways, length / 2).point).distance < 0.3 * length)
+            return; // along a ring
         double height = level_;
         for (std::size_t i = 1; i + 1 < line.size(); ++i) {
             const double h = geodesic::distance_at(surface_, field_, line.places[i].triangle, line[i]);
@@ -91,9 +94,9 @@ class Necks {
         const double levels[] = {std::max(0.3 * spacing_, n.height - kBelow * spacing_)};
         std::vector<Ring> lower;
         for (const auto& line : geodesic::isolines(surface_, field_, levels))
-            if (line.closed) lower.push_back({curve::line(line), {}, {}});
+            if (line.closed) lower.push_back({surface::curve::line(line), {}, {}});
         if (lower.empty()) return;
-        for (Ring& r : lower) r.ways = curve::ways(r.line);
+        for (Ring& r : lower) r.ways = surface::curve::ways(r.line);
         const auto there = across(tips_[n.a], tips_[n.b], lower), back = across(tips_[n.b], tips_[n.a], lower);
         if (there.size() < 2 || back.size() < 2) return;
         Bend &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
@@ -104,16 +107,16 @@ class Necks {
     // From where corner `a` begins over to where corner `b` ends, along one of `lower`; empty if none leads there.
     [[nodiscard]] Line across(const Tip& a, const Tip& b, const std::vector<Ring>& lower) const {
         const Corner &ca = corner(a), &cb = corner(b);
-        const double la = std::min(kDrift * spacing_, 0.9 * ring(a).ahead(ca.from, a.way));
-        const double lb = std::min(kDrift * spacing_, 0.9 * ring(b).ahead(b.way, cb.to));
+        const double la = std::min(kBridgeDrift * spacing_, 0.9 * ring(a).ahead(ca.from, a.way));
+        const double lb = std::min(kBridgeDrift * spacing_, 0.9 * ring(b).ahead(b.way, cb.to));
         const On from = nearest(lower, at(a, ca.from + la).point), to = nearest(lower, at(b, cb.to - lb).point);
         if (from.line != to.line || std::max(from.distance, to.distance) > 1.5 * spacing_) return {};
         const Ring& low = lower[from.line];
         const double way = low.ahead(from.way, to.way);
-        if (way > 2 * kLongest * spacing_) return {};
+        if (way > 2 * kLongestBridge * spacing_) return {};
         Line out = drift(a, ca.from, la, lower, true);
-        curve::append(out, curve::part(low.line, low.ways, from.way, from.way + way));
-        curve::append(out, drift(b, cb.to - lb, lb, lower, false));
+        surface::curve::append(out, surface::curve::part(low.line, low.ways, from.way, from.way + way));
+        surface::curve::append(out, drift(b, cb.to - lb, lb, lower, false));
         return out;
     }
 
@@ -126,11 +129,12 @@ class Necks {
             const double part = g < 0.5 ? 2 * g * g : 1 - 2 * (1 - g) * (1 - g);
             const Place from = at(t, way + f * length);
             const On on = nearest(lower, from.point);
-            const Line line = curve::join(surface_, from, curve::at(lower[on.line].line, lower[on.line].ways, on.way));
-            const auto ways = curve::ways(line);
-            out.places.push_back(curve::at(line, ways, part * ways.back()));
+            const Line line = surface::curve::join(
+                surface_, from, surface::curve::at(lower[on.line].line, lower[on.line].ways, on.way));
+            const auto ways = surface::curve::ways(line);
+            out.places.push_back(surface::curve::at(line, ways, part * ways.back()));
         }
-        return curve::threaded(surface_, out);
+        return surface::curve::threaded(surface_, out);
     }
 
     const Surface& surface_;

@@ -1,5 +1,7 @@
 #include "surfpath/order.hpp"
 
+#include "surface/surface.hpp"
+
 #include <algorithm>
 #include <string>
 #include <tuple>
@@ -9,9 +11,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr std::uint32_t kNo = ~std::uint32_t{0};
+using surface::kNone;
 
-// An open end of a chain that may still be linked, and the chain's other end; kNo if that may not.
+// An open end of a chain that may still be linked, and the chain's other end; kNone if that may not.
 struct Open {
     std::uint32_t end, mate;
 };
@@ -19,8 +21,8 @@ struct Open {
 struct State {
     std::vector<Open> open; // by end
     double cost = 0;
-    std::uint32_t parent = kNo;
-    std::uint32_t link[2] = {kNo, kNo}; // made with this row's begin and end
+    std::uint32_t parent = kNone;
+    std::uint32_t link[2] = {kNone, kNone}; // made with this row's begin and end
 };
 
 struct Choice {
@@ -41,16 +43,16 @@ class Beam {
         for (std::uint32_t e = 0; e < 2 * rows; ++e) last_[e] = std::max(last_[e], e / 2);
     }
 
-    // Per end the link that it has, kNo if none.
+    // Per end the link that it has, kNone if none.
     std::vector<std::uint32_t> run() {
         layers_.assign(1, {State{}});
         for (std::uint32_t row = 0; row < rows_; ++row) advance(row);
-        std::vector<std::uint32_t> out(2 * rows_, kNo);
+        std::vector<std::uint32_t> out(2 * rows_, kNone);
         std::uint32_t at = 0;
         for (std::uint32_t row = rows_; row > 0; --row) {
             const State& s = layers_[row][at];
             for (const std::uint32_t l : s.link)
-                if (l != kNo) out[links_[l].from] = out[links_[l].to] = l;
+                if (l != kNone) out[links_[l].from] = out[links_[l].to] = l;
             at = s.parent;
         }
         return out;
@@ -110,11 +112,11 @@ class Beam {
         const auto first = options(s, 2 * row, row), second = options(s, 2 * row + 1, row);
         for (const Option& a : first)
             for (const Option& b : second) {
-                if (a.link != kNo && b.link != kNo && (a.other == b.other || find(s, a.other)->mate == b.other))
+                if (a.link != kNone && b.link != kNone && (a.other == b.other || find(s, a.other)->mate == b.other))
                     continue;
                 std::uint32_t over[2] = {waiting[0], waiting[1]};
-                if (a.waits) over[a.end % 2] += a.link == kNo ? 1u : ~0u;
-                if (b.waits) over[b.end % 2] += b.link == kNo ? 1u : ~0u;
+                if (a.waits) over[a.end % 2] += a.link == kNone ? 1u : ~0u;
+                if (b.waits) over[b.end % 2] += b.link == kNone ? 1u : ~0u;
                 const double cost = s.cost + expired + gap_ * ((over[0] == 0) + (over[1] == 0)) + a.cost + b.cost;
                 out.push_back({cost + later + a.later + b.later, cost, parent, {a.link, b.link}});
             }
@@ -130,7 +132,7 @@ class Beam {
     };
     [[nodiscard]] std::vector<Option> options(const State& s, std::uint32_t end, std::uint32_t row) const {
         const bool w = waits(end, row);
-        std::vector<Option> out{{kNo, kNo, end, w, w ? 0 : break_, w ? ahead_[end] : 0}};
+        std::vector<Option> out{{kNone, kNone, end, w, w ? 0 : break_, w ? ahead_[end] : 0}};
         for (const std::uint32_t l : back_[end])
             if (const Open* o = find(s, links_[l].from)) {
                 const bool waited = waits(o->end, row);
@@ -152,10 +154,10 @@ class Beam {
             std::erase_if(out.open, [&](const Open& o) { return o.end == end; });
         };
         for (const std::uint32_t l : c.link) {
-            if (l == kNo) continue;
+            if (l == kNone) continue;
             const std::uint32_t a = links_[l].from, b = links_[l].to, ma = find(out, a)->mate, mb = find(out, b)->mate;
-            if (ma != kNo) set_mate(ma, mb);
-            if (mb != kNo) set_mate(mb, ma);
+            if (ma != kNone) set_mate(ma, mb);
+            if (mb != kNone) set_mate(mb, ma);
             remove(a), remove(b);
         }
         for (std::size_t i = 0; i < out.open.size();) {
@@ -164,7 +166,7 @@ class Beam {
                 ++i;
                 continue;
             }
-            if (o.mate != kNo) set_mate(o.mate, kNo);
+            if (o.mate != kNone) set_mate(o.mate, kNone);
             remove(o.end);
         }
         return out;
@@ -188,13 +190,13 @@ std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> 
     std::vector<std::vector<Visit>> out;
     std::vector<char> seen(rows, 0);
     for (std::uint32_t e = 0; e < 2 * rows; ++e) {
-        if (link[e] != kNo || seen[e / 2]) continue;
+        if (link[e] != kNone || seen[e / 2]) continue;
         auto& chain = out.emplace_back();
         for (std::uint32_t in = e;;) {
             seen[in / 2] = 1;
             chain.push_back({in / 2, in % 2 == 1});
             const std::uint32_t exit = in ^ 1u, l = link[exit];
-            if (l == kNo) break;
+            if (l == kNone) break;
             in = links[l].from == exit ? links[l].to : links[l].from;
         }
     }

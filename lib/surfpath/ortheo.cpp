@@ -1,8 +1,8 @@
 #include "surfpath/ortheo.hpp"
 
 #include "base/error.hpp"
-#include "curve/ease.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/strands.hpp"
 
@@ -15,15 +15,16 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kStep = 0.5;  // spacings, from front to front
-constexpr double kGrain = 0.5; // spacings, between the lines that tell where all others lead
+constexpr double kFrontStep = 0.5; // spacings, from front to front
+constexpr double kGrain = 0.5;     // spacings, between the lines that tell where all others lead
 
 // The strand as a line, from its first spot on.
 Line drawn(const Fronts& fronts, const Strand& s) {
     Line out{{fronts.place(s.first, s.spots[0])}, false};
     for (std::size_t j = 1; j < s.spots.size(); ++j)
-        curve::append(out, curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
-    if (s.end != End::law) curve::append(out, fronts.last(s.last(), s.spots.back()));
+        surface::curve::append(
+            out, surface::curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
+    if (s.end != StrandEnd::law) surface::curve::append(out, fronts.last(s.last(), s.spots.back()));
     return out;
 }
 
@@ -57,16 +58,18 @@ std::vector<Line> lines(const Fronts& fronts, const std::vector<Strand>& strands
         while (i != kNone && !used[i]) {
             used[i] = 1;
             Line more = drawn(fronts, strands[i]);
-            if (from == 1) curve::reverse(more);
+            if (from == 1) surface::curve::reverse(more);
             if (all.size() > 0 && distance(all.places.back().point, more[0]) > 1e-9) {
-                curve::append(all, curve::join(fronts.surface(), all.places.back(), more.places[0]));
+                surface::curve::append(all, surface::curve::join(fronts.surface(), all.places.back(), more.places[0]));
                 turns = true;
             }
-            curve::append(all, more);
+            surface::curve::append(all, more);
             from = 1 - from; // it goes on at the other end, and from there on the same way round
             i = next[i][from];
         }
-        if (turns) all = curve::ease(fronts.surface(), all, {.radius = 0.45 * spacing, .corridor = 0.5 * spacing}).line;
+        if (turns)
+            all =
+                surface::curve::ease(fronts.surface(), all, {.radius = 0.45 * spacing, .corridor = 0.5 * spacing}).line;
         out.push_back(std::move(all));
     };
     for (std::uint32_t i = 0; i < strands.size(); ++i)
@@ -91,14 +94,14 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         throw Error(Exit::bad_input, "cannot lay lines upright on a seed curve without one; run geodesic --source "
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
-    const Fronts fronts(s, sheet.sources, kStep * o.spacing, kGrain * o.spacing);
+    const Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
     const bool alone = o.turns == "none";
     const Strands found = strands(fronts, {o.spacing, o.turns == "hairpin" ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
     Plan out;
     if (alone) {
         for (Line& line : all) {
-            if (out.strokes.size() % 2 == 1) curve::reverse(line);
+            if (out.strokes.size() % 2 == 1) surface::curve::reverse(line);
             out.strokes.push_back({{{std::move(line), false}}});
         }
         fact(out, "rows", out.strokes.size());

@@ -9,7 +9,7 @@ using toolpath::Span;
 
 class Layer {
   public:
-    Layer(const Surface& s, const Laying& o) : surface_(s), o_(o), normals_(curve::vertex_normals(s)) {}
+    Layer(const Surface& s, const Laying& o) : surface_(s), o_(o), normals_(surface::curve::vertex_normals(s)) {}
 
     void lay(const Stroke& stroke, std::uint32_t number, std::vector<Span>& out) {
         bool first = true;
@@ -37,7 +37,7 @@ class Layer {
     }
 
     void add(Span& to, const Place& p, double above) const {
-        const Vec3 n = curve::normal_at(surface_, normals_, p);
+        const Vec3 n = surface::curve::normal_at(surface_, normals_, p);
         to.points.push_back(p.point + above * n);
         to.normals.push_back(n);
     }

@@ -3,16 +3,16 @@
 
 #include "base/fact.hpp"
 #include "base/note.hpp"
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 #include "toolpath/path.hpp"
 
 namespace filum::surfpath {
 
-using curve::Line;
-using curve::Place;
 using geom::Vec2;
 using geom::Vec3;
 using surface::Surface;
+using surface::curve::Line;
+using surface::curve::Place;
 
 // A stretch of a stroke.  It begins where the one before ended.
 struct Piece {

@@ -14,7 +14,7 @@ On nearest(const std::vector<Ring>& rings, const Vec3& p) {
     const double from = out.way;
     for (int i = -100; i <= 100; ++i) {
         const double way = from + reach * i / 100;
-        const double d = distance(curve::at(ring.line, ring.ways, way).point, p);
+        const double d = distance(surface::curve::at(ring.line, ring.ways, way).point, p);
         if (d < out.distance) out.distance = d, out.way = std::fmod(way + all, all);
     }
     return out;

@@ -1,17 +1,17 @@
 // A ring whose corners are being rounded.  Private to lib/surfpath.
 #pragma once
 
-#include "curve/line.hpp"
+#include "surface/curve/line.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace filum::surfpath {
 
-using curve::Line;
-using curve::Place;
 using geom::Vec3;
 using surface::Surface;
+using surface::curve::Line;
+using surface::curve::Place;
 
 // A place on one of several rings.
 struct On {

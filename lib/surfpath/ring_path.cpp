@@ -1,8 +1,8 @@
 #include "surfpath/ring_path.hpp"
 
 #include "base/error.hpp"
-#include "curve/ease.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/rings.hpp"
 #include "surfpath/seam.hpp"
 
@@ -14,10 +14,10 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLeast = 0.3; // spacings: no radius is less
-constexpr double kStep = 0.1;  // least radii: between points of the path
-constexpr double kEase = 1.08; // least radii: so that what remains keeps to it
-constexpr double kSeam = 25;   // spacings: length of a seam, per lane that lanes go over by
+constexpr double kLeast = 0.3;    // spacings: no radius is less
+constexpr double kPathStep = 0.1; // least radii: between points of the path
+constexpr double kEase = 1.08;    // least radii: so that what remains keeps to it
+constexpr double kSeam = 25;      // spacings: length of a seam, per lane that lanes go over by
 
 // The place, in the triangle among those about its own that it lies in: where lines were joined it may be another.
 Place settled(const Surface& s, Place p) {
@@ -40,13 +40,13 @@ Place settled(const Surface& s, Place p) {
 std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
     constexpr double kReach = 0.4; // mm about a place that its turn is measured over
     if (!(radius > 0)) return {{line, false}};
-    const auto ways = curve::ways(line);
+    const auto ways = surface::curve::ways(line);
     const double all = ways.back(), step = 0.1;
     const auto n = static_cast<std::size_t>(all / step);
     std::vector<char> tight(n + 1, 0);
     const auto reach = static_cast<std::size_t>(kReach / step);
     std::vector<Place> at;
-    for (std::size_t i = 0; i <= n; ++i) at.push_back(curve::at(line, ways, step * static_cast<double>(i)));
+    for (std::size_t i = 0; i <= n; ++i) at.push_back(surface::curve::at(line, ways, step * static_cast<double>(i)));
     for (std::size_t i = 2; i + 2 <= n; ++i) {
         const Vec3 a = at[i].point - at[i - 2].point, b = at[i + 2].point - at[i].point;
         const Vec3 m = surface::normal(s, at[i].triangle);
@@ -58,9 +58,9 @@ std::vector<Piece> pieces(const Surface& s, const Line& line, double radius) {
     for (std::size_t i = 0; i < n;) {
         std::size_t j = i + 1;
         while (j < n && tight[j] == tight[i]) ++j;
-        out.push_back(
-            {curve::part(line, ways, step * static_cast<double>(i), j == n ? all : step * static_cast<double>(j)),
-             tight[i] != 0});
+        out.push_back({surface::curve::part(line, ways, step * static_cast<double>(i),
+                                            j == n ? all : step * static_cast<double>(j)),
+                       tight[i] != 0});
         for (Place* p : {&out.back().line.places.front(), &out.back().line.places.back()}) *p = settled(s, *p);
         i = j;
     }
@@ -74,7 +74,7 @@ Line slim_threaded(const Surface& s, const Line& line) {
     Line out;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         out.places.push_back(line.places[i]);
-        const Line way = curve::join(s, line.places[i], line.places[i + 1]);
+        const Line way = surface::curve::join(s, line.places[i], line.places[i + 1]);
         const Vec3 d = line[i + 1] - line[i];
         for (std::size_t k = 1; k + 1 < way.size(); ++k) {
             const Vec3 p = way[k] - line[i];
@@ -89,8 +89,8 @@ Line slim_threaded(const Surface& s, const Line& line) {
 // The line eased, with points in equal steps, so that the noise of crossings with edges does not count as curvature.
 Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
     const auto eased =
-        curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
-    Line out = curve::resampled(eased.line, kStep * radius);
+        surface::curve::ease(s, line, {.radius = kEase * radius, .corridor = 0.25 * spacing, .step = 0.05 * radius});
+    Line out = surface::curve::resampled(eased.line, kPathStep * radius);
     for (Place& p : out.places) p = settled(s, p);
     return slim_threaded(s, out);
 }
@@ -104,7 +104,7 @@ void tell(Plan& plan, std::size_t apart) {
     double hairpins = 0, length = 0;
     for (const Stroke& stroke : plan.strokes)
         for (const Piece& p : stroke.pieces)
-            if (p.hairpin) hairpins += 1, length += curve::length(p.line);
+            if (p.hairpin) hairpins += 1, length += surface::curve::length(p.line);
     plan.facts.push_back({"", "hairpins", hairpins, ""});
     plan.facts.push_back({"", "hairpin-length", length, "mm"});
     if (apart == 0) return;

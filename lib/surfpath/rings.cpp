@@ -18,7 +18,7 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kWider = 0.008, kNarrower = 0.03; // of the spacing
+constexpr double kWiderSpacing = 0.008, kNarrowerSpacing = 0.03; // of the spacing
 constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
 constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
 constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
@@ -26,9 +26,10 @@ constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3,
                              2.6, 2.9, 3.2, 3.5};   // least radii of length for a radian of tight turn
 constexpr double kTightPart = 0.01, kTighter = 0.8; // of the length, may turn tighter by so much on average
 constexpr double kFall = 1.1;                       // spacings that radii may fall by from one level to the next
-constexpr double kMost = 1e4;                       // spacings from the sources to the farthest place
+constexpr double kFarthestPlace = 1e4;              // spacings from the sources to the farthest place
 constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
-constexpr double kSame = 1e-7, kApart = 1e-5; // spacings: a level that is a vertex's distance, and is moved from it
+constexpr double kSameLevel = 1e-7;                 // spacings: a level that is a vertex's distance,
+constexpr double kLevelShift = 1e-5;                // and is moved from it by this
 
 // The sources, and all sides of rims that are none yet.
 surface::Sources all_sources(const surface::Sheet& sheet) {
@@ -57,9 +58,9 @@ std::vector<double> off_vertices(std::vector<double> levels, std::vector<double>
     std::sort(distance.begin(), distance.end());
     for (double& level : levels)
         while (true) {
-            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kSame * spacing);
-            if (near == distance.end() || *near > level + kSame * spacing) break;
-            level = *near + kApart * spacing;
+            const auto near = std::lower_bound(distance.begin(), distance.end(), level - kSameLevel * spacing);
+            if (near == distance.end() || *near > level + kSameLevel * spacing) break;
+            level = *near + kLevelShift * spacing;
         }
     return levels;
 }
@@ -69,8 +70,8 @@ std::vector<double> off_vertices(std::vector<double> levels, std::vector<double>
 double stretched(double farthest, double d) {
     const double n = std::max(0.0, std::floor(farthest / d - 0.5)) + 0.5;
     for (const double fits : {farthest / n, farthest / (n + 1)})
-        if (fits <= (1 + kWider) * d && fits >= (1 - kNarrower) * d) return fits;
-    return (1 - kNarrower / 2) * d;
+        if (fits <= (1 + kWiderSpacing) * d && fits >= (1 - kNarrowerSpacing) * d) return fits;
+    return (1 - kNarrowerSpacing / 2) * d;
 }
 
 // The highest vertex of the triangles that a line runs through; kNone if none is as high as the line.
@@ -122,9 +123,9 @@ class Making {
           least_(kRounder * o.least_radius) {
         for (const double d : far_)
             if (std::isfinite(d)) farthest_ = std::max(farthest_, d);
-        if (farthest_ > kMost * o.spacing)
+        if (farthest_ > kFarthestPlace * o.spacing)
             throw Error(Exit::usage, "cannot lay more than 10000 rings inside each other; raise --spacing");
-        for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrower / 2) * o.spacing}) {
+        for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrowerSpacing / 2) * o.spacing}) {
             d_ = d;
             levels_.clear();
             for (double l = d / 2; l < farthest_; l += d) levels_.push_back(l);
@@ -251,7 +252,7 @@ class Making {
     // tighter.
     [[nodiscard]] double affordable(const Rounding& rounding) {
         double length = 0;
-        for (const auto& line : outer_) length += curve::length(curve::line(line));
+        for (const auto& line : outer_) length += surface::curve::length(surface::curve::line(line));
         const double most = kTightPart * length * kTighter / least_;
         for (const double gain : kGains)
             if (tight(rounding, gain) <= most) return gain;

@@ -1,8 +1,8 @@
 #include "surfpath/rounding.hpp"
 
-#include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/necks.hpp"
 
 #include <algorithm>
@@ -13,16 +13,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLong = 3.0;  // least radii: a corner that is cut by less is let be
-constexpr double kSeen = 0.06; // least radii: what touches a ring farther from the ends of an arc lies between them
-constexpr double kCusp = 0.15; // rad
-
-double longest_edge(const Surface& s) {
-    double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
-    return out;
-}
+constexpr double kLongCut = 3.0; // least radii: a corner that is cut by less is let be
+constexpr double kSeen = 0.06;   // least radii: what touches a ring farther from the ends of an arc lies between them
+constexpr double kCusp = 0.15;   // rad
 
 surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
     surface::Sources out;
@@ -39,8 +32,8 @@ class Rounder {
 
     void prepare(Batch& b) const {
         auto& rings = b.rings;
-        for (const Isoline* line : b.outer) rings.push_back({curve::line(*line), {}});
-        for (Ring& r : rings) r.ways = curve::ways(r.line);
+        for (const Isoline* line : b.outer) rings.push_back({surface::curve::line(*line), {}});
+        for (Ring& r : rings) r.ways = surface::curve::ways(r.line);
         bool more = !rings.empty();
         for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
             for (Ring& r : rings) r.by.emplace_back();
@@ -48,7 +41,7 @@ class Rounder {
             more = false;
             for (Ring& r : rings) {
                 check(r);
-                for (const Corner& c : r.by[k].corners) more |= r.ahead(c.from, c.to) - c.length > kLong * least_;
+                for (const Corner& c : r.by[k].corners) more |= r.ahead(c.from, c.to) - c.length > kLongCut * least_;
             }
         }
     }
@@ -81,9 +74,9 @@ class Rounder {
         const double levels[] = {scale.radius};
         for (const auto& line : geodesic::isolines(surface_, near, levels)) {
             if (!line.closed || line.points.size() < 3) continue;
-            if (height(curve::line(line).places[0]) > level + scale.radius) continue;
-            out.push_back(curve::line(line));
-            curve::reverse(out.back()); // what is less lies to its left again
+            if (height(surface::curve::line(line).places[0]) > level + scale.radius) continue;
+            out.push_back(surface::curve::line(line));
+            surface::curve::reverse(out.back()); // what is less lies to its left again
         }
         return out;
     }
@@ -135,7 +128,7 @@ class Rounder {
         Line arc;
         for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
         if (has_cusp(arc)) return;
-        const double l = curve::length(arc);
+        const double l = surface::curve::length(arc);
         if (rings[a.line].ahead(a.way, b.way) < 0.5 * l) { // all the way round
             rings[a.line].by.back().instead.push_back(line);
             return;
@@ -228,13 +221,13 @@ class Rounder {
                 const double rest = at == to ? r.ways.back() - r.ahead(c.from, c.to) : r.ahead(c.to, next.from);
                 if (rest <
                     r.ways.back() - kSeen * least_) // else the next begins where this one ends, or a little before
-                    curve::append(line, curve::part(r.line, r.ways, c.to, c.to + rest));
-                curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
+                    surface::curve::append(line, surface::curve::part(r.line, r.ways, c.to, c.to + rest));
+                surface::curve::append(line, bent[to].over ? bent[to].bridge : next.arc);
                 at = bent[to].over ? static_cast<std::size_t>(bent[to].over - bent.data()) : to;
             }
             if (line.size() < 3) continue;
             line.closed = true;
-            b.lines.push_back(curve::threaded(surface_, line));
+            b.lines.push_back(surface::curve::threaded(surface_, line));
         }
     }
     // The next bend on the same ring.

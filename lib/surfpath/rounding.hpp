@@ -1,8 +1,8 @@
 // Corners of rings rounded on a surface.  Private to lib/surfpath.
 #pragma once
 
-#include "curve/line.hpp"
 #include "geodesic/exact.hpp"
+#include "surface/curve/line.hpp"
 #include "surfpath/ring.hpp"
 
 namespace filum::surfpath {

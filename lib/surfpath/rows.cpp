@@ -1,9 +1,9 @@
 #include "surfpath/rows.hpp"
 
-#include "curve/ease.hpp"
-#include "curve/walk.hpp"
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,7 @@ using surface::kNone;
 constexpr double kDetour = 1.1;    // of the way that is replaced, at most
 constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
 constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
-constexpr double kNear = 0.4;      // of the margin: what lines keep that follow the inset instead
-
-double longest_edge(const Surface& s) {
-    double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
-    return out;
-}
+constexpr double kFollowing = 0.4; // of the margin: what lines keep that follow the inset instead
 
 surface::Sources rims(const Surface& s) {
     surface::Sources out;
@@ -44,8 +37,8 @@ class Cutter {
         inset_.field = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
         const double level[] = {margin};
         for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
-            inset_.rings.push_back(curve::line(isoline));
-        for (const Line& ring : inset_.rings) inset_.ways.push_back(curve::ways(ring));
+            inset_.rings.push_back(surface::curve::line(isoline));
+        for (const Line& ring : inset_.rings) inset_.ways.push_back(surface::curve::ways(ring));
     }
 
     [[nodiscard]] Inset& inset() { return inset_; }
@@ -107,9 +100,9 @@ class Cutter {
         const double ahead = ring.closed && on < 0 ? on + all : on, back = ring.closed && on > 0 ? all - on : -on;
         const bool forward = ahead >= 0 && (back < 0 || ahead <= back);
         if (!((forward ? ahead : back) < kDetour * way)) return {};
-        if (forward) return curve::part(ring, ways, a.way, a.way + ahead);
-        Line out = curve::part(ring, ways, b.way, b.way + back);
-        curve::reverse(out);
+        if (forward) return surface::curve::part(ring, ways, a.way, a.way + ahead);
+        Line out = surface::curve::part(ring, ways, b.way, b.way + back);
+        surface::curve::reverse(out);
         return out;
     }
 
@@ -133,7 +126,8 @@ class Cutter {
     Inset inset_;
 };
 
-// A line as open ones that keep the margin: where it is at least kNear of the margin from a rim it follows the inset.
+// A line as open ones that keep the margin: where it is at least kFollowing of the margin from a rim it follows the
+// inset.
 class Hugger {
   public:
     Hugger(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways, double margin)
@@ -142,7 +136,7 @@ class Hugger {
     [[nodiscard]] std::vector<Line> stretches() const {
         const auto kept = cutter_.kept(line_, ways_, 1);
         std::vector<Line> out;
-        for (const auto& [from, to] : cutter_.kept(line_, ways_, kNear)) {
+        for (const auto& [from, to] : cutter_.kept(line_, ways_, kFollowing)) {
             Line now;
             double at = from;
             for (const auto& [begin, end] : kept) {
@@ -150,12 +144,12 @@ class Hugger {
                 const bool first = now.size() == 0;
                 const Line way = ring(at, begin, first, false);
                 if (!first && way.size() < 2) out.push_back(std::exchange(now, {}));
-                if (way.size() >= 2) curve::append(now, way);
-                curve::append(now, curve::part(line_, ways_, begin, end));
+                if (way.size() >= 2) surface::curve::append(now, way);
+                surface::curve::append(now, surface::curve::part(line_, ways_, begin, end));
                 at = end;
             }
-            if (const Line way = ring(at, to, now.size() == 0, true); way.size() >= 2) curve::append(now, way);
-            if (now.size() >= 2) out.push_back(curve::threaded(surface_, now));
+            if (const Line way = ring(at, to, now.size() == 0, true); way.size() >= 2) surface::curve::append(now, way);
+            if (now.size() >= 2) out.push_back(surface::curve::threaded(surface_, now));
         }
         return out;
     }
@@ -164,10 +158,11 @@ class Hugger {
     // What leads along the inset instead of the stretch; from and up to a margin before it where the line ends there.
     [[nodiscard]] Line ring(double from, double to, bool begins, bool ends) const {
         if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
-        Line way = cutter_.along(curve::at(line_, ways_, from), curve::at(line_, ways_, to), to - from);
-        const auto w = curve::ways(way);
+        Line way =
+            cutter_.along(surface::curve::at(line_, ways_, from), surface::curve::at(line_, ways_, to), to - from);
+        const auto w = surface::curve::ways(way);
         if (way.size() < 2 || w.back() < 2 * margin_) return begins || ends ? Line{} : way;
-        return curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));
+        return surface::curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));
     }
 
     const Surface& surface_;
@@ -182,8 +177,8 @@ std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& 
     if (!line.closed) return Hugger(s, cutter, line, ways, margin).stretches();
     // Opened where it is nearest to a rim.
     const double at = cutter.tightest(line, ways);
-    const Line open = curve::part(line, ways, at, at + ways.back());
-    return Hugger(s, cutter, open, curve::ways(open), margin).stretches();
+    const Line open = surface::curve::part(line, ways, at, at + ways.back());
+    return Hugger(s, cutter, open, surface::curve::ways(open), margin).stretches();
 }
 
 } // namespace
@@ -195,8 +190,8 @@ double Inset::room(const Surface& s, const Place& p) const {
 
 void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
     for (const auto& isoline : isolines) {
-        to.push_back({curve::line(isoline), sign * isoline.level});
-        if (sign < 0) curve::reverse(to.back().line);
+        to.push_back({surface::curve::line(isoline), sign * isoline.level});
+        if (sign < 0) surface::curve::reverse(to.back().line);
     }
 }
 
@@ -205,7 +200,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
     Cutter cutter(s, margin);
     double all = 0, too_short = 0;
     for (const Raw& raw : lines) {
-        const auto ways = curve::ways(raw.line);
+        const auto ways = surface::curve::ways(raw.line);
         std::vector<Line> parts;
         if (raw.line.closed && cutter.room(raw.line.places[0]) >= kClosed * margin &&
             cutter.kept(raw.line, ways, kClosed).size() == 1)
@@ -213,8 +208,9 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
         else
             parts = stretches(s, cutter, raw.line, ways, margin);
         for (Line& line : parts) {
-            if (!line.closed) line = curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
-            const double l = curve::length(line);
+            if (!line.closed)
+                line = surface::curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
+            const double l = surface::curve::length(line);
             all += l, too_short += l < shortest ? l : 0;
             Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
@@ -225,7 +221,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
     double longest = 0;
     const double least = too_short > kMostShort * all ? margin : shortest;
     std::erase_if(out.rows, [&](const Row& row) {
-        const double l = curve::length(row.line);
+        const double l = surface::curve::length(row.line);
         if (l >= least) return false;
         if (l < margin) return true;
         out.dropped += l, ++out.drops;

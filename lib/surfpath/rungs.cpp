@@ -7,7 +7,7 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kShortest = 0.15, kLongest = 4; // of the step on the first lane: that on any other
+constexpr double kShortestStep = 0.15, kLongestStep = 4; // of the step on the first lane: that on any other
 
 } // namespace
 
@@ -34,7 +34,7 @@ bool follows(const Lanes& lanes, const Rung& a, const Rung& b, double step) {
     for (std::size_t k = 0; k < a.places.size(); ++k) {
         if (a.places[k].lane != b.places[k].lane) return false;
         const double on = lanes.ahead(a.places[k].lane, a.places[k].way, b.places[k].way, a.sense[k]);
-        if (on < kShortest * step || on > kLongest * step) return false;
+        if (on < kShortestStep * step || on > kLongestStep * step) return false;
     }
     return true;
 }
@@ -64,15 +64,15 @@ Place place_at(const Lanes& lanes, const Rungs& rungs, Vec2 uv) {
     if (f < 1e-9) return a;
     const Place b = lanes.at(rungs.lane[k + 1], way_at(lanes, rungs, k + 1, uv.y));
     if (f > 1 - 1e-9) return b;
-    const Line line = curve::join(lanes.surface(), a, b);
-    const auto ways = curve::ways(line);
-    return curve::at(line, ways, f * ways.back());
+    const Line line = surface::curve::join(lanes.surface(), a, b);
+    const auto ways = surface::curve::ways(line);
+    return surface::curve::at(line, ways, f * ways.back());
 }
 
 Line drawn(const Lanes& lanes, const Rungs& rungs, const std::vector<Vec2>& uv) {
     Line out;
     for (const Vec2 p : uv) out.places.push_back(place_at(lanes, rungs, p));
-    return curve::threaded(lanes.surface(), out);
+    return surface::curve::threaded(lanes.surface(), out);
 }
 
 double shortest(const Lanes& lanes, const Rungs& rungs) {

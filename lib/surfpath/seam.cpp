@@ -9,24 +9,24 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSearch = 1;   // spacings between rungs that are tried
-constexpr double kFarthest = 2; // spacings between neighbouring lanes of a seam
-constexpr double kStep = 0.5;   // spacings between rungs of a ladder
-constexpr int kPoints = 3;      // of a line, per rung
-constexpr double kMargin = 0.5; // spacings of lane between windows
-constexpr double kShare = 0.4;  // of a lane that a seam may take
-constexpr double kRidge = 3;    // spacings between lanes that a line goes along the middle of, at most
-constexpr double kRoom = 1.3;   // and at least
-constexpr double kAhead = 0.6;  // cosine of how far a lane turns beside it
-constexpr double kDrift = 6;    // spacings that it takes to go there
-constexpr double kApart = 8;    // spacings between lanes that are joined, at most
-constexpr double kBeside = 1.6; // spacings: how far a neighbouring lane may be
+constexpr double kSearch = 1;         // spacings between rungs that are tried
+constexpr double kFarthest = 2;       // spacings between neighbouring lanes of a seam
+constexpr double kRungStep = 0.5;     // spacings between rungs of a ladder
+constexpr int kPoints = 3;            // of a line, per rung
+constexpr double kMargin = 0.5;       // spacings of lane between windows
+constexpr double kShare = 0.4;        // of a lane that a seam may take
+constexpr double kRidge = 3;          // spacings between lanes that a line goes along the middle of, at most
+constexpr double kLeastRidge = 1.3;   // and at least
+constexpr double kAhead = 0.6;        // cosine of how far a lane turns beside it
+constexpr double kRidgeDrift = 6;     // spacings that it takes to go there
+constexpr double kFarthestJoined = 8; // spacings between lanes that are joined, at most
+constexpr double kNeighbouring = 1.6; // spacings: how far a neighbouring lane may be
 
 // From 0 to 1 with the least curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
 
-End first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
-End last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
+LaneEnd first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
+LaneEnd last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
 
 std::uint32_t cut(Weave& weave, const Rungs& r, std::size_t k) {
     const double a = r.ways.front()[k], b = r.ways.back()[k];
@@ -114,13 +114,14 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, doub
     for (double on = 0; on < lanes.length(lane) / 2; on += step) {
         const double here = way + sense * on;
         const auto over = lanes.across(lane, here, 1, kRidge);
-        if (!over || over->lane != lane || over->distance < kRoom * d) break;
+        if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
         if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
-        const Line line = curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
-        const auto ways = curve::ways(line);
-        out.places.push_back(curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kDrift * d))) * ways.back()));
+        const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
+        const auto ways = surface::curve::ways(line);
+        out.places.push_back(
+            surface::curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
     }
-    return curve::threaded(lanes.surface(), out);
+    return surface::curve::threaded(lanes.surface(), out);
 }
 
 void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
@@ -160,7 +161,7 @@ bool leads_over(const Surface& s, const Line& line) {
 }
 
 // A place where two lanes may change over into each other.
-struct Spot {
+struct Changeover {
     double cost;
     std::uint32_t a, b;
     double way, side, gap;
@@ -180,14 +181,14 @@ class Crossover {
     std::size_t run() {
         find_spots();
         const auto all = [&](const auto& join) {
-            for (const Spot& s : spots_)
+            for (const Changeover& s : spots_)
                 if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) root_[find(s.a)] = find(s.b), --apart_;
         };
-        for (const double share : {1.0, 0.5, 0.2}) all([&](const Spot& s) { return join(s, share * radius_); });
-        for (const double part : {0.15, 0.05}) all([&](const Spot& s) { return turn_back(s, part); });
+        for (const double share : {1.0, 0.5, 0.2}) all([&](const Changeover& s) { return join(s, share * radius_); });
+        for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
         if (apart_ == 1) return 0;
         near_spots();
-        for (const double part : {0.15, 0.05}) all([&](const Spot& s) { return turn_back(s, part); });
+        for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
         return apart_ - 1;
     }
 
@@ -198,11 +199,12 @@ class Crossover {
     }
 
     void find_spots() {
-        spots_across([&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kBeside); });
+        spots_across(
+            [&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kNeighbouring); });
         if (spots_.empty() || !reachable())
             spots_across([&](std::uint32_t l, double way, double side) {
-                const bool beside = lanes_.across(l, way, side, kBeside).has_value();
-                return beside ? std::nullopt : lanes_.across(l, way, side, kApart);
+                const bool beside = lanes_.across(l, way, side, kNeighbouring).has_value();
+                return beside ? std::nullopt : lanes_.across(l, way, side, kFarthestJoined);
             });
         sort_spots();
     }
@@ -239,7 +241,7 @@ class Crossover {
         sort_spots();
     }
     void sort_spots() {
-        std::sort(spots_.begin(), spots_.end(), [](const Spot& a, const Spot& b) {
+        std::sort(spots_.begin(), spots_.end(), [](const Changeover& a, const Changeover& b) {
             return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
         });
     }
@@ -247,7 +249,7 @@ class Crossover {
     bool reachable() {
         auto root = root_;
         std::size_t apart = apart_;
-        for (const Spot& s : spots_)
+        for (const Changeover& s : spots_)
             if (find(s.a) != find(s.b)) root_[find(s.a)] = find(s.b), --apart;
         root_ = std::move(root);
         return apart <= 1;
@@ -260,7 +262,7 @@ class Crossover {
     }
 
     // Where there is no room for that: each turns back into the other, twice.
-    bool turn_back(const Spot& s, double part) {
+    bool turn_back(const Changeover& s, double part) {
         const double d = lanes_.spacing(), half = part * d;
         double there = s.over;
         if (there < 0) {
@@ -274,7 +276,8 @@ class Crossover {
         Line links[2];
         for (const int k : {0, 1}) {
             const double end = k == 0 ? -half : half;
-            links[k] = curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end), lanes_.at(s.b, there + end * sense));
+            links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end),
+                                            lanes_.at(s.b, there + end * sense));
             if (!leads_over(lanes_.surface(), links[k])) return false;
         }
         const std::uint32_t a = weave_.cut(s.a, s.way - half, s.way + half);
@@ -283,7 +286,7 @@ class Crossover {
         return true;
     }
 
-    bool join(const Spot& s, double radius) {
+    bool join(const Changeover& s, double radius) {
         const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
         const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (0.25 * d))));
         const double step = long_ / static_cast<double>(n);
@@ -315,7 +318,7 @@ class Crossover {
     double radius_;
     std::vector<std::uint32_t> root_;
     std::size_t apart_ = 0;
-    std::vector<Spot> spots_;
+    std::vector<Changeover> spots_;
 };
 
 } // namespace

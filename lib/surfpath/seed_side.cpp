@@ -16,7 +16,7 @@ using surface::Surface;
 namespace {
 
 constexpr double kAlong = 0.35;     // slope of the distance along a rim that runs along the seed, at most: 20 degrees
-constexpr double kLong = 5;         // spacings: of a rim that counts as an end, at least
+constexpr double kLongRim = 5;      // spacings: of a rim that counts as an end, at least
 constexpr double kStretch = 0.1;    // of the spacing, at most
 constexpr double kUneven = 0.06;    // of the spacing: by how much it may differ on a side
 constexpr double kTolerance = 1e-3; // mm, of lines
@@ -154,7 +154,7 @@ class Between {
 
 double step(const FarRim& rim, double spacing) {
     const double d = rim.mean / std::max(1.0, std::round(rim.mean / spacing));
-    return rim.length >= kLong * spacing && std::abs(d / spacing - 1) <= kStretch ? d : 0;
+    return rim.length >= kLongRim * spacing && std::abs(d / spacing - 1) <= kStretch ? d : 0;
 }
 
 std::vector<double> levels(double end, double step) {

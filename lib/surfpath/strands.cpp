@@ -13,9 +13,8 @@ namespace {
 using surface::kNone;
 
 constexpr double kTooNear = 0.35; // spacings
-constexpr double kSame = 1e-9;    // spacings: a tie
+constexpr double kTie = 1e-9;     // spacings: a tie
 constexpr double kBrief = 3;      // spacings: what would live, or be dead, for less before a rim is not worth it
-constexpr double kParallel = 0.2; // slope against a rim up to which a strand runs along it
 
 struct Alive {
     double x = 0; // mm along its front
@@ -40,7 +39,7 @@ class March {
   private:
     [[nodiscard]] const Front& front(std::uint32_t f) const { return fronts_.at(level_)[f]; }
 
-    std::uint32_t add(std::uint32_t f, double x, End begin, std::uint32_t group) {
+    std::uint32_t add(std::uint32_t f, double x, StrandEnd begin, std::uint32_t group) {
         Strand s;
         s.first = level_, s.spots = {{f, x}}, s.begin = begin, s.born_with = group;
         out_.strands.push_back(std::move(s));
@@ -60,7 +59,7 @@ class March {
             for (std::uint32_t side = 0; side < 2; ++side)
                 for (std::uint32_t i = 0; i < n; ++i) {
                     const double x = l * (i + (closed ? 0.0 : 0.5)) / n;
-                    const std::uint32_t s = add(f + side, x, End::source, kNone);
+                    const std::uint32_t s = add(f + side, x, StrandEnd::source, kNone);
                     alive_[f + side].push_back({x, s});
                     const std::uint32_t across = closed ? (n - i) % n : n - 1 - i;
                     out_.strands[s].mate = first + (1 - side) * n + across;
@@ -111,7 +110,7 @@ class March {
         const std::uint32_t group = groups_;
         for (std::size_t i = 0; i < n; ++i) {
             const double x = l * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-            row.push_back({x, add(f, x, End::law, group + static_cast<std::uint32_t>(i / law_.group))});
+            row.push_back({x, add(f, x, StrandEnd::law, group + static_cast<std::uint32_t>(i / law_.group))});
         }
         groups_ += static_cast<std::uint32_t>((n + 1) / law_.group);
         out_.born += n;
@@ -152,7 +151,7 @@ class March {
             if (on.line.closed && x < 0) x += l;
             x = std::clamp(x, 0.0, l);
             const auto group = groups_ + static_cast<std::uint32_t>((j - 1) / law_.group);
-            added.push_back({x, add(f, x, End::law, group)});
+            added.push_back({x, add(f, x, StrandEnd::law, group)});
         }
         groups_ += static_cast<std::uint32_t>((n + law_.group - 1) / law_.group);
         out_.born += n;
@@ -162,7 +161,7 @@ class March {
 
     void kill(std::vector<Alive>& row, std::size_t i, std::uint32_t group) {
         Strand& s = out_.strands[row[i].strand];
-        s.end = End::law, s.dies_with = group;
+        s.end = StrandEnd::law, s.dies_with = group;
         ++out_.died;
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -230,13 +229,13 @@ class March {
     bool bear(std::uint32_t f, std::vector<Alive>& row) {
         const auto e = excess(f, row);
         const Windows w = windows(e, front(f).line.closed, 1);
-        const double allowed = (static_cast<double>(law_.group) - most_ + kSame) * d_;
+        const double allowed = (static_cast<double>(law_.group) - most_ + kTie) * d_;
         for (std::size_t i = 0; i < w.sum.size(); ++i) {
             if (!(w.sum[i] > most_ * d_)) continue;
             std::size_t best = e.size();
             for (std::size_t back = 0; back < w.size; ++back) {
                 const std::size_t j = (i + (w.size / 2 + back) % w.size) % w.gaps; // from the middle on
-                if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + kSame * d_)) best = j;
+                if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + kTie * d_)) best = j;
             }
             if (best == e.size()) continue;
             insert(f, row, best, law_.group);
@@ -251,7 +250,7 @@ class March {
         const Windows w = windows(e, front(f).line.closed, -1);
         const std::size_t g = law_.group, size = row.size();
         if (size <= g) return false;
-        const double allowed = (static_cast<double>(g) - most_ + kSame) * d_;
+        const double allowed = (static_cast<double>(g) - most_ + kTie) * d_;
         for (std::size_t i = 0; i < w.sum.size(); ++i) {
             if (!(w.sum[i] > most_ * d_)) continue;
             double least = std::numeric_limits<double>::infinity();
@@ -260,7 +259,7 @@ class March {
                 double sum = 0, room = std::numeric_limits<double>::infinity();
                 for (std::size_t k = j; k <= j + g; ++k)
                     sum += e[k % w.gaps], room = std::min(room, w.least(k % w.gaps));
-                if (room >= allowed && sum < least - kSame * d_) least = sum, best = j % size;
+                if (room >= allowed && sum < least - kTie * d_) least = sum, best = j % size;
             }
             if (best == size) continue;
             const std::uint32_t group = groups_++;
@@ -326,7 +325,7 @@ class March {
 // Strands that died shortly before a rim go on to it.
 void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, std::size_t& died) {
     for (Strand& s : strands) {
-        if (s.end != End::law) continue;
+        if (s.end != StrandEnd::law) continue;
         Strand longer = s;
         bool rim = false;
         while (!rim && static_cast<double>(longer.last() - s.last()) * fronts.step() < brief) {
@@ -335,7 +334,7 @@ void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, st
             rim = !to;
         }
         if (!rim) continue;
-        s = std::move(longer), s.end = End::rim, s.dies_with = kNone;
+        s = std::move(longer), s.end = StrandEnd::rim, s.dies_with = kNone;
         --died;
     }
 }
@@ -346,23 +345,23 @@ void drop_short(Strands& all, const Fronts& fronts, double shortest, double brie
     std::vector<double> length(n);
     for (std::size_t i = 0; i < n; ++i) {
         const Strand& s = all.strands[i];
-        const bool runs_out = s.end == End::rim;
+        const bool runs_out = s.end == StrandEnd::rim;
         length[i] = static_cast<double>(s.last() - s.first) * fronts.step() +
-                    (runs_out ? curve::length(fronts.last(s.last(), s.spots.back())) : 0);
+                    (runs_out ? surface::curve::length(fronts.last(s.last(), s.spots.back())) : 0);
     }
     std::vector<std::uint32_t> number(n, kNone);
     std::vector<Strand> kept;
     for (std::size_t i = 0; i < n; ++i) {
         const Strand& s = all.strands[i];
         const double whole = length[i] + (s.mate != kNone ? length[s.mate] : 0);
-        const double least = s.begin == End::law ? std::max(shortest, brief) : shortest;
+        const double least = s.begin == StrandEnd::law ? std::max(shortest, brief) : shortest;
         if (length[i] > 1e-6 && whole >= least) {
             number[i] = static_cast<std::uint32_t>(kept.size());
             kept.push_back(s);
         } else if (length[i] > 1e-6) {
             all.left_out.push_back({s.last(), s.spots.back(), length[i]});
-            if (s.begin == End::law) --all.born;
-            if (s.end == End::law) --all.died;
+            if (s.begin == StrandEnd::law) --all.born;
+            if (s.end == StrandEnd::law) --all.died;
         }
     }
     for (Strand& s : kept)

@@ -5,7 +5,9 @@
 
 namespace filum::surfpath {
 
-enum class End : std::uint8_t {
+inline constexpr double kParallel = 0.2; // slope against a rim up to which a strand runs along it
+
+enum class StrandEnd : std::uint8_t {
     source, // begins on a source curve
     rim,    // ends at a rim, or where lines from elsewhere come nearer
     law,    // is born, or dies, between its neighbours
@@ -15,7 +17,7 @@ enum class End : std::uint8_t {
 struct Strand {
     std::size_t first = 0;   // level of its first spot
     std::vector<Spot> spots; // one per level
-    End begin = End::source, end = End::rim;
+    StrandEnd begin = StrandEnd::source, end = StrandEnd::rim;
     std::uint32_t born_with = surface::kNone, dies_with = surface::kNone; // same numbers: those of one group
     std::uint32_t mate = surface::kNone; // the strand that begins on the other side of the source at the same place
 

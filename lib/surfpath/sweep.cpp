@@ -1,12 +1,14 @@
 #include "surfpath/order.hpp"
 
+#include "surface/surface.hpp"
+
 #include <algorithm>
 
 namespace filum::surfpath {
 
 namespace {
 
-constexpr std::uint32_t kNo = ~std::uint32_t{0};
+using surface::kNone;
 
 class Sweep {
   public:
@@ -22,13 +24,13 @@ class Sweep {
     std::vector<std::uint32_t> run() {
         std::vector<std::uint32_t> out;
         while (out.size() < next_.size()) {
-            std::uint32_t best = kNo;
+            std::uint32_t best = kNone;
             long least = 0;
             for (std::uint32_t r = 0; r < next_.size(); ++r) {
                 if (taken_[r] != 0 || !linked(r)) continue;
-                if (const long g = growth(r); best == kNo || g < least) best = r, least = g;
+                if (const long g = growth(r); best == kNone || g < least) best = r, least = g;
             }
-            if (best == kNo) best = loosest();
+            if (best == kNone) best = loosest();
             taken_[best] = 1;
             for (const std::uint32_t n : next_[best]) --missing_[n];
             out.push_back(best);
@@ -48,9 +50,9 @@ class Sweep {
     }
 
     [[nodiscard]] std::uint32_t loosest() const {
-        std::uint32_t best = kNo;
+        std::uint32_t best = kNone;
         for (std::uint32_t r = 0; r < next_.size(); ++r)
-            if (taken_[r] == 0 && (best == kNo || next_[r].size() < next_[best].size())) best = r;
+            if (taken_[r] == 0 && (best == kNone || next_[r].size() < next_[best].size())) best = r;
         return best;
     }
 

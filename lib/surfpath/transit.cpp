@@ -11,7 +11,7 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kExact = 8;
 
 // From one place of a ring to another: how far ahead, negative if back; the shorter way round.
@@ -27,13 +27,13 @@ double ahead(const Line& ring, std::span<const double> ways, double from, double
 // The best tour of all chains, by dynamic programming over sets (Held, Karp 1962).
 std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
     const std::uint32_t sets = 1u << n;
-    std::vector<double> best(sets * 2 * n, kFar); // by set and the end that the tour leaves from
+    std::vector<double> best(sets * 2 * n, kUnreached); // by set and the end that the tour leaves from
     std::vector<std::uint32_t> before(best.size(), kNone);
     for (std::uint32_t e = 0; e < 2 * n; ++e) best[(1u << (e / 2)) * 2 * n + e] = 0;
     for (std::uint32_t set = 1; set < sets; ++set)
         for (std::uint32_t e = 0; e < 2 * n; ++e) {
             const double so_far = best[set * 2 * n + e];
-            if (!(so_far < kFar)) continue;
+            if (!(so_far < kUnreached)) continue;
             for (std::uint32_t in = 0; in < 2 * n; ++in) {
                 if ((set >> (in / 2) & 1u) != 0) continue;
                 const std::uint32_t to = (set | 1u << (in / 2)) * 2 * n + (in ^ 1u);
@@ -74,7 +74,7 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
     for (std::uint32_t r = 0; r < rows.rows.size(); ++r) {
         const Row& row = rows.rows[r];
         if (row.line.closed) continue;
-        const double l = curve::length(row.line);
+        const double l = surface::curve::length(row.line);
         steps_[2 * r].push_back({2 * r + 1, l});
         steps_[2 * r + 1].push_back({2 * r, l});
         if (row.begin.ring != kNone) on[row.begin.ring].emplace_back(row.begin.way, 2 * r);
@@ -95,7 +95,7 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
 }
 
 Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
-    Tree out{std::vector<double>(steps_.size(), kFar), std::vector<std::uint32_t>(steps_.size(), kNone)};
+    Tree out{std::vector<double>(steps_.size(), kUnreached), std::vector<std::uint32_t>(steps_.size(), kNone)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
     out.length[from] = 0;
@@ -122,15 +122,15 @@ Line Transits::along(std::uint32_t from, std::uint32_t to) const {
     const Line& ring = rows_.inset.rings[a.ring];
     const auto& ways = rows_.inset.ways[a.ring];
     const double on = ahead(ring, ways, a.way, b.way);
-    if (on >= 0) return curve::part(ring, ways, a.way, a.way + on);
-    Line out = curve::part(ring, ways, b.way, b.way - on);
-    curve::reverse(out);
+    if (on >= 0) return surface::curve::part(ring, ways, a.way, a.way + on);
+    Line out = surface::curve::part(ring, ways, b.way, b.way - on);
+    surface::curve::reverse(out);
     return out;
 }
 
 std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to) const {
     const Tree tree = search(from, to);
-    if (!(tree.length[to] < kFar)) return std::nullopt;
+    if (!(tree.length[to] < kUnreached)) return std::nullopt;
     std::vector<std::uint32_t> ends{to};
     while (ends.back() != from) ends.push_back(tree.before[ends.back()]);
     std::reverse(ends.begin(), ends.end());
@@ -139,13 +139,13 @@ std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to)
         if ((ends[i - 1] ^ 1u) != ends[i]) {
             Line next = along(ends[i - 1], ends[i]);
             if (i > 1 && (ends[i - 2] ^ 1u) != ends[i - 1])
-                curve::append(out.stretches.back(), next);
+                surface::curve::append(out.stretches.back(), next);
             else
                 out.stretches.push_back(std::move(next));
             continue;
         }
         out.stretches.push_back(rows_.rows[ends[i] / 2].line);
-        if (ends[i] % 2 == 0) curve::reverse(out.stretches.back());
+        if (ends[i] % 2 == 0) surface::curve::reverse(out.stretches.back());
     }
     return out;
 }

@@ -8,8 +8,8 @@ namespace filum::surfpath {
 namespace {
 
 constexpr double kArcStep = 1.0 / 180 * std::numbers::pi;
-constexpr double kSmooth = 0.5;   // mm to either side of a point: what says where a row leads there
-constexpr double kAllowed = 0.01; // mm beyond the bound
+constexpr double kHeadingSpan = 0.5; // mm to either side of a point: what says where a row leads there
+constexpr double kAllowed = 0.01;    // mm beyond the bound
 constexpr int kPushes = 6;
 constexpr double kAsWide = 0.97; // of the radius: what a single arc may have instead
 
@@ -20,8 +20,8 @@ class Side {
         ways_.push_back(0);
         for (std::size_t i = 1; i < row.size(); ++i) ways_.push_back(ways_.back() + distance(row[i - 1], row[i]));
         for (std::size_t i = 0, from = 0, to = 0; i < row.size(); ++i) {
-            while (ways_[i] - ways_[from] > kSmooth) ++from;
-            while (to + 1 < row.size() && ways_[to] - ways_[i] < kSmooth) ++to;
+            while (ways_[i] - ways_[from] > kHeadingSpan) ++from;
+            while (to + 1 < row.size() && ways_[to] - ways_[i] < kHeadingSpan) ++to;
             const Vec2 d = row[to] - row[from];
             const double l = norm(d);
             const Vec2 n = l > 0 ? 1 / l * geom::left_of(d) : Vec2{1, 0};

@@ -1,7 +1,7 @@
 #include "surfpath/turner.hpp"
 
-#include "curve/ease.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/turn.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace filum::surfpath {
 
-using curve::Chart;
+using surface::curve::Chart;
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr double kEasedWider = 1.15; // likewise, of ways along rims
 constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
 constexpr double kTurning = 0.25;    // mm
-constexpr double kBeside = 0.5;      // mm beside what is tight that are declared with it
+constexpr double kBesideTight = 0.5; // mm beside what is tight that are declared with it
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -49,12 +49,12 @@ double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, doub
 } // namespace
 
 Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o)
-    : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(curve::vertex_normals(s)) {
+    : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(surface::curve::vertex_normals(s)) {
     for (const Row& row : rows.rows) {
-        ways_.push_back(curve::ways(row.line));
+        ways_.push_back(surface::curve::ways(row.line));
         reversed_.push_back(row.line);
-        curve::reverse(reversed_.back());
-        ways_reversed_.push_back(curve::ways(reversed_.back()));
+        surface::curve::reverse(reversed_.back());
+        ways_reversed_.push_back(surface::curve::ways(reversed_.back()));
     }
 }
 
@@ -64,7 +64,7 @@ std::vector<LaidTurn> Turner::turns() const {
     for (std::uint32_t a = 0; a < n; ++a)
         for (std::uint32_t b = a + 1; b < n; ++b) {
             if (same_line(a, b)) {
-                const double l = curve::length(transits_.along(a, b));
+                const double l = surface::curve::length(transits_.along(a, b));
                 if (l > 0) out.push_back({a, b, 0, 0, 0, l, {}});
             } else if (a / 2 != b / 2 && near(a, b)) {
                 if (auto t = lay(a, b); t.line.size() > 1) out.push_back(std::move(t));
@@ -75,25 +75,25 @@ std::vector<LaidTurn> Turner::turns() const {
 
 Line Turner::stretch(std::uint32_t in, double off_begin, double off_end) const {
     const auto w = ways_inwards(in);
-    return curve::part(inwards(in), w, off_begin, w.back() - off_end);
+    return surface::curve::part(inwards(in), w, off_begin, w.back() - off_end);
 }
 
 LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
     const double most = kRunUp * o_.least_radius;
     LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}};
-    Line line = curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
-    curve::reverse(line);
-    for (const Line& l : stretches) curve::append(line, l);
-    curve::append(line, curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
-    line = curve::threaded(surface_, line);
-    auto eased =
-        curve::ease(surface_, line, {.radius = kEasedWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
+    Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
+    surface::curve::reverse(line);
+    for (const Line& l : stretches) surface::curve::append(line, l);
+    surface::curve::append(line, surface::curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
+    line = surface::curve::threaded(surface_, line);
+    auto eased = surface::curve::ease(
+        surface_, line, {.radius = kEasedWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
     // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
-    const auto k = turning(out.line, curve::ways(out.line));
+    const auto k = turning(out.line, surface::curve::ways(out.line));
     out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
     return out;
 }
@@ -102,10 +102,10 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
 std::vector<double> Turner::turning(const Line& line, std::span<const double> w) const {
     std::vector<double> out{0};
     for (double at = kTurning; at + kTurning <= w.back(); at += kTurning) {
-        const Place here = curve::at(line, w, at);
-        const Vec3 a = here.point - curve::at(line, w, at - kTurning).point;
-        const Vec3 b = curve::at(line, w, at + kTurning).point - here.point;
-        const Vec3 m = curve::normal_at(surface_, normals_, here);
+        const Place here = surface::curve::at(line, w, at);
+        const Vec3 a = here.point - surface::curve::at(line, w, at - kTurning).point;
+        const Vec3 b = surface::curve::at(line, w, at + kTurning).point - here.point;
+        const Vec3 m = surface::curve::normal_at(surface_, normals_, here);
         out.push_back(std::abs(std::atan2(dot(cross(a, b), m), dot(a, b) - dot(a, m) * dot(b, m))) / kTurning);
     }
     return out;
@@ -113,22 +113,22 @@ std::vector<double> Turner::turning(const Line& line, std::span<const double> w)
 
 std::vector<Piece> Turner::pieces(const LaidTurn& turn) const {
     if (!hairpin(turn.radius)) return {{turn.line, false}};
-    const auto w = curve::ways(turn.line);
+    const auto w = surface::curve::ways(turn.line);
     const auto k = turning(turn.line, w);
     std::vector<Piece> out;
     double begin = 0, end = 0; // of what is tight, or joined to it because it is near
     for (std::size_t i = 0; i < k.size(); ++i) {
         if (!hairpin(1 / std::max(1e-9, k[i]))) continue;
-        const double from = kTurning * static_cast<double>(i) - kBeside, to = from + 2 * kBeside;
+        const double from = kTurning * static_cast<double>(i) - kBesideTight, to = from + 2 * kBesideTight;
         if (from > end || end == 0) {
-            if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
-            if (from > end) out.push_back({curve::part(turn.line, w, end, from), false});
+            if (end > begin) out.push_back({surface::curve::part(turn.line, w, begin, end), true});
+            if (from > end) out.push_back({surface::curve::part(turn.line, w, end, from), false});
             begin = std::max(0.0, from);
         }
         end = std::min(to, w.back());
     }
-    if (end > begin) out.push_back({curve::part(turn.line, w, begin, end), true});
-    if (end < w.back()) out.push_back({curve::part(turn.line, w, end, w.back()), false});
+    if (end > begin) out.push_back({surface::curve::part(turn.line, w, begin, end), true});
+    if (end < w.back()) out.push_back({surface::curve::part(turn.line, w, end, w.back()), false});
     return out;
 }
 
@@ -149,7 +149,7 @@ std::span<const double> Turner::ways_inwards(std::uint32_t end) const {
 Vec3 Turner::tangent(std::uint32_t end) const {
     const Line& l = inwards(end);
     const auto w = ways_inwards(end);
-    const Vec3 d = curve::at(l, w, std::min(w.back(), 0.5 * o_.spacing)).point - l[0];
+    const Vec3 d = surface::curve::at(l, w, std::min(w.back(), 0.5 * o_.spacing)).point - l[0];
     return 1 / std::max(1e-12, norm(d)) * d;
 }
 
@@ -179,9 +179,10 @@ bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     LaidTurn out{a, b, 0, 0, 0, 0, {}};
     const Place pa = inwards(a).places[0], pb = inwards(b).places[0];
-    const Vec3 sum = curve::normal_at(surface_, normals_, pa) + curve::normal_at(surface_, normals_, pb);
+    const Vec3 sum =
+        surface::curve::normal_at(surface_, normals_, pa) + surface::curve::normal_at(surface_, normals_, pb);
     if (!(norm(sum) > 0.5)) return out;
-    const Chart flat = curve::chart(pa, 1 / norm(sum) * sum, pb.point - pa.point);
+    const Chart flat = surface::curve::chart(pa, 1 / norm(sum) * sum, pb.point - pa.point);
     const double reach = 6 * o_.least_radius + norm(flat.to(pb.point));
     const bool flip = dot(tangent(a) + tangent(b), flat.y) > 0; // rows come from below
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
@@ -195,10 +196,10 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     std::vector<Vec2> points = t.points;
     if (flip)
         for (Vec2& p : points) p.y = -p.y;
-    const Place begin = curve::at(inwards(a), ways_inwards(a), out.from_trim);
-    const Place end = curve::at(inwards(b), ways_inwards(b), out.to_trim);
+    const Place begin = surface::curve::at(inwards(a), ways_inwards(a), out.from_trim);
+    const Place end = surface::curve::at(inwards(b), ways_inwards(b), out.to_trim);
     points.front() = flat.to(begin.point), points.back() = flat.to(end.point);
-    auto laid = curve::lay(surface_, flat, begin, points);
+    auto laid = surface::curve::lay(surface_, flat, begin, points);
     if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6) return out;
     laid.line.places.back() = end;
     for (const Place& p : laid.line.places)

@@ -22,21 +22,21 @@ std::uint32_t Weave::cut(std::uint32_t lane, double from, double to) {
     return w;
 }
 
-void Weave::link(End a, End b, Line line) {
+void Weave::link(LaneEnd a, LaneEnd b, Line line) {
     Line back = line;
-    curve::reverse(back);
+    surface::curve::reverse(back);
     links_[index(a)] = {b, std::move(line), false};
     links_[index(b)] = {a, std::move(back), false};
     linked_[index(a)] = linked_[index(b)] = 1;
 }
 
-void Weave::tail(End a, Line line) {
+void Weave::tail(LaneEnd a, Line line) {
     links_[index(a)] = {a, std::move(line), true};
     linked_[index(a)] = 1;
 }
 
 // What remains of the lane from one end to the next window.
-Line Weave::arc(End from, End& to) const {
+Line Weave::arc(LaneEnd from, LaneEnd& to) const {
     const Window& w = windows_[from.window];
     const double all = lanes_.length(w.lane), at = from.after ? w.from + w.length : w.from;
     double least = all;
@@ -52,22 +52,22 @@ Line Weave::arc(End from, End& to) const {
     to = {best, !from.after};
     if (from.after) return lanes_.part(w.lane, at, at + least);
     Line out = lanes_.part(w.lane, at - least, at);
-    curve::reverse(out);
+    surface::curve::reverse(out);
     return out;
 }
 
-Weave::Course Weave::follow(End from, std::vector<char>& seen) const {
+Weave::Course Weave::follow(LaneEnd from, std::vector<char>& seen) const {
     Course out;
-    const End first = from;
+    const LaneEnd first = from;
     for (;;) {
         seen[index(from)] = 1;
-        End to;
-        curve::append(out.line, arc(from, to));
+        LaneEnd to;
+        surface::curve::append(out.line, arc(from, to));
         seen[index(to)] = 1;
         out.lanes.push_back(windows_[to.window].lane);
         if (!linked_[index(to)]) break;
         const Link& link = links_[index(to)];
-        curve::append(out.line, link.line);
+        surface::curve::append(out.line, link.line);
         if (link.open) break;
         from = link.to;
         if (from.window == first.window && from.after == first.after) {
@@ -86,13 +86,13 @@ std::vector<Weave::Course> Weave::courses() const {
     for (const bool closed : {false, true})
         for (std::uint32_t w = 0; w < windows_.size(); ++w)
             for (const bool after : {false, true}) {
-                const End e{w, after};
+                const LaneEnd e{w, after};
                 if (seen[index(e)] || (!closed && linked_[index(e)] && !links_[index(e)].open)) continue;
                 Course course = follow(e, seen);
                 if (!closed && linked_[index(e)]) {
                     Line head = links_[index(e)].line;
-                    curve::reverse(head);
-                    curve::append(head, course.line);
+                    surface::curve::reverse(head);
+                    surface::curve::append(head, course.line);
                     course.line = std::move(head);
                 }
                 out.push_back(std::move(course));

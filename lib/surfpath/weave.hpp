@@ -6,7 +6,7 @@
 namespace filum::surfpath {
 
 // An end of what remains of a lane beside a window: before it, or after it in the direction of the lane.
-struct End {
+struct LaneEnd {
     std::uint32_t window = 0;
     bool after = false;
 };
@@ -22,8 +22,8 @@ class Weave {
     std::uint32_t cut(std::uint32_t lane, double from, double to);
 
     // Joins two ends by a line from the first to the second; a line from the first to nowhere.
-    void link(End a, End b, Line line);
-    void tail(End a, Line line);
+    void link(LaneEnd a, LaneEnd b, Line line);
+    void tail(LaneEnd a, Line line);
 
     // The lines that come of it: open ones by their first free ends, then closed ones.
     struct Course {
@@ -39,13 +39,13 @@ class Weave {
         double from, length;
     };
     struct Link {
-        End to;
+        LaneEnd to;
         Line line;
         bool open = false; // leads nowhere
     };
-    [[nodiscard]] std::size_t index(End e) const { return 2 * std::size_t{e.window} + (e.after ? 1 : 0); }
-    [[nodiscard]] Line arc(End from, End& to) const;
-    [[nodiscard]] Course follow(End from, std::vector<char>& seen) const;
+    [[nodiscard]] std::size_t index(LaneEnd e) const { return 2 * std::size_t{e.window} + (e.after ? 1 : 0); }
+    [[nodiscard]] Line arc(LaneEnd from, LaneEnd& to) const;
+    [[nodiscard]] Course follow(LaneEnd from, std::vector<char>& seen) const;
 
     const Lanes& lanes_;
     std::vector<Window> windows_;

@@ -1,6 +1,6 @@
 #include "surfpath/winding.hpp"
 
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ namespace filum::surfpath {
 namespace {
 
 constexpr std::size_t kSamples = 24; // of a ring, to tell whether another runs beside it
-constexpr double kBeside = 1.6;      // of the difference of levels: how far apart rings beside each other may be
-constexpr double kStep = 0.4;        // of the spacing, between places of a spiral
+constexpr double kRingsBeside = 1.6; // of the difference of levels: how far apart rings beside each other may be
+constexpr double kSpiralStep = 0.4;  // of the spacing, between places of a spiral
 constexpr double kNearInset = 2;     // spacings: from where the spiral's end is led to the inset
 
 struct Foot {
@@ -31,27 +31,27 @@ Foot foot(const Line& line, std::span<const double> ways, const Vec3& p) {
     return out;
 }
 
-struct Ring {
+struct Contour {
     Line line;
     std::vector<double> ways;
     double level;
 };
 
-bool beside(const Ring& a, const Ring& b) {
-    const double most = kBeside * std::abs(a.level - b.level);
+bool beside(const Contour& a, const Contour& b) {
+    const double most = kRingsBeside * std::abs(a.level - b.level);
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double f = static_cast<double>(i) / kSamples;
-        if (foot(b.line, b.ways, curve::at(a.line, a.ways, f * a.ways.back()).point).far > most) return false;
-        if (foot(a.line, a.ways, curve::at(b.line, b.ways, f * b.ways.back()).point).far > most) return false;
+        if (foot(b.line, b.ways, surface::curve::at(a.line, a.ways, f * a.ways.back()).point).far > most) return false;
+        if (foot(a.line, a.ways, surface::curve::at(b.line, b.ways, f * b.ways.back()).point).far > most) return false;
     }
     return true;
 }
 
 // Rings in chains, each beside the next.
-std::vector<std::vector<Ring>> chained(std::vector<Ring> rings, double spacing) {
-    std::vector<std::vector<Ring>> out;
-    for (Ring& ring : rings) {
-        std::vector<Ring>* to = nullptr;
+std::vector<std::vector<Contour>> chained(std::vector<Contour> rings, double spacing) {
+    std::vector<std::vector<Contour>> out;
+    for (Contour& ring : rings) {
+        std::vector<Contour>* to = nullptr;
         for (auto& chain : out)
             if (const double rise = ring.level - chain.back().level;
                 rise > 0 && rise < 1.5 * spacing && beside(chain.back(), ring)) {
@@ -67,9 +67,9 @@ std::vector<std::vector<Ring>> chained(std::vector<Ring> rings, double spacing) 
 class Winder {
   public:
     Winder(const Surface& s, const Rows& rows, double spacing)
-        : surface_(s), rows_(rows), spacing_(spacing), normals_(curve::vertex_normals(s)) {}
+        : surface_(s), rows_(rows), spacing_(spacing), normals_(surface::curve::vertex_normals(s)) {}
 
-    [[nodiscard]] Row wound(const std::vector<Ring>& chain, bool from_rim) const {
+    [[nodiscard]] Row wound(const std::vector<Contour>& chain, bool from_rim) const {
         Row out;
         out.level = chain.front().level;
         const auto [port, to_inset] = landing(chain.back());
@@ -77,32 +77,34 @@ class Winder {
         Line line;
         if (from_rim || chain.size() == 1) {
             const double lap = chain.front().ways.back();
-            line = curve::part(chain.front().line, chain.front().ways, at - lap, at);
+            line = surface::curve::part(chain.front().line, chain.front().ways, at - lap, at);
         }
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const Line lap = over(chain[i], at, chain[i + 1]);
-            curve::append(line, lap);
+            surface::curve::append(line, lap);
             at = foot(chain[i + 1].line, chain[i + 1].ways, line.places.back().point).way;
         }
-        const Ring& last = chain.back();
+        const Contour& last = chain.back();
         if (chain.size() > 1) {
             double to = port.ring == surface::kNone ? at + last.ways.back() : to_inset;
             const double lap = last.ways.back();
             while (to < at + 0.25 * lap) to += lap;
             while (to > at + 1.25 * lap) to -= lap;
-            if (to > at + lap) curve::append(line, curve::part(last.line, last.ways, at, at + lap)), to -= lap;
-            if (to > at) curve::append(line, curve::part(last.line, last.ways, at, to));
+            if (to > at + lap)
+                surface::curve::append(line, surface::curve::part(last.line, last.ways, at, at + lap)), to -= lap;
+            if (to > at) surface::curve::append(line, surface::curve::part(last.line, last.ways, at, to));
         }
         if (port.ring != surface::kNone)
-            line.places.push_back(curve::at(rows_.inset.rings[port.ring], rows_.inset.ways[port.ring], port.way));
-        out.line = curve::threaded(surface_, line);
+            line.places.push_back(
+                surface::curve::at(rows_.inset.rings[port.ring], rows_.inset.ways[port.ring], port.way));
+        out.line = surface::curve::threaded(surface_, line);
         out.end = port;
         return out;
     }
 
   private:
     // Where the spiral that ends on `ring` lands on the inset, and from where on the ring.
-    [[nodiscard]] std::pair<Port, double> landing(const Ring& ring) const {
+    [[nodiscard]] std::pair<Port, double> landing(const Contour& ring) const {
         Port port;
         double least = kNearInset * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
@@ -113,18 +115,20 @@ class Winder {
     }
 
     // Where on the first ring to begin, so that the last lap comes to be half a lap before its end.
-    [[nodiscard]] double start(const std::vector<Ring>& chain) const {
+    [[nodiscard]] double start(const std::vector<Contour>& chain) const {
         const auto [port, to_inset] = landing(chain.back());
         double way = port.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
         for (std::size_t i = chain.size() - 1; i-- > 0;)
-            way = foot(chain[i].line, chain[i].ways, curve::at(chain[i + 1].line, chain[i + 1].ways, way).point).way;
+            way =
+                foot(chain[i].line, chain[i].ways, surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)
+                    .way;
         return way;
     }
 
     // A lap from `at` on one ring that goes over to the other.
-    [[nodiscard]] Line over(const Ring& ring, double at, const Ring& to) const {
+    [[nodiscard]] Line over(const Contour& ring, double at, const Contour& to) const {
         const double all = ring.ways.back(), gap = std::abs(to.level - ring.level);
-        const auto n = static_cast<std::size_t>(std::max(48.0, std::ceil(all / (kStep * spacing_))));
+        const auto n = static_cast<std::size_t>(std::max(48.0, std::ceil(all / (kSpiralStep * spacing_))));
         const double side = outward(ring, at, to, gap);
         Line out;
         for (std::size_t i = 0; i <= n; ++i) {
@@ -136,17 +140,17 @@ class Winder {
     }
 
     // The place beside the ring, mm to its left.
-    [[nodiscard]] Place aside(const Ring& ring, double way, double left) const {
-        const Place p = curve::at(ring.line, ring.ways, way);
+    [[nodiscard]] Place aside(const Contour& ring, double way, double left) const {
+        const Place p = surface::curve::at(ring.line, ring.ways, way);
         if (left == 0) return p;
         const double h = std::min(0.5 * spacing_, ring.ways.back() / 16);
-        const Vec3 along =
-            curve::at(ring.line, ring.ways, way + h).point - curve::at(ring.line, ring.ways, way - h).point;
-        const Vec3 across = cross(curve::normal_at(surface_, normals_, p), along);
-        return curve::step(surface_, p, left / norm(across) * across);
+        const Vec3 along = surface::curve::at(ring.line, ring.ways, way + h).point -
+                           surface::curve::at(ring.line, ring.ways, way - h).point;
+        const Vec3 across = cross(surface::curve::normal_at(surface_, normals_, p), along);
+        return surface::curve::step(surface_, p, left / norm(across) * across);
     }
 
-    [[nodiscard]] double outward(const Ring& ring, double at, const Ring& to, double gap) const {
+    [[nodiscard]] double outward(const Contour& ring, double at, const Contour& to, double gap) const {
         const auto off = [&](double left) { return foot(to.line, to.ways, aside(ring, at, left).point).far; };
         return off(gap) <= off(-gap) ? 1 : -1;
     }
@@ -160,9 +164,9 @@ class Winder {
 } // namespace
 
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
-    std::vector<Ring> rings;
+    std::vector<Contour> rings;
     for (const Row& row : rows.rows)
-        if (row.line.closed) rings.push_back({row.line, curve::ways(row.line), row.level});
+        if (row.line.closed) rings.push_back({row.line, surface::curve::ways(row.line), row.level});
     if (rings.empty()) return;
     const Winder winder(s, rows, spacing);
     std::vector<Row> wound;

@@ -3,12 +3,13 @@
 setup() {
     check="$BATS_TEST_DIRNAME/../../scripts/check-layers"
     tree="$BATS_TEST_TMPDIR/tree"
-    mkdir -p "$tree"/lib/base "$tree"/lib/geom "$tree"/lib/cli "$tree"/cmds "$tree"/tests/lib/geom
+    mkdir -p "$tree"/lib/base "$tree"/lib/geom "$tree"/lib/cli "$tree"/cmds "$tree"/docs "$tree"/tests/lib/geom
     printf 'base:\ngeom: base\ncli: base\n' >"$tree/lib/LAYERS"
     printf '#pragma once\nnamespace filum {\n}\n' >"$tree/lib/base/error.hpp"
     printf '#pragma once\n#include "base/error.hpp"\n#include <vector>\nnamespace filum::geom {\n}\n' >"$tree/lib/geom/vec.hpp"
     printf '#include "base/error.hpp"\n#include <CLI/CLI.hpp>\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/parse.cpp"
     printf '// cut - cuts\n// reads:  a\n// writes: b\n// memory: c\n#include "geom/vec.hpp"\n' >"$tree/cmds/cut.cpp"
+    echo 'Folders: `base`, `geom`, `cli`.' >"$tree/docs/architecture.md"
 }
 
 # The check fails, and one finding contains $1.
@@ -52,6 +53,62 @@ finds() {
     mkdir "$tree/lib/fill"
     printf 'namespace filum::fill {\n}\n' >"$tree/lib/fill/fill.cpp"
     finds 'lib/fill: has no line'
+}
+
+# Gives the tree two folders within a folder: mesh/step and mesh/text; mesh itself has no sources.
+nest() {
+    mkdir -p "$tree"/lib/mesh/step "$tree"/lib/mesh/text
+    printf 'base:\ngeom: base\nmesh/text: base\nmesh/step: base mesh/text\ncli: base mesh/step\n' >"$tree/lib/LAYERS"
+    printf '#pragma once\nnamespace filum::mesh::text {\n}\n' >"$tree/lib/mesh/text/text.hpp"
+    printf '#include "mesh/text/text.hpp"\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/step/step.cpp"
+    echo 'And `mesh/step`, `mesh/text`.' >>"$tree/docs/architecture.md"
+}
+
+@test "folders within folders pass" {
+    nest
+    printf '#include "mesh/step/step.hpp"\nnamespace filum::mesh::step {\nclass A;\n}\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"
+    printf '#pragma once\nnamespace filum::mesh::step::detail {\n}\n' >"$tree/lib/mesh/step/step.hpp"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+}
+
+@test "a folder within a folder that LAYERS does not allow" {
+    nest
+    printf '#include "mesh/step/step.hpp"\nnamespace filum::mesh::text {\n}\n' >"$tree/lib/mesh/text/more.cpp"
+    printf '#pragma once\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/step/step.hpp"
+    finds 'lib/mesh/text/more.cpp:1: lib/mesh/text includes lib/mesh/step'
+    rm "$tree/lib/mesh/text/more.cpp"
+    printf '#include "mesh/text/text.hpp"\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"
+    finds 'lib/cli/more.cpp:1: lib/cli includes lib/mesh/text'
+}
+
+@test "a folder within a folder without a line" {
+    nest
+    mkdir "$tree/lib/mesh/off"
+    printf 'namespace filum::mesh::off {\n}\n' >"$tree/lib/mesh/off/off.cpp"
+    finds 'lib/mesh/off: has no line'
+    rm -r "$tree/lib/mesh/off"
+    printf 'namespace filum::mesh {\n}\n' >"$tree/lib/mesh/mesh.cpp"
+    finds 'lib/mesh: has no line'
+}
+
+@test "a line for a folder that has only folders" {
+    nest
+    sed -i '1a mesh: base' "$tree/lib/LAYERS"
+    finds "'mesh' has no folder in lib/ with sources"
+}
+
+@test "code of a folder within a folder in another namespace" {
+    nest
+    printf 'namespace filum::step {\n}\n' >"$tree/lib/mesh/step/more.cpp"
+    finds 'lib/mesh/step/more.cpp:1: has nothing in namespace filum::mesh::step'
+    printf 'namespace filum::mesh::step {\n}\nnamespace filum::mesh {\n}\n' >"$tree/lib/mesh/step/more.cpp"
+    finds 'lib/mesh/step/more.cpp:3: opens namespace filum::mesh;'
+    printf 'namespace filum::mesh::stepping {\n}\n' >"$tree/lib/mesh/step/more.cpp"
+    finds 'more.cpp:1: has nothing in namespace filum::mesh::step'
+    printf 'namespace filum::mesh::text {\n}\nnamespace filum::mesh::step {\n}\n' >"$tree/lib/mesh/text/more.cpp"
+    finds 'lib/mesh/text/more.cpp:3: opens namespace filum::mesh::step;'
 }
 
 @test "an include that is not under lib" {
@@ -116,7 +173,6 @@ finds() {
 }
 
 @test "a path of one machine" {
-    mkdir "$tree/docs"
     for path in work/main root/x home/me Users/me tmp/x; do
         printf 'see %s\n' "/$path" >"$tree/docs/a.md"
         finds "docs/a.md:1: names '/"
@@ -132,9 +188,24 @@ finds() {
 }
 
 @test "a link that leads nowhere" {
-    mkdir "$tree/docs"
     printf '[a](b.md) [c](../lib/LAYERS) [d](https://example.org/e)\n' >"$tree/docs/a.md"
     finds "docs/a.md:1: links to 'b.md'"
     echo x >"$tree/docs/b.md"
     "$check" "$tree"
+}
+
+@test "a folder that the page on architecture does not name" {
+    nest
+    "$check" "$tree"
+    sed -i 's/`mesh.step`/`mesh`, step/' "$tree/docs/architecture.md"
+    finds 'docs/architecture.md: does not name the folder `mesh/step`'
+    rm "$tree/docs/architecture.md"
+    finds 'docs/architecture.md: is missing'
+}
+
+@test "a page that names what is not in lib" {
+    echo 'See `lib/geom`, `lib/geom/vec.hpp`, `lib/NAME` and `lib/geom/NAME`.' >"$tree/docs/a.md"
+    "$check" "$tree"
+    echo 'See `lib/geom/box.hpp`.' >>"$tree/docs/a.md"
+    finds "docs/a.md:2: names 'lib/geom/box.hpp', which is not there"
 }

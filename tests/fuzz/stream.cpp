@@ -1,6 +1,6 @@
 // Any bytes as a stream: read to the end, every frame taken for what it says it is, and shown.
+#include "app/peek/text.hpp"
 #include "base/error.hpp"
-#include "show/text.hpp"
 #include "stream/reader.hpp"
 
 #include <sys/mman.h>
@@ -12,17 +12,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (::ftruncate(file, 0) != 0 || ::pwrite(file, data, size, 0) != static_cast<ssize_t>(size)) return 0;
     try {
         stream::Reader reader("/proc/self/fd/" + std::to_string(file), stream::Payload::unknown);
-        show::json(reader.header());
-        show::script(reader.header(), true);
-        show::Summary summary;
+        app::peek::json(reader.header());
+        app::peek::script(reader.header(), true);
+        app::peek::Summary summary;
         while (const auto frame = reader.next()) {
-            const auto record = show::record(*frame);
-            show::text(record, 6);
-            show::json(record);
-            show::add(summary, *frame, record);
+            const auto record = app::peek::record(*frame);
+            app::peek::text(record, 6);
+            app::peek::json(record);
+            app::peek::add(summary, *frame, record);
         }
-        show::text(summary);
-        show::json(summary);
+        app::peek::text(summary);
+        app::peek::json(summary);
     } catch (const Error&) { // the one way out that is right
     }
     return 0;

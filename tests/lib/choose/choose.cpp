@@ -12,7 +12,7 @@
 namespace filum::choose {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The rectangle [0, a] x [0, b] in cells of about 1 mm, put into space, pulled with 1 MPa along `pull`.
 Sheet sheet(double a, double b, const std::function<Vec3(Vec3)>& lift, const std::function<Vec3(Vec3)>& pull) {
@@ -41,7 +41,7 @@ Sheet sheet(double a, double b, const std::function<Vec3(Vec3)>& lift, const std
 Vec3 flat(Vec3 p) { return p; }
 
 std::function<Vec3(Vec3)> towards(double deg) {
-    return [deg](Vec3) { return Vec3{std::cos(deg * kPi / 180), std::sin(deg * kPi / 180), 0}; };
+    return [deg](Vec3) { return Vec3{std::cos(deg * pi / 180), std::sin(deg * pi / 180), 0}; };
 }
 
 // A quarter of the ring between 20 and 20 + b mm about the origin, pulled round it.
@@ -49,7 +49,7 @@ Sheet ring(double b) {
     return sheet(
         40, b,
         [](Vec3 p) {
-            return (20 + p.y) * Vec3{std::cos(p.x / 40 * kPi / 2), std::sin(p.x / 40 * kPi / 2), 0};
+            return (20 + p.y) * Vec3{std::cos(p.x / 40 * pi / 2), std::sin(p.x / 40 * pi / 2), 0};
         },
         [](Vec3 p) {
             return 1 / norm(p) * Vec3{-p.y, p.x, 0};
@@ -96,14 +96,14 @@ TEST(RimSides, OfARectangleAreItsSidesAndOfADiscItsRim) {
     EXPECT_NEAR(distance(sides[0].from, sides[0].to), 30, 1e-9);
     mesh::Mesh disc{{{0, 0, 0}}, {}};
     for (std::uint32_t i = 0; i < 90; ++i) {
-        disc.vertices.push_back({9 * std::cos(i * kPi / 45), 9 * std::sin(i * kPi / 45), 0});
+        disc.vertices.push_back({9 * std::cos(i * pi / 45), 9 * std::sin(i * pi / 45), 0});
         disc.triangles.push_back({0, 1 + i, 1 + (i + 1) % 90});
     }
     Notes notes;
     const auto whole = longest_sides(surface::connect(std::move(disc), notes), 6);
     ASSERT_EQ(whole.size(), 1);
     EXPECT_EQ(whole[0].from, whole[0].to);
-    EXPECT_NEAR(whole[0].length, 2 * kPi * 9, 0.1);
+    EXPECT_NEAR(whole[0].length, 2 * pi * 9, 0.1);
 }
 
 TEST(Seed, ALineAlongThePullStaysOnItsCircle) {
@@ -115,7 +115,7 @@ TEST(Seed, ALineAlongThePullStaysOnItsCircle) {
         EXPECT_NEAR(norm(part.a), 30, 0.05);
         length += distance(part.a, part.b);
     }
-    EXPECT_NEAR(length, 15 * kPi, 0.1);
+    EXPECT_NEAR(length, 15 * pi, 0.1);
     Seed across = along;
     across.kind = Seed::Kind::across;
     length = 0;
@@ -131,7 +131,7 @@ TEST(Estimate, IsTheCosineBetweenLinesAndPull) {
         const Sheet s = sheet(30, 20, flat, towards(deg));
         const auto pull = pulls(s);
         const Seed middle{Seed::Kind::plane, {{0, 1, 0}, 10.3}, {}, {}};
-        const double along = std::cos(deg * kPi / 180), across = std::sin(deg * kPi / 180);
+        const double along = std::cos(deg * pi / 180), across = std::sin(deg * pi / 180);
         EXPECT_NEAR(estimate(s, pull, {"fexa", middle}), along, 1e-9);
         EXPECT_NEAR(estimate(s, pull, {"fina", middle}), along, 0.02);
         EXPECT_NEAR(estimate(s, pull, {"ortheo", middle}), across, 0.06);

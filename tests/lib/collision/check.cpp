@@ -3,9 +3,11 @@
 #include "collision/beads.hpp"
 #include "collision/report.hpp"
 
+#include "geom/angle.hpp"
+#include "walls.hpp"
+
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 namespace {
@@ -13,16 +15,10 @@ namespace {
 using namespace filum;
 using namespace filum::collision;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
+using walls::triangle;
+using walls::wall;
 const double kCos30 = std::cos(30 * kDegree);
-
-Solid triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return {{a, b, c, c}, 0, 0}; }
-
-// An upright rectangle in the plane x = `x`, from y = -50 to 50, from z = -5 to `top`.
-std::vector<Solid> wall(double x, double top) {
-    const Vec3 a{x, -50, -5}, b{x, 50, -5}, c{x, 50, top}, d{x, -50, top};
-    return {triangle(a, b, c), triangle(a, c, d)};
-}
 
 Scene scene(std::vector<Solid> part, std::vector<Solid> beads = {}) {
     return {Tree(std::move(beads)), Tree(std::move(part)), Tree({}), Tree({})};
@@ -215,8 +211,8 @@ TEST(Check, TheSameForAnyNumberOfThreads) {
     for (const int threads : {2, 8}) {
         const Found other = check(s, {}, moves, {}, threads);
         EXPECT_EQ(places({moves, one, {}}), places({moves, other, {}}));
-        EXPECT_EQ(figures::text(summary({moves, one, {}}), figures::Format::json),
-                  figures::text(summary({moves, other, {}}), figures::Format::json));
+        EXPECT_EQ(metrics::figures::text(summary({moves, one, {}}), metrics::figures::Format::json),
+                  metrics::figures::text(summary({moves, other, {}}), metrics::figures::Format::json));
     }
 }
 

@@ -1,18 +1,17 @@
 #include "collision/program.hpp"
 
 #include "base/error.hpp"
+#include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
 
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace {
 
 using namespace filum;
 using namespace filum::collision;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 
 machine::Profile plain() {
     machine::Profile p;

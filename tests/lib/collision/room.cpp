@@ -1,8 +1,10 @@
 #include "collision/room.hpp"
 
+#include "geom/angle.hpp"
+#include "walls.hpp"
+
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <random>
 
 namespace {
@@ -10,15 +12,9 @@ namespace {
 using namespace filum;
 using namespace filum::collision;
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-Solid triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return {{a, b, c, c}, 0, 0}; }
-
-// An upright rectangle in the plane x = `x`, from y = -50 to 50, from z = -5 to `top`.
-std::vector<Solid> wall(double x, double top) {
-    const Vec3 a{x, -50, -5}, b{x, 50, -5}, c{x, 50, top}, d{x, -50, top};
-    return {triangle(a, b, c), triangle(a, c, d)};
-}
+using geom::kDegree;
+using walls::triangle;
+using walls::wall;
 
 TEST(Room, ToAWallAsFarAsTheHeadIsWide) {
     const Scene scene{Tree({}), Tree(wall(30, 5)), Tree({}), Tree({})};

@@ -47,26 +47,44 @@ std::vector<polygon::Region> column() {
     return out;
 }
 
+void expect_as(Reuse& reuse, const Reuse::Work& work) {
+    for (const auto& r : column()) {
+        Notes expected, notes;
+        const auto plain = work(r, expected);
+        expect_same(reuse(r, notes), plain);
+        ASSERT_EQ(notes.size(), expected.size());
+        for (std::size_t i = 0; i < notes.size(); ++i) {
+            EXPECT_EQ(notes[i].what, expected[i].what);
+            EXPECT_EQ(notes[i].layer, expected[i].layer);
+            EXPECT_EQ(notes[i].amount, expected[i].amount);
+        }
+    }
+}
+
 TEST(Reuse, GivesWhatFillGives) {
     for (const char* pattern : {"spiral", "zigzag", "rectilinear"})
-        for (const char* method : {"cyc", "sun2019"})
-            for (const std::size_t most : {0U, 150U, 1U << 20}) { // none held, some forgotten, all held
-                Options o;
-                o.pattern = pattern, o.method = method, o.min_width = 0.3, o.angles_deg = {0, 90},
-                o.start_shift = o.pattern == "spiral" ? 0.3 : 0;
-                Reuse reuse(o, most);
-                for (const auto& r : column()) {
-                    Notes expected, notes;
-                    const auto plain = fill(r, o, expected);
-                    expect_same(reuse(r, notes), plain);
-                    ASSERT_EQ(notes.size(), expected.size());
-                    for (std::size_t i = 0; i < notes.size(); ++i) {
-                        EXPECT_EQ(notes[i].what, expected[i].what);
-                        EXPECT_EQ(notes[i].layer, expected[i].layer);
-                        EXPECT_EQ(notes[i].amount, expected[i].amount);
-                    }
-                }
-            }
+        for (const std::size_t most : {0U, 150U, 1U << 20}) { // none held, some forgotten, all held
+            Options o;
+            o.pattern = pattern, o.min_width = 0.3, o.angles_deg = {0, 90};
+            Reuse reuse(o, most);
+            expect_as(reuse, [&](const polygon::Region& r, Notes& notes) { return fill(r, o, notes); });
+        }
+}
+
+// A way to fill whose curves move on from layer to layer, and begin anew every third.
+TEST(Reuse, GivesWhatAnotherWayGives) {
+    const auto of_layer = [](std::uint32_t layer) { return 0.1 * (layer % 3); };
+    const auto lay = [&](const polygon::Region& r, Notes& notes) {
+        toolpath::Curve curve{true, {}, {0.4}};
+        for (const auto p : r.loops[0]) curve.points.push_back({p.x + of_layer(r.layer), p.y});
+        notes.push_back({"", "moved", of_layer(r.layer), "mm", 1});
+        return std::vector{curve};
+    };
+    const auto work = [&](const polygon::Region& r, Notes& notes) { return fill_by(lay, r, notes); };
+    for (const std::size_t most : {0U, 30U, 1U << 20}) {
+        Reuse reuse(work, of_layer, most);
+        expect_as(reuse, work);
+    }
 }
 
 TEST(Reuse, WorksOutEqualOutlinesOnce) {

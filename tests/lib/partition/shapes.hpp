@@ -2,18 +2,18 @@
 #pragma once
 
 #include "../surface/grid.hpp"
+#include "geom/angle.hpp"
 #include "partition/partition.hpp"
 
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 
 namespace filum::partition {
 
 using geom::Vec2;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 
 // [0, a] x [0, b] in n x m cells, each in two triangles, put into space.
 inline Sheet grid(double a, double b, int n, int m, const std::function<Vec3(Vec2)>& lift) {

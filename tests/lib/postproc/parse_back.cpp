@@ -11,7 +11,6 @@ using namespace filum;
 
 namespace {
 
-const char* const kFilament = "kind = \"filament\"\ndiameter = 1.75\n";
 const char* const kMarked = "kind = \"filament\"\ndiameter = 1.75\non = \"M7\"\noff = \"M9\"\n";
 const char* const kAbsolute = "kind = \"filament\"\ndiameter = 1.75\nmode = \"absolute\"\n";
 const char* const kAxis = "kind = \"filament\"\ndiameter = 1.75\nmode = \"absolute\"\nletter = \"A\"\n";
@@ -84,7 +83,7 @@ TEST(ParseBack, MaterialIsExactInEveryMode) {
         char letter;
         double area, unit;
     };
-    const Case cases[] = {{kFilament, 'E', kFilamentArea, 1e-5},
+    const Case cases[] = {{sample::kFilament, 'E', kFilamentArea, 1e-5},
                           {kAbsolute, 'E', kFilamentArea, 1e-5},
                           {kAxis, 'A', kFilamentArea, 1e-5},
                           {kPlunger, 'E', std::numbers::pi * 14.5 * 14.5 / 4, 1e-5},
@@ -100,7 +99,7 @@ TEST(ParseBack, MaterialIsExactInEveryMode) {
 
 TEST(ParseBack, AbsoluteAndRelativeLayTheSameMoveByMove) {
     const auto spans = sample::random_toolpath(7, 12);
-    const auto a = interpreter::read(sample::write(sample::profile(kFilament), spans).text);
+    const auto a = interpreter::read(sample::write(sample::profile(sample::kFilament), spans).text);
     const auto b = interpreter::read(sample::write(sample::profile(kAbsolute), spans).text);
     ASSERT_EQ(a.moves.size(), b.moves.size());
     for (std::size_t i = 0; i < a.moves.size(); ++i) EXPECT_NEAR(a.moves[i].de, b.moves[i].de, 1e-9) << a.moves[i].line;
@@ -111,7 +110,7 @@ TEST(ParseBack, EachMoveHasItsOwnMaterialWithinOneUnit) {
     std::vector<sample::Span> spans{{toolpath::Role::bead, 0, 0, 0, {{0, 0, 0.2}}, {}, {0.2}}};
     for (int i = 1; i < 2000; ++i) spans[0].points.push_back({0.0137 * i, 3 * std::sin(0.01 * i), 0.2});
     for (int i = 0; i < 2000; ++i) spans[0].width.push_back(0.4 + 0.2 * std::sin(0.1 * i));
-    const auto program = interpreter::read(sample::write(sample::profile(kFilament), spans).text);
+    const auto program = interpreter::read(sample::write(sample::profile(sample::kFilament), spans).text);
     std::size_t i = 0;
     for (const auto& m : program.moves) {
         if (m.de <= 0) continue;
@@ -124,7 +123,7 @@ TEST(ParseBack, ManyTinyMovesLoseNothing) {
     // 0.3 um each: none shows by itself
     std::vector<sample::Span> spans{{toolpath::Role::bead, 0, 0, 0, {}, {0.4}, {0.2}}};
     for (int i = 0; i <= 100000; ++i) spans[0].points.push_back({0.0003 * i, 0, 0.2});
-    const auto program = interpreter::read(sample::write(sample::profile(kFilament), spans).text);
+    const auto program = interpreter::read(sample::write(sample::profile(sample::kFilament), spans).text);
     EXPECT_NEAR(laid(program), 30 * 0.08 / kFilamentArea, 0.51e-5);
     EXPECT_GT(program.moves.size(), 29000u);
     EXPECT_LT(program.moves.size(), 30010u);
@@ -151,7 +150,8 @@ TEST(ParseBack, NothingWithoutMaterialAndNothingTakenBackWithinAStroke) {
 }
 
 TEST(ParseBack, WordsStandOnlyWhereTheyChange) {
-    const auto program = interpreter::read(sample::write(sample::profile(kFilament), sample::random_toolpath(3)).text);
+    const auto program =
+        interpreter::read(sample::write(sample::profile(sample::kFilament), sample::random_toolpath(3)).text);
     double feed = -1;
     for (const auto& m : program.moves) {
         if (std::isnan(m.from.x)) continue; // on the way to the first place

@@ -13,8 +13,6 @@ using sample::Span;
 
 namespace {
 
-const char* const kFilament = "kind = \"filament\"\ndiameter = 1.75\n";
-
 std::string error_of(const auto& work, Exit exit) {
     try {
         work();
@@ -41,7 +39,8 @@ std::vector<Span> three_strokes() {
 } // namespace
 
 TEST(Program, ABreakRetractsLiftsMovesAndComesBack) {
-    const auto p = sample::profile(kFilament, "[travel]\nlift = 1\nretract = 2\nretract_speed = 20\nextra = 0.5\n");
+    const auto p =
+        sample::profile(sample::kFilament, "[travel]\nlift = 1\nretract = 2\nretract_speed = 20\nextra = 0.5\n");
     const auto program = interpreter::read(sample::write(p, three_strokes()).text);
     std::vector<std::string> lines;
     for (const auto& m : program.moves) lines.push_back(m.line);
@@ -57,13 +56,13 @@ TEST(Program, ATravelRisesAboveAllThatIsPrinted) {
     spans[2].points = {{10, 20, 0.2}, {10, 20, 30}, {0, 20, 30}}; // a tower
     spans[3].points = {{0, 20, 30}, {5, 5, 0.4}};
     spans[4].points = {{5, 5, 0.4}, {5, 6, 0.4}};
-    const auto p = sample::profile(kFilament, "[travel]\nlift = 1\n");
+    const auto p = sample::profile(sample::kFilament, "[travel]\nlift = 1\n");
     const auto program = interpreter::read(sample::write(p, spans).text);
     for (const auto& m : program.moves)
         if (m.rapid && m.from.z > 6) {
             EXPECT_EQ(m.to.z, 31) << m.line;
         }
-    const auto top = sample::profile(kFilament, "[travel]\nlift = 390\n"); // the machine ends at 400
+    const auto top = sample::profile(sample::kFilament, "[travel]\nlift = 390\n"); // the machine ends at 400
     for (const auto& m : interpreter::read(sample::write(top, spans).text).moves) EXPECT_LE(m.to.z, 400);
 }
 
@@ -74,7 +73,7 @@ TEST(Program, ATravelWithNormalsGoesWhereItsPointsAre) {
     const geom::Vec3 a = spans[1].points.front(), b = spans[1].points.back();
     spans[1].points = {a, a + geom::Vec3{0, 0, 2}, {a.x + 3, a.y + 4, 14.2}, {b.x, b.y, 14.2}, b};
     spans[1].normals.assign(5, {0, 0, 1});
-    const auto p = sample::profile(kFilament, "[travel]\nlift = 1\nretract = 2\n");
+    const auto p = sample::profile(sample::kFilament, "[travel]\nlift = 1\nretract = 2\n");
     const auto program = interpreter::read(sample::write(p, spans).text);
     ASSERT_GT(program.moves.size(), 4U);
     const auto before = program.moves[4].from; // 0 to 2: to the first stroke; 3: the stroke
@@ -97,7 +96,7 @@ TEST(Program, ATravelWithNormalsGoesWhereItsPointsAre) {
 }
 
 TEST(Program, AShortTravelNeitherLiftsNorRetracts) {
-    const auto p = sample::profile(kFilament, "[travel]\nmin_length = 30\n");
+    const auto p = sample::profile(sample::kFilament, "[travel]\nmin_length = 30\n");
     for (const auto& m : interpreter::read(sample::write(p, three_strokes()).text).moves) EXPECT_GE(m.de, 0);
 }
 
@@ -114,8 +113,8 @@ TEST(Program, FeedsFollowRoleAndFirstLayerAndLimits) {
     add(Role::lift, {60, 0, 0.6}, 0.4); // straight up: lays nothing
     add(Role::lift, {61, 0, 1.6}, 0.4); // steep: 4 mm/s along z
     const auto p =
-        sample::profile(kFilament, "[feeds]\nbead = 50\nfirst_layer = 11\njog = 45\nlift = 22\nconnector = 9\n"
-                                   "z = 4\n[motion]\nmax_speed_z = 4\n[limits]\nflow = 5\n");
+        sample::profile(sample::kFilament, "[feeds]\nbead = 50\nfirst_layer = 11\njog = 45\nlift = 22\nconnector = 9\n"
+                                           "z = 4\n[motion]\nmax_speed_z = 4\n[limits]\nflow = 5\n");
     std::vector<double> feeds;
     for (const auto& m : interpreter::read(sample::write(p, spans).text).moves)
         if (m.de > 0) feeds.push_back(m.feed / 60);
@@ -125,7 +124,7 @@ TEST(Program, FeedsFollowRoleAndFirstLayerAndLimits) {
 TEST(Program, ABeadAboveTheLimitIsAnErrorWithItsPlace) {
     auto spans = three_strokes();
     spans[4].width = {4};
-    const auto p = sample::profile(kFilament, "[limits]\nsection = 0.64\n");
+    const auto p = sample::profile(sample::kFilament, "[limits]\nsection = 0.64\n");
     const auto what = error_of([&] { (void)sample::write(p, spans); }, Exit::failure);
     EXPECT_TRUE(has(what, "on layer 1 at x 5, y 20, z 0.4") && has(what, "0.8 mm2")) << what;
     EXPECT_NO_THROW((void)sample::write(p, three_strokes()));
@@ -133,7 +132,7 @@ TEST(Program, ABeadAboveTheLimitIsAnErrorWithItsPlace) {
 
 TEST(Program, APlaceOffTheBedIsAnErrorWithItsPlace) {
     auto spans = three_strokes();
-    const auto p = sample::profile(kFilament);
+    const auto p = sample::profile(sample::kFilament);
     spans[2].points[1].x = spans[3].points[0].x = -500;
     EXPECT_TRUE(has(error_of([&] { (void)sample::write(p, spans); }, Exit::failure), "on layer 0 at x -55"));
     spans = three_strokes();
@@ -158,16 +157,17 @@ TEST(Program, MoreMaterialThanNumbersHoldIsAnError) {
 TEST(Program, ABrokenChainOfSpansIsBadInput) {
     auto spans = three_strokes();
     spans[2].points[0].x += 0.01;
-    EXPECT_TRUE(has(error_of([&] { (void)sample::write(sample::profile(kFilament), spans); }, Exit::bad_input),
+    EXPECT_TRUE(has(error_of([&] { (void)sample::write(sample::profile(sample::kFilament), spans); }, Exit::bad_input),
                     "a span of layer 0 begins at 10.01,20,0.2, 0.01 mm from where"));
-    EXPECT_TRUE(
-        has(error_of([&] { (void)sample::write(sample::profile(kFilament), {}); }, Exit::bad_input), "no bead"));
+    EXPECT_TRUE(has(error_of([&] { (void)sample::write(sample::profile(sample::kFilament), {}); }, Exit::bad_input),
+                    "no bead"));
 }
 
 TEST(Program, TemplatesAreFilledIn) {
     auto p = sample::profile(
-        kFilament, "layer = \"; l {layer} z {z} h {height}\\nM117 {layer}\"\n"
-                   "start = \"M140 S{bed}\\nG4 P{time}\\n;{x_min} {x_max} {layers} {{x}}\"\n[values]\nbed = 61.5\n");
+        sample::kFilament,
+        "layer = \"; l {layer} z {z} h {height}\\nM117 {layer}\"\n"
+        "start = \"M140 S{bed}\\nG4 P{time}\\n;{x_min} {x_max} {layers} {{x}}\"\n[values]\nbed = 61.5\n");
     const auto w = sample::write(p, three_strokes());
     EXPECT_TRUE(has(w.text, "M140 S61.5\n")) << w.text;
     EXPECT_TRUE(has(w.text, ";195 205 2 {x}\n"));
@@ -179,7 +179,7 @@ TEST(Program, TemplatesAreFilledIn) {
 }
 
 TEST(Program, LineEndsAndCommentsFollowTheFormat) {
-    const auto p = sample::profile(kFilament, "[format]\nline_end = \"crlf\"\ncomments = \"parentheses\"\n");
+    const auto p = sample::profile(sample::kFilament, "[format]\nline_end = \"crlf\"\ncomments = \"parentheses\"\n");
     const auto text = sample::write(p, three_strokes()).text;
     EXPECT_EQ(text.find(';'), std::string::npos);
     for (std::size_t i = 0; i < text.size(); ++i)

@@ -17,7 +17,7 @@ using postproc::Orientation;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -65,7 +65,7 @@ Orientation from_vector(const std::array<double, 3>& v) {
 std::vector<toolpath::Span> arc() {
     toolpath::Span s{toolpath::Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
     for (int i = 0; i <= 40; ++i) {
-        const double a = kPi * (i / 40.0 - 0.5) * 0.8;
+        const double a = pi * (i / 40.0 - 0.5) * 0.8;
         s.points.push_back({30 * std::sin(a), 0.2 * i, 30 * std::cos(a)});
         s.normals.push_back({std::sin(a), 0, std::cos(a)});
     }
@@ -150,7 +150,7 @@ TEST(robot, krl_says_places_angles_and_the_extruder) {
     double fed = 0;
     for (const auto& n : numbers(text, "LIN {")) {
         ASSERT_EQ(n.size(), 7U);
-        const double d = kPi / 180;
+        const double d = pi / 180;
         frames.push_back({{n[0], n[1], n[2]}, from_euler(n[3] * d, n[4] * d, n[5] * d)});
         EXPECT_GE(n[6], fed);
         fed = n[6];
@@ -159,7 +159,7 @@ TEST(robot, krl_says_places_angles_and_the_extruder) {
     double length = 0;
     const auto want = arc()[0].points;
     for (std::size_t i = 1; i < want.size(); ++i) length += distance(want[i - 1], want[i]);
-    EXPECT_NEAR(fed, length * 0.2 / (kPi * 1.75 * 1.75 / 4), 1e-4);
+    EXPECT_NEAR(fed, length * 0.2 / (pi * 1.75 * 1.75 / 4), 1e-4);
 }
 
 TEST(robot, rapid_says_places_and_quaternions) {

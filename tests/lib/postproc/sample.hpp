@@ -15,9 +15,10 @@ using filum::geom::Vec3;
 using filum::toolpath::Role;
 using filum::toolpath::Span;
 
+inline const char* const kFilament = "kind = \"filament\"\ndiameter = 1.75\n";
+
 // A profile by its text's [extrusion] and [format]; the bed is 400 mm wide, nothing is limited.
-inline filum::machine::Profile profile(const std::string& extrusion = "kind = \"filament\"\ndiameter = 1.75\n",
-                                       const std::string& rest = "") {
+inline filum::machine::Profile profile(const std::string& extrusion = kFilament, const std::string& rest = "") {
     return filum::machine::parse_profile(
         "name = \"test\"\n[bed]\nx = [0, 400]\ny = [0, 400]\nz = [0, 400]\n[extrusion]\n" + extrusion +
             "[templates]\nend = \"M84\"\n" + rest,

@@ -18,7 +18,7 @@ using toolpath::Span;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Rows over a dome of radius 60, the tool upright to it, joined by travels that rise along the normals.
 std::vector<Span> dome(int rows, double most, int half = 30) {
@@ -103,7 +103,7 @@ std::vector<Line> read(const std::string& text) {
 }
 
 kinematics::Joints joints(const machine::MultiAxis& a, const Line& l) {
-    const double degree = kPi / 180;
+    const double degree = pi / 180;
     const double y = a.chain.carrier == kinematics::Carrier::polar ? 0 : l.words.at('Y');
     return {
         {l.words.at('X'), y, l.words.at('Z')}, l.words.at(a.tilt_letter) * degree, l.words.at(a.turn_letter) * degree};
@@ -135,7 +135,7 @@ const char* const kMachines[] = {
 Span loops_round_the_pole() {
     Span loops{Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
     for (int i = 0; i <= 7 * 90; ++i) {
-        const double h = 2 * kPi * i / 90, tilt = 0.5;
+        const double h = 2 * pi * i / 90, tilt = 0.5;
         const Vec3 n{std::sin(tilt) * std::cos(h), std::sin(tilt) * std::sin(h), std::cos(tilt)};
         loops.points.push_back(20 * n + Vec3{0, 0, 0.3 * h}), loops.normals.push_back(n);
     }
@@ -169,7 +169,7 @@ TEST(tilted, joints_bring_the_tip_along_the_beads) {
         }
         EXPECT_GE(laid, 240U);
         EXPECT_LE(off, 0.005) << machine;
-        EXPECT_LE(lean, 1.05 * kPi / 180) << machine;
+        EXPECT_LE(lean, 1.05 * pi / 180) << machine;
     }
 }
 
@@ -203,7 +203,7 @@ TEST(tilted, few_points_do_not_make_the_tool_lean) {
                     lean = std::max(lean, kinematics::angle(pose.axis, want));
                 }
             }
-            EXPECT_LE(lean, 1.05 * kPi / 180) << machine << numbers;
+            EXPECT_LE(lean, 1.05 * pi / 180) << machine << numbers;
         }
 }
 
@@ -242,8 +242,8 @@ TEST(tilted, feeds_keep_the_speeds_of_all_axes) {
         const double t = 60 / lines[i].words.at('F');
         sum += t;
         const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
-        EXPECT_LE(std::abs(b.tilt - a.tilt) / t, 20.1 * kPi / 180);
-        EXPECT_LE(std::abs(b.turn - a.turn) / t, 15.1 * kPi / 180);
+        EXPECT_LE(std::abs(b.tilt - a.tilt) / t, 20.1 * pi / 180);
+        EXPECT_LE(std::abs(b.turn - a.turn) / t, 15.1 * pi / 180);
         const auto from = kinematics::forward(p.axes.chain, a).tip, to = kinematics::forward(p.axes.chain, b).tip;
         if (!lines[i].laying) continue;
         EXPECT_LE(distance(from, to) / t, 20.2);
@@ -301,14 +301,14 @@ TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
         auto lines = read(text);
         for (std::size_t i = 1; i < lines.size(); ++i) {
             const auto a = joints(p.axes, lines[i - 1]), b = joints(p.axes, lines[i]);
-            EXPECT_LE(std::abs(b.turn), 370.1 * kPi / 180);
+            EXPECT_LE(std::abs(b.turn), 370.1 * pi / 180);
             strokes += lines[i].laying && !lines[i - 1].laying ? 1 : 0;
             const auto pose = kinematics::forward(p.axes.chain, b);
             if (lines[i].laying) {
                 farthest = std::max(farthest, to_line(pose.tip, {loops}, {}));
                 lean = std::max(lean, std::abs(kinematics::angle(pose.axis, {0, 0, 1}) - 0.5));
             } else if (std::abs(b.turn - a.turn) > 1) { // unwinding: upright, above all that was laid
-                turned_low += pose.tip.z < 20 * std::cos(0.5) + 0.3 * 14 * kPi ? 1 : 0;
+                turned_low += pose.tip.z < 20 * std::cos(0.5) + 0.3 * 14 * pi ? 1 : 0;
                 EXPECT_LT(kinematics::angle(pose.axis, {0, 0, 1}), 1e-4);
             }
         }

@@ -15,7 +15,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
 
@@ -27,7 +27,7 @@ Vec3 direction(double tilt, double heading) {
 toolpath::Span cap(const postproc::Turning& lying, double half) {
     toolpath::Span s{toolpath::Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
     for (int i = 0; i <= 40; ++i) {
-        const Vec3 n = lying(direction(half * std::abs(i / 20.0 - 1), i < 20 ? 0 : kPi));
+        const Vec3 n = lying(direction(half * std::abs(i / 20.0 - 1), i < 20 ? 0 : pi));
         s.points.push_back(60 * n), s.normals.push_back(n);
     }
     return s;
@@ -66,8 +66,8 @@ TEST(turning, brings_a_part_within_the_tilts_of_the_machine) {
     EXPECT_NO_THROW(measured(cap(lying, 0.8), "up:" + std::to_string(lying.z.x) + "," + std::to_string(lying.z.y) +
                                                   "," + std::to_string(lying.z.z)));
     // 50 degrees and the lean of one: what is a little beyond leans, what is more is refused with what it would need.
-    const auto leaning = measured(cap(lying, 50.6 * kPi / 180), "auto");
-    EXPECT_NEAR(leaning.efforts.clipped, 0.6 * kPi / 180, 1e-5);
+    const auto leaning = measured(cap(lying, 50.6 * pi / 180), "auto");
+    EXPECT_NEAR(leaning.efforts.clipped, 0.6 * pi / 180, 1e-5);
     refused(cap(lying, 1.2), "auto", {"tilt by 68.8 degrees", "no way to turn the part needs less"});
     refused(cap(lying, 2.0), "auto", {"no way to turn the part needs less"});
 }
@@ -80,7 +80,7 @@ TEST(turning, finds_the_cone_that_axes_were_drawn_from) {
         const double half = random(0.02, 1.5);
         std::vector<Vec3> axes;
         for (int k = 0; k < 3; ++k) axes.push_back(turn(direction(half, 2.1 * k + random(-0.2, 0.2)))); // fix the cone
-        for (int k = 0; k < 200; ++k) axes.push_back(turn(direction(random(0, half), random(0, 2 * kPi))));
+        for (int k = 0; k < 200; ++k) axes.push_back(turn(direction(random(0, half), random(0, 2 * pi))));
         const auto cone = postproc::narrowest_cone(axes);
         EXPECT_NEAR(cone.half, half, 1e-6);
         EXPECT_LT(angle(cone.axis, turn.z), 1e-6);
@@ -94,9 +94,9 @@ TEST(turning, of_few_or_opposite_axes) {
     const std::vector<Vec3> one{{0, 1, 0}, {0, 1, 0}}, two{{1, 0, 0}, {0, 1, 0}}, opposite{{1, 0, 0}, {-1, 0, 0}};
     EXPECT_NEAR(postproc::narrowest_cone(one).half, 0, 1e-12);
     const auto cone = postproc::narrowest_cone(two);
-    EXPECT_NEAR(cone.half, kPi / 4, 1e-9);
+    EXPECT_NEAR(cone.half, pi / 4, 1e-9);
     EXPECT_LT(angle(cone.axis, {1, 1, 0}), 1e-9);
-    EXPECT_GE(postproc::narrowest_cone(opposite).half, kPi / 2);
+    EXPECT_GE(postproc::narrowest_cone(opposite).half, pi / 2);
 }
 
 TEST(turning, upright_turns_without_a_spin) {

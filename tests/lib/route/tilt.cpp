@@ -1,8 +1,8 @@
 #include "route/tilt.hpp"
 
-#include <gtest/gtest.h>
+#include "geom/angle.hpp"
 
-#include <numbers>
+#include <gtest/gtest.h>
 
 namespace {
 
@@ -17,7 +17,7 @@ using collision::Tree;
 using toolpath::Role;
 using toolpath::Span;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 constexpr double kAway = 3, kHigh = 20, kFlat = 0.2, kHalf = 15 * kDegree; // of the wall, and the cone
 
 // An upright wall in the plane x = kAway, from y0 to y1.

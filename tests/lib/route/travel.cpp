@@ -1,5 +1,6 @@
 #include "route/travel.hpp"
 
+#include "geom/angle.hpp"
 #include "route/around.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using collision::Shape;
 using collision::Solid;
 using collision::Tree;
 
-constexpr double kDegree = std::numbers::pi / 180;
+using geom::kDegree;
 
 // A box without a floor.
 std::vector<Solid> box(const Vec3& lo, const Vec3& hi) {

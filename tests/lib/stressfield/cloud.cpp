@@ -14,12 +14,6 @@ void scatter(std::vector<Vec3>& out, double size, double spacing, double z, Dice
             out.push_back({x + 0.4 * spacing * dice(), y + 0.4 * spacing * dice(), z});
 }
 
-double value(const Stencils& s, std::size_t v, const std::vector<double>& of) {
-    double out = 0;
-    for (std::uint32_t k = s.start[v]; k < s.start[v + 1]; ++k) out += s.weight[k] * of[s.sample[k]];
-    return out;
-}
-
 TEST(Cloud, AffineFieldsAreExact) {
     const auto s = square(7, 10);
     std::vector<Vec3> points;

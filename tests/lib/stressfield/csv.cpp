@@ -16,7 +16,7 @@ Samples csv(const std::string& text, const std::string& columns = "", Notes* not
     return read(text, "it", o, notes != nullptr ? *notes : own);
 }
 
-std::string fault(const std::string& text, Exit exit, const std::string& columns = "") {
+std::string csv_fault(const std::string& text, Exit exit, const std::string& columns = "") {
     return refusal(exit, text, [&] { csv(text, columns); });
 }
 
@@ -53,10 +53,10 @@ TEST(Csv, ColumnsByOption) {
     const auto s = csv("9 9 1 2 3 0 4 0\n", "-,-,x,y,z,vx,vy,vz");
     EXPECT_EQ(s.points[0], (Vec3{1, 2, 3}));
     EXPECT_EQ(s.cases[0].directions[0], (Vec3{0, 4, 0}));
-    EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,z,strain"), "strain"));
-    EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,x"), "twice"));
-    EXPECT_TRUE(has(fault("1 2 3 4\n", Exit::usage, "x,y,z"), "sxx"));
-    EXPECT_TRUE(has(fault("1 2 3 4 5\n", Exit::bad_input, "x,y,z,vx,vy,vz"), "6 columns"));
+    EXPECT_TRUE(has(csv_fault("1 2 3 4\n", Exit::usage, "x,y,z,strain"), "strain"));
+    EXPECT_TRUE(has(csv_fault("1 2 3 4\n", Exit::usage, "x,y,x"), "twice"));
+    EXPECT_TRUE(has(csv_fault("1 2 3 4\n", Exit::usage, "x,y,z"), "sxx"));
+    EXPECT_TRUE(has(csv_fault("1 2 3 4 5\n", Exit::bad_input, "x,y,z,vx,vy,vz"), "6 columns"));
 }
 
 TEST(Csv, UnitsAndNames) {
@@ -76,8 +76,8 @@ TEST(Csv, WhatIsNotFiniteIsLeftOutAndNoted) {
     EXPECT_EQ(s.points.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].count, 4U);
-    EXPECT_TRUE(has(fault("x,y,z,s1x,s1y,s1z,s1\n0,0,0,nan,0,0,1\n", Exit::bad_input), "no sample"));
-    EXPECT_TRUE(has(fault("nan 0 0 1 0 0\n", Exit::bad_input), "no sample"));
+    EXPECT_TRUE(has(csv_fault("x,y,z,s1x,s1y,s1z,s1\n0,0,0,nan,0,0,1\n", Exit::bad_input), "no sample"));
+    EXPECT_TRUE(has(csv_fault("nan 0 0 1 0 0\n", Exit::bad_input), "no sample"));
 }
 
 TEST(Csv, SamplesAtOnePlaceAreAveraged) {
@@ -96,18 +96,18 @@ TEST(Csv, HalfATensorBesideAVectorIsNoTensor) {
 }
 
 TEST(Csv, FaultsAreNamed) {
-    EXPECT_TRUE(has(fault("a,b,c,x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n", Exit::bad_input), "the header names"));
-    EXPECT_TRUE(has(fault("", Exit::truncated), "empty"));
-    EXPECT_TRUE(has(fault("solid part\nendsolid\n", Exit::bad_input), "no table"));
-    EXPECT_TRUE(has(fault("x,y,z,a,b,c\n1,2,3,4,5,6\n", Exit::bad_input), "--columns"));
-    EXPECT_TRUE(has(fault("1,2,3,4,5,6,7,8,9\n", Exit::bad_input), "--columns"));
-    EXPECT_TRUE(
-        has(fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,4,5\n1,2,3,4,5,6\n", Exit::bad_input), "line 3: it has 5"));
-    EXPECT_TRUE(
-        has(fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,four,5,6\n1,2,3,4,5,6\n", Exit::bad_input), "line 3: 'four'"));
-    EXPECT_TRUE(has(fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,4", Exit::truncated), "ends inside line 3"));
-    EXPECT_TRUE(has(fault("\x1f\x8b\x08", Exit::truncated), "gzip"));
-    EXPECT_TRUE(has(fault("\x1f\x8bnothing of the kind", Exit::bad_input), "gzip"));
+    EXPECT_TRUE(has(csv_fault("a,b,c,x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n", Exit::bad_input), "the header names"));
+    EXPECT_TRUE(has(csv_fault("", Exit::truncated), "empty"));
+    EXPECT_TRUE(has(csv_fault("solid part\nendsolid\n", Exit::bad_input), "no table"));
+    EXPECT_TRUE(has(csv_fault("x,y,z,a,b,c\n1,2,3,4,5,6\n", Exit::bad_input), "--columns"));
+    EXPECT_TRUE(has(csv_fault("1,2,3,4,5,6,7,8,9\n", Exit::bad_input), "--columns"));
+    EXPECT_TRUE(has(csv_fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,4,5\n1,2,3,4,5,6\n", Exit::bad_input),
+                    "line 3: it has 5"));
+    EXPECT_TRUE(has(csv_fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,four,5,6\n1,2,3,4,5,6\n", Exit::bad_input),
+                    "line 3: 'four'"));
+    EXPECT_TRUE(has(csv_fault("x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n1,2,3,4", Exit::truncated), "ends inside line 3"));
+    EXPECT_TRUE(has(csv_fault("\x1f\x8b\x08", Exit::truncated), "gzip"));
+    EXPECT_TRUE(has(csv_fault("\x1f\x8bnothing of the kind", Exit::bad_input), "gzip"));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "base/error.hpp"
+#include "stressfield/boxes.hpp"
 #include "stressfield/principal.hpp"
 
 #include "parts.hpp"
@@ -7,8 +8,6 @@
 
 namespace filum::stressfield {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // s1 = 5 along (0.6, 0.8, 0), s2 = 2 along z, s3 = -1.
 Tensor known() {

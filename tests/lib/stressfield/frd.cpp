@@ -66,7 +66,7 @@ Samples frd(const std::string& text, Notes* notes = nullptr, const std::string& 
     return read(text, "it", {"", "", step, "mm", "MPa"}, notes != nullptr ? *notes : own);
 }
 
-std::string fault(const std::string& text, Exit exit, const std::string& step = "all") {
+std::string frd_fault(const std::string& text, Exit exit, const std::string& step = "all") {
     return refusal(exit, text, [&] { frd(text, nullptr, step); });
 }
 
@@ -95,7 +95,7 @@ TEST(Frd, OneStepOfSeveral) {
     const auto s = frd(kWhole, nullptr, "2");
     ASSERT_EQ(s.cases.size(), 1U);
     EXPECT_EQ(s.cases[0].tensors[0][0], 10);
-    EXPECT_TRUE(has(fault(kWhole, Exit::usage, "3"), "steps 1, 2"));
+    EXPECT_TRUE(has(frd_fault(kWhole, Exit::usage, "3"), "steps 1, 2"));
 }
 
 TEST(Frd, WindowsLineEndsGiveTheSame) {
@@ -171,28 +171,29 @@ TEST(Frd, EveryCutIsSeen) {
             EXPECT_TRUE(e.exit() == Exit::truncated || e.exit() == Exit::bad_input) << e.what();
         }
     }
-    EXPECT_TRUE(has(fault(kWhole.substr(0, 300), Exit::truncated), "inside"));
-    EXPECT_TRUE(has(fault(kWhole.substr(0, kWhole.size() - 100), Exit::truncated), "ends inside"));
+    EXPECT_TRUE(has(frd_fault(kWhole.substr(0, 300), Exit::truncated), "inside"));
+    EXPECT_TRUE(has(frd_fault(kWhole.substr(0, kWhole.size() - 100), Exit::truncated), "ends inside"));
 }
 
 TEST(Frd, FaultsAreNamed) {
-    EXPECT_TRUE(has(fault(kHead + nodes() + elements() + kDisplacements + kEnd, Exit::bad_input), "STRESS"));
-    EXPECT_TRUE(has(fault(kHead + kEnd, Exit::bad_input), "no nodes"));
-    EXPECT_TRUE(has(fault(with(kWhole, "        20", "         20"), Exit::bad_input), "line 5"));
-    EXPECT_TRUE(has(fault(with(kWhole, e12(-1.5), "-1.50000E+0"), Exit::bad_input), "12 columns"));
-    EXPECT_TRUE(has(fault(with(kWhole, "    3C", "   3C "), Exit::bad_input), "no record"));
-    EXPECT_TRUE(has(fault(with(kWhole, block("2C", 4), block("2C", 5)), Exit::bad_input), "announces 5 nodes"));
-    EXPECT_TRUE(has(fault(kHead + nodes() + elements(13) + kEnd, Exit::bad_input), "unknown type 13"));
-    EXPECT_TRUE(has(fault(kHead + nodes() + elements(6) + kEnd, Exit::bad_input), "4 nodes, not 10"));
+    EXPECT_TRUE(has(frd_fault(kHead + nodes() + elements() + kDisplacements + kEnd, Exit::bad_input), "STRESS"));
+    EXPECT_TRUE(has(frd_fault(kHead + kEnd, Exit::bad_input), "no nodes"));
+    EXPECT_TRUE(has(frd_fault(with(kWhole, "        20", "         20"), Exit::bad_input), "line 5"));
+    EXPECT_TRUE(has(frd_fault(with(kWhole, e12(-1.5), "-1.50000E+0"), Exit::bad_input), "12 columns"));
+    EXPECT_TRUE(has(frd_fault(with(kWhole, "    3C", "   3C "), Exit::bad_input), "no record"));
+    EXPECT_TRUE(has(frd_fault(with(kWhole, block("2C", 4), block("2C", 5)), Exit::bad_input), "announces 5 nodes"));
+    EXPECT_TRUE(has(frd_fault(kHead + nodes() + elements(13) + kEnd, Exit::bad_input), "unknown type 13"));
+    EXPECT_TRUE(has(frd_fault(kHead + nodes() + elements(6) + kEnd, Exit::bad_input), "4 nodes, not 10"));
+    EXPECT_TRUE(has(
+        frd_fault(kHead + nodes() + elements(3, "        10        20        30        50") + kEnd, Exit::bad_input),
+        "node 50"));
+    EXPECT_TRUE(has(frd_fault(with(kWhole, "SXY", "SZX"), Exit::bad_input), "component"));
     EXPECT_TRUE(
-        has(fault(kHead + nodes() + elements(3, "        10        20        30        50") + kEnd, Exit::bad_input),
-            "node 50"));
-    EXPECT_TRUE(has(fault(with(kWhole, "SXY", "SZX"), Exit::bad_input), "component"));
-    EXPECT_TRUE(has(fault(with(kWhole, "     1\n -1        10", "     2\n -1        10"), Exit::bad_input), "binary"));
+        has(frd_fault(with(kWhole, "     1\n -1        10", "     2\n -1        10"), Exit::bad_input), "binary"));
     EXPECT_TRUE(
-        has(fault(with(kWhole, e12(0) + e12(0) + e12(-1.5), e12(0) + e12(0) + e12(std::nan(""))), Exit::bad_input),
+        has(frd_fault(with(kWhole, e12(0) + e12(0) + e12(-1.5), e12(0) + e12(0) + e12(std::nan(""))), Exit::bad_input),
             "finite"));
-    EXPECT_TRUE(has(fault(with(kWhole, "        40", "        10"), Exit::bad_input), "one number"));
+    EXPECT_TRUE(has(frd_fault(with(kWhole, "        40", "        10"), Exit::bad_input), "one number"));
 }
 
 TEST(Frd, BeamsAreOfNoUse) {

@@ -54,12 +54,6 @@ surface::Surface specks(const std::vector<Vec3>& at) {
     return surface::connect(std::move(m), notes);
 }
 
-double value(const Stencils& s, std::size_t v, const std::vector<double>& of) {
-    double out = 0;
-    for (std::uint32_t k = s.start[v]; k < s.start[v + 1]; ++k) out += s.weight[k] * of[s.sample[k]];
-    return out;
-}
-
 TEST(Mesh, AffineFieldsAreExactInEveryElement) {
     for (const Shape shape : kSolids) {
         const Samples one = element(shape);

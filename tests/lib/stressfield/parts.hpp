@@ -1,6 +1,7 @@
 // Surfaces and stresses to test with.
 #pragma once
 
+#include "stressfield/stencil.hpp"
 #include "stressfield/stressfield.hpp"
 
 #include <cmath>
@@ -31,6 +32,13 @@ struct Dice {
         return state / 4294967296.0;
     }
 };
+
+// What stencils make of the values `of` samples at vertex v.
+inline double value(const Stencils& s, std::size_t v, const std::vector<double>& of) {
+    double out = 0;
+    for (std::uint32_t k = s.start[v]; k < s.start[v + 1]; ++k) out += s.weight[k] * of[s.sample[k]];
+    return out;
+}
 
 inline const surface::Field& field(const surface::Sheet& s, const std::string& name) {
     for (const auto& f : s.fields)

@@ -127,7 +127,7 @@ Samples vtu(const std::string& text, const std::string& columns = "", Notes* not
     return read(text, "it", {columns, "", "all", "mm", "MPa"}, notes != nullptr ? *notes : own);
 }
 
-std::string fault(const std::string& text, Exit exit, const std::string& columns = "") {
+std::string vtu_fault(const std::string& text, Exit exit, const std::string& columns = "") {
     return refusal(exit, text, [&] { vtu(text, columns); });
 }
 
@@ -177,7 +177,7 @@ TEST(Vtu, PiecesAreOneGrid) {
     EXPECT_EQ(s.points.size(), 10U);
     EXPECT_EQ(s.nodes[15], 9U);
     EXPECT_EQ(s.cases[0].tensors.size(), 10U);
-    EXPECT_TRUE(has(fault(text.insert(to, with(piece, "S_X", "S_Y")), Exit::bad_input), "pieces"));
+    EXPECT_TRUE(has(vtu_fault(text.insert(to, with(piece, "S_X", "S_Y")), Exit::bad_input), "pieces"));
 }
 
 TEST(Vtu, CellsOfOtherTypesAreNotedAndPointsRemain) {
@@ -191,35 +191,35 @@ TEST(Vtu, CellsOfOtherTypesAreNotedAndPointsRemain) {
 
 TEST(Vtu, FaultsAreNamed) {
     const std::string ascii = grid({"ascii"}), binary = grid({"binary"}), packed = grid({"binary", false, false, true});
-    EXPECT_TRUE(has(fault(grid({"ascii"}, 6, "S_X", "PolyData"), Exit::bad_input), "PolyData"));
-    EXPECT_TRUE(has(fault(with(packed, "vtkZLibDataCompressor", "vtkLZ4DataCompressor"), Exit::bad_input), "LZ4"));
-    EXPECT_TRUE(has(fault(with(ascii, " 0.000000 -1.500000", " 0.000000"), Exit::bad_input), "14 numbers, not 15"));
-    EXPECT_TRUE(has(fault(with(ascii, " 0.000000 -1.500000", " 0.000000 down"), Exit::bad_input), "no number"));
-    EXPECT_TRUE(has(fault(with(ascii, " 0.000000 -1.500000", " 0.000000 nan"), Exit::bad_input), "finite"));
-    EXPECT_TRUE(has(fault(with(ascii, " 0 2 1 4", " 0 2 1 5"), Exit::bad_input), "no point"));
-    EXPECT_TRUE(has(fault(with(ascii, " 4 8", " 4 9"), Exit::bad_input), "offsets"));
-    EXPECT_TRUE(has(fault(with(ascii, " 10 10", " 10 24"), Exit::bad_input), "type 24 has 4 nodes"));
-    EXPECT_TRUE(has(fault(with(ascii, "S_X", "strain"), Exit::bad_input), "6 or 9"));
-    EXPECT_TRUE(has(fault(with(with(with(ascii, "<PointData>", "<CellData>"), "</PointData>", "</CellData>"),
-                               "<Points>", "<PointData/><Points>"),
-                          Exit::bad_input),
+    EXPECT_TRUE(has(vtu_fault(grid({"ascii"}, 6, "S_X", "PolyData"), Exit::bad_input), "PolyData"));
+    EXPECT_TRUE(has(vtu_fault(with(packed, "vtkZLibDataCompressor", "vtkLZ4DataCompressor"), Exit::bad_input), "LZ4"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, " 0.000000 -1.500000", " 0.000000"), Exit::bad_input), "14 numbers, not 15"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, " 0.000000 -1.500000", " 0.000000 down"), Exit::bad_input), "no number"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, " 0.000000 -1.500000", " 0.000000 nan"), Exit::bad_input), "finite"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, " 0 2 1 4", " 0 2 1 5"), Exit::bad_input), "no point"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, " 4 8", " 4 9"), Exit::bad_input), "offsets"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, " 10 10", " 10 24"), Exit::bad_input), "type 24 has 4 nodes"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, "S_X", "strain"), Exit::bad_input), "6 or 9"));
+    EXPECT_TRUE(has(vtu_fault(with(with(with(ascii, "<PointData>", "<CellData>"), "</PointData>", "</CellData>"),
+                                   "<Points>", "<PointData/><Points>"),
+                              Exit::bad_input),
                     "cells"));
-    EXPECT_TRUE(has(fault(ascii, Exit::usage, "S_Z"), "'S_X'"));
-    EXPECT_TRUE(has(fault(with(ascii, "</PointData>", ""), Exit::bad_input), "XML"));
-    EXPECT_TRUE(has(fault("# vtk DataFile Version 3.0\n", Exit::bad_input), ".vtu"));
+    EXPECT_TRUE(has(vtu_fault(ascii, Exit::usage, "S_Z"), "'S_X'"));
+    EXPECT_TRUE(has(vtu_fault(with(ascii, "</PointData>", ""), Exit::bad_input), "XML"));
+    EXPECT_TRUE(has(vtu_fault("# vtk DataFile Version 3.0\n", Exit::bad_input), ".vtu"));
     const std::size_t data = binary.find("Name=\"S_X\"");
     const std::size_t begin = binary.find(">\n", data) + 2, end = binary.find("\n<", begin);
-    EXPECT_TRUE(has(fault(std::string(binary).erase(begin + 40, end - begin - 40), Exit::truncated), "'S_X'"));
-    EXPECT_TRUE(has(fault(std::string(binary).replace(begin + 40, 1, "*"), Exit::bad_input), "base64"));
+    EXPECT_TRUE(has(vtu_fault(std::string(binary).erase(begin + 40, end - begin - 40), Exit::truncated), "'S_X'"));
+    EXPECT_TRUE(has(vtu_fault(std::string(binary).replace(begin + 40, 1, "*"), Exit::bad_input), "base64"));
     const std::size_t there = packed.find(">\n", packed.find("Name=\"S_X\"")) + 2;
-    EXPECT_TRUE(has(fault(std::string(packed).replace(there + 60, 8, "AAAAAAAA"), Exit::bad_input), "zlib"));
+    EXPECT_TRUE(has(vtu_fault(std::string(packed).replace(there + 60, 8, "AAAAAAAA"), Exit::bad_input), "zlib"));
 }
 
 TEST(Vtu, EveryCutIsSeen) {
     for (const Style& style : {Style{"ascii"}, Style{"appended", true, false, true, true}}) {
         const std::string whole = grid(style);
         for (std::size_t size = 20; size + 12 < whole.size(); size += 7)
-            EXPECT_TRUE(has(fault(whole.substr(0, size), Exit::truncated), "ends")) << size;
+            EXPECT_TRUE(has(vtu_fault(whole.substr(0, size), Exit::truncated), "ends")) << size;
     }
 }
 

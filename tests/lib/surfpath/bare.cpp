@@ -1,7 +1,7 @@
 // What a plan leaves without a bead is told, with area and place.
 #include "surfpath/bare.hpp"
 
-#include "curve/locate.hpp"
+#include "surface/curve/locate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ Surface square(double size, double z = 0) {
 }
 
 Plan rows(const Surface& s, double from, double to, double spacing) {
-    const curve::Locator locator(s);
+    const surface::curve::Locator locator(s);
     Plan out;
     for (double y = from; y < to; y += spacing)
         out.strokes.push_back({{{{{locator.nearest({0, y, 0}), locator.nearest({20, y, 0})}, false}, false}}});

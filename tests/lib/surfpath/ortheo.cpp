@@ -2,8 +2,10 @@
 #include "surfpath/ortheo.hpp"
 
 #include "base/error.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 #include "surface/section.hpp"
+
+#include "plans.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +33,6 @@ surface::Sheet seeded(Surface s, const surface::Plane& plane) {
     surface::Sheet out{std::move(s), {}, {}, {}};
     out.sources.segments = surface::section(out.surface, plane);
     return out;
-}
-
-double fact(const Plan& plan, const std::string& name) {
-    for (const Fact& f : plan.facts)
-        if (f.name == name) return f.value;
-    ADD_FAILURE() << name;
-    return -1;
 }
 
 // Sector of a ring about the origin, radius 20 to 60, a right angle, its narrow rim the source.
@@ -73,7 +68,7 @@ TEST(ortheo, on_a_rectangle_lines_are_straight_and_go_through_the_seed) {
     EXPECT_EQ(fact(plan, "cuts"), 19);
     for (std::size_t i = 0; i < 20; ++i) {
         const Line& l = line(plan.strokes[i]);
-        EXPECT_NEAR(curve::length(l), 30, 1e-6);
+        EXPECT_NEAR(surface::curve::length(l), 30, 1e-6);
         for (const Place& p : l.places) EXPECT_NEAR(p.point.x, l[0].x, 1e-4);
     }
 }
@@ -115,7 +110,7 @@ TEST(ortheo, on_a_cylinder_nothing_is_born) {
     const Plan plan = ortheo(sheet, {.spacing = 1});
     EXPECT_EQ(fact(plan, "births"), 0);
     EXPECT_EQ(plan.strokes.size(), 30U);
-    for (const Stroke& s : plan.strokes) EXPECT_NEAR(curve::length(line(s)), 30, 1e-6);
+    for (const Stroke& s : plan.strokes) EXPECT_NEAR(surface::curve::length(line(s)), 30, 1e-6);
 }
 
 TEST(ortheo, what_is_too_short_is_left_out_with_a_note) {
@@ -124,7 +119,7 @@ TEST(ortheo, what_is_too_short_is_left_out_with_a_note) {
     EXPECT_LT(some.strokes.size(), all.strokes.size());
     ASSERT_FALSE(some.notes.empty());
     EXPECT_EQ(some.notes[0].what, "line left out: too short");
-    for (const Stroke& s : some.strokes) EXPECT_GT(curve::length(line(s)), 24);
+    for (const Stroke& s : some.strokes) EXPECT_GT(surface::curve::length(line(s)), 24);
 }
 
 TEST(ortheo, hairpins_lead_all_lines_into_one) {

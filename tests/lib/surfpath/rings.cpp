@@ -1,9 +1,12 @@
 // Paths of rings on surfaces whose answers are known: one stroke that meets itself piece by piece, stays on the
 // surface, turns no tighter than it says, and covers what it can.
 #include "base/error.hpp"
-#include "curve/walk.hpp"
+#include "surface/curve/walk.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
+
+#include "../surface/grid.hpp"
+#include "plans.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,34 +17,20 @@
 namespace filum::surfpath {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 using Inside = std::function<bool(double, double)>;
 using Lift = std::function<Vec3(double, double)>;
 
-Vec3 flat(double x, double y) { return {x, y, 0}; }
-
 // The cells of about 0.8 mm of [0, a] x [0, b] that lie inside, put into space.
-surface::Sheet sheet(double a, double b, const Inside& inside, const Lift& lift = flat) {
-    const int n = static_cast<int>(std::round(a / 0.8)), m = static_cast<int>(std::round(b / 0.8));
-    mesh::Mesh mesh;
-    std::vector<std::uint32_t> number(static_cast<std::size_t>((n + 1) * (m + 1)), surface::kNone);
-    const auto vertex = [&](int i, int j) {
-        auto& v = number[static_cast<std::size_t>(j * (n + 1) + i)];
-        if (v == surface::kNone) {
-            v = static_cast<std::uint32_t>(mesh.vertices.size());
-            mesh.vertices.push_back(lift(a * i / n, b * j / m));
-        }
-        return v;
-    };
-    for (int j = 0; j < m; ++j)
-        for (int i = 0; i < n; ++i) {
-            if (!inside(a * (i + 0.5) / n, b * (j + 0.5) / m)) continue;
-            const auto p = vertex(i, j), q = vertex(i + 1, j), r = vertex(i + 1, j + 1), s = vertex(i, j + 1);
-            mesh.triangles.push_back({p, q, r});
-            mesh.triangles.push_back({p, r, s});
-        }
+surface::Sheet patch(
+    double a, double b, const Inside& inside, const Lift& lift = [](double x, double y) {
+        return Vec3{x, y, 0};
+    }) {
     Notes notes;
+    auto mesh = surface::pierced_grid(
+        a, b, static_cast<int>(std::round(a / 0.8)), static_cast<int>(std::round(b / 0.8)),
+        [&](Vec2 p) { return lift(p.x, p.y); }, [&](Vec2 p) { return !inside(p.x, p.y); });
     return {surface::connect(std::move(mesh), notes), {}, {}};
 }
 
@@ -58,42 +47,18 @@ Lift disc(double r, const std::function<double(double)>& height) {
 
 Line whole(const Stroke& stroke) {
     Line out;
-    for (const Piece& piece : stroke.pieces) curve::append(out, piece.line);
+    for (const Piece& piece : stroke.pieces) surface::curve::append(out, piece.line);
     return out;
-}
-
-// The share of the triangles' middles that lie within half a millimetre of the path.
-double covered(const Surface& s, const Plan& plan) {
-    std::vector<std::vector<Vec3>> grid(128 * 128);
-    const auto cell = [](const Vec3& p, int dx, int dy) {
-        const int x = std::clamp(static_cast<int>(p.x) + 32 + dx, 0, 127);
-        const int y = std::clamp(static_cast<int>(p.y) + 32 + dy, 0, 127);
-        return static_cast<std::size_t>(128 * y + x);
-    };
-    for (const Stroke& stroke : plan.strokes)
-        for (const Place& p : curve::resampled(whole(stroke), 0.1).places) grid[cell(p.point, 0, 0)].push_back(p.point);
-    double in = 0, all = 0;
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const auto& [a, b, c] = s.triangles[t];
-        const Vec3 m = 1.0 / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
-        const double area = norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a]));
-        bool near = false;
-        for (int dx = -1; dx <= 1 && !near; ++dx)
-            for (int dy = -1; dy <= 1 && !near; ++dy)
-                for (const Vec3& p : grid[cell(m, dx, dy)]) near = near || distance(p, m) < 0.51;
-        all += area, in += near ? area : 0;
-    }
-    return in / all;
 }
 
 // The share of the length outside of hairpins that turns along the surface by more than 0.45 / mm.
 double tight(const Surface& s, const Plan& plan) {
     double out = 0, all = 0;
     for (const Stroke& stroke : plan.strokes) {
-        all += curve::length(whole(stroke));
+        all += surface::curve::length(whole(stroke));
         for (const Piece& piece : stroke.pieces) {
-            if (piece.hairpin || curve::length(piece.line) < 1) continue;
-            const Line line = curve::resampled(piece.line, 0.5);
+            if (piece.hairpin || surface::curve::length(piece.line) < 1) continue;
+            const Line line = surface::curve::resampled(piece.line, 0.5);
             for (std::size_t i = 1; i + 1 < line.size(); ++i) {
                 const Vec3 a = line[i] - line[i - 1], b = line[i + 1] - line[i];
                 const Vec3 n = surface::normal(s, line.places[i].triangle);
@@ -124,8 +89,8 @@ void check(const surface::Sheet& sheet, const Plan& plan, double least) {
         EXPECT_LT(distance(surface::nearest_in(sheet.surface, p.triangle, p.point), p.point), 1e-6);
     }
     const double area = surface::area(sheet.surface);
-    EXPECT_GT(covered(sheet.surface, plan), least);
-    EXPECT_LT(curve::length(line) / area - covered(sheet.surface, plan), 0.06);
+    EXPECT_GT(covered(sheet.surface, plan, 0.51), least);
+    EXPECT_LT(surface::curve::length(line) / area - covered(sheet.surface, plan, 0.51), 0.06);
     EXPECT_LT(tight(sheet.surface, plan), 0.01);
 }
 
@@ -143,32 +108,32 @@ TEST_P(Rings, fiso_is_one_gentle_path_that_ends_where_it_began) {
 INSTANTIATE_TEST_SUITE_P(
     surfaces, Rings,
     testing::Values(
-        Case{"disc", [] { return sheet(40, 40, everywhere, disc(20, [](double) { return 0.0; })); }, 0.95},
-        Case{"rectangle", [] { return sheet(48, 32, everywhere); }, 0.93},
+        Case{"disc", [] { return patch(40, 40, everywhere, disc(20, [](double) { return 0.0; })); }, 0.95},
+        Case{"rectangle", [] { return patch(48, 32, everywhere); }, 0.93},
         Case{"hole",
              [] {
-                 return sheet(48, 40, [](double x, double y) { return std::abs(x - 24) > 8 || std::abs(y - 20) > 8; });
+                 return patch(48, 40, [](double x, double y) { return std::abs(x - 24) > 8 || std::abs(y - 20) > 8; });
              },
              0.9},
-        Case{"el", [] { return sheet(48, 48, [](double x, double y) { return x < 24 || y < 24; }); }, 0.9},
+        Case{"el", [] { return patch(48, 48, [](double x, double y) { return x < 24 || y < 24; }); }, 0.9},
         Case{"dumbbell",
              [] {
-                 return sheet(64, 28, [](double x, double y) { return std::abs(x - 32) > 12 || std::abs(y - 14) < 6; });
+                 return patch(64, 28, [](double x, double y) { return std::abs(x - 32) > 12 || std::abs(y - 14) < 6; });
              },
              0.88},
         Case{"annulus",
              [] {
-                 return sheet(24, 2 * kPi * 14, everywhere, [](double x, double y) -> Vec3 {
+                 return patch(24, 2 * pi * 14, everywhere, [](double x, double y) -> Vec3 {
                      const double r = 8 + x / 2;
                      return {20 + r * std::cos(y / 14.001), 20 + r * std::sin(y / 14.001), 0};
                  });
              },
              0.85},
-        Case{"cap", [] { return sheet(40, 40, everywhere, disc(20, [](double r) { return std::sqrt(900 - r * r); })); },
+        Case{"cap", [] { return patch(40, 40, everywhere, disc(20, [](double r) { return std::sqrt(900 - r * r); })); },
              0.95},
         Case{"saddle",
              [] {
-                 return sheet(48, 40, everywhere, [](double x, double y) -> Vec3 {
+                 return patch(48, 40, everywhere, [](double x, double y) -> Vec3 {
                      return {x, y, ((x - 24) * (x - 24) - (y - 20) * (y - 20)) / 60};
                  });
              },
@@ -176,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return info.param.name; });
 
 TEST(geo_fiso, begins_and_ends_side_by_side_at_the_boundary) {
-    const auto s = sheet(48, 32, everywhere);
+    const auto s = patch(48, 32, everywhere);
     const Plan plan = geo_fiso(s, {.algorithm = "geo-fiso"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     const Line line = whole(plan.strokes[0]);
@@ -186,22 +151,22 @@ TEST(geo_fiso, begins_and_ends_side_by_side_at_the_boundary) {
 }
 
 TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
-    const auto s = sheet(48, 32, everywhere);
+    const auto s = patch(48, 32, everywhere);
     const Line line = whole(geo_contour(s, {.algorithm = "geo-contour", .spacing = 2}).strokes.at(0));
     double nearest = 100;
     for (const Place& p : line.places)
         nearest = std::min({nearest, p.point.x, p.point.y, 48 - p.point.x, 32 - p.point.y});
     EXPECT_NEAR(nearest, 1, 0.06);
-    EXPECT_NEAR(curve::length(line) * 2 / (48 * 32), 0.95, 0.06);
+    EXPECT_NEAR(surface::curve::length(line) * 2 / (48 * 32), 0.95, 0.06);
 }
 
 // A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
 TEST(geo_contour, rings_through_vertices_are_whole) {
-    const auto s = sheet(32, 24, everywhere);
+    const auto s = patch(32, 24, everywhere);
     const Plan p = plan(s, {.algorithm = "geo-contour", .spacing = 1.6});
     ASSERT_EQ(p.strokes.size(), 1);
     double length = 0;
-    for (const Piece& piece : p.strokes[0].pieces) length += curve::length(piece.line);
+    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
     EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
 }
 

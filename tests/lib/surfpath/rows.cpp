@@ -8,6 +8,9 @@
 #include "surfpath/order.hpp"
 #include "surfpath/turn.hpp"
 
+#include "../surface/grid.hpp"
+#include "plans.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -17,31 +20,14 @@
 namespace filum::surfpath {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The rectangle [0, a] x [0, b] in cells of about 1 mm, put into space; cells for which `hole` holds are left out.
-surface::Sheet sheet(
+surface::Sheet seeded(
     double a, double b, const std::string& source, const std::function<Vec3(Vec2)>& lift,
     const std::function<bool(Vec2)>& hole = [](Vec2) { return false; }) {
-    const int n = static_cast<int>(a), m = static_cast<int>(b);
-    mesh::Mesh mesh;
-    std::vector<std::uint32_t> number(static_cast<std::size_t>((n + 1) * (m + 1)), surface::kNone);
-    const auto vertex = [&](int i, int j) {
-        auto& v = number[static_cast<std::size_t>(j * (n + 1) + i)];
-        if (v == surface::kNone) {
-            v = static_cast<std::uint32_t>(mesh.vertices.size());
-            mesh.vertices.push_back(lift({a * i / n, b * j / m}));
-        }
-        return v;
-    };
-    for (int j = 0; j < m; ++j)
-        for (int i = 0; i < n; ++i) {
-            if (hole({a * (i + 0.5) / n, b * (j + 0.5) / m})) continue;
-            const auto p = vertex(i, j), q = vertex(i + 1, j), r = vertex(i + 1, j + 1), s = vertex(i, j + 1);
-            mesh.triangles.push_back({p, q, r});
-            mesh.triangles.push_back({p, r, s});
-        }
     Notes notes;
+    auto mesh = surface::pierced_grid(a, b, static_cast<int>(a), static_cast<int>(b), lift, hole);
     surface::Sheet out{surface::connect(std::move(mesh), notes), {}, {}};
     out.sources = geodesic::choose(out.surface, source, notes);
     return out;
@@ -49,59 +35,15 @@ surface::Sheet sheet(
 
 Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
 
-// The share of the surface within half a millimetre of the path, by samples.
-double covered(const Surface& s, const Plan& plan) {
-    std::vector<std::pair<Vec3, Vec3>> path;
-    for (const Stroke& stroke : plan.strokes)
-        for (const Piece& piece : stroke.pieces)
-            for (std::size_t i = 1; i < piece.line.size(); ++i) path.emplace_back(piece.line[i - 1], piece.line[i]);
-    std::vector<std::vector<std::size_t>> grid(100 * 100);
-    const auto cell = [](const Vec3& p, int dx, int dy) {
-        const int x = std::clamp(static_cast<int>(p.x + 50) + dx, 0, 99);
-        const int y = std::clamp(static_cast<int>(p.y + 50) + dy, 0, 99);
-        return static_cast<std::size_t>(100 * y + x);
-    };
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        const double l = distance(path[i].first, path[i].second);
-        for (double at = 0; at <= l; at += 0.4)
-            grid[cell(path[i].first + (l > 0 ? at / l : 0) * (path[i].second - path[i].first), 0, 0)].push_back(i);
-    }
-    const auto near = [&](const Vec3& p) {
-        for (int dx = -1; dx <= 1; ++dx)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (const std::size_t i : grid[cell(p, dx, dy)]) {
-                    const Vec3 d = path[i].second - path[i].first;
-                    const double l2 = dot(d, d);
-                    const double t = l2 > 0 ? std::clamp(dot(p - path[i].first, d) / l2, 0.0, 1.0) : 0;
-                    if (distance(p, path[i].first + t * d) <= 0.501) return true;
-                }
-        return false;
-    };
-    std::mt19937 random(1);
-    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    double all = 0, in = 0;
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
-                   v = s.vertices[s.triangles[t][2]] - a;
-        const double area = norm(cross(u, v)) / 10;
-        for (int k = 0; k < 5; ++k) {
-            double x = unit(), y = unit();
-            if (x + y > 1) x = 1 - x, y = 1 - y;
-            all += area, in += near(a + x * u + y * v) ? area : 0;
-        }
-    }
-    return in / all;
-}
-
 // The least radius of turning along the surface outside hairpins, in steps of 0.25 mm.
 double least_radius(const Surface& s, const Stroke& stroke) {
-    const auto normals = curve::vertex_normals(s);
+    const auto normals = surface::curve::vertex_normals(s);
     double most = 0;
     for (const Piece& piece : stroke.pieces) {
-        if (piece.hairpin || curve::length(piece.line) < 1) continue;
-        const Line l = curve::resampled(piece.line, 0.25);
+        if (piece.hairpin || surface::curve::length(piece.line) < 1) continue;
+        const Line l = surface::curve::resampled(piece.line, 0.25);
         for (std::size_t i = 1; i + 1 < l.size(); ++i) {
-            const Vec3 a = l[i] - l[i - 1], b = l[i + 1] - l[i], n = curve::normal_at(s, normals, l.places[i]);
+            const Vec3 a = l[i] - l[i - 1], b = l[i + 1] - l[i], n = surface::curve::normal_at(s, normals, l.places[i]);
             most = std::max(most, std::abs(std::atan2(dot(cross(a, b), n), dot(a, b) - dot(a, n) * dot(b, n))) / 0.25);
         }
     }
@@ -143,14 +85,8 @@ void expect_inside(const Surface& s, const Plan& plan) {
     EXPECT_GT(least, 0.39);
 }
 
-double fact(const Plan& plan, const std::string& name) {
-    for (const Fact& f : plan.facts)
-        if (f.name == name) return f.value;
-    return -1;
-}
-
 TEST(Fina, CoversARectangleInOneStrokeWithoutTightTurns) {
-    const auto s = sheet(50, 40, "plane:0,1,0,17.3", flat);
+    const auto s = seeded(50, 40, "plane:0,1,0,17.3", flat);
     const Plan plan = fina(s, {.algorithm = "fina"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     EXPECT_EQ(fact(plan, "hairpins"), 0);
@@ -162,7 +98,7 @@ TEST(Fina, CoversARectangleInOneStrokeWithoutTightTurns) {
 }
 
 TEST(Fina, GoesRoundAHole) {
-    const auto s = sheet(50, 40, "plane:0,1,0,20", flat, [](Vec2 p) { return distance(p, {20, 22}) < 6; });
+    const auto s = seeded(50, 40, "plane:0,1,0,20", flat, [](Vec2 p) { return distance(p, {20, 22}) < 6; });
     const Plan plan = fina(s, {.algorithm = "fina"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
@@ -171,7 +107,7 @@ TEST(Fina, GoesRoundAHole) {
 }
 
 TEST(Fina, RowsAreStraightBehindAHole) {
-    const auto s = sheet(50, 40, "plane:0,1,0,0", flat, [](Vec2 p) { return distance(p, {25, 20}) < 4; });
+    const auto s = seeded(50, 40, "plane:0,1,0,0", flat, [](Vec2 p) { return distance(p, {25, 20}) < 4; });
     const Plan plan = fina(s, {.algorithm = "fina"});
     for (const Stroke& stroke : plan.strokes)
         for (const Piece& piece : stroke.pieces)
@@ -182,7 +118,7 @@ TEST(Fina, RowsAreStraightBehindAHole) {
 }
 
 TEST(Fina, CoversAnLInOneStroke) {
-    const auto s = sheet(40, 40, "plane:0,1,0,10", flat, [](Vec2 p) { return p.x > 20 && p.y > 20; });
+    const auto s = seeded(40, 40, "plane:0,1,0,10", flat, [](Vec2 p) { return p.x > 20 && p.y > 20; });
     const Plan plan = fina(s, {.algorithm = "fina"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
@@ -191,7 +127,7 @@ TEST(Fina, CoversAnLInOneStroke) {
 }
 
 TEST(Fina, CoversASaddle) {
-    const auto s = sheet(40, 40, "plane:1,0,0,0", [](Vec2 p) {
+    const auto s = seeded(40, 40, "plane:1,0,0,0", [](Vec2 p) {
         return Vec3{p.x - 20, p.y - 20, ((p.x - 20) * (p.x - 20) - (p.y - 20) * (p.y - 20)) / 80};
     });
     const Plan plan = fina(s, {.algorithm = "fina"});
@@ -207,7 +143,7 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
     const int n = 60, m = 20;
     for (int j = 0; j <= m; ++j)
         for (int i = 0; i < n; ++i)
-            mesh.vertices.push_back({10 * std::cos(2 * kPi * i / n), 10 * std::sin(2 * kPi * i / n), 1.0 * j});
+            mesh.vertices.push_back({10 * std::cos(2 * pi * i / n), 10 * std::sin(2 * pi * i / n), 1.0 * j});
     for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
             const auto at = [&](int k, int l) { return static_cast<std::uint32_t>(l * n + k % n); };
@@ -222,15 +158,16 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
     ASSERT_EQ(plan.strokes[0].pieces.size(), 1U);
     expect_sound(s.surface, plan);
     const Line& l = plan.strokes[0].pieces[0].line;
-    EXPECT_NEAR(curve::length(l), 20 * 60 * 2 * 10 * std::sin(kPi / 60), 40); // area by spacing, but for its ends
+    EXPECT_NEAR(surface::curve::length(l), 20 * 60 * 2 * 10 * std::sin(pi / 60),
+                40); // area by spacing, but for its ends
     double turned = 0;
     for (std::size_t i = 1; i < l.size(); ++i)
         turned += std::atan2(l[i - 1].x * l[i].y - l[i - 1].y * l[i].x, l[i - 1].x * l[i].x + l[i - 1].y * l[i].y);
-    EXPECT_NEAR(std::abs(turned) / (2 * kPi), 20, 0.8); // always the same way round
+    EXPECT_NEAR(std::abs(turned) / (2 * pi), 20, 0.8); // always the same way round
 }
 
 TEST(Fina, IsTheSameEveryTime) {
-    const auto s = sheet(30, 30, "plane:1,2,0,40", flat);
+    const auto s = seeded(30, 30, "plane:1,2,0,40", flat);
     const Plan a = fina(s, {.algorithm = "fina"}), b = fina(s, {.algorithm = "fina"});
     ASSERT_EQ(a.strokes.size(), b.strokes.size());
     for (std::size_t i = 0; i < a.strokes.size(); ++i) {
@@ -240,17 +177,17 @@ TEST(Fina, IsTheSameEveryTime) {
     }
 }
 
-TEST(Fina, NeedsASeedCurve) { EXPECT_THROW(fina(sheet(10, 10, "vertex:0", flat), {.algorithm = "fina"}), Error); }
+TEST(Fina, NeedsASeedCurve) { EXPECT_THROW(fina(seeded(10, 10, "vertex:0", flat), {.algorithm = "fina"}), Error); }
 
 TEST(Fina, NotesASurfaceNarrowerThanTheSpacing) {
-    const Plan plan = fina(sheet(20, 4, "plane:0,1,0,2", flat), {.algorithm = "fina", .spacing = 50});
+    const Plan plan = fina(seeded(20, 4, "plane:0,1,0,2", flat), {.algorithm = "fina", .spacing = 50});
     EXPECT_TRUE(plan.strokes.empty());
     ASSERT_EQ(plan.notes.size(), 1U);
     EXPECT_NEAR(plan.notes[0].amount, 80, 1e-9);
 }
 
 TEST(Fina, AnyRadiusWillDo) {
-    const auto s = sheet(20, 10, "plane:0,1,0,5", flat);
+    const auto s = seeded(20, 10, "plane:0,1,0,5", flat);
     for (const double radius : {0.0, 1e-9, 1e6}) {
         const Plan plan = fina(s, {.algorithm = "fina", .least_radius = radius});
         ASSERT_EQ(plan.strokes.size(), 1U) << radius;
@@ -261,7 +198,7 @@ TEST(Fina, AnyRadiusWillDo) {
 
 TEST(Fexa, RowsLieAsFarApartOnASlope) {
     // A roof of 60 degrees: planes across the slope must be half a spacing apart.
-    const auto s = sheet(40, 40, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x / 2, p.y, p.x * std::sqrt(0.75)}; });
+    const auto s = seeded(40, 40, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x / 2, p.y, p.x * std::sqrt(0.75)}; });
     const Plan plan = fexa(s, {.algorithm = "fexa"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     EXPECT_EQ(fact(plan, "rows"), 40);
@@ -278,9 +215,9 @@ TEST(Fexa, RowsLieAsFarApartOnASlope) {
 TEST(Fexa, NotesWhereTheSurfaceLeansTowardsThePlane) {
     // Steeper and steeper across, and the same everywhere along the rows: nothing is too wide.  Then a twist: the slope
     // across differs along the rows.
-    const auto even = sheet(20, 20, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.x / 20}; });
+    const auto even = seeded(20, 20, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.x / 20}; });
     EXPECT_TRUE(fexa(even, {.algorithm = "fexa"}).notes.empty());
-    const auto twisted = sheet(20, 20, "plane:1,0,0,10", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.y * p.y / 200}; });
+    const auto twisted = seeded(20, 20, "plane:1,0,0,10", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.y * p.y / 200}; });
     const Plan plan = fexa(twisted, {.algorithm = "fexa"});
     double area = 0;
     for (const Note& note : plan.notes)
@@ -290,14 +227,14 @@ TEST(Fexa, NotesWhereTheSurfaceLeansTowardsThePlane) {
 }
 
 TEST(Fexa, NeedsASeedInAPlane) {
-    auto s = sheet(10, 10, "plane:1,0,0,5", flat);
+    auto s = seeded(10, 10, "plane:1,0,0,5", flat);
     s.sources.segments.push_back({0, {0, 0, 0}, {0.5, 0, 0}});
     s.sources.segments.push_back({0, {0, 0, 3}, {0.5, 0, 3}});
     EXPECT_THROW(fexa(s, {.algorithm = "fexa"}), Error);
 }
 
 TEST(GeoSpiral, WindsOverADiscInOneStroke) {
-    const auto s = sheet(40, 40, "point:20,20,0", flat, [](Vec2 p) { return distance(p, {20, 20}) > 18; });
+    const auto s = seeded(40, 40, "point:20,20,0", flat, [](Vec2 p) { return distance(p, {20, 20}) > 18; });
     const Plan plan = geo_spiral(s, {.algorithm = "geo-spiral"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
@@ -305,7 +242,7 @@ TEST(GeoSpiral, WindsOverADiscInOneStroke) {
 }
 
 TEST(GeoSpiral, GoesOnWhereTheFrontMeetsTheRim) {
-    const auto s = sheet(60, 30, "point:20,15,0", flat);
+    const auto s = seeded(60, 30, "point:20,15,0", flat);
     const Plan plan = geo_spiral(s, {.algorithm = "geo-spiral"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
@@ -313,7 +250,7 @@ TEST(GeoSpiral, GoesOnWhereTheFrontMeetsTheRim) {
 }
 
 TEST(GeoSpiral, NeedsAPoint) {
-    EXPECT_THROW(geo_spiral(sheet(10, 10, "plane:1,0,0,5", flat), {.algorithm = "geo-spiral"}), Error);
+    EXPECT_THROW(geo_spiral(seeded(10, 10, "plane:1,0,0,5", flat), {.algorithm = "geo-spiral"}), Error);
 }
 
 TEST(Order, RowsThatMayOnlyJumpFourToSeven) {
@@ -358,14 +295,14 @@ FlatTurn upright(double apart, double radius) {
 
 TEST(Turn, IsAHalfCircleAtTwoRadii) {
     const FlatTurn t = upright(5, 2.5);
-    EXPECT_NEAR(t.length, kPi * 2.5, 0.01);
+    EXPECT_NEAR(t.length, pi * 2.5, 0.01);
     EXPECT_NEAR(t.from_first, 2.5, 1e-6);
     EXPECT_NEAR(t.from_second, 2.5, 1e-6);
 }
 
 TEST(Turn, RunsAlongTheBoundWhereThereIsRoom) {
     const FlatTurn t = upright(9, 2.5);
-    EXPECT_NEAR(t.length, kPi * 2.5 + 4, 0.01);
+    EXPECT_NEAR(t.length, pi * 2.5 + 4, 0.01);
     double top = -1;
     for (const Vec2 p : t.points) top = std::max(top, p.y);
     EXPECT_NEAR(top, 0, 1e-9);

@@ -1,0 +1,27 @@
+#include "app/collide/surroundings.hpp"
+
+#include "cli/head_options.hpp"
+
+namespace filum::app::collide {
+
+std::vector<cli::Option> options(Surroundings& to) {
+    using cli::Option;
+    const auto length = [](const char* name, double* at, const char* help) { return Option{name, at, "MM", help}; };
+    return cli::with(
+        {Option{"part", &to.part, "FILE,...", "meshes that are there before, as a core or a mould"}.not_a_setting(),
+         Option{"fixture", &to.fixture, "FILE,...", "meshes of what holds the part"}.not_a_setting(),
+         {"bed", &to.bed, "", "the plane z = 0 is there, too"},
+         Option{"machine", &to.machine, "NAME|FILE", "machine profile: its head, unless --head names another"}
+             .not_a_setting(),
+         {"set", &to.set, "KEY=VALUE,...", "change keys of the profile, as travel.lift=2"},
+         length("step", &to.check.step, "how far a point of the head moves between two checks")
+             .at_least(0.001)
+             .at_most(1000),
+         length("press", &to.check.press, "what rises less above the tip does not count").at_least(0).at_most(10),
+         length("margin", &to.check.margin, "how far the head is to stay away").at_least(0).at_most(1e4),
+         {"strict", &to.strict, "", "a collision is an error (the default; =false for a note)"},
+         Option{"places", &to.places, "FILE", "list of collisions, as TSV"}.not_a_setting()},
+        cli::head_options(to.head));
+}
+
+} // namespace filum::app::collide

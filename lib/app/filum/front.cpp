@@ -1,0 +1,128 @@
+#include "app/filum/front.hpp"
+
+#include "app/filum/process.hpp"
+#include "app/filum/route.hpp"
+#include "app/filum/stage.hpp"
+#include "base/error.hpp"
+#include "base/shell.hpp"
+#include "stream/sink.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+namespace filum::app::filum {
+
+namespace {
+
+constexpr const char* kPlanar[] = {"slice", "regions", "sequence", "fill", "link3d", "postproc"};
+
+void print(const std::string& text) {
+    stream::Sink out("-", stream::Sink::Content::text);
+    out.write(text);
+    out.commit();
+}
+
+void list() {
+    std::string out;
+    for (const auto& name : stage_names()) {
+        const Stage s = ask(name);
+        std::string left = s.name;
+        left.resize(std::max<std::size_t>(left.size() + 2, 13), ' ');
+        const auto port = [](const std::string& p) {
+            if (p == "stream unknown") return std::string("any stream");
+            return p.starts_with("stream ") ? p.substr(7) : p;
+        };
+        std::string ports = port(s.in) + " -> " + port(s.out);
+        ports.resize(std::max<std::size_t>(ports.size() + 2, 24), ' ');
+        out += left + ports + s.synopsis + "\n";
+    }
+    print(out);
+}
+
+// Lines for eval in a shell.
+void env() {
+    std::string out = "export PATH=" + shell_word(stage_folder()) + ":\"$PATH\"\n";
+    const std::filesystem::path share = std::filesystem::path(prefix()) / "share";
+    if (std::filesystem::is_directory(share / "man"))
+        out += "export MANPATH=" + shell_word((share / "man").string()) + ":\"${MANPATH:-}\"\n";
+    const auto completion = share / "bash-completion" / "completions" / "filum";
+    if (std::filesystem::is_regular_file(completion))
+        out += "if [ -n \"${BASH_VERSION:-}\" ]; then . " + shell_word(completion.string()) + "; fi\n";
+    print(out);
+}
+
+std::string print_help(const std::vector<Stage>& stages) {
+    std::string out = "usage: filum print [OPTIONS] [MESH]\n\n"
+                      "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
+    for (const auto& s : stages) out += (&s == stages.data() ? " " : " | ") + s.name;
+    out += "\n\nAn option goes to every stage that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
+           "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
+           "If a stage fails, the exit code is its own, and a file named by --output does not appear.\n\n"
+           "  -o, --output FILE   where to write\n  -q, --quiet         no warnings\n"
+           "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";
+    for (const auto& s : stages) {
+        out += "  " + s.name + ":";
+        for (const auto& o : s.options)
+            if (o.name != "output" && o.name != "threads" && o.name != "quiet" && o.name != "help" &&
+                o.name != "version")
+                out += " --" + o.name;
+        out += "\n";
+    }
+    return out + "\nfilum help STAGE explains them.\n";
+}
+
+int print_part(const std::vector<std::string>& words) {
+    std::vector<Stage> stages;
+    for (const char* name : kPlanar) stages.push_back(ask(name));
+    if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return print(print_help(stages)), 0;
+    const Request request = route(words, stages);
+    std::vector<Command> commands;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        Command command{stages[i].program};
+        command.insert(command.end(), request.arguments[i].begin(), request.arguments[i].end());
+        if (i + 1 == stages.size() && request.output != "-") command.push_back("--output=" + request.output);
+        if (i == 0 && request.input.starts_with("-") && request.input != "-") command.emplace_back("--");
+        if (i == 0 && request.input != "-") command.push_back(request.input);
+        commands.push_back(std::move(command));
+    }
+    if (request.dry_run) {
+        std::string line;
+        for (std::size_t i = 0; i < commands.size(); ++i) {
+            line += (i > 0 ? " | " : "") + stages[i].name;
+            for (std::size_t w = 1; w < commands[i].size(); ++w) line += " " + shell_word(commands[i][w]);
+        }
+        return print(line + "\n"), 0;
+    }
+    const auto ended = run_piped(commands);
+    std::size_t who = 0;
+    const int code = verdict(ended, who);
+    if (code == 0) return 0;
+    if (ended[who].by_signal)
+        throw Error(Exit::failure,
+                    "stage '" + stages[who].name + "' was killed by signal " + std::to_string(code - 128));
+    if (code == static_cast<int>(Exit::truncated) && who > 0)
+        throw Error(Exit::truncated, "stage '" + stages[who].name + "' received an incomplete stream");
+    return code; // the stage has said why
+}
+
+} // namespace
+
+int front(const std::vector<std::string>& words) {
+    const std::string& what = words.at(0);
+    const std::vector<std::string> rest(words.begin() + 1, words.end());
+    if (what == "print") return print_part(rest);
+    if (what == "help" && rest.size() == 1 && rest[0] == "print") return print_part({"--help"});
+    if (what == "help" && rest.empty()) become({"/proc/self/exe", "--help"});
+    if (what == "help" && rest.size() == 1) become({stage_program(rest[0]), "--help"});
+    if (what == "list" || what == "env") {
+        if (!rest.empty()) throw Error(Exit::usage, "unexpected argument '" + rest[0] + "'; see 'filum --help'");
+        what == "list" ? list() : env();
+        return 0;
+    }
+    Command command{stage_program(what)};
+    command.insert(command.end(), rest.begin(), rest.end());
+    become(command);
+}
+
+} // namespace filum::app::filum

@@ -1,0 +1,128 @@
+#include "app/filum/route.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace filum::app::filum {
+
+namespace {
+
+constexpr const char* kSee = "; see 'filum help print'";
+
+// An option as it was written: --stage.name=value.
+struct Word {
+    std::string stage, name;
+    std::optional<std::string> value;
+};
+
+Word split(const std::string& word) {
+    Word out;
+    const auto equal = word.find('=');
+    if (equal != std::string::npos) out.value = word.substr(equal + 1);
+    out.name = word.substr(2, equal == std::string::npos ? equal : equal - 2);
+    const auto dot = out.name.find('.');
+    if (dot == std::string::npos) return out;
+    out.stage = out.name.substr(0, dot);
+    out.name = out.name.substr(dot + 1);
+    return out;
+}
+
+const StageOption* find(const Stage& stage, const std::string& name) {
+    const auto at =
+        std::find_if(stage.options.begin(), stage.options.end(), [&](const auto& o) { return o.name == name; });
+    return at == stage.options.end() ? nullptr : &*at;
+}
+
+// What is written twice: once for all stages, and for one alone, which must come last to win.
+struct Given {
+    std::vector<std::string> all, own;
+};
+
+bool give(const Word& word, const std::vector<Stage>& stages, std::vector<Given>& to, std::size_t& at,
+          const std::vector<std::string>& words) {
+    std::optional<std::string> value = word.value;
+    bool known = false;
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+        if (!word.stage.empty() && stages[s].name != word.stage) continue;
+        const StageOption* option = find(stages[s], word.name);
+        if (option == nullptr || word.name == "output") continue;
+        if (option->takes_value && !value) {
+            if (++at == words.size())
+                throw Error(Exit::usage, "cannot use '--" + word.name + "' without a value" + kSee);
+            value = words[at];
+        }
+        auto& list = word.stage.empty() ? to[s].all : to[s].own;
+        list.push_back("--" + word.name + (value ? "=" + *value : ""));
+        known = true;
+    }
+    return known;
+}
+
+} // namespace
+
+namespace {
+
+const std::string* last(const Given& given, const std::string& start) {
+    for (const auto* list : {&given.own, &given.all})
+        for (auto word = list->rbegin(); word != list->rend(); ++word)
+            if (word->starts_with(start)) return &*word;
+    return nullptr;
+}
+
+// Stages that keep clear of a head take that of the machine, unless they are told another.
+void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
+    const std::string machine = "--machine=";
+    const std::string* word = nullptr;
+    for (const Given& g : to)
+        if (const auto* found = last(g, machine)) word = found;
+    if (word == nullptr) return;
+    const std::string name = word->substr(machine.size());
+    for (std::size_t s = 0; s < stages.size(); ++s)
+        if (find(stages[s], "head") != nullptr && last(to[s], "--head=") == nullptr)
+            to[s].all.push_back("--head=" + name);
+}
+
+} // namespace
+
+Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+    Request out;
+    std::vector<Given> given(stages.size());
+    bool has_input = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        const auto next = [&]() -> const std::string& {
+            if (++i == words.size() || words[i].empty())
+                throw Error(Exit::usage, "cannot use '" + word + "' without a file name" + kSee);
+            return words[i];
+        };
+        if (word == "-o" || word == "--output")
+            out.output = next();
+        else if (word.starts_with("--output="))
+            out.output = word.substr(9);
+        else if (word == "--dry-run")
+            out.dry_run = true;
+        else if (word == "-q") {
+            for (auto& g : given) g.all.emplace_back("--quiet");
+        } else if (word.starts_with("--") && word.size() > 2) {
+            if (!give(split(word), stages, given, i, words))
+                throw Error(Exit::usage, "unknown option '" + word + "': no stage of the chain has it" + kSee);
+        } else if (word.starts_with("-") && word != "-") {
+            throw Error(Exit::usage, "unknown option '" + word + "'" + kSee);
+        } else if (has_input || word.empty()) {
+            throw Error(Exit::usage, "unexpected argument '" + word + "'" + kSee);
+        } else {
+            out.input = word;
+            has_input = true;
+        }
+    }
+    hand_on_machine(stages, given);
+    for (Given& g : given) {
+        g.all.insert(g.all.end(), g.own.begin(), g.own.end());
+        out.arguments.push_back(std::move(g.all));
+    }
+    return out;
+}
+
+} // namespace filum::app::filum

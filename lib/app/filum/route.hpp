@@ -1,0 +1,24 @@
+// One command line for many stages: which option is whose.
+#pragma once
+
+#include "app/filum/stage.hpp"
+
+#include <string>
+#include <vector>
+
+namespace filum::app::filum {
+
+// What `filum print` was asked to do.
+struct Request {
+    std::string input = "-", output = "-";
+    bool dry_run = false;                            // show the pipeline only
+    std::vector<std::vector<std::string>> arguments; // for each stage, without input and output
+};
+
+// Gives every option to each stage that has it, so that one --bead-width serves all; --fill.bead-width goes to `fill`
+// alone and wins there.  --machine also names the head of each stage that has a --head and is not given one.  Options
+// take their value behind a space or a '='. Throws Error(usage) for options that no stage has, values that are missing,
+// and a second input.
+Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages);
+
+} // namespace filum::app::filum

@@ -1,0 +1,38 @@
+// The stages as programs: where they are, and what they say about themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace filum::app::filum {
+
+struct StageOption {
+    std::string name;
+    bool takes_value = false;
+};
+
+// What a stage answers to --print-contract.
+struct Stage {
+    std::string name;
+    std::string program; // its file
+    std::string synopsis, in, out;
+    std::vector<StageOption> options;
+};
+
+// The folder of the stages: ../libexec/filum of this program's own folder once installed, else that folder itself.
+// Throws Error(failure).
+std::string stage_folder();
+
+// The folder above this program's own: the install prefix.
+std::string prefix();
+
+// The file of a stage.  Throws Error(usage) if there is none of that name.
+std::string stage_program(const std::string& name);
+
+// Names of all stages, in alphabetical order.
+std::vector<std::string> stage_names();
+
+// Asks the stage.  Throws Error: usage if there is none of that name, failure if it gives no answer.
+Stage ask(const std::string& name);
+
+} // namespace filum::app::filum

@@ -1,0 +1,43 @@
+#include "app/geodesic/geodesic.hpp"
+
+#include "base/error.hpp"
+#include "geodesic/choose.hpp"
+#include "geodesic/lines.hpp"
+
+namespace filum::app::geodesic {
+
+namespace {
+
+filum::geodesic::Sources sources(const Options& o, const surface::Surface& s, cli::Io& self, Notes& notes,
+                                 Facts& facts) {
+    auto out = filum::geodesic::choose(s, o.source, notes);
+    if (!o.lines.empty()) {
+        const mesh::Bytes text = load(o.lines, "source_lines_crc32c", self);
+        filum::geodesic::add_lines(out, s, filum::geodesic::read_lines(text.view(), "'" + o.lines + "'"), notes);
+    }
+    if (!o.mesh.empty()) {
+        const auto mesh = read_mesh(o.mesh, "source_mesh_crc32c", o.place, self, notes, o.step);
+        const Facts met = filum::geodesic::add_mesh(out, s, mesh);
+        facts.insert(facts.end(), met.begin(), met.end());
+    }
+    return out;
+}
+
+} // namespace
+
+void run(const Options& o, const cli::Io& io) {
+    cli::Io self = io; // with what identifies the input
+    Model m = read(o.place, self, o.step);
+    shape(m, o.shape, o.place, self);
+    Facts facts = surface::facts(m.sheet.surface);
+    const auto from = sources(o, m.sheet.surface, self, m.notes, facts);
+    if (!from.empty()) {
+        const Facts found = filum::geodesic::measure(m.sheet, from, o.measure, m.notes);
+        facts.insert(facts.end(), found.begin(), found.end());
+    } else if (!o.measure.levels.empty() || o.measure.spacing > 0 || o.measure.with_sides) {
+        throw Error(Exit::usage, "cannot draw isolines, or tell sides, without a source");
+    }
+    write(m, facts, self);
+}
+
+} // namespace filum::app::geodesic

@@ -1,0 +1,136 @@
+#include "app/peek/text.hpp"
+#include "base/number.hpp"
+
+#include <cmath>
+
+namespace filum::app::peek {
+
+namespace {
+
+// A JSON string.  What is no UTF-8 passes as it is: protobuf has checked that it is.
+std::string quoted(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += '\\', out += c;
+        else if (static_cast<unsigned char>(c) >= 0x20)
+            out += c;
+        else {
+            constexpr const char* kHex = "0123456789abcdef";
+            out += "\\u00";
+            out += kHex[static_cast<unsigned char>(c) >> 4];
+            out += kHex[c & 15];
+        }
+    }
+    return out + '"';
+}
+
+std::string number(double v) { return std::isfinite(v) ? shortest_text(v) : "null"; }
+
+// "name": value, with a comma before all but the first.
+void member(std::string& out, const std::string& name, const std::string& value) {
+    if (out.back() != '{') out += ',';
+    out += quoted(name) + ":" + value;
+}
+
+std::string numbers(const std::vector<double>& values) {
+    std::string out = "[";
+    for (const double v : values) {
+        if (out.size() > 1) out += ',';
+        out += number(v);
+    }
+    return out + "]";
+}
+
+std::string records(const std::vector<Record>& all) {
+    std::string out = "[";
+    for (const Record& r : all) {
+        if (out.size() > 1) out += ',';
+        out += json(r);
+    }
+    return out + "]";
+}
+
+std::string table_members(const Table& table) {
+    std::string out = "{";
+    for (const auto& column : table) member(out, column.name, numbers(column.values));
+    return out + "}";
+}
+
+} // namespace
+
+std::string json(const Record& record) {
+    std::string out = "{";
+    member(out, "kind", quoted(record.kind));
+    for (const auto& [name, unit, value] : record.entries) {
+        if (const auto* v = std::get_if<double>(&value))
+            member(out, name, number(*v));
+        else if (const auto* i = std::get_if<std::int64_t>(&value))
+            member(out, name, std::to_string(*i));
+        else if (const auto* word = std::get_if<Word>(&value))
+            member(out, name, quoted(word->text));
+        else if (const auto* table = std::get_if<Table>(&value))
+            member(out, name, table_members(*table));
+        else
+            member(out, name, records(std::get<std::vector<Record>>(value)));
+    }
+    return out + "}";
+}
+
+std::string json(const stream::Header& header) {
+    std::string runs = "[";
+    for (const auto& run : header.history) {
+        std::string settings = "{", parents;
+        for (const auto& s : run.settings) member(settings, s.name, quoted(s.value));
+        for (const auto p : run.parents) parents += (parents.empty() ? "" : ",") + std::to_string(p);
+        std::string one = "{";
+        member(one, "program", quoted(run.program));
+        member(one, "version", quoted(run.version));
+        member(one, "settings", settings + "}");
+        member(one, "parents", "[" + parents + "]");
+        runs += (runs.size() > 1 ? "," : "") + one + "}";
+    }
+    std::string out = "{";
+    member(out, "payload", quoted(stream::name(header.payload)));
+    member(out, "units", "\"mm\"");
+    member(out, "history", runs + "]");
+    return out + "}";
+}
+
+std::string json(const Summary& s) {
+    std::string kinds = "{", ranges = "{", areas = "{", named = "{", notes = "[", out = "{";
+    for (const auto& [kind, count] : s.records) member(kinds, kind, std::to_string(count));
+    for (const auto& [name, count] : s.named) member(named, name, std::to_string(count));
+    for (const auto& [name, sum] : s.areas) member(areas, name, number(sum));
+    for (const auto& [name, r] : s.ranges) member(ranges, name, "[" + number(r.lo) + "," + number(r.hi) + "]");
+    for (const Note& n : s.notes) {
+        std::string one = "{";
+        member(one, "stage", quoted(n.stage));
+        member(one, "what", quoted(n.what));
+        member(one, "amount", number(n.amount));
+        member(one, "unit", quoted(n.unit));
+        member(one, "count", std::to_string(n.count));
+        notes += (notes.size() > 1 ? "," : "") + one + "}";
+    }
+    std::string facts = "[";
+    for (const Fact& f : s.facts) {
+        std::string one = "{";
+        member(one, "stage", quoted(f.stage));
+        member(one, "name", quoted(f.name));
+        member(one, "value", number(f.value));
+        member(one, "unit", quoted(f.unit));
+        facts += (facts.size() > 1 ? "," : "") + one + "}";
+    }
+    member(out, "records", kinds + "}");
+    member(out, "points", std::to_string(s.points));
+    member(out, "layers", std::to_string(s.layers));
+    member(out, "strokes", std::to_string(s.strokes));
+    member(out, "named", named + "}");
+    member(out, "areas", areas + "}");
+    member(out, "ranges", ranges + "}");
+    member(out, "facts", facts + "]");
+    member(out, "notes", notes + "]");
+    return out + "}";
+}
+
+} // namespace filum::app::peek

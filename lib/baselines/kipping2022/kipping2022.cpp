@@ -1,0 +1,55 @@
+#include "baselines/kipping2022/kipping2022.hpp"
+
+#include "base/error.hpp"
+#include "baselines/kipping2022/ortheo.hpp"
+#include "baselines/kipping2022/rings.hpp"
+#include "baselines/kipping2022/rows.hpp"
+#include "baselines/kipping2022/spiral.hpp"
+
+#include <cmath>
+
+namespace filum::baselines::kipping2022 {
+
+namespace {
+
+surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
+    if (o.algorithm == "fina") return fina(sheet, o);
+    if (o.algorithm == "fexa") return fexa(sheet, o);
+    if (o.algorithm == "ortheo") return ortheo(sheet, o);
+    if (o.algorithm == "geo-fiso") return geo_fiso(sheet, o);
+    if (o.algorithm == "geo-contour") return geo_contour(sheet, o);
+    if (o.algorithm == "geo-spiral") return geo_spiral(sheet, o);
+    throw Error(Exit::usage, "cannot plan by '" + o.algorithm + "'; see --help for the algorithms");
+}
+
+} // namespace
+
+Options settled(Options o) {
+    if (!(o.resample > 0)) o.resample = o.spacing / 4;
+    if (!(o.iso > 0)) o.iso = o.spacing;
+    if (!(o.least_spacing > 0)) o.least_spacing = 0.4 * o.spacing;
+    if (!(o.reach > 0)) o.reach = 1.2 * o.spacing;
+    if (o.run <= 0) o.run = static_cast<std::int64_t>(std::ceil(o.spacing / o.resample - 1e-9));
+    if (o.resample < o.spacing / 1000)
+        throw Error(Exit::usage, "cannot step along paths by less than a thousandth of the spacing; raise --resample");
+    if (o.window % 2 == 0) throw Error(Exit::usage, "cannot smooth with an even --savgol-window; give an odd one");
+    if (o.window > 1 && o.degree >= o.window)
+        throw Error(Exit::usage, "cannot smooth with a --savgol-degree that is not below --savgol-window");
+    return o;
+}
+
+surfpath::Plan plan(const surface::Sheet& sheet, const Options& options) {
+    const Options o = settled(options);
+    if (o.plane && !(norm(o.plane->normal) > 0))
+        throw Error(Exit::usage, "cannot use a --plane whose normal has no length; give NX,NY,NZ,D");
+    surfpath::Plan out = run(sheet, o);
+    if (out.strokes.empty())
+        throw Error(Exit::usage, "cannot lay a path: every line is shorter than a step of it; lower --resample");
+    const Facts given = {{"", "resample", o.resample, "mm"},
+                         {"", "savgol-window", static_cast<double>(o.window), "points"},
+                         {"", "savgol-degree", static_cast<double>(o.degree), ""}};
+    out.facts.insert(out.facts.end(), given.begin(), given.end());
+    return out;
+}
+
+} // namespace filum::baselines::kipping2022

@@ -1,0 +1,121 @@
+#include "metrics/figures/figures.hpp"
+
+#include "base/number.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace filum::metrics::figures {
+
+namespace {
+
+// With exactly `decimals` digits: columns of numbers line up, and diffs stay small.
+std::string fixed(double v, int decimals) {
+    if (!std::isfinite(v)) return "-";
+    if (v == 0) v = 0; // no minus zero
+    char buffer[400];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, v, std::chars_format::fixed, decimals).ptr;
+    std::string out(buffer, end);
+    if (out.find_first_not_of("-0.") == std::string::npos && out.front() == '-') out.erase(0, 1);
+    return out;
+}
+
+std::string value(const Figure& f) {
+    if (const auto* n = std::get_if<std::uint64_t>(&f.value)) return std::to_string(*n);
+    if (const auto* d = std::get_if<double>(&f.value)) return fixed(*d, f.decimals);
+    return std::get<std::string>(f.value);
+}
+
+std::string one_line(std::string s) {
+    for (char& c : s)
+        if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+    return s;
+}
+
+std::string quoted(const std::string& s) {
+    constexpr const char* kHex = "0123456789abcdef";
+    std::string out = "\"";
+    for (const char c : s) {
+        const auto u = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\')
+            out += '\\', out += c;
+        else if (u < 0x20)
+            out += "\\u00", out += kHex[u >> 4], out += kHex[u & 15];
+        else
+            out += c;
+    }
+    return out + "\"";
+}
+
+std::string key(const Figure& f) {
+    std::string out = f.name + (f.unit.empty() ? "" : "_" + f.unit);
+    std::replace(out.begin(), out.end(), ' ', '_');
+    return out;
+}
+
+std::string table(const Figures& figures) {
+    std::size_t left = 0, right = 0;
+    for (const Figure& f : figures) {
+        left = std::max(left, f.name.size());
+        if (!std::holds_alternative<std::string>(f.value)) right = std::max(right, value(f).size());
+    }
+    std::string out;
+    const std::string* group = nullptr;
+    for (const Figure& f : figures) {
+        if (group == nullptr || *group != f.group) out += (group == nullptr ? "" : "\n") + f.group + "\n";
+        group = &f.group;
+        const std::string v = value(f);
+        const bool number = !std::holds_alternative<std::string>(f.value);
+        out += "  " + f.name + std::string(left - f.name.size() + 2, ' ');
+        if (number) out += std::string(right - v.size(), ' ');
+        out += one_line(v) + (f.unit.empty() ? "" : " " + f.unit) + "\n";
+    }
+    return out;
+}
+
+std::string tsv(const Figures& figures) {
+    std::string out = "group\tname\tvalue\tunit\n";
+    for (const Figure& f : figures)
+        out += one_line(f.group) + "\t" + one_line(f.name) + "\t" + one_line(value(f)) + "\t" + f.unit + "\n";
+    return out;
+}
+
+std::string json(const Figures& figures) {
+    std::string out = "{";
+    const std::string* group = nullptr;
+    for (const Figure& f : figures) {
+        if (group == nullptr || *group != f.group)
+            out += (group == nullptr ? "\n  " : "\n  },\n  ") + quoted(f.group) + ": {\n    ";
+        else
+            out += ",\n    ";
+        group = &f.group;
+        std::string v = value(f);
+        if (std::holds_alternative<std::string>(f.value))
+            v = quoted(v);
+        else if (v == "-")
+            v = "null";
+        out += quoted(key(f)) + ": " + v;
+    }
+    return out + (group == nullptr ? "}\n" : "\n  }\n}\n");
+}
+
+} // namespace
+
+Format format_named(std::string_view name) {
+    return name == "tsv" ? Format::tsv : name == "json" ? Format::json : Format::table;
+}
+
+std::string text(const Figures& figures, Format format) {
+    switch (format) {
+    case Format::table:
+        return table(figures);
+    case Format::tsv:
+        return tsv(figures);
+    case Format::json:
+        return json(figures);
+    }
+    return {};
+}
+
+} // namespace filum::metrics::figures

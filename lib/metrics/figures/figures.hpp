@@ -1,0 +1,30 @@
+// Named numbers, and how they are written: as an aligned table, as TSV, as JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace filum::metrics::figures {
+
+// One line.  Numbers keep a fixed count of decimals; a value that is not finite is written as "-" (JSON: null).
+struct Figure {
+    std::string group; // "coverage"; consecutive figures of a group stand together
+    std::string name;  // "worst layer"
+    std::variant<std::uint64_t, double, std::string> value;
+    int decimals = 3;
+    std::string unit = {}; // "mm", "mm2", "s"; empty for counts and shares
+};
+
+using Figures = std::vector<Figure>;
+
+enum class Format { table, tsv, json };
+Format format_named(std::string_view name); // table for any other name
+
+// table: groups under headings, values aligned.  tsv: a head line, then group, name, value, unit.
+// json: {"group": {"name_unit": value}}, blanks as '_', numbers as numbers.
+std::string text(const Figures& figures, Format format);
+
+} // namespace filum::metrics::figures

@@ -1,0 +1,13 @@
+// What the stages before said, as figures.
+#pragma once
+
+#include "base/fact.hpp"
+#include "base/note.hpp"
+#include "metrics/figures/figures.hpp"
+
+namespace filum::metrics::figures {
+
+// Appends every fact, and the notes summed by stage and phrase, in the order in which they first come.
+void said_before(const Notes& notes, const Facts& facts, Figures& out);
+
+} // namespace filum::metrics::figures

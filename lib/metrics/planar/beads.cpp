@@ -1,0 +1,93 @@
+#include "metrics/planar/beads.hpp"
+
+#include <algorithm>
+
+namespace filum::metrics::planar {
+
+namespace {
+
+constexpr double kShort = 1e-6; // mm
+
+struct Segment {
+    geom::Vec3 a, b;
+    double section = 0; // mm2
+    double height = 0;  // mm, as the span says
+    std::uint32_t layer = 0, region = 0;
+    toolpath::Role role = toolpath::Role::bead;
+};
+
+// The layer that z falls into, a thousandth of a layer forgiven; the top one for anything above.
+const LayerMark& mark_at(const std::vector<LayerMark>& marks, double z, bool& above) {
+    const auto it = std::lower_bound(marks.begin(), marks.end(), z,
+                                     [](const LayerMark& m, double v) { return m.z + m.height * 1e-3 < v; });
+    above = it == marks.end();
+    return above ? marks.back() : *it;
+}
+
+void add(Beads& beads, const Segment& s) {
+    const bool moves = geom::distance(s.a.xy(), s.b.xy()) > kShort;
+    if (!moves) {
+        if (s.a == beads.at) beads.at = s.b; // a plain lift interrupts nothing
+        return;
+    }
+    std::uint32_t layer = s.layer;
+    double height = s.height;
+    if (!beads.marks.empty()) {
+        bool above = false;
+        const LayerMark& mark = mark_at(beads.marks, (s.a.z + s.b.z) / 2, above);
+        layer = mark.index, height = mark.height;
+        beads.misplaced += above ? 1 : 0;
+    }
+    LayerBeads& to = beads.layer[layer];
+    to.height = std::max(to.height, height);
+    const bool follows = beads.moving && s.a == beads.at && layer == beads.last_layer && s.region == beads.last_region;
+    if (!follows || to.pieces.empty() || to.pieces.back().role != s.role) {
+        to.pieces.push_back({static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows});
+        to.points.push_back(s.a.xy());
+        to.width.push_back(0);
+    }
+    to.width.back() = static_cast<float>(s.section / height);
+    to.points.push_back(s.b.xy());
+    to.width.push_back(0);
+    ++beads.segments;
+    beads.at = s.b, beads.last_layer = layer, beads.last_region = s.region, beads.moving = true;
+}
+
+} // namespace
+
+std::vector<LayerMark> layer_marks(const std::vector<polygon::Region>& regions) {
+    std::map<std::uint32_t, LayerMark> by_index;
+    for (const auto& r : regions) by_index.try_emplace(r.layer, LayerMark{r.layer, r.z, r.height});
+    std::vector<LayerMark> out;
+    for (const auto& [index, mark] : by_index) out.push_back(mark);
+    std::stable_sort(out.begin(), out.end(), [](const LayerMark& a, const LayerMark& b) { return a.z < b.z; });
+    return out;
+}
+
+void add(Beads& beads, const toolpath::Span& span) {
+    if (!toolpath::extrudes(span.role)) {
+        beads.moving = false;
+        return;
+    }
+    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
+        const double section =
+            (span.width_at(i) * span.height_at(i) + span.width_at(i + 1) * span.height_at(i + 1)) / 2;
+        const double height = (span.height_at(i) + span.height_at(i + 1)) / 2;
+        add(beads, {span.points[i], span.points[i + 1], section, height, span.layer, span.region, span.role});
+    }
+}
+
+void add(Beads& beads, const toolpath::RegionPaths& paths) {
+    for (const auto& c : paths.curves) {
+        beads.moving = false;
+        const std::size_t n = c.points.size();
+        for (std::size_t i = 0; i + 1 < n + (c.closed ? 1 : 0); ++i) {
+            const std::size_t j = (i + 1) % n;
+            const double section = (c.width_at(i) + c.width_at(j)) / 2 * paths.height;
+            const geom::Vec3 a{c.points[i].x, c.points[i].y, paths.z}, b{c.points[j].x, c.points[j].y, paths.z};
+            add(beads, {a, b, section, paths.height, paths.layer, paths.region, toolpath::Role::bead});
+        }
+    }
+}
+
+} // namespace filum::metrics::planar

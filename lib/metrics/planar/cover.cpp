@@ -1,0 +1,192 @@
+#include "metrics/planar/cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::metrics::planar {
+
+namespace {
+
+using geom::Vec2;
+
+constexpr double kMostRows = 200000;
+
+struct Interval {
+    double lo = 0, hi = 0;
+    std::uint32_t slot = 0;
+};
+
+// A bead with what its rows need.
+struct Lane {
+    Vec2 a, b, u; // ends, direction
+    double half = 0, length = 0, lo = 0, hi = 0;
+    std::uint32_t slot = 0;
+};
+
+struct Edge {
+    Vec2 lo, hi; // lo.y < hi.y
+    std::uint32_t slot = 0;
+};
+
+// Cuts [lo, hi] down to the x with from <= x * slope + offset <= to.
+void clip(double& lo, double& hi, double slope, double offset, double from, double to) {
+    if (slope == 0) {
+        if (offset < from || offset > to) hi = lo - 1;
+        return;
+    }
+    const double p = (from - offset) / slope, q = (to - offset) / slope;
+    lo = std::max(lo, std::min(p, q));
+    hi = std::min(hi, std::max(p, q));
+}
+
+// The bead on the row at y: one interval, as the bead is convex.
+bool section(const Lane& l, double y, Interval& out) {
+    double lo = INFINITY, hi = -INFINITY;
+    for (const Vec2 c : {l.a, l.b}) {
+        const double d2 = l.half * l.half - (y - c.y) * (y - c.y);
+        if (d2 < 0) continue;
+        const double d = std::sqrt(d2);
+        lo = std::min(lo, c.x - d), hi = std::max(hi, c.x + d);
+    }
+    const double dy = y - l.a.y;
+    double from = -l.length - l.half, to = l.length + l.half; // x - a.x on the straight part
+    clip(from, to, -l.u.y, dy * l.u.x, -l.half, l.half);
+    clip(from, to, l.u.x, dy * l.u.y, 0, l.length);
+    if (from <= to) lo = std::min(lo, l.a.x + from), hi = std::max(hi, l.a.x + to);
+    out = {lo, hi, l.slot};
+    return lo < hi;
+}
+
+std::vector<Lane> lanes(std::span<const Bead> beads) {
+    std::vector<Lane> out;
+    out.reserve(beads.size());
+    for (const Bead& b : beads) {
+        Lane l{b.a, b.b, {1, 0}, b.width / 2, geom::distance(b.a, b.b), 0, 0, b.slot};
+        if (l.length > 0) l.u = (1 / l.length) * (b.b - b.a);
+        l.lo = std::min(b.a.y, b.b.y) - l.half, l.hi = std::max(b.a.y, b.b.y) + l.half;
+        out.push_back(l);
+    }
+    std::sort(out.begin(), out.end(), [](const Lane& p, const Lane& q) { return p.lo < q.lo; });
+    return out;
+}
+
+std::vector<Edge> edges(std::span<const polygon::Loops* const> outline) {
+    std::vector<Edge> out;
+    for (std::uint32_t s = 0; s < outline.size(); ++s) {
+        for (std::size_t i = 0; outline[s] != nullptr && i < outline[s]->size(); ++i) {
+            const auto loop = (*outline[s])[i];
+            for (std::size_t k = 0, j = loop.size() - 1; k < loop.size(); j = k++) {
+                if (loop[j].y == loop[k].y) continue;
+                out.push_back(loop[j].y < loop[k].y ? Edge{loop[j], loop[k], s} : Edge{loop[k], loop[j], s});
+            }
+        }
+    }
+    std::sort(out.begin(), out.end(), [](const Edge& p, const Edge& q) { return p.lo.y < q.lo.y; });
+    return out;
+}
+
+// Sorts by slot and place, and joins what overlaps within a slot.
+void unite(std::vector<Interval>& v) {
+    std::sort(v.begin(), v.end(),
+              [](const Interval& p, const Interval& q) { return p.slot != q.slot ? p.slot < q.slot : p.lo < q.lo; });
+    std::size_t n = 0;
+    for (const Interval& i : v) {
+        if (n > 0 && v[n - 1].slot == i.slot && i.lo <= v[n - 1].hi)
+            v[n - 1].hi = std::max(v[n - 1].hi, i.hi);
+        else
+            v[n++] = i;
+    }
+    v.resize(n);
+}
+
+// Adds the lengths of part, beads and both to `sum[slot]`.  Both lists united.
+void tally(const std::vector<Interval>& part, const std::vector<Interval>& beads, double dy, std::span<Cover> sum) {
+    for (const Interval& p : part) sum[p.slot].area += dy * (p.hi - p.lo);
+    for (const Interval& b : beads) sum[b.slot].united += dy * (b.hi - b.lo);
+    for (std::size_t p = 0, b = 0; p < part.size() && b < beads.size();) {
+        if (part[p].slot != beads[b].slot) {
+            ++(part[p].slot < beads[b].slot ? p : b);
+            continue;
+        }
+        const double both = std::min(part[p].hi, beads[b].hi) - std::max(part[p].lo, beads[b].lo);
+        if (both > 0) sum[part[p].slot].covered += dy * both;
+        ++(part[p].hi < beads[b].hi ? p : b);
+    }
+}
+
+// The part on the row at y.  Crossings of one slot pair up.
+void part_row(std::span<const Edge> all, const std::vector<std::uint32_t>& active, double y,
+              std::vector<Interval>& out) {
+    out.clear();
+    for (const auto i : active) {
+        const Edge& e = all[i];
+        const double x = e.lo.x + (e.hi.x - e.lo.x) * ((y - e.lo.y) / (e.hi.y - e.lo.y));
+        out.push_back({x, x, e.slot});
+    }
+    std::sort(out.begin(), out.end(),
+              [](const Interval& p, const Interval& q) { return p.slot != q.slot ? p.slot < q.slot : p.lo < q.lo; });
+    for (std::size_t i = 0; i + 1 < out.size(); i += 2) out[i / 2] = {out[i].lo, out[i + 1].lo, out[i].slot};
+    out.resize(out.size() / 2);
+}
+
+struct Rows {
+    double first = 0, spacing = 1;
+    std::size_t count = 0;
+};
+
+Rows rows(std::span<const Lane> lanes, std::span<const Edge> edges, double spacing) {
+    double lo = INFINITY, hi = -INFINITY, part_lo = INFINITY, part_hi = -INFINITY;
+    for (const Edge& e : edges) part_lo = std::min(part_lo, e.lo.y), part_hi = std::max(part_hi, e.hi.y);
+    for (const Lane& l : lanes) lo = std::min(lo, l.lo), hi = std::max(hi, l.hi);
+    lo = std::min(lo, part_lo), hi = std::max(hi, part_hi);
+    if (!(hi > lo)) return {};
+    Rows out;
+    out.spacing = std::max(spacing, (hi - lo) / kMostRows);
+    const double origin = part_lo < part_hi ? part_lo : lo;
+    const double height = part_lo < part_hi ? part_hi - part_lo : hi - lo;
+    const double even = height / std::ceil(height / out.spacing);
+    if ((hi - lo) / even <= 2 * kMostRows) out.spacing = even;
+    const double below = std::ceil((origin - lo) / out.spacing);
+    out.first = origin + (0.5 - below) * out.spacing;
+    out.count = static_cast<std::size_t>(std::ceil((hi - out.first) / out.spacing)) + 1;
+    return out;
+}
+
+} // namespace
+
+LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* const> outline, double spacing) {
+    LayerCover out;
+    out.slot.resize(outline.size());
+    for (const Bead& b : beads) out.slot[b.slot].deposited += geom::distance(b.a, b.b) * b.width;
+    for (const Cover& s : out.slot) out.whole.deposited += s.deposited;
+    const auto lane = lanes(beads);
+    const auto edge = edges(outline);
+    const Rows row = rows(lane, edge, spacing);
+    std::vector<std::uint32_t> live_lanes, live_edges;
+    std::vector<Interval> part, laid;
+    std::size_t next_lane = 0, next_edge = 0;
+    for (std::size_t j = 0; j < row.count; ++j) {
+        const double y = row.first + static_cast<double>(j) * row.spacing;
+        for (; next_lane < lane.size() && lane[next_lane].lo < y; ++next_lane)
+            live_lanes.push_back(static_cast<std::uint32_t>(next_lane));
+        for (; next_edge < edge.size() && edge[next_edge].lo.y < y; ++next_edge)
+            live_edges.push_back(static_cast<std::uint32_t>(next_edge));
+        std::erase_if(live_lanes, [&](std::uint32_t i) { return lane[i].hi <= y; });
+        std::erase_if(live_edges, [&](std::uint32_t i) { return edge[i].hi.y < y; });
+        laid.clear();
+        for (const auto i : live_lanes) {
+            Interval s;
+            if (section(lane[i], y, s)) laid.push_back(s);
+        }
+        unite(laid);
+        part_row(edge, live_edges, y, part);
+        tally(part, laid, row.spacing, out.slot);
+        for (Interval& i : part) i.slot = 0;
+        for (Interval& i : laid) i.slot = 0;
+        unite(part), unite(laid);
+        tally(part, laid, row.spacing, {&out.whole, 1});
+    }
+    return out;
+}
+
+} // namespace filum::metrics::planar

@@ -1,0 +1,19 @@
+// Beads of a layer that cross each other.
+#pragma once
+
+#include "metrics/planar/cover.hpp"
+
+namespace filum::metrics::planar {
+
+struct Crossings {
+    std::size_t whole = 0;         // pairs of beads
+    std::vector<std::size_t> slot; // pairs with both beads in one slot
+    std::vector<geom::Vec2> place; // of the first few, by order of the later bead
+};
+
+// Pairs of beads whose centre lines cross properly: each has its ends on either side of the other, by orientations
+// whose product is below -1e-12 mm4 (so ends that touch, within about a micrometre, do not cross).  Beads that follow
+// each other in the program are no pair.  `slots` > every bead's slot.
+Crossings crossings(std::span<const Bead> beads, std::size_t slots);
+
+} // namespace filum::metrics::planar

@@ -1,0 +1,82 @@
+#include "app/filum/process.hpp"
+#include "app/filum/route.hpp"
+#include "base/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace filum::app::filum {
+namespace {
+
+const std::vector<Stage> kStages{{"slice", "", "", "", "", {{"height", true}, {"fast", false}, {"output", true}}},
+                                 {"fill", "", "", "", "", {{"height", true}, {"width", true}, {"output", true}}}};
+
+using Lists = std::vector<std::vector<std::string>>;
+
+TEST(route, options_go_to_all_that_have_them_own_ones_last) {
+    const auto r =
+        route({"--fill.height=2", "part.stl", "--height", "-1", "--fast", "--width=0.4", "-o", "x"}, kStages);
+    EXPECT_EQ(r.arguments, (Lists{{"--height=-1", "--fast"}, {"--height=-1", "--width=0.4", "--height=2"}}));
+    EXPECT_EQ(r.input, "part.stl");
+    EXPECT_EQ(r.output, "x");
+}
+
+TEST(route, machine_is_the_head_to_keep_clear_of_unless_another_is_given) {
+    const std::vector<Stage> stages{{"sequence", "", "", "", "", {{"head", true}}},
+                                    {"link3d", "", "", "", "", {{"head", true}}},
+                                    {"postproc", "", "", "", "", {{"machine", true}}}};
+    const auto heads = [&](const std::vector<std::string>& words) { return route(words, stages).arguments; };
+    EXPECT_EQ(heads({}), (Lists{{}, {}, {}}));
+    EXPECT_EQ(heads({"--machine", "bio"}), (Lists{{"--head=bio"}, {"--head=bio"}, {"--machine=bio"}}));
+    EXPECT_EQ(heads({"--postproc.machine=bio"}), (Lists{{"--head=bio"}, {"--head=bio"}, {"--machine=bio"}}));
+    EXPECT_EQ(heads({"--machine=bio", "--head=none"}), (Lists{{"--head=none"}, {"--head=none"}, {"--machine=bio"}}));
+    EXPECT_EQ(heads({"--sequence.head=none", "--machine=bio"}),
+              (Lists{{"--head=none"}, {"--head=bio"}, {"--machine=bio"}}));
+}
+
+TEST(route, refuses_what_is_nobodys) {
+    for (const auto& words : std::vector<std::vector<std::string>>{{"--nothing"},
+                                                                   {"--slice.width=1"},
+                                                                   {"--other.width=1"},
+                                                                   {"--height"},
+                                                                   {"-o"},
+                                                                   {"a", "b"},
+                                                                   {"-x"},
+                                                                   {""},
+                                                                   {"--fill.output=x"}}) {
+        try {
+            route(words, kStages);
+            ADD_FAILURE() << words[0];
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::usage);
+        }
+    }
+}
+
+TEST(verdict, is_the_first_that_failed_by_itself) {
+    const Ended fine{}, pipe{128 + SIGPIPE, true}, cut{4, false}, bad{3, false}, killed{128 + SIGKILL, true};
+    std::size_t who = 9;
+    EXPECT_EQ(verdict({fine, fine}, who), 0);
+    EXPECT_EQ(verdict({pipe, bad, cut}, who), 3);
+    EXPECT_EQ(who, 1U);
+    EXPECT_EQ(verdict({fine, killed, cut}, who), 128 + SIGKILL);
+    EXPECT_EQ(who, 1U);
+    EXPECT_EQ(verdict({cut, cut}, who), 4); // the first reads no stage
+    EXPECT_EQ(who, 0U);
+    EXPECT_EQ(verdict({pipe, pipe, Ended{5, false}}, who), 5);
+    EXPECT_EQ(who, 2U);
+}
+
+TEST(process, pipes_carry_data_and_codes_come_back) {
+    const auto ended = run_piped({{"/bin/sh", "-c", "echo data; exit 3"}, {"/bin/sh", "-c", "grep -q data"}});
+    ASSERT_EQ(ended.size(), 2U);
+    EXPECT_EQ(ended[0].code, 3);
+    EXPECT_EQ(ended[1].code, 0);
+    EXPECT_EQ(run_piped({{"/no/such/program"}})[0].code, 127);
+    EXPECT_EQ(output_of({"/bin/sh", "-c", "echo x"}), "x\n");
+    EXPECT_THROW(output_of({"/bin/sh", "-c", "exit 1"}), Error);
+}
+
+} // namespace
+} // namespace filum::app::filum

@@ -1,0 +1,111 @@
+#include "cli/output.hpp"
+
+#include "stream/reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <unistd.h>
+
+namespace filum::cli {
+namespace {
+
+using stream::Payload;
+using stream::Tag;
+
+// A file of this test alone, gone at its end.
+struct File {
+    std::string path = testing::TempDir() + "output_test." + std::to_string(::getpid());
+    File() = default;
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    ~File() { std::filesystem::remove(path); }
+};
+
+Io stage(const File& file) {
+    Io io;
+    io.program = "stage";
+    io.output = file.path;
+    io.settings = {{"width", "0.4", false}};
+    return io;
+}
+
+// Every frame as a word or two.
+std::vector<std::string> frames(const std::string& path) {
+    std::vector<std::string> out;
+    stream::Reader reader(path, Payload::unknown);
+    while (const auto f = reader.next()) {
+        if (f->tag == Tag::note) {
+            const Note n = stream::parse_note(f->body);
+            out.push_back(n.stage + " noted " + n.what);
+        } else if (f->tag == Tag::fact) {
+            const Fact x = stream::parse_fact(f->body);
+            out.push_back(x.stage + " found " + x.name + " " + x.unit);
+        } else {
+            out.push_back("payload of " + std::to_string(f->body.size()) + " bytes");
+        }
+    }
+    return out;
+}
+
+TEST(output, keeps_the_order_and_names_what_is_its_own) {
+    const File file;
+    const Io io = stage(file);
+    Whole before{header(io, Payload::layers), {{"other", "dropped", 1, "mm", 1}}, {{"other", "area", 2, "mm2"}}};
+    before.facts.push_back({"stage", "area", 3, "mm2"});
+    testing::internal::CaptureStderr();
+    Output output(io, header(io, Payload::regions, {&before.header}));
+    output.pass_on(before, [](const Fact& f) { return f.stage != "stage"; });
+    output.add(Notes{{"", "repaired", 1, "mm", 1}, {"misnamed", "repaired", 2, "mm", 1}});
+    output.write({Tag::region, "abc"});
+    output.add(Note{"", "left out", 0, "", 2});
+    output.add(Facts{{"", "strokes", 4, "strokes"}});
+    EXPECT_FALSE(std::filesystem::exists(file.path)); // nothing counts until it is closed
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    testing::internal::CaptureStderr();
+    output.close();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "stage: repaired: 2 cases, 3 mm\nstage: left out: 2 cases\n");
+    const std::vector<std::string> expected{
+        "other noted dropped", "other found area mm2", "stage noted repaired",       "stage noted repaired",
+        "payload of 3 bytes",  "stage noted left out", "stage found strokes strokes"};
+    EXPECT_EQ(frames(file.path), expected);
+    const auto history = stream::Reader(file.path, Payload::regions).header().history;
+    ASSERT_EQ(history.size(), 2U);
+    EXPECT_EQ(history[1].parents, std::vector<std::uint32_t>{0});
+}
+
+TEST(output, passes_all_on_where_nothing_is_asked) {
+    const File file;
+    const Io io = stage(file);
+    Output output(io, header(io, Payload::layers));
+    output.pass_on({{}, {{"stage", "dropped", 1, "mm", 1}}, {{"stage", "area", 3, "mm2"}}});
+    testing::internal::CaptureStderr();
+    output.close(); // what was said before is not said again
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(frames(file.path), (std::vector<std::string>{"stage noted dropped", "stage found area mm2"}));
+}
+
+TEST(output, leaves_no_file_if_it_is_not_closed) {
+    const File file;
+    {
+        const Io io = stage(file);
+        Output output(io, header(io, Payload::layers));
+        output.write({Tag::layer, "abc"});
+    }
+    EXPECT_FALSE(std::filesystem::exists(file.path));
+}
+
+TEST(output, is_quiet_if_asked) {
+    const File file;
+    Io io = stage(file);
+    io.quiet = true;
+    testing::internal::CaptureStderr();
+    Output output(io, header(io, Payload::layers));
+    output.add(Note{"", "left out", 0, "", 2});
+    output.close();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(frames(file.path), std::vector<std::string>{"stage noted left out"});
+}
+
+} // namespace
+} // namespace filum::cli

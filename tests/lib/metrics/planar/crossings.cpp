@@ -1,0 +1,76 @@
+#include "metrics/planar/crossings.hpp"
+
+#include "toolpaths.hpp"
+
+#include <random>
+
+namespace filum::metrics::planar {
+
+namespace {
+
+// The definition, pair by pair.
+std::size_t brute(const std::vector<Bead>& beads) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < beads.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const Bead &s = beads[j], &t = beads[i];
+            if (t.order - s.order <= 1) continue;
+            if (geom::orient(s.a, s.b, t.a) * geom::orient(s.a, s.b, t.b) >= -1e-12) continue;
+            if (geom::orient(t.a, t.b, s.a) * geom::orient(t.a, t.b, s.b) >= -1e-12) continue;
+            ++n;
+        }
+    }
+    return n;
+}
+
+TEST(Crossings, AreFoundLikePairByPair) {
+    std::mt19937 random(3);
+    for (const double length : {0.05, 1.0, 30.0}) {
+        std::uniform_real_distribution<double> place(0, 20), step(-length, length);
+        for (int trial = 0; trial < 10; ++trial) {
+            std::vector<Bead> beads;
+            Vec2 at{place(random), place(random)};
+            for (std::uint32_t k = 0; k < 400; ++k) {
+                const Vec2 to = at + Vec2{step(random), step(random)};
+                beads.push_back({at, to, 0.4, k % 3, k});
+                at = k % 50 == 49 ? Vec2{place(random), place(random)} : to;
+            }
+            const Crossings c = crossings(beads, 3);
+            EXPECT_EQ(c.whole, brute(beads)) << length;
+            EXPECT_LE(c.slot[0] + c.slot[1] + c.slot[2], c.whole);
+            EXPECT_EQ(c.place.size(), std::min<std::size_t>(16, c.whole));
+        }
+    }
+}
+
+TEST(Crossings, TouchingIsNone) {
+    // A T, a V, and two beads on one line.
+    const std::vector<Bead> beads{{{0, 0}, {4, 0}, 0.4, 0, 0},
+                                  {{2, 0}, {2, 3}, 0.4, 0, 5},
+                                  {{4, 0}, {5, 5}, 0.4, 0, 9},
+                                  {{1, 0}, {3, 0}, 0.4, 0, 12}};
+    EXPECT_EQ(crossings(beads, 1).whole, 0);
+}
+
+TEST(Crossings, OnGridLinesCountOnce) {
+    std::vector<Bead> beads;
+    for (std::uint32_t k = 0; k < 10; ++k) {
+        beads.push_back({{k + 0.0, -1}, {k + 0.0, 10}, 0.4, 0, 4 * k});
+        beads.push_back({{-1, k + 0.0}, {10, k + 0.0}, 0.4, 0, 4 * k + 2});
+    }
+    EXPECT_EQ(crossings(beads, 1).whole, 100);
+    for (Bead& b : beads) b.a = b.a + Vec2{1e7, -1e7}, b.b = b.b + Vec2{1e7, -1e7};
+    EXPECT_EQ(crossings(beads, 1).whole, 100);
+}
+
+TEST(Crossings, OfFollowersDoNotCount) {
+    const std::vector<Bead> beads{
+        {{0, 0}, {2, 2}, 0.4, 0, 0}, {{0, 2}, {2, 0}, 0.4, 0, 1}, {{1, 3}, {1.1, -1}, 0.4, 0, 2}};
+    const Crossings c = crossings(beads, 1);
+    ASSERT_EQ(c.whole, 1);
+    EXPECT_NEAR(c.place[0].x, c.place[0].y, 1e-12);
+}
+
+} // namespace
+
+} // namespace filum::metrics::planar
