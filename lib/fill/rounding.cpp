@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace filum::fill {
 
@@ -12,10 +11,10 @@ namespace {
 constexpr double kTurned = 0.97;      // chord to arc: a smaller ratio is a corner
 constexpr double kLeastTurning = 0.3; // rad: where a line turns less within the reach, its chord is longer than that
 constexpr double kAcute = 0.66;       // and a smaller one than this an acute corner
-static const double kAcuteReach = getenv("ACUTE")?atof(getenv("ACUTE")):2.6;  // about those
+constexpr double kAcuteReach = 2.6;   // about those
 constexpr double kOuter = 0.75; // bead widths from the outline: nearer, acute corners are worth more than their room
 constexpr double kShortestRounded = 60; // a shorter line stays as it is
-static const double kWiden = getenv("WIDEN")?atof(getenv("WIDEN")):1.7;          // times the width, at most
+constexpr double kWiden = 1.7;          // times the width, at most
 constexpr double kSpill = 0.03;         // bead widths that a widened bead may reach over the outline
 constexpr int kPoints = 6;              // per corner
 
@@ -80,8 +79,8 @@ struct RoundedStretch {
 
 class Rounding {
   public:
-    Rounding(const BeadLine& line, double reach, const std::function<double(Vec2)>& room)
-        : line_(&line), course_(line), reach_(reach), room_(&room) {}
+    Rounding(const BeadLine& line, double width, double reach, const std::function<double(Vec2)>& room)
+        : line_(&line), course_(line), width_(width), reach_(reach), room_(&room) {}
 
     BeadLine run() {
         find_corners();
@@ -107,7 +106,8 @@ class Rounding {
         const double ratio = chord(s, reach_) / (2 * reach_);
         if (ratio >= kTurned) return 0;
         const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
-        return ratio < kAcute && !outer ? kAcuteReach * reach_ : reach_;
+        const double reach = reach_ * std::min(1.0, 2 * line_->width[vertex] / width_); // narrow lanes are near
+        return ratio < kAcute && !outer ? kAcuteReach * reach : reach;
     }
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
@@ -162,7 +162,7 @@ class Rounding {
 
     const BeadLine* line_;
     Course course_;
-    double reach_;
+    double width_, reach_;
     const std::function<double(Vec2)>* room_;
     std::vector<RoundedStretch> parts_;
     BeadLine out_;
@@ -257,11 +257,11 @@ BeadLine with_wide_turns(const BeadLine& line, double width, const std::function
     return line.points.size() < 4 ? line : Widening(line, width, room).run();
 }
 
-BeadLine rounded(const BeadLine& line, double reach, const std::function<double(Vec2)>& room) {
+BeadLine rounded(const BeadLine& line, double width, double reach, const std::function<double(Vec2)>& room) {
     double length = 0;
     for (std::size_t i = 0; i < line.points.size(); ++i)
         length += geom::distance(line.points[i], line.points[(i + 1) % line.points.size()]);
-    return length < kShortestRounded * reach ? line : Rounding(line, reach, room).run();
+    return length < kShortestRounded * reach ? line : Rounding(line, width, reach, room).run();
 }
 
 } // namespace filum::fill

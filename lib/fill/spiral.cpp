@@ -1,15 +1,12 @@
 #include "fill/spiral.hpp"
 
-#include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/rounding.hpp"
-#include "fill/speck.hpp"
 #include "fill/thin.hpp"
-#include "rings/join.hpp"
-#include "rings/round.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
+#include "rings/lanes.hpp"
 
 namespace filum::fill {
 
@@ -18,10 +15,14 @@ namespace {
 using polygon::Loops;
 
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
-static const double kRound = getenv("ROUND")?atof(getenv("ROUND")):.4;         // bead widths of path on each side that corners are rounded within
+constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
 constexpr double kRoundMost = 0.7;     // the same where a least radius asks for more
 
-constexpr double kGrid = 1e-3; // mm
+constexpr double kTinyRing = 0.25; // bead widths squared, laid: a ring that may be left out if it cannot be joined
+
+constexpr double kGrid = 1e-3;      // mm
+constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
+constexpr double kFiner = 0.125;    // of it, where the curve would cross itself
 
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
@@ -35,9 +36,9 @@ bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
 }
 
 // Puts the line on the grid; drops points that fall together and the tips of spikes.
-void tidy(ClosedLine& line) {
+void tidy(toolpath::Curve& line) {
     for (geom::Vec2& p : line.points) p = snapped(p);
-    ClosedLine out;
+    toolpath::Curve out;
     const auto size = [&] { return out.points.size(); };
     const auto drop = [&] { out.points.pop_back(), out.width.pop_back(); };
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -61,17 +62,40 @@ void tidy(ClosedLine& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-Spiral spiral_by(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
-                 bool round) {
+// Rings with corners of the radius that is asked for, evenly spaced; `unplaced` and `open` as they leave it.
+BeadRings gentle_rings(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
+    const double w = o.bead_width, fine = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
+    const FirstRings first = first_rings(region, w, fine);
+    out.unplaced = first.unplaced;
+    const Rings rings = nested_round_rings(first.rings, w * (1 - kRingOverlap), kShortestRing * w, fine,
+                                           drawn_radius(o.min_radius, w / 2, kGrid + fine), out.open);
+    return even_spacing(rings, region, w, 2, fine);
+}
+
+BeadRings lane_rings(const Loops& region, double width, double tolerance, Spiral& out) {
+    const rings::Rings all = rings::lanes(region, {.width = width, .tolerance = tolerance});
+    out.unplaced = std::max(0.0, polygon::signed_area(region) - rings::laid_area(all));
+    return {{all.points, all.start}, all.width};
+}
+
+// Leaves open what tiny rings would lay that no link has room for beside: the first curve is the longest.
+void leave_tiny_rings(double least, Spiral& spiral) {
+    for (std::size_t i = spiral.curves.size(); i-- > 1;) {
+        const toolpath::Curve& c = spiral.curves[i];
+        double area = 0;
+        for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
+            area += c.width[k] * geom::distance(c.points[k], c.points[(k + 1) % n]);
+        if (area >= least) continue;
+        spiral.unplaced += area;
+        spiral.curves.erase(spiral.curves.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, bool wind, bool round) {
     const double w = o.bead_width;
-    if (o.min_radius > 0) tolerance = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
-    const FirstRings first = first_rings(region, w, tolerance);
-    const double spacing = w * (1 - kRingOverlap), shortest = kShortestRing * w;
-    Spiral out{{}, first.unplaced, {"", "left open for the least radius", 0, "mm2", 0}};
-    const Rings rings = o.min_radius > 0
-                            ? nested_round_rings(first.rings, spacing, shortest, tolerance,
-                                                 drawn_radius(o.min_radius, w / 2, kGrid + tolerance), out.open)
-                            : nested_rings(first.rings, spacing, shortest, tolerance);
+    Spiral out{{}, 0, {"", "left open for the least radius", 0, "mm2", 0}};
+    const BeadRings rings =
+        o.min_radius > 0 ? gentle_rings(region, o, tolerance, out) : lane_rings(region, w, tolerance, out);
     const double reach = std::clamp(0.75 * o.min_radius, kRound * w, kRoundMost * w);
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
@@ -82,31 +106,14 @@ Spiral spiral_by(const polygon::Loops& region, const SpiralOptions& o, double to
         });
         return best;
     };
-    (void)move;
-    std::vector<ClosedLine> lines;
-    BeadRings beads;
-    if (getenv("NEW")) {
-        const double lv = std::min(.1*w*w, atof(getenv("VS"))*polygon::signed_area(region));
-        const auto bd = rings::beading(rings::medial_axis(rings::sites_of(region, 0.005), 0.0025, getenv("SLOPE")?atof(getenv("SLOPE")):rings::kWallSlope), w, lv);
-        const auto all = rings::rings(bd, 0, 0.005);
-        if (getenv("NJ")) {
-            for (auto& l : rings::joined(bd, all, lv)) {
-                auto m = rings::thinned(round && !getenv("NORND") ? rings::rounded(l) : l, getenv("TOL")?atof(getenv("TOL")):std::min(0.01, w / 40));
-                out.curves.push_back({true, std::move(m.points), std::move(m.width)});
-            }
-            return out;
-        }
-        beads.loops.points = all.points, beads.loops.start = all.start, beads.width = all.width;
-        for (auto& x : beads.width) x = std::max(x, w / 16);
-    } else beads = even_spacing(rings, region, w, move ? o.lanes : 0, tolerance);
-    if (!lines.empty()) {} else if (getenv("NOJOIN")) { for (std::size_t i=0;i<beads.loops.size();++i) { lines.push_back({{beads.loops[i].begin(),beads.loops[i].end()},{beads.width.begin()+beads.loops.start[i],beads.width.begin()+beads.loops.start[i+1]}}); } }
-    else lines = join_rings(beads, w, region, wind);
-    for (ClosedLine& line : lines) {
-        if (round && beads.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), reach, room);
-        tidy(line);
-        for (std::size_t q=0;q<line.points.size();++q) if (!(line.width[q]>0)) fprintf(stderr,"after %g at %g %g n %zu\n", line.width[q], line.points[q].x,line.points[q].y,line.points.size());
-        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+    for (ClosedLine& line : join_rings(rings, w, region, wind)) {
+        if (round && rings.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), w, reach, room);
+        toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
+        if (o.min_radius <= 0) curve = rings::with_fewer_points(curve, tolerance, rings::kLeastVoid * w * w);
+        tidy(curve);
+        out.curves.push_back(std::move(curve));
     }
+    leave_tiny_rings(kTinyRing * w * w, out);
     return out;
 }
 
@@ -145,12 +152,6 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
-// With noses into what the beads leave open; should the result cross itself, without.
-void absorb_voids(const Loops& region, const SpiralOptions& o, Spiral& spiral) {
-    auto curves = absorb::absorb(region, spiral.curves, {.bead_width = o.bead_width});
-    if (count_crossings(curves, o.bead_width) == 0) spiral.curves = std::move(curves);
-}
-
 } // namespace
 
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
@@ -179,25 +180,15 @@ namespace {
 // The first of several ways to fill the region, from the best to the safest, whose curves do not cross themselves.
 Spiral certified(const Loops& region, const SpiralOptions& o) {
     struct Try {
-        double tolerance; // bead widths
-        bool move, wind, round;
+        double share; // of the tolerance
+        bool wind, round;
     };
-    constexpr double kUsual = 1.0 / 128, kFine = 1.0 / 1024;
+    const double usual = std::min(kTolerance, o.bead_width / 40);
     Spiral out;
-    if (!getenv("NEW") && is_speck(region, o.bead_width)) {
-        ClosedLine line = speck_loop(region);
-        tidy(line);
-        for (std::size_t q=0;q<line.points.size();++q) if (!(line.width[q]>0)) fprintf(stderr,"after %g at %g %g n %zu\n", line.width[q], line.points[q].x,line.points[q].y,line.points.size());
-        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
-        return out;
-    }
-    for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
-                        Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
-        out = spiral_by(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
-        if (count_crossings(out.curves, o.bead_width) > 0) continue;
-        // noses are sharp: not where a least radius is asked for
-        if (o.absorb && !getenv("NOAB") && o.min_radius <= 0) absorb_voids(region, o, out);
-        break;
+    for (const Try t :
+         {Try{1, true, true}, Try{kFiner, true, true}, Try{kFiner, true, false}, Try{kFiner, false, false}}) {
+        out = spiral_by(region, o, t.share * usual, t.wind, t.round);
+        if (count_crossings(out.curves, o.bead_width) == 0) break;
     }
     return out;
 }

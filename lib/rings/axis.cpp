@@ -202,8 +202,8 @@ class Builder {
     const Sites* sites_;
     double tolerance_, slope_;
     Diagram diagram_;
-    std::vector<char> inside_;                 // per edge of the diagram
-    std::vector<std::uint32_t> first_, last_;  // per edge inside: half-edges
+    std::vector<char> inside_;                // per edge of the diagram
+    std::vector<std::uint32_t> first_, last_; // per edge inside: half-edges
     std::vector<std::uint32_t> vertex_node_;
     Axis out_;
 };

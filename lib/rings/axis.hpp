@@ -8,10 +8,10 @@
 
 namespace filum::rings {
 
-// Every point of a region lies on a ray: from the nearest point of the outline, its foot, to where the inside is equally
-// far from another part of the outline, which is the medial axis.  The axis is cut into straight pieces between nodes.
-// Piece e has two sides, the half-edges 2e and 2e + 1 (h and h ^ 1), each seen from the stretch of outline that it
-// belongs to and directed along it, solid on the left.  Following `next` goes once round a contour of the region.
+// Every point of a region lies on a ray: from the nearest point of the outline, its foot, to where the inside is
+// equally far from another part of the outline, which is the medial axis.  The axis is cut into straight pieces between
+// nodes. Piece e has two sides, the half-edges 2e and 2e + 1 (h and h ^ 1), each seen from the stretch of outline that
+// it belongs to and directed along it, solid on the left.  Following `next` goes once round a contour of the region.
 struct Axis {
     // per node
     std::vector<Vec2> node;     // mm

@@ -6,19 +6,17 @@
 #include <numbers>
 #include <numeric>
 #include <queue>
-#include <cstdlib>
 
 namespace filum::rings {
 
 namespace {
 
-static double ev(const char*n,double d){const char*e=getenv(n);return e?atof(e):d;}
-const double kSharing = ev("SHARING",2);       // the inmost lanes on each side that share what a wall's thickness leaves over
-const double kWidest = ev("WIDEST",1.75);     // widths: what a lane may have to spare a change of their number
-const double kRamp = ev("RAMP",3);          // widths of wall along which the number of lanes changes by one
-const double kLeastLane = ev("LEAST",.25);  // widths: no lane begins narrower
-const double kAppear = ev("APPEAR",1.0/16); // of a ramp: in this stretch a lane goes from nothing to its least width
-const double kBlend = ev("BLEND",2);         // widths: over this length a corner's profile goes over into a thinner wall's
+constexpr double kSharing = 2;       // the inmost lanes on each side that share what a wall's thickness leaves over
+constexpr double kWidest = 1.75;     // widths: what a lane may have to spare a change of their number
+constexpr double kRamp = 3;          // widths of wall along which the number of lanes changes by one
+constexpr double kLeastLane = 0.25;  // widths: no lane begins narrower
+constexpr double kAppear = 1.0 / 16; // of a ramp: in this stretch a lane goes from nothing to its least width
+constexpr double kBlend = 2;         // widths: over this length a corner's profile goes over into a thinner wall's
 constexpr double kParallel = 1e-9;   // slope of a wall that has no tip
 
 constexpr double kNone = -1; // of `last`: no lane
@@ -187,7 +185,7 @@ class Profiles {
 Beading beading(const Axis& axis, double width, double least_void) {
     WallLaneOptions o;
     o.width = width, o.sharing = kSharing, o.widest = kWidest, o.ramp = kRamp * width, o.appear = kAppear;
-    o.slope = ev("SLOPE",.5);
+    o.slope = kWallSlope, o.blend = kBlend * width;
     return Profiles(wall_lanes(axis, o), width, least_void).run();
 }
 

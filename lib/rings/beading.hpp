@@ -7,9 +7,9 @@
 
 namespace filum::rings {
 
-// The lane coordinate f of a point: 0 on the outline, k where lane k ends and lane k + 1 begins.  On a ray it grows with
-// the depth d by the profile of the axis node that the ray leads to: d = width * f up to f = full, then at `inner` mm
-// per lane up to f = top.
+// The lane coordinate f of a point: 0 on the outline, k where lane k ends and lane k + 1 begins.  On a ray it grows
+// with the depth d by the profile of the axis node that the ray leads to: d = width * f up to f = full, then at `inner`
+// mm per lane up to f = top.
 struct Beading {
     Axis axis;
     double width = 0; // mm
@@ -42,8 +42,8 @@ struct Beading {
 // them.
 inline constexpr double kWallSlope = 0.5;
 
-// The beading of a region with beads `width` mm wide where nothing asks for another width.  Lanes end in corners and tips
-// where the rest that no bead reaches is at most `least_void` mm2, or they would be too narrow.
+// The beading of a region with beads `width` mm wide where nothing asks for another width.  Lanes end in corners and
+// tips where the rest that no bead reaches is at most `least_void` mm2, or they would be too narrow.
 Beading beading(const Axis& axis, double width, double least_void);
 
 } // namespace filum::rings

@@ -21,9 +21,8 @@ class Levels {
         std::vector<std::uint32_t> order;
         for (std::uint32_t e = 0; e < wall_->size(); ++e)
             if ((*wall_)[e]) order.push_back(e);
-        std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return sign_ * (*lanes_)[a] > sign_ * (*lanes_)[b];
-        });
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return sign_ * (*lanes_)[a] > sign_ * (*lanes_)[b]; });
         std::vector<std::uint32_t> lowered; // the pieces of stretches that have come down to the level below
         for (std::size_t i = 0; i < order.size() || !lowered.empty();) {
             int level = lowered.empty() ? (*lanes_)[order[i]] : (*lanes_)[lowered[0]];

@@ -12,8 +12,8 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kWidest = 4e5;    // mm: half of it must fit a 32-bit integer on the grid
-constexpr double kGrowBy = 0.001;  // mm: far below any bead, ten grid units
+constexpr double kWidestRegion = 4e5; // mm: half of it must fit a 32-bit integer on the grid
+constexpr double kGrowBy = 0.001;     // mm: far below any bead, ten grid units
 
 using GridPoint = std::pair<std::int64_t, std::int64_t>;
 
@@ -63,7 +63,7 @@ Sites on_grid(const Loops& loops, Vec2 origin) {
 // A point of the grid in the middle of the area's box.
 Vec2 middle(const Loops& area) {
     const auto box = polygon::bounds(area);
-    if (std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) > kWidest)
+    if (std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) > kWidestRegion)
         throw Error(Exit::failure, "cannot fill a region wider than 400 m");
     const auto snapped = [](double v) { return std::round(v * kSitesPerMm) / kSitesPerMm; };
     return {snapped((box.lo.x + box.hi.x) / 2), snapped((box.lo.y + box.hi.y) / 2)};

@@ -113,7 +113,7 @@ void raise(const Axis& axis, const std::vector<char>& wall, const WallLaneOption
 
 // The two envelopes on a wall piece with n lanes, by the share t of its length.
 struct Ramp {
-    double n, rise;          // rise: what an envelope changes by along the piece
+    double n, rise;            // rise: what an envelope changes by along the piece
     double upper[2], lower[2]; // at its ends
 
     [[nodiscard]] double lanes(double t) const {
@@ -139,6 +139,34 @@ struct Ramp {
         }
     }
 };
+
+// How far up corners each node is from the nearest wall below it, mm; infinite where there is none.
+std::vector<double> above_walls(const Axis& axis, const std::vector<char>& wall, const std::vector<char>& set) {
+    std::vector<std::uint32_t> rising; // half-edges of corners, by the radius that they begin at
+    for (std::uint32_t h = 0; h < axis.half_edges(); ++h)
+        if (!wall[h / 2] && axis.radius[axis.from[h]] < axis.radius[axis.to(h)]) rising.push_back(h);
+    std::stable_sort(rising.begin(), rising.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return axis.radius[axis.from[a]] < axis.radius[axis.from[b]];
+    });
+    std::vector<double> out(axis.nodes(), std::numeric_limits<double>::infinity());
+    for (std::uint32_t i = 0; i < axis.nodes(); ++i)
+        if (set[i]) out[i] = 0;
+    for (const std::uint32_t h : rising)
+        out[axis.to(h)] = std::min(out[axis.to(h)], out[axis.from[h]] + axis.length(h));
+    return out;
+}
+
+// Nodes on a corner for where its profile goes over into that of the wall which it rises out of.
+void add_blend_cuts(const Axis& axis, std::uint32_t e, const std::vector<double>& above, double blend, Cuts& out) {
+    constexpr int kSteps = 4;
+    const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
+    const bool rises = axis.radius[a] < axis.radius[b];
+    const double below = above[rises ? a : b];
+    for (int k = 1; k <= kSteps && below < blend; ++k) {
+        const double t = (k * blend / kSteps - below) / axis.length(2 * e);
+        out.add(rises ? t : 1 - t);
+    }
+}
 
 } // namespace
 
@@ -168,21 +196,29 @@ WallLanes wall_lanes(const Axis& given, const WallLaneOptions& o) {
     raise(axis, wall, o, half_at, upper);
     raise(axis, wall, o, half_at, lower);
 
+    const auto above = above_walls(axis, wall, out.set);
     Cuts ramps;
     for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.lanes.push_back(out.set[i] ? (upper[i] - lower[i]) / 2 : 0);
     std::vector<double> of_cuts;
+    std::vector<char> set_of_cuts;
     for (std::uint32_t e = 0; e < wall.size(); ++e) {
         const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
-        const Ramp ramp{static_cast<double>(lanes[e]), 2 * axis.length(2 * e) / o.ramp, {upper[a], upper[b]},
+        const Ramp ramp{static_cast<double>(lanes[e]),
+                        2 * axis.length(2 * e) / o.ramp,
+                        {upper[a], upper[b]},
                         {-lower[a], -lower[b]}};
         if (wall[e] && !ramp.level()) ramp.add_cuts(o.appear, ramps);
+        if (!wall[e]) add_blend_cuts(axis, e, above, o.blend, ramps);
         ramps.close();
-        for (std::size_t k = ramps.start[e]; k < ramps.start[e + 1]; ++k) of_cuts.push_back(ramp.lanes(ramps.at[k]));
+        for (std::size_t k = ramps.start[e]; k < ramps.start[e + 1]; ++k) {
+            of_cuts.push_back(wall[e] ? ramp.lanes(ramps.at[k]) : 0);
+            set_of_cuts.push_back(wall[e]);
+        }
     }
     out.axis = refined(axis, ramps.at, ramps.start);
     out.wall = spread(wall, ramps.start);
     out.lanes.insert(out.lanes.end(), of_cuts.begin(), of_cuts.end());
-    out.set.resize(out.axis.nodes(), 1);
+    out.set.insert(out.set.end(), set_of_cuts.begin(), set_of_cuts.end());
     return out;
 }
 

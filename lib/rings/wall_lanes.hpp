@@ -20,6 +20,7 @@ struct WallLaneOptions {
     double ramp = 1.2;    // mm of wall along which their number changes by one
     double appear = 0.1;  // of a ramp: nodes are set where so much of one is passed
     double slope = 0.5;   // of the radius, at most, of a wall
+    double blend = 0.8;   // mm of a corner from a wall on that get nodes
 };
 
 // N lanes where the radius R is w sqrt(N (N - 1)) to w sqrt(N (N + 1)), so that lanes are wider and narrower than w by
