@@ -2,13 +2,7 @@
 // reads:  Toolpath
 // writes: text
 // memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
-#include "cli/command.hpp"
-#include "postproc/about.hpp"
-#include "postproc/job.hpp"
-#include "postproc/measure.hpp"
-#include "postproc/program.hpp"
-#include "stream/spool.hpp"
-#include "wire/planar.hpp"
+#include "app/postproc/postproc.hpp"
 
 namespace {
 
@@ -57,7 +51,10 @@ cli::Spec spec(postproc::Options& o) {
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
              cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
                  {"error", "drop"}),
-             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
+             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting(),
+             cli::Option{"modules", &o.modules, "FOLDER",
+                         "of robots: where the modules go of a program longer than robot.module_moves"}
+                 .not_a_setting()},
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},
@@ -66,55 +63,6 @@ cli::Spec spec(postproc::Options& o) {
         .see_also = {"link3d", "metrics", "sequence"}};
 }
 
-std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io& io, const machine::Profile& profile) {
-    std::vector<postproc::Stage> out;
-    for (const auto& run : cli::header(io, stream::Payload::unknown, {&before}).history) {
-        out.push_back({run.program, {}});
-        for (const auto& s : run.settings) out.back().settings.emplace_back(s.name, s.value);
-    }
-    auto& own = out.back().settings;
-    own.insert(own.begin(), {"machine", profile.name + " (profile " + profile.fingerprint + ")"});
-    return out;
-}
-
-void run(const postproc::Options& o, const cli::Io& io) {
-    auto profile = machine::load_profile(o.machine, o.set);
-    profile.fibre.omit_short = o.short_strokes == "drop";
-    stream::Reader reader(io.input, stream::Payload::toolpath);
-    stream::Sink sink(io.output, stream::Sink::Content::text);
-    stream::Spool spool;
-    cli::Progress progress(io, reader.header().expected);
-    Notes notes;
-    Facts facts;
-    postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient));
-    while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
-        if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
-        if (frame->tag != stream::Tag::span) continue;
-        measure.add(wire::span(*frame));
-        spool.add(std::move(*frame));
-        progress.step();
-    }
-    for (; measure.again(); spool.rewind())
-        while (const auto frame = spool.next()) measure.add(wire::span(*frame));
-    const auto survey = measure.end();
-    cli::Report said(io);
-    for (const Note& n : postproc::omissions(survey, io.program)) notes.push_back(n);
-    postproc::add_efforts(profile, survey, io.program, notes, facts);
-    for (const Note& n : notes) said.add(n);
-    said.say();
-    if (!o.job.empty())
-        cli::write_text(o.job, metrics::figures::text(postproc::job(profile, survey), metrics::figures::Format::tsv));
-    const auto program =
-        postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
-    program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
-    while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
-    written->end();
-    program->end();
-    sink.commit();
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<postproc::Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<postproc::Options>(argc, argv, spec, app::postproc::run); }

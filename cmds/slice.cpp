@@ -2,26 +2,13 @@
 // reads:  a mesh file: STL, OBJ, PLY, OFF, 3MF or STEP
 // writes: Layers
 // memory: the model
-#include "slice/slice.hpp"
-#include "cli/command.hpp"
+#include "app/slice/slice.hpp"
 #include "cli/step_options.hpp"
-#include "mesh/place.hpp"
-#include "mesh/step/step.hpp"
-#include "stream/crc32c.hpp"
-#include "wire/planar.hpp"
-
-#include <cstdio>
 
 namespace {
 
 using namespace filum;
 using cli::Option;
-
-struct Options {
-    mesh::Placement place;
-    slice::Options slice;
-    mesh::step::Tessellation step;
-};
 
 constexpr const char* kDescription =
     "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer; a face level "
@@ -35,6 +22,9 @@ constexpr const char* kDescription =
     "in "
     "the surface. Whatever was repaired, and every open contour that had to be left out, is noted in the stream with "
     "its layer and length, and summed up on standard error.\n\n"
+    "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
+    "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
+    "more undecided than it holds is refused.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers. Contours are on a grid of 0.1 um.";
 
 std::vector<Option> placing(mesh::Placement& p) {
@@ -71,10 +61,13 @@ std::vector<Option> cutting(slice::Options& s) {
     };
 }
 
-cli::Spec spec(Options& o) {
+cli::Spec spec(app::slice::Options& o) {
     auto options = cutting(o.slice);
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
+    options.push_back(
+        Option{"machine", &o.machine, "NAME|FILE", "a machine profile: refuse what is larger than its bed"}
+            .not_a_setting());
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,
@@ -90,31 +83,6 @@ cli::Spec spec(Options& o) {
             .see_also = {"regions", "peek"}};
 }
 
-void run(const Options& o, const cli::Io& io) {
-    cli::Io self = io; // with what identifies the input, as its name may not
-    mesh::File file;
-    {
-        const mesh::Bytes bytes = mesh::load(io.input);
-        char crc[9];
-        std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-        self.settings.push_back({"input_crc32c", crc});
-        file = mesh::step::read(bytes.view(), mesh::spoken_name(io.input), o.step);
-    }
-    Notes notes = std::move(file.notes);
-    mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
-    const slice::Part part = slice::make_part(std::move(file.mesh), notes);
-    const slice::Sweep sweep = slice::prepare(part, o.slice, io.threads, notes);
-    auto header = cli::header(self, stream::Payload::layers);
-    header.expected = sweep.levels.size();
-    cli::source_stage(io, header, sweep.chunks(), std::move(notes), [&](std::size_t chunk, Notes& found) {
-        slice::Cut cut = slice::cut(sweep, chunk);
-        found = std::move(cut.notes);
-        std::vector<stream::RawFrame> frames;
-        for (const auto& layer : cut.layers) frames.push_back(wire::frame(layer));
-        return frames;
-    });
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<app::slice::Options>(argc, argv, spec, app::slice::run); }

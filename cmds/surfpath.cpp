@@ -53,14 +53,13 @@ cli::Spec spec(Options& o) {
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
              Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             {"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"},
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
                  .one_of({"none", "hairpin", "wide"}),
-             Option{"min-length", &o.plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
-                 .at_least(0),
+             Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}.at_least(
+                 0),
              Option{"height", &o.laying.height, "MM", "of the bead"}.above(0),
-             Option{"ply", &o.ply, "N", "number of this ply on the surface, its layer in the toolpath"}
-                 .at_least(0)
-                 .at_most(1e6),
+             Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.at_least(0).at_most(1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the height of the plies below"}.at_least(0),
              Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}.at_least(0),
              Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}.numbers(4),
@@ -72,8 +71,7 @@ cli::Spec spec(Options& o) {
              Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
              Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}.at_least(0),
              Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}.at_least(0),
-             Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}.at_least(
-                 0)},
+             Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for, or 0"}.at_least(0)},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                       "one path over a surface, here a part without its top"},
                      {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "
@@ -85,13 +83,15 @@ cli::Spec spec(Options& o) {
 }
 
 surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
-    surfpath::Options plan = o.plan;
-    plan.algorithm = algorithm;
-    if (plan.method != "kipping2022") return surfpath::plan(sheet, plan);
+    surfpath::Options asked = o.plan;
+    asked.algorithm = algorithm, asked.offset = o.laying.offset;
     baselines::kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm, paper.spacing = plan.spacing;
+    paper.algorithm = algorithm, paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    return baselines::kipping2022::plan(sheet, paper);
+    surfpath::Plan out =
+        asked.method == "kipping2022" ? baselines::kipping2022::plan(sheet, paper) : surfpath::plan(sheet, asked);
+    surfpath::finish(sheet.surface, out, asked);
+    return out;
 }
 
 void run(const Options& o, const cli::Io& io) {

@@ -51,7 +51,7 @@ void Report::add(const Note& note) {
     for (Note& sum : sums_) {
         if (sum.what != note.what || sum.unit != note.unit) continue;
         if (note.amount > sum.amount / static_cast<double>(sum.count))
-            sum.layer = note.layer, sum.x = note.x, sum.y = note.y;
+            sum.layer = note.layer, sum.x = note.x, sum.y = note.y, sum.z = note.z;
         sum.amount += note.amount;
         sum.count += note.count;
         return;
@@ -66,6 +66,7 @@ void Report::say() const {
         if (!n.unit.empty()) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
         if (n.layer >= 0) text += "; for one on layer " + std::to_string(n.layer);
         if (std::isfinite(n.x) && std::isfinite(n.y)) text += " at " + fixed_text(n.x, 2) + "," + fixed_text(n.y, 2);
+        if (std::isfinite(n.z)) text += "," + fixed_text(n.z, 2);
         io_->say(text);
     }
 }
@@ -150,7 +151,8 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     output.close();
 }
 
-void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
+                  const SourceEnd& end) {
     Output output(io, header);
     Progress progress(io, parts);
     output.add(found);
@@ -167,6 +169,11 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
             output.add(result.notes);
             progress.step();
         });
+    if (end) {
+        Notes last;
+        end(last);
+        output.add(last);
+    }
     output.close();
 }
 

@@ -72,9 +72,12 @@ void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, con
                 const ScanEnd& end = {});
 
 // Shape "source": no stream comes in; `parts` pieces of work, on all cores, give the frames of the output in order.
-// `found` is what was noted before.  The header's settings may be more than io.settings: what identifies the input.
+// `found` is what was noted before, `end` notes what is known when all is done.  The header's settings may be more than
+// io.settings: what identifies the input.
 using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
-void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
+using SourceEnd = std::function<void(Notes&)>;
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
+                  const SourceEnd& end = {});
 
 // Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {

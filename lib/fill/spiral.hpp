@@ -1,4 +1,4 @@
-// The default fill: one closed curve per connected region, never crossing itself (notes 3a, algorithm CYC).
+// The default fill: one closed curve per connected region, never crossing itself (docs/algorithms/fill.md).
 #pragma once
 
 #include "base/note.hpp"

@@ -73,8 +73,8 @@ void program(Document& doc, MultiAxis& m) {
     doc.number("kinematics.chord", m.chord, {1e-5, 1});
     degrees(doc, "kinematics.orientation_deg", m.orientation, {0, 45});
     std::string spin = "fixed";
-    doc.choice("kinematics.spin", spin, {"fixed", "follow"});
-    m.spin = spin == "follow" ? Spin::follow : Spin::fixed;
+    doc.choice("kinematics.spin", spin, {"fixed", "follow", "free"});
+    m.spin = spin == "follow" ? Spin::follow : spin == "free" ? Spin::free : Spin::fixed;
     doc.number("kinematics.blend", m.blend, {0, 100});
     doc.whole("kinematics.angle_decimals", m.angle_decimals, 2, 8);
 }

@@ -27,6 +27,7 @@ enum class FeedWord : std::uint8_t {
 enum class Spin : std::uint8_t {
     fixed,  // as near to the part's x axis as the tool axis allows
     follow, // along the path: for nozzles that are not round
+    free,   // for round nozzles: as at the start, and turned where that keeps axes off limits and singularities
 };
 
 struct MultiAxis {

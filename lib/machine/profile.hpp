@@ -5,10 +5,12 @@
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
+#include "machine/robot.hpp"
 
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,12 +39,14 @@ struct Extrusion {
     double flow = 1;                      // factor on all material
     double density = 0;                   // g/cm3; 0: unknown
     std::string on, off;                  // codes before the first and after the last move of a stroke, may be empty
+    std::string on_trigger, off_trigger;  // RAPID: triggers that do the same at the very place, while the robot goes on
     [[nodiscard]] double per_mm3() const; // extruder units for one mm3 of bead
 };
 
 struct Limits {
-    double section = std::numeric_limits<double>::infinity(); // mm2, largest bead cross-section
-    double flow = std::numeric_limits<double>::infinity();    // mm3/s; feeds are lowered to keep it
+    double section = std::numeric_limits<double>::infinity();               // mm2, largest bead cross-section
+    double narrowest = 0, widest = std::numeric_limits<double>::infinity(); // mm, of beads that the nozzle lays
+    double flow = std::numeric_limits<double>::infinity();                  // mm3/s; feeds are lowered to keep it
 };
 
 // Speeds of the nozzle, mm/s.
@@ -103,12 +107,29 @@ struct Profile {
     Travel travel;
     Motion motion;
     MultiAxis axes;
+    Robot robot; // of tool frames
     Tools tools;
     Fibre fibre;
     Format format;
     Templates templates;
     std::map<std::string, double> values; // the user's own placeholders: nozzle_temp, bed_temp, ...
+
+    // Of a tool with a section of its own, [tool.N].
+    std::string change; // codes when it takes over; "": tools.change
+    geom::Vec3 offset;  // mm: from tool 0's tip to its own; the controller does not know
+    // Tools with a section of their own, each with the whole profile as it is for it; see of_tool.
+    std::map<std::uint32_t, std::shared_ptr<const Profile>> own;
 };
+
+// The profile as it is for a tool: head, extrusion, limits, feeds, travel, offset, kinematics and frame of its own
+// where it has a section; else `profile` itself.
+inline const Profile& of_tool(const Profile& profile, std::uint32_t tool) {
+    const auto found = profile.own.find(tool);
+    return found == profile.own.end() ? profile : *found->second;
+}
+
+// Codes when the tool takes over; "": there are none.
+const std::string& change_codes(const Profile& profile, std::uint32_t tool);
 
 // The profile in `name_or_path`: a file if that holds a '/' or ends in ".toml", else NAME.toml in the folders of
 // $FILUM_PROFILES (separated by ':'), then in ../share/filum/profiles and ../../share/filum/profiles beside the
@@ -117,7 +138,7 @@ struct Profile {
 // naming file, line and key for an unknown key, a wrong type or an impossible value.
 Profile load_profile(const std::string& name_or_path, const std::string& set = "");
 
-// The same from text; `file` is what messages call it.
+// The same from text; `file` is what messages call it, and beside which a robot's model is sought.
 Profile parse_profile(std::string_view text, const std::string& file, const std::string& set = "");
 
 // Names that load_profile knows, sorted.

@@ -66,7 +66,7 @@ TemplateFault check_template(std::string_view text, const Values& own) {
     return {};
 }
 
-std::string expand(std::string_view text, const Values& values) {
+std::string expand(std::string_view text, const Values& values, int decimals) {
     std::string out;
     while (!text.empty()) {
         const Piece p = next_piece(text);
@@ -77,7 +77,7 @@ std::string expand(std::string_view text, const Values& values) {
         const auto it = values.find(std::string(p.text));
         if (p.kind == Piece::Kind::fault || it == values.end())
             throw Error(Exit::bad_input, "cannot fill in a template: nothing known for '" + std::string(p.text) + "'");
-        append_fixed(out, it->second, 5);
+        append_fixed(out, it->second, decimals);
     }
     return out;
 }

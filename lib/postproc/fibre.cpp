@@ -93,9 +93,11 @@ void FibreWalk::travel(const Span& span) {
 
 void FibreWalk::extrude(const Span& span) {
     if (span.tool != tool_) {
-        if (span.tool != 0 && profile_->tools.change.empty())
+        if (span.tool != 0 && machine::change_codes(*profile_, span.tool).empty())
             throw Error(Exit::bad_input, "cannot take tool " + std::to_string(span.tool) + " " + place(span) + ": '" +
-                                             profile_->name + "' has no codes to change tools; add tools.change");
+                                             profile_->name +
+                                             "' has no codes to change tools; add tools.change, or [tool." +
+                                             std::to_string(span.tool) + "] with change");
         finish();
         if (begun_ && travels_.empty()) {
             travels_.push_back(like(span));

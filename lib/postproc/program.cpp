@@ -56,7 +56,12 @@ void Program::begin(const std::vector<std::string>& about) {
     text_ += "G90";
     end_line();
     begin_axes();
-    if (!counts()) return;
+    begin_counting();
+}
+
+// The first tool that counts says how.
+void Program::begin_counting() {
+    if (!counts() || std::exchange(counted_, true)) return;
     if (profile_->extrusion.letter == 'E') {
         text_ += profile_->extrusion.relative ? "M83" : "M82";
         end_line();
@@ -117,6 +122,7 @@ void Program::change_tool(const Step& step) {
     begin_axes();
     at_.fill(kUnknown);
     f_ = -1;
+    begin_counting();
     if (counts() && !profile_->extrusion.relative) reset_extruder();
 }
 
@@ -200,8 +206,9 @@ void Program::extruder_only(std::int64_t units, double speed) {
 
 void Program::move(const Step& step) {
     const bool rotary = profile_->axes.active();
-    std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
-                                   units(step.to.z, xyz_scale_), at_[3], at_[4]};
+    const Vec3 at = rotary ? step.to : step.to - own(step).offset;
+    std::array<std::int64_t, 5> to{units(at.x + shift_.x, xyz_scale_), units(at.y + shift_.y, xyz_scale_),
+                                   units(at.z, xyz_scale_), at_[3], at_[4]};
     if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
     if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
@@ -231,15 +238,15 @@ std::int64_t Program::due() {
 }
 
 void Program::close(const Step& step) {
-    extruder_only(due(), profile_->travel.retract_speed);
+    extruder_only(due(), own().travel.retract_speed);
     code(off(step));
     role_ = Role::travel;
 }
 
-void Program::retract() { extruder_only(-units(profile_->travel.retract, e_scale_), profile_->travel.retract_speed); }
+void Program::retract() { extruder_only(-units(own().travel.retract, e_scale_), own().travel.retract_speed); }
 
 void Program::prime() {
-    const auto& t = profile_->travel;
+    const auto& t = own().travel;
     extruder_only(units(t.retract, e_scale_) + units(t.extra, e_scale_), t.retract_speed);
 }
 

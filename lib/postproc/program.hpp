@@ -16,6 +16,7 @@ struct Options {
     std::string set;                     // changes to the profile: "feeds.bead=40,nozzle_temp=230"
     std::string short_strokes = "error"; // of fibre: error | drop
     std::string job;                     // file
+    std::string modules;                 // folder
 };
 
 // Writes the program of the steps that `survey` was made of, moved by `shift`.
@@ -38,7 +39,9 @@ class Program final : public Writer {
     void push() override;
     void cut() override;
     void move(const Step& step) override;
+    void stand(const Step&) override {} // of robots only
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
+    void begin_counting();
     void begin_axes();
     void end_axes();
     std::int64_t due();
@@ -57,6 +60,7 @@ class Program final : public Writer {
     double tilt_ = 0, turn_ = 0;     // rad, of the step before
     double laid_ = 0;                // extruder units of the bead so far, exact
     std::int64_t laid_units_ = 0;    // the same as written
+    bool counted_ = false;           // the controller was told how extruder words count
     std::int64_t e_ = 0;             // where the controller believes the extruder to be
     Role role_ = Role::travel;
     double width_ = 0, height_ = 0; // as last told to viewers

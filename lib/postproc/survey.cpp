@@ -28,15 +28,24 @@ Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_
 }
 
 void Surveyor::check_section(const Step& step, double length) const {
-    const double section = step.volume / length * profile_->extrusion.flow;
-    if (section <= profile_->limits.section * (1 + 1e-9)) return;
+    const machine::Profile& own = machine::of_tool(*profile_, step.tool);
+    const machine::Limits& most = own.limits;
+    constexpr double slack = 1e-9;
+    if (step.width < most.narrowest * (1 - slack) || step.width > most.widest * (1 + slack))
+        throw Error(Exit::failure, "cannot print " + place(step.layer, step.to) + ": a bead " +
+                                       fixed_text(step.width, 4) + " mm wide, and tool " + std::to_string(step.tool) +
+                                       " of '" + profile_->name + "' lays " + fixed_text(most.narrowest, 4) + " to " +
+                                       fixed_text(most.widest, 4) + " mm; use another width or another tool");
+    const double section = step.volume / length * own.extrusion.flow;
+    if (section <= most.section * (1 + slack)) return;
     throw Error(Exit::failure, "cannot print " + place(step.layer, step.to) + ": a bead of " + fixed_text(section, 4) +
-                                   " mm2 is above the " + fixed_text(profile_->limits.section, 4) + " mm2 that '" +
-                                   profile_->name + "' allows; use narrower beads, thinner layers or a larger nozzle");
+                                   " mm2 is above the " + fixed_text(most.section, 4) + " mm2 that '" + profile_->name +
+                                   "' allows; use narrower beads, thinner layers or a larger nozzle");
 }
 
 void Surveyor::visit(const Step& step, bool extruding) {
-    const auto c = coordinates(step.to), axes = coordinates(profile_->axes.active() ? step.axes : step.to);
+    const Vec3 carried = profile_->axes.active() ? step.axes : step.to - machine::of_tool(*profile_, step.tool).offset;
+    const auto c = coordinates(step.to), axes = coordinates(carried);
     for (std::size_t k = 0; k < 3; ++k) {
         if (axes[k] < survey_.low[k].value) survey_.low[k] = {axes[k], step.to, step.layer};
         if (axes[k] > survey_.high[k].value) survey_.high[k] = {axes[k], step.to, step.layer};
@@ -81,9 +90,9 @@ void Surveyor::move(const Step& step) {
 }
 
 void Surveyor::add(std::span<const Step> steps) {
-    const auto& t = profile_->travel;
     const auto& f = profile_->fibre;
     for (const Step& step : steps) {
+        const auto& t = machine::of_tool(*profile_, step.tool).travel;
         switch (step.act) {
         case Act::layer:
             survey_.layers = std::max(survey_.layers, step.layer + 1);
@@ -122,6 +131,10 @@ void Surveyor::add(std::span<const Step> steps) {
             break;
         case Act::omit:
             omit(step);
+            break;
+        case Act::stand: // nobody knows whence, nor how long it takes
+            visit(step, false);
+            at_ = step.to, placed_ = true;
             break;
         case Act::travel:
         case Act::climb:
@@ -167,6 +180,17 @@ Survey Surveyor::end() {
     return survey_;
 }
 
+Used used(const machine::Profile& profile, const Survey& survey) {
+    Used out;
+    for (const auto& [number, tool] : survey.tools) {
+        if (tool.fibre) continue;
+        const auto& e = machine::of_tool(profile, number).extrusion;
+        out.volume += tool.volume * e.flow;
+        out.units += e.feeding == machine::Feeding::valve ? 0 : tool.volume * e.per_mm3();
+    }
+    return out;
+}
+
 Place parse_place(const std::string& text) { return text == "center" ? Place::center : Place::as_is; }
 
 Vec2 placement(const Survey& survey, const machine::Bed& bed, Place where) {
@@ -194,7 +218,7 @@ void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 sh
         if (survey.low[k].value + moved[k] < lo[k] - 5e-4) refuse(survey.low[k], k);
         if (survey.high[k].value + moved[k] > hi[k] + 5e-4) refuse(survey.high[k], k);
     }
-    if (!(survey.volume * profile.extrusion.per_mm3() * std::pow(10.0, profile.format.e_decimals) < 4e18))
+    if (!(used(profile, survey).units * std::pow(10.0, profile.format.e_decimals) < 4e18))
         throw Error(Exit::failure, "cannot count the material: " + fixed_text(survey.volume, 0) +
                                        " mm3 is more than the extruder's numbers hold; are the bead widths right?");
 }
@@ -215,9 +239,10 @@ std::map<std::string, double> placeholders(const Survey& s, const machine::Profi
     add("layer", 0), add("layers", s.layers), add("z", s.start.z), add("height", s.start.z);
     add("path_len", s.path_len), add("travel_len", s.travel_len), add("time", s.seconds);
     add("strokes", static_cast<double>(s.strokes));
-    add("material_mm3", s.volume * profile.extrusion.flow);
-    add("material_e",
-        profile.extrusion.feeding == machine::Feeding::valve ? 0 : s.volume * profile.extrusion.per_mm3());
+    const Used material = used(profile, s);
+    add("material_mm3", material.volume);
+    add("material_e", material.units);
+    if (profile.axes.chain.carrier == kinematics::Carrier::frame) machine::add_robot(profile.robot, out);
     add("travel_feed", profile.feeds.travel * 60), add("z_feed", profile.feeds.z * 60);
     const auto& f = profile.fibre;
     add("tool_no", profile.tools.first);

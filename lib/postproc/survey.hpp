@@ -53,7 +53,7 @@ struct Survey {
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is
-// above the profile's limit; of fibre, which that limit is not about, none is.
+// above the limit of its tool, or whose width is not of its nozzle; of fibre, which neither is about, none is.
 class Surveyor {
   public:
     explicit Surveyor(const machine::Profile& profile);
@@ -77,6 +77,12 @@ class Surveyor {
     std::uint32_t tool_ = 0;
     bool placed_ = false, open_ = false;
 };
+
+// Material of all tools but fibre's, as it leaves them: mm3, and extruder units of those that count.
+struct Used {
+    double volume = 0, units = 0;
+};
+Used used(const machine::Profile& profile, const Survey& survey);
 
 enum class Place : std::uint8_t {
     center, // the middle of the visited box goes to the middle of the bed

@@ -50,7 +50,7 @@ double rounding(const machine::Profile& profile, const Joints& at) {
 } // namespace
 
 TiltedWalk::TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out)
-    : profile_(&profile), tip_(profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)) {
+    : profile_(&profile), tip_(profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)), carrier_(profile) {
     tip_.motion.max_speed_z = kInfinity;
 }
 
@@ -120,8 +120,8 @@ double TiltedWalk::over_axis(const Pose& pose) const {
 // The first stroke is sought along the tool axis, from wherever the start template left the tool.
 void TiltedWalk::approach(const toolpath::Span& first) {
     const Pose p = pose(first, 0, shift_);
-    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0, first.tool};
-    go({p.tip + std::max(profile_->travel.lift, kApproach) * p.axis, p.axis}, leg);
+    const Leg leg{Act::travel, Role::travel, first.layer, own().feeds.travel, 0, 0, 0, first.tool};
+    go({p.tip + std::max(own().travel.lift, kApproach) * p.axis, p.axis}, leg);
     go(p, leg);
 }
 
@@ -130,24 +130,24 @@ void TiltedWalk::approach(const toolpath::Span& first) {
 void TiltedWalk::retreat() {
     const Pose last = stroke_.poses.back();
     const Leg& laid = stroke_.legs.back();
-    const Leg leg{Act::travel, Role::travel, laid.layer, profile_->feeds.travel, 0, 0, 0, laid.tool};
+    const Leg leg{Act::travel, Role::travel, laid.layer, own().feeds.travel, 0, 0, 0, laid.tool};
     finish_stroke();
     ended_ = true;
     go(last, leg);
-    go({last.tip + std::max(profile_->travel.lift, kApproach) * last.axis, last.axis}, leg);
+    go({last.tip + std::max(own().travel.lift, kApproach) * last.axis, last.axis}, leg);
 }
 
 void TiltedWalk::travel(const toolpath::Span& span) {
     if (!started()) return; // there is nothing to leave
     finish_stroke();
-    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool};
+    const Leg leg{Act::travel, Role::travel, span.layer, own().feeds.travel, 0, 0, 0, span.tool};
     if (!span.normals.empty()) {
         for (std::size_t i = 0; i < span.points.size(); ++i) go(pose(span, i, shift_), leg);
         return;
     }
     double clear = top_;
     for (const Vec3& p : span.points) clear = std::max(clear, p.z + shift_.z);
-    clear += profile_->travel.lift;
+    clear += own().travel.lift;
     const Vec3 up{0, 0, 1};
     go(pose(span, 0, shift_), leg);
     for (const Vec3& p : span.points) go({{p.x + shift_.x, p.y + shift_.y, clear}, up}, leg);
@@ -159,8 +159,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
     if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
-        go(from,
-           {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool});
+        go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, own().feeds.travel, 0, 0, 0, span.tool});
     Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
@@ -206,40 +205,31 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
 
 void TiltedWalk::finish_stroke() {
     if (stroke_.poses.empty()) return;
-    const auto& a = profile_->axes;
+    const machine::Profile& next = machine::of_tool(*profile_, stroke_.legs.back().tool); // for what is laid
+    const auto& a = next.axes;
     const auto places = liftings(stroke_.legs, layer_ < 0);
     const auto track = kinematics::track(a.chain, stroke_.poses, at_, a.orientation, a.limits, places);
     check(track);
     if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
-    const double lift = profile_->travel.lift;
-    stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
-    head();
+    const double lift = own().travel.lift;
+    stroke_ = lifted(next, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
+    // What comes before the change is the last tool's, whose tip is elsewhere.
+    for (std::size_t i = 0; i < std::min(exchange(), stroke_.poses.size()); ++i)
+        stroke_.joints[i] =
+            kinematics::place(own().axes.chain, stroke_.poses[i].tip, stroke_.joints[i].tilt, stroke_.joints[i].turn);
     auto seconds = durations();
+    if (a.chain.carrier == kinematics::Carrier::frame) {
+        headings_ = carrier_.headings(stroke_);
+        carrier_.carry(stroke_, exchange(), seconds, headings_);
+        efforts_.arm = carrier_.efforts();
+    } else {
+        headings_.assign(stroke_.poses.size(), {1, 0, 0});
+    }
     if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
     emit(seconds);
     at_ = stroke_.joints.back();
     stroke_ = {};
     laid_ = false;
-}
-
-// Where a robot's tool points its x axis: along x of the part, or along the path, each as far as it lies across the
-// tool axis; where it hardly does, as before.
-void TiltedWalk::head() {
-    headings_.assign(stroke_.poses.size(), heading_);
-    if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return;
-    constexpr double least = 0.05; // of a unit vector's part across
-    for (std::size_t i = 0; i < stroke_.poses.size(); ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < stroke_.poses.size() ? i + 1 : i;
-        const Vec3 way = stroke_.poses[b].tip - stroke_.poses[a].tip;
-        const bool follow = profile_->axes.spin == machine::Spin::follow && norm(way) > 0;
-        Vec3 to = follow ? 1 / norm(way) * way : profile_->axes.spin == machine::Spin::fixed ? Vec3{1, 0, 0} : heading_;
-        const Vec3& axis = stroke_.poses[i].axis;
-        Vec3 across = to - dot(to, axis) * axis;
-        if (norm(across) < least) across = heading_ - dot(heading_, axis) * axis;
-        if (norm(across) < least)
-            across = std::abs(axis.x) < 0.9 ? Vec3{1, 0, 0} - axis.x * axis : Vec3{0, 1, 0} - axis.y * axis;
-        headings_[i] = heading_ = 1 / norm(across) * across;
-    }
 }
 
 // Per leg; the very first takes none: nobody knows whence it comes.
@@ -250,8 +240,8 @@ std::vector<double> TiltedWalk::durations() const {
     std::vector<double> out(j.size(), 0);
     if (layer_ >= 0) // the axes stand where the last stroke left them
         out[0] =
-            std::max({distance(at_.xyz, j[0].xyz) / profile_->feeds.travel,
-                      std::abs(j[0].tilt - at_.tilt) / a.tilt_speed, std::abs(j[0].turn - at_.turn) / a.turn_speed});
+            std::max({distance(at_.xyz, j[0].xyz) / own().feeds.travel, std::abs(j[0].tilt - at_.tilt) / a.tilt_speed,
+                      std::abs(j[0].turn - at_.turn) / a.turn_speed});
     for (std::size_t i = 1; i < j.size(); ++i)
         out[i] = std::max({distance(stroke_.poses[i - 1].tip, stroke_.poses[i].tip) / stroke_.legs[i].feed,
                            distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
@@ -331,7 +321,7 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
 
 // In how many parts the axes go straight to pose i, so that the tip keeps to its line.
 std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
-    const auto& a = profile_->axes;
+    const auto& a = own().axes;
     if (a.numbers == machine::Numbers::tip || i == 0 || !(seconds > 0) || !stroke_.legs[i].straight) return 1;
     const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
     const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
@@ -355,21 +345,23 @@ std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
 }
 
 void TiltedWalk::move(std::size_t i, double seconds) {
-    const auto& a = profile_->axes;
+    const auto& a = own().axes;
     const Leg& leg = stroke_.legs[i];
     const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
     const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
+    const Vec3 off = own().offset; // the axes count where tool 0's tip is
     const std::uint32_t n = parts(i, seconds);
+    const bool jointly = a.chain.carrier == kinematics::Carrier::frame && carrier_.jointly(i);
     Joints last = from;
     for (std::uint32_t k = 1; k <= n; ++k) {
         const double f = k == n ? 1 : k / static_cast<double>(n);
         const Joints here = k == n ? to : kinematics::between(a.chain, begin, from, tip, to, f);
         // A polar machine turns most where it passes the axis.
         const double turning = seconds > 0 ? std::abs(here.turn - last.turn) / a.turn_speed : 0;
-        put({.act = leg.act,
+        put({.act = jointly ? Act::stand : leg.act,
              .role = leg.role,
              .layer = leg.layer,
-             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
+             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz - off,
              .feed = leg.feed,
              .volume = leg.volume / n,
              .width = leg.width,
@@ -378,12 +370,13 @@ void TiltedWalk::move(std::size_t i, double seconds) {
              .turn = here.turn,
              .length = distance(begin, tip) / n,
              .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
-             .axes = here.xyz,
+             .axes = here.xyz - off,
              .axis = stroke_.poses[i].axis,
              .heading = headings_[i],
              .tool = tool_,
              .fed = leg.fed / n,
-             .halt = leg.halt && k == n});
+             .halt = leg.halt && k == n,
+             .posture = jointly ? carrier_.posture(i) : nullptr});
         last = here;
     }
 }

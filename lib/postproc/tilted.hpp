@@ -1,6 +1,7 @@
 // From the spans of a toolpath to the steps of a machine with rotary axes.
 #pragma once
 
+#include "postproc/carry.hpp"
 #include "postproc/lifts.hpp"
 
 #include <set>
@@ -37,11 +38,12 @@ class TiltedWalk final : public Walker {
     [[nodiscard]] std::vector<double> durations() const;
     [[nodiscard]] std::size_t exchange() const;
     void put(const Step& step);
-    void head();
     [[nodiscard]] double swing(std::size_t i) const;
     [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
     [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
     [[nodiscard]] std::uint32_t parts(std::size_t i, double seconds) const;
+
+    [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); } // for the tool
 
     const machine::Profile* profile_;
     machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
@@ -50,7 +52,7 @@ class TiltedWalk final : public Walker {
     std::vector<Step> buffer_;
     Motion stroke_;              // being read; its joints only when it is finished
     std::vector<Vec3> headings_; // of robots, per pose: where the tool's x axis points
-    Vec3 heading_{1, 0, 0};      // the last one
+    Carrier carrier_;            // likewise: its axes
     kinematics::Joints at_;      // after the last stroke
     double top_ = 0;
     std::int64_t layer_ = -1;

@@ -43,7 +43,8 @@ void Walk::flush() {
 }
 
 Walker::Laying Walker::laying(const machine::Profile& profile, const toolpath::Span& span, std::size_t i) const {
-    if (!profile.fibre.lays(span.tool)) return {machine::bead_feed(profile, span, i), 0, false};
+    if (!profile.fibre.lays(span.tool))
+        return {machine::bead_feed(machine::of_tool(profile, span.tool), span, i), 0, false};
     const double fed = how_.fed * distance(span.points[i], span.points[i + 1]);
     return {machine::fibre_feed(profile, span, i, how_.feed), fed, halt_ && i + 2 == span.points.size()};
 }
@@ -88,14 +89,14 @@ void Walk::leave(const toolpath::Span& span) {
     risen_ = true;
     const bool follows = !span.normals.empty() && span.tool == tool_;
     const double clear =
-        follows ? at_.z : std::min(std::max(top_, highest(span)) + profile_->travel.lift, profile_->bed.z_max);
+        follows ? at_.z : std::min(std::max(top_, highest(span)) + own().travel.lift, profile_->bed.z_max);
     if (clear > at_.z) {
         at_.z = clear;
         put({.act = Act::climb,
              .role = Role::travel,
              .layer = span.layer,
              .to = at_,
-             .feed = profile_->feeds.z,
+             .feed = own().feeds.z,
              .tool = tool_});
     }
     if (span.tool == tool_) return;
@@ -108,7 +109,7 @@ void Walk::travel(const toolpath::Span& span) {
     if (open_) put({.act = Act::close, .layer = span.layer, .to = at_, .tool = tool_});
     open_ = false;
     const bool other = span.tool != tool_, changes = other || profile_->fibre.lays(tool_);
-    const bool plain = length(span) < profile_->travel.min_length && !risen_ && !changes;
+    const bool plain = length(span) < own().travel.min_length && !risen_ && !changes;
     if (!plain) leave(span);
     const bool follows = !span.normals.empty();
     for (std::size_t i = 1; i < span.points.size(); ++i) {
@@ -122,7 +123,7 @@ void Walk::travel(const toolpath::Span& span) {
 // Straight to a place; along a way with normals up and down no faster than the z axis can do.
 void Walk::go(const Vec3& to, const toolpath::Span& travel) {
     const Vec3 way = to - at_;
-    const double rise = std::abs(way.z), most = profile_->feeds.travel, slow = profile_->feeds.z;
+    const double rise = std::abs(way.z), most = own().feeds.travel, slow = own().feeds.z;
     const bool slows = !travel.normals.empty() && rise * most > slow * norm(way);
     put({.act = slows && way.xy() == geom::Vec2{} ? Act::climb : Act::travel,
          .role = Role::travel,
@@ -140,13 +141,13 @@ void Walk::begin_stroke(const toolpath::Span& span) {
     };
     if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
         if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
-        const double clear = std::min(to.z + std::max(profile_->travel.lift, kApproach), profile_->bed.z_max);
-        go(Act::climb, {to.x, to.y, clear}, profile_->feeds.z);
-        go(Act::travel, {to.x, to.y, clear}, profile_->feeds.travel);
+        const double clear = std::min(to.z + std::max(own().travel.lift, kApproach), profile_->bed.z_max);
+        go(Act::climb, {to.x, to.y, clear}, own().feeds.z);
+        go(Act::travel, {to.x, to.y, clear}, own().feeds.travel);
     }
     at_ = to;
     if (profile_->fibre.lays(tool_)) go(Act::push, to, 0); // in the air
-    go(Act::climb, to, profile_->feeds.z);
+    go(Act::climb, to, own().feeds.z);
     if (retracted_.erase(tool_) > 0) go(Act::prime, to, 0);
     put({.act = Act::open, .role = span.role, .layer = span.layer, .to = to, .tool = tool_});
     risen_ = false;

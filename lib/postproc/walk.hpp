@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machine/profile.hpp"
+#include "postproc/arm_efforts.hpp"
 #include "toolpath/path.hpp"
 
 #include <cstdint>
@@ -36,6 +37,7 @@ enum class Act : std::uint8_t {
     push,    // push fibre into the air
     tension, // wait for the fibre's tension to settle
     cut,     // cut the fibre
+    stand,   // a robot: the axes go as they like to where they stand as `posture`
     omit,    // nothing: a fibre stroke of `length` mm that begins at `to` is left out
 };
 
@@ -55,6 +57,7 @@ struct Step {
     std::uint32_t tool = 0;
     double fed = 0;    // mm of fibre, fed on the way
     bool halt = false; // the tool comes to a stand there: what follows belongs to that very place
+    const kinematics::Posture* posture = nullptr; // of Act::stand, if it is known; lives as long as the walk
 };
 
 using Steps = std::function<void(std::span<const Step>)>;
@@ -66,6 +69,7 @@ struct Efforts {
     std::uint32_t unwind_layer = 0;
     double lean = 0, clipped = 0; // rad: the most a tool leans off its axis; the most of it to keep the tilt's limits
     Vec3 lean_at, clipped_at;
+    ArmEfforts arm; // of a robot
 };
 
 // Turns spans, in their order, into steps.
@@ -123,6 +127,7 @@ class Walk final : public Walker {
     void go(const Vec3& to, const toolpath::Span& travel);
     void begin_stroke(const toolpath::Span& span);
     void extrude(const toolpath::Span& span) override;
+    [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); } // for the tool
 
     const machine::Profile* profile_;
     Steps out_;

@@ -32,7 +32,7 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
         postproc --machine $m part.toolpath -o $m.txt 2> $m.err
         [ ! -s $m.err ]
         grep -q "filum program for '$m'" $m.txt
-        tail -n 4 $m.txt | grep -q 'end of program, [1-9][0-9]* moves'
+        tail -n 6 $m.txt | grep -q 'end of program, [1-9][0-9]* moves'
         absent -E '[0-9]e[-+]?[0-9]' <(grep -E '^(LIN|MoveL|movel)' $m.txt)
     done
     [ "$(grep -c '^LIN' kuka-krl.txt)" -eq "$(grep -c '^movel' ur.txt)" ]

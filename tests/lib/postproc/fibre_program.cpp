@@ -152,7 +152,9 @@ TEST(fibre, tools_change_above_the_part_and_outside_of_its_frame) {
 }
 
 TEST(fibre, robots_stand_still_where_they_cut) {
-    const std::string frame = "[kinematics]\ncarrier = \"frame\"\n[format]\ndialect = \"";
+    const std::string frame =
+        "[kinematics]\ncarrier = \"frame\"\n[robot]\nbase = [800, 0, 400, 0, 0, 0]\ntool = [0, 0, 100, 0, 0, "
+        "0]\nstart = [0, -90, 90, 0, 90, 0]\n[format]\ndialect = \"";
     const std::pair<std::string, std::string> halts[] = {{"krl", "}"}, {"rapid", "fine,tFilum\\WObj:=wFilum;"}};
     for (const auto& [dialect, end] : halts) {
         const auto text = lines(program(profile("prime_speed = 2\n" + frame + dialect + "\"\n",

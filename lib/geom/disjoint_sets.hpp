@@ -1,0 +1,48 @@
+// Disjoint sets (union-find).
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace filum::geom {
+
+// Of the numbers 0 to n - 1.  The least number of a set stands for it.
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t n = 0) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+    [[nodiscard]] std::size_t size() const { return parent_.size(); }
+    std::uint32_t add() { // a set of its own
+        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+        return parent_.back();
+    }
+    std::uint32_t root(std::uint32_t v) {
+        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+    // True if they were two.
+    bool unite(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        if (a == b) return false;
+        parent_[std::max(a, b)] = std::min(a, b);
+        return true;
+    }
+    // The sets numbered by their least members, per number; how many there are.
+    std::size_t number(std::vector<std::uint32_t>& set) {
+        set.resize(parent_.size());
+        std::uint32_t count = 0;
+        for (std::uint32_t v = 0; v < parent_.size(); ++v) { // the least of a set comes first
+            const std::uint32_t r = root(v);
+            set[v] = r == v ? count++ : set[r];
+        }
+        return count;
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+} // namespace filum::geom
