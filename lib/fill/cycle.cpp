@@ -19,6 +19,7 @@ constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
 // square of that.
 constexpr double kLink = 0.25;
+constexpr double kNarrowLink = 0.5;         // bead widths
 constexpr double kLinkEnd = 0.2;            // share of a link's length on which it becomes as wide as its rings
 constexpr double kShortestSegment = 0.0125; // bead widths: shorter segments could cross their neighbours once rounded
 
@@ -180,8 +181,9 @@ class Joiner {
                                     graph_.turning(there->ring, there->s - 0.6 * width_, there->s + 0.6 * width_);
                 const Vec2 across = (1 / there->distance) * (there->point - here);
                 const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
-                out.push_back({r, there->ring, s, across, std::min(bead, width_),
-                               std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
+                out.push_back(
+                    {r, there->ring, s, across, std::min(bead, width_),
+                     std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0) + std::max(0.0, 1 - bead / width_)});
             }
         }
         std::stable_sort(out.begin(), out.end(),
@@ -200,7 +202,9 @@ class Joiner {
             if (forest_.groups() <= 1) return;
             if (forest_.root(c.ring) == forest_.root(c.other)) continue;
             Bridge b;
-            const double window = half * c.bead;
+            // half of a bead wide, or as wide as their rings
+            const double least = half < kLink ? 0 : std::min(c.bead / 2, kNarrowLink * width_ / 2);
+            const double window = std::max(half * c.bead, least);
             if (!make(c, window, b) || !fits(b, window)) continue;
             splices_.add(b.splice(2 * window));
             for (const int k : {0, 1}) links_.push_back(b.link(k));
