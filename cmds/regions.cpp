@@ -4,6 +4,7 @@
 // memory: two layers
 #include "regions/regions.hpp"
 #include "cli/command.hpp"
+#include "regions/sizes.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -30,7 +31,9 @@ cli::Spec spec(regions::Options& o) {
             "What is farther than half a bead from the layer below hangs in the air: each region tells its area, and "
             "one line on standard error the sum, and of the place farthest from anything below the longest bridge, the "
             "shortest straight way over it from what carries to what carries, or how far it hangs over. The first "
-            "layer lies on the bed.",
+            "layer lies on the bed.\n\n"
+            "Layers higher than a bead is wide, and beads wider than the part, are refused, as are layers that take "
+            "more beads than memory holds: 25 million squares of a bead's width.",
         .in = cli::reads(stream::Payload::layers),
         .out = cli::writes(stream::Payload::regions),
         .memory = "two layers",
@@ -56,10 +59,12 @@ void run(const regions::Options& options, const cli::Io& io) {
     regions::Air air;
     std::uint32_t id = 0;
     std::int64_t last = -2;
+    geom::Box2 box;
     cli::scan_stage(
         io, stream::Payload::layers, stream::Payload::regions,
         [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
             const auto layer = wire::layer(frame);
+            regions::check_layer(layer, options.bead_width, box);
             if (layer.index != last + 1) below.regions.clear(); // a gap in the stack carries nothing
             last = layer.index;
             below = {false, regions::regions(layer, below, id, options, air, notes)};
@@ -67,6 +72,7 @@ void run(const regions::Options& options, const cli::Io& io) {
             for (const auto& r : below.regions) emit(wire::frame(r));
         },
         [&](const auto&, Notes& notes) {
+            regions::check_part(box, options.bead_width, notes);
             if (const auto said = regions::note(air)) notes.push_back(*said);
         });
 }

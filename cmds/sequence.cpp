@@ -36,7 +36,7 @@ cli::Spec spec(Options& o) {
             "Strokes are the climbs without a stop. How few are possible is hard to know in general: orders are "
             "searched and lower bounds proven in turns until they meet or --budget is used up. The order, the strokes "
             "and the joins are written into the regions. What is known of them travels with the stream and is printed "
-            "with --report: the strokes; the best lower bound, which no order can beat under the same head "
+            "with --report: the planned strokes; the best lower bound, which no order can beat under the same head "
             "(lower-bound), and what proved it; the gap between the two in percent of the strokes; the least by the "
             "links alone (path-cover) and layer by layer (layer-floor); how many strokes end for which cause.\n\n"
             "The causes are: top, no link leads on; taken, the region ahead continues another stroke; support, it also "

@@ -22,6 +22,9 @@ constexpr const char* kDescription =
     "in "
     "the surface. Whatever was repaired, and every open contour that had to be left out, is noted in the stream with "
     "its layer and length, and summed up on standard error.\n\n"
+    "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
+    "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
+    "more undecided than it holds is refused.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers. Contours are on a grid of 0.1 um.";
 
 std::vector<Option> placing(mesh::Placement& p) {
@@ -76,6 +79,9 @@ cli::Spec spec(app::slice::Options& o) {
     auto options = cutting(o.slice);
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
+    options.push_back(
+        Option{"machine", &o.machine, "NAME|FILE", "a machine profile: refuse what is larger than its bed"}
+            .not_a_setting());
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,

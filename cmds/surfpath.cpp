@@ -90,20 +90,20 @@ cli::Spec spec(Options& o) {
                  .within(0, 1e5)
                  .same_as({"choose.least-radius"})
                  .when("!method=kipping2022 algorithm=planned|fina|fexa|geo-fiso|geo-contour|geo-spiral/turns=wide"),
+             Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"}
+                 .when("!method=kipping2022")
+                 .a_limit(),
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
                  .one_of({"none", "hairpin", "wide"})
                  .when("!method=kipping2022 algorithm=planned|ortheo"),
-             Option{"min-length", &o.plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
+             Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|ortheo")
                  .a_limit(),
              Option{"height", &o.laying.height, "MM", "of the bead"}.within(0.001, 100),
-             Option{"ply", &o.ply, "N", "number of this ply on the surface, its layer in the toolpath"}.within(0, 1e6),
-             Option{"offset", &o.laying.offset, "MM", "along the normals: the height of the plies below"}.within(0,
-                                                                                                                 1e4),
-             Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}
-                 .within(0, 1e4)
-                 .a_limit()},
+             Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
+             Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),
+             Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()},
             cli::when("method=kipping2022", paper_options(o))),
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                       "one path over a surface, here a part without its top"},
@@ -116,13 +116,15 @@ cli::Spec spec(Options& o) {
 }
 
 surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
-    surfpath::Options plan = o.plan;
-    plan.algorithm = algorithm;
-    if (plan.method != "kipping2022") return surfpath::plan(sheet, plan);
+    surfpath::Options asked = o.plan;
+    asked.algorithm = algorithm, asked.offset = o.laying.offset;
     baselines::kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm, paper.spacing = plan.spacing;
+    paper.algorithm = algorithm, paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    return baselines::kipping2022::plan(sheet, paper);
+    surfpath::Plan out =
+        asked.method == "kipping2022" ? baselines::kipping2022::plan(sheet, paper) : surfpath::plan(sheet, asked);
+    surfpath::finish(sheet.surface, out, asked);
+    return out;
 }
 
 // Warns of options of algorithms that no patch follows.

@@ -17,6 +17,7 @@ struct Note {
     std::int64_t layer = -1; // -1 if it is no layer's
     double x = std::nan(""); // where the worst case is, mm; nan if nowhere
     double y = std::nan(""); //
+    double z = std::nan(""); // of a place in space; nan where a layer says how high, or nothing does
 };
 
 using Notes = std::vector<Note>;

@@ -58,7 +58,7 @@ void Report::add(const Note& note) {
     for (Note& sum : sums_) {
         if (sum.what != note.what || sum.unit != note.unit) continue;
         if (note.amount > sum.amount / static_cast<double>(sum.count))
-            sum.layer = note.layer, sum.x = note.x, sum.y = note.y;
+            sum.layer = note.layer, sum.x = note.x, sum.y = note.y, sum.z = note.z;
         sum.amount += note.amount;
         sum.count += note.count;
         return;
@@ -73,6 +73,7 @@ void Report::say() const {
         if (!n.unit.empty()) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
         if (n.layer >= 0) text += "; for one on layer " + std::to_string(n.layer);
         if (std::isfinite(n.x) && std::isfinite(n.y)) text += " at " + fixed_text(n.x, 2) + "," + fixed_text(n.y, 2);
+        if (std::isfinite(n.z)) text += "," + fixed_text(n.z, 2);
         io_->say(text);
     }
 }

@@ -6,7 +6,8 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kNarrow = 1e-9;      // of the edge: windows not wider are dropped
+constexpr double kNarrow = 1e-9;      // of the edge, and rad, as seen from its source: a window not wider is dropped
+constexpr double kRounding = 1e-15;   // of the edge: no window is as narrow, no difference as small
 constexpr double kLevelSlope = 1e-12; // slope: lines that run flatter never cross
 constexpr std::uint32_t kNew = 0;
 
@@ -17,7 +18,19 @@ bool same_source(const Window& a, const Window& b, double b0, double b1, double 
     return std::abs(a.sigma - b.sigma) <= slack && std::abs(a.sx - b.sx) <= slack && std::abs(a.sy - b.sy) <= slack;
 }
 
+// mm: up to where the piece of a window about `x` is dropped.  Next to its source a window may be narrow, but spreads.
+double too_narrow(const Window& w, double x, double length) {
+    const double away = w.is_line() ? length : std::hypot(x - w.sx, w.sy);
+    return std::max(kRounding * length, kNarrow * std::min(length, away));
+}
+
 } // namespace
+
+// mm: differences between distances of about this size that count as none.  Next to sources even the least decides
+// which way windows lead on.
+double Propagation::slack(double distance, double length) const {
+    return std::min(slack_, kSlack * distance) + kRounding * length;
+}
 
 std::uint32_t Propagation::fresh() {
     if (!free_.empty()) {
@@ -32,36 +45,39 @@ std::uint32_t Propagation::fresh() {
     return static_cast<std::uint32_t>(field_.windows.size() - 1);
 }
 
-void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double narrow) {
-    changed_ = changed_ || (owner == kNew && b1 - b0 > narrow);
+void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double length) {
+    const bool wide = b1 - b0 > too_narrow(owners_[owner], (b0 + b1) / 2, length);
+    changed_ = changed_ || (owner == kNew && wide);
     if (!pieces_.empty()) {
         Piece& last = pieces_.back();
-        if (b0 - last.b1 <= narrow &&
-            (last.owner == owner || same_source(owners_[last.owner], owners_[owner], last.b0, b1, 10 * slack_))) {
+        if (b0 - last.b1 <= kNarrow * length &&
+            (last.owner == owner || same_source(owners_[last.owner], owners_[owner], last.b0, b1,
+                                                10 * slack(owners_[owner].at(b1), length)))) {
             last.b1 = b1;
             return;
         }
     }
-    if (b1 - b0 > narrow) pieces_.push_back({owner, b0, b1});
+    if (wide) pieces_.push_back({owner, b0, b1});
 }
 
 // Where the new window and an old one overlap, each has what it is nearer to; the old one also what is equal.
-void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double narrow) {
+void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double length) {
     const Window &w = owners_[kNew], &o = owners_[old];
     const double ahead_lo = o.at(lo) - w.at(lo), ahead_hi = o.at(hi) - w.at(hi);
-    const bool better_lo = ahead_lo > slack_, better_hi = ahead_hi > slack_;
+    const double least = slack(std::min(w.at(lo), w.at(hi)), length);
+    const bool better_lo = ahead_lo > least, better_hi = ahead_hi > least;
     // They can be equal in two places within, but not if they differ by more than their slopes allow, nor, with the
     // same sigma, in more than one.
     const bool far = std::abs(ahead_lo) + std::abs(ahead_hi) > 2 * (hi - lo);
     if (better_lo == better_hi && (far || (w.sigma == o.sigma && !w.is_line() && !o.is_line()))) {
-        add_piece(better_lo ? kNew : old, lo, hi, narrow);
+        add_piece(better_lo ? kNew : old, lo, hi, length);
         return;
     }
     const Crossings c = crossings(w, o, lo, hi);
     double from = lo;
     for (int i = 0; i <= c.count; ++i) {
         const double to = i < c.count ? c.x[i] : hi, m = (from + to) / 2;
-        add_piece(w.at(m) < o.at(m) - slack_ ? kNew : old, from, to, narrow);
+        add_piece(w.at(m) < o.at(m) - slack(w.at(m), length) ? kNew : old, from, to, length);
         from = to;
     }
 }
@@ -69,13 +85,13 @@ void Propagation::add_overlap(std::uint32_t old, double lo, double hi, double na
 // Makes the list the lower envelope of itself and `w`.
 void Propagation::insert(Side& exit, const Window& w) {
     const Windows& windows = field_.windows;
-    const double narrow = kNarrow * exit.length;
+    const double length = exit.length;
     // Windows from different sources may come in another order than they left.
     std::uint32_t before = exit.cursor;
     if (before != kNone && windows[before].b1 > w.b0) before = kNone;
     std::uint32_t first = before == kNone ? field_.first[exit.list] : windows[before].next;
     const auto continued = [&](const Window& o) { // by w
-        return o.b1 >= w.b0 - narrow && same_source(o, w, w.b0, w.b1, 10 * slack_);
+        return o.b1 >= w.b0 - kNarrow * length && same_source(o, w, w.b0, w.b1, 10 * slack(w.at(w.b0), length));
     };
     while (first != kNone && windows[first].b1 <= w.b0 && !continued(windows[first]))
         before = first, first = windows[first].next;
@@ -90,15 +106,15 @@ void Propagation::insert(Side& exit, const Window& w) {
         owners_.push_back(windows[o]);
         const Window& was = windows[o];
         if (was.b0 < w.b0)
-            add_piece(old, was.b0, std::min(was.b1, w.b0), narrow);
+            add_piece(old, was.b0, std::min(was.b1, w.b0), length);
         else if (was.b0 > x)
-            add_piece(kNew, x, was.b0, narrow);
+            add_piece(kNew, x, was.b0, length);
         const double lo = std::max(was.b0, w.b0), hi = std::min(was.b1, w.b1);
-        if (hi > lo) add_overlap(old, lo, hi, narrow);
-        if (was.b1 > w.b1) add_piece(old, w.b1, was.b1, narrow);
+        if (hi > lo) add_overlap(old, lo, hi, length);
+        if (was.b1 > w.b1) add_piece(old, w.b1, was.b1, length);
         x = std::max(x, was.b1);
     }
-    if (x < w.b1) add_piece(kNew, x, w.b1, narrow);
+    if (x < w.b1) add_piece(kNew, x, w.b1, length);
     if (changed_) rewrite(exit, before, first, o);
 }
 
@@ -130,17 +146,19 @@ void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first,
 
 // A window that comes to an exit; the source is a line's direction if `line`.
 void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line) {
-    if (!(b1 - b0 > kNarrow * exit.length)) return; // or no number: the source lies on the exit's line
     if (line && sy < kLevelSlope) return;
     if (!line) sy = std::min(sy, 0.0);
     Window w{b0, b1, sx, sy, sigma, kNone, exit.list < surface_.twin.size()};
+    // or no number: the source lies on the exit's line
+    if (!(b1 - b0 > too_narrow(w, (b0 + b1) / 2, exit.length))) return;
     const double at0 = w.at(b0), at1 = w.at(b1);
     // A path over a corner that is shorter to the window's far end beats all of it (Xin, Wang 2009).
     const auto& d = field_.distance;
-    if (d[exit.tail] + b1 < at1 - slack_ || d[exit.head] + (exit.length - b0) < at0 - slack_) return;
+    const double least = slack(std::min(at0, at1), exit.length);
+    if (d[exit.tail] + b1 < at1 - least || d[exit.head] + (exit.length - b0) < at0 - least) return;
     if (exit.third != kNone) {
         const double q = exit.from_right ? b0 : b1, dx = q - exit.tx;
-        if (d[exit.third] + std::sqrt(dx * dx + exit.ty * exit.ty) < (exit.from_right ? at0 : at1) - slack_) return;
+        if (d[exit.third] + std::sqrt(dx * dx + exit.ty * exit.ty) < (exit.from_right ? at0 : at1) - least) return;
     }
     ++field_.propagated;
     insert(exit, w);

@@ -9,7 +9,6 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kSlack = 1e-10;    // of a mean edge: differences of distance that count as none
 constexpr double kFlatAngle = 1e-9; // rad: less excess makes no saddle
 constexpr double kInLine = 1e-12;   // of the edge: sources nearer to its line cannot be seen across it
 constexpr double kTouch = 1e-6;     // of the edge: windows that end nearer to a corner reach it

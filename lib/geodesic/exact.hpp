@@ -38,7 +38,8 @@ struct ExactField {
 // (Mitchell, Mount, Papadimitriou 1987; the order by triangles: Qin et al. 2016, "Fast and exact discrete geodesic
 // computation"), each list being the lower envelope of its windows, and windows that a path over a vertex beats are
 // dropped (Xin, Wang 2009).  Segments are sources in their own right (Bommes, Kobbelt 2007): their windows have linear
-// distances.  Exact up to rounding: 1e-9 of an edge per triangle crossed.
+// distances.  Exact up to rounding: 1e-9 of an edge per triangle crossed; but ends of segments that are nearer than
+// 1e-7 of a triangle's longest side to a corner or a side count as on it.
 // Ties: the window that came first.  Throws Error(failure) if more than 2^31 windows were needed.
 // Stops when all is found that is nearer than `farthest` mm: other vertices are infinitely far then, and the windows
 // are good for nothing beyond.

@@ -25,7 +25,7 @@ class Tracer {
 
     void add(std::uint32_t edge, double x) { crossings_.push_back({edge, x}); }
     void join(std::uint32_t triangle);
-    void trace(std::vector<Isoline>& out);
+    void trace(std::vector<Isoline>& out, std::vector<OnEdge>& begins);
     [[nodiscard]] bool empty() const { return crossings_.empty(); }
     [[nodiscard]] std::span<const Crossing> crossings() const { return crossings_; }
 
@@ -97,19 +97,24 @@ Isoline Tracer::follow(std::uint32_t first, std::vector<char>& seen) const {
     return line;
 }
 
-void Tracer::trace(std::vector<Isoline>& out) {
+void Tracer::trace(std::vector<Isoline>& out, std::vector<OnEdge>& begins) {
     std::vector<char> seen(crossings_.size(), 0);
+    const auto add = [&](std::uint32_t c) {
+        Isoline line = follow(c, seen);
+        if (line.points.size() < 2) return;
+        out.push_back(std::move(line));
+        begins.push_back({crossings_[c].edge, crossings_[c].x});
+    };
     for (std::uint32_t c = 0; c < seen.size(); ++c)
-        if (crossings_[c].before == kNone) out.push_back(follow(c, seen));
+        if (crossings_[c].before == kNone) add(c);
     for (std::uint32_t c = 0; c < seen.size(); ++c)
-        if (seen[c] == 0) out.push_back(follow(c, seen));
-    std::erase_if(out, [](const Isoline& l) { return l.points.size() < 2; });
+        if (seen[c] == 0) add(c);
 }
 
 } // namespace
 
 std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance, std::span<const double> levels,
-                              const Crosser& cross, const Inside& at) {
+                              const Crosser& cross, const Inside& at, std::vector<OnEdge>* begins) {
     std::vector<Tracer> tracers;
     tracers.reserve(levels.size());
     for (const double level : levels) tracers.emplace_back(s, distance, level, at);
@@ -118,16 +123,15 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
         if (s.twin[h] < h) continue;
         const double a = distance[s.tail(h)], b = distance[s.head(h)];
         if (!std::isfinite(a) || !std::isfinite(b)) continue;
-        // Distance changes by no more than the length walked; some more for fields that are not exact.
         const double l = geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
-        const double lo = std::min({a, b, (a + b - l) / 2}), hi = std::max({a, b, (a + b + l) / 2});
-        auto level = std::lower_bound(levels.begin(), levels.end(), lo);
-        for (; level != levels.end() && *level <= hi; ++level) {
+        auto level = std::lower_bound(levels.begin(), levels.end(), std::min({a, b, (a + b - l) / 2}));
+        for (; level != levels.end() && within_reach(a, b, l, *level); ++level) {
             cross(h, *level, places);
             for (const double x : places) tracers[static_cast<std::size_t>(level - levels.begin())].add(h, x);
         }
     }
     std::vector<Isoline> out;
+    std::vector<OnEdge> unused;
     std::vector<std::uint32_t> last_joined(s.triangles.size(), kNone);
     for (std::uint32_t i = 0; i < tracers.size(); ++i) {
         const std::size_t n = tracers[i].crossings().size();
@@ -139,19 +143,18 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
                 tracers[i].join(h / 3);
             }
         }
-        std::vector<Isoline> lines;
-        tracers[i].trace(lines);
-        std::move(lines.begin(), lines.end(), std::back_inserter(out));
+        tracers[i].trace(out, begins != nullptr ? *begins : unused);
     }
     return out;
 }
 
-std::vector<Isoline> isolines(const Surface& s, const ExactField& field, std::span<const double> levels) {
+std::vector<Isoline> isolines(const Surface& s, const ExactField& field, std::span<const double> levels,
+                              std::vector<OnEdge>* begins) {
     const Inside at = [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p); };
     const Crosser cross = [&](std::uint32_t h, double level, std::vector<double>& out) {
         level_crossings(s, field, h, level, out);
     };
-    auto out = isolines(s, field.distance, levels, cross, at);
+    auto out = isolines(s, field.distance, levels, cross, at, begins);
     for (Isoline& line : out) refine(s, line, at, kTolerance);
     return out;
 }

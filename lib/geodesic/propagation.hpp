@@ -46,6 +46,8 @@ class BucketQueue {
     std::size_t at_ = 0;
 };
 
+inline constexpr double kSlack = 1e-10; // of a mean edge, and of a distance: differences that count as none
+
 class Propagation {
   public:
     // Keeps no windows but those that count for what is still to come, if it `forgets`.
@@ -80,6 +82,7 @@ class Propagation {
     void offer(Side& exit, double b0, double b1, double sx, double sy, double sigma, bool line);
     void insert(Side& exit, const Window& w);
     void rewrite(Side& exit, std::uint32_t before, std::uint32_t first, std::uint32_t after);
+    [[nodiscard]] double slack(double distance, double length) const;
     std::uint32_t fresh();
     void forget(std::uint32_t list);
 
@@ -87,8 +90,8 @@ class Propagation {
         std::uint32_t owner; // index into owners_
         double b0, b1;
     };
-    void add_piece(std::uint32_t owner, double b0, double b1, double narrow);
-    void add_overlap(std::uint32_t old, double lo, double hi, double narrow);
+    void add_piece(std::uint32_t owner, double b0, double b1, double length);
+    void add_overlap(std::uint32_t old, double lo, double hi, double length);
 
     const Surface& surface_;
     bool forgets_;

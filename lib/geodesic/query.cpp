@@ -91,4 +91,26 @@ void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h,
     }
 }
 
+// Between the ends of windows distances have no peak: there they are roots of sums of squares, or lines.
+double farthest(const Surface& s, const ExactField& field) {
+    double out = 0;
+    for (const double d : field.distance)
+        if (std::isfinite(d)) out = std::max(out, d);
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        if (s.twin[h] < h) continue;
+        const double l = field.frame[h].length, most = (field.distance[s.tail(h)] + field.distance[s.head(h)] + l) / 2;
+        if (!std::isfinite(most) || most <= out) continue;
+        const Vec3 &a = s.vertices[s.tail(h)], along = field.frame[h].inverse_length * (s.vertices[s.head(h)] - a);
+        for (const std::uint32_t list : {h, field.across[h]})
+            for (std::uint32_t w = field.first[list]; w != surface::kNone; w = field.windows[w].next)
+                for (const double x : {field.windows[w].b0, field.windows[w].b1}) {
+                    const Vec3 p = a + (list == h ? x : l - x) * along;
+                    double d = distance_at(s, field, h / 3, p);
+                    if (s.twin[h] != surface::kNone) d = std::min(d, distance_at(s, field, s.twin[h] / 3, p));
+                    out = std::max(out, d);
+                }
+    }
+    return out;
+}
+
 } // namespace filum::geodesic

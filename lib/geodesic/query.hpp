@@ -14,4 +14,8 @@ double distance_at(const Surface& surface, const ExactField& field, std::uint32_
 void level_crossings(const Surface& surface, const ExactField& field, std::uint32_t h, double level,
                      std::vector<double>& out);
 
+// mm: the greatest distance at a vertex or on an edge; where fronts meet within a triangle it may be greater. What no
+// source reaches does not count.
+double farthest(const Surface& surface, const ExactField& field);
+
 } // namespace filum::geodesic

@@ -5,8 +5,9 @@ namespace filum::geodesic {
 
 namespace {
 
-constexpr double kOnCorner = 1e-9; // of the triangle's longest side: a point nearer to a corner is that corner,
-constexpr double kOnSide = 1e-9;   // one nearer to a side lies on it
+// Nearer still, and what rounding leaves of the angles between windows would no longer tell where they lead.
+constexpr double kOnIt = 1e-7;      // of the triangle's longest side: a point nearer to a corner, or a side, is on it
+constexpr double kLevelLine = 1e-9; // slope: a line that leaves a side flatter than this does not leave it
 
 } // namespace
 
@@ -43,12 +44,12 @@ void Propagation::add_point(std::uint32_t triangle, const Vec3& p) {
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t v = surface_.triangles[triangle][k];
         const double d = distance(surface_.vertices[v], p);
-        if (d < kOnCorner * longest) return add_vertex(v);
+        if (d < kOnIt * longest) return add_vertex(v);
         reach(v, d);
     }
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
-        if (q.y >= kOnSide * longest) continue;
+        if (q.y >= kOnIt * longest) continue;
         if (surface_.twin[h] != kNone) {
             const std::uint32_t far = surface_.tail(surface::prev(surface_.twin[h]));
             reach(far, distance(surface_.vertices[far], p));
@@ -75,7 +76,7 @@ void Propagation::add_line(const Segment& s) {
         const geom::Vec2 a = beyond(s.a), b = beyond(s.b), along = b - a;
         geom::Vec2 n = 1 / norm(along) * geom::left_of(along);
         if (n.y < 0) n = -1 * n;
-        if (!(n.y > kOnSide)) continue;
+        if (!(n.y > kLevelLine)) continue;
         const double xa = a.x - a.y / n.y * n.x, xb = b.x - b.y / n.y * n.x;
         offer(exit, std::max(0.0, std::min(xa, xb)), std::min(exit.length, std::max(xa, xb)), n.x, n.y, -dot(n, a),
               true);

@@ -35,7 +35,10 @@ void add_roots(Collector& out, double a, double b, double c, const Fits& fits) {
 
 } // namespace
 
-Crossings crossings(const Window& a, const Window& b, double lo, double hi) {
+namespace {
+
+// Where the edge begins at 0.
+Crossings crossings_from(const Window& a, const Window& b, double lo, double hi) {
     Collector out{{}, lo, hi};
     if (a.is_line() && b.is_line()) {
         if (a.sx != b.sx) out.add((b.sigma - a.sigma) / (a.sx - b.sx));
@@ -58,6 +61,25 @@ Crossings crossings(const Window& a, const Window& b, double lo, double hi) {
         }
     }
     return out.found;
+}
+
+// Seen from `x` on along the edge.
+Window seen_from(Window w, double x) {
+    if (w.is_line())
+        w.sigma += w.sx * x;
+    else
+        w.sx -= x;
+    return w;
+}
+
+} // namespace
+
+// Seen from `lo` numbers are as small as what they tell of, where windows and sources lie close together at the far end
+// of an edge.
+Crossings crossings(const Window& a, const Window& b, double lo, double hi) {
+    Crossings out = crossings_from(seen_from(a, lo), seen_from(b, lo), 0, hi - lo);
+    for (int i = 0; i < out.count; ++i) out.x[i] += lo;
+    return out;
 }
 
 } // namespace filum::geodesic

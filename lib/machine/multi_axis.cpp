@@ -79,6 +79,18 @@ void program(Document& doc, MultiAxis& m) {
     doc.whole("kinematics.angle_decimals", m.angle_decimals, 2, 8);
 }
 
+void start(Document& doc, MultiAxis& m) {
+    std::array<double, 5> v{};
+    if (!doc.list("kinematics.start", v, kPlace)) return;
+    if (m.chain.carrier == Carrier::none || m.chain.carrier == Carrier::frame)
+        doc.fail("kinematics.start", "it is for machines with rotary axes; a robot has robot.start");
+    m.start = kinematics::Joints{{v[0], v[1], v[2]}, v[3] * kDegree, v[4] * kDegree};
+    const auto& l = m.limits;
+    if (m.start->tilt < l.tilt_min || m.start->tilt > l.tilt_max || m.start->turn < l.turn_min ||
+        m.start->turn > l.turn_max)
+        doc.fail("kinematics.start", "a rotary axis does not reach there");
+}
+
 } // namespace
 
 void read_multi_axis(Document& doc, MultiAxis& m) {
@@ -101,6 +113,7 @@ void read_multi_axis(Document& doc, MultiAxis& m) {
     point(doc, "kinematics.turn_point", m.chain.turn_point);
     point(doc, "kinematics.tip_to_tilt", m.chain.tip_to_tilt);
     point(doc, "kinematics.tilt_to_turn", m.chain.tilt_to_turn);
+    start(doc, m);
 }
 
 } // namespace filum::machine

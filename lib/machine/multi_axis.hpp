@@ -4,6 +4,7 @@
 #include "kinematics/track.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace filum::machine {
@@ -33,6 +34,8 @@ enum class Spin : std::uint8_t {
 struct MultiAxis {
     kinematics::Chain chain;   // Carrier::none: three axes, and nothing of the rest counts
     kinematics::Limits limits; // rad
+    // Where the axes are taken to stand behind the start template: from there the first stroke is approached.
+    std::optional<kinematics::Joints> start;
     char tilt_letter = 'B', turn_letter = 'C';
     double tilt_speed = 1, turn_speed = 2;                 // rad/s
     double tilt_acceleration = 10, turn_acceleration = 20; // rad/s2

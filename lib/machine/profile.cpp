@@ -298,6 +298,12 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_travel(doc, p.travel);
     read_multi_axis(doc, p.axes);
     p.axes.limits.radius_min = p.bed.x_min;
+    if (p.axes.start) {
+        const geom::Vec3& s = p.axes.start->xyz;
+        if (s.x < p.bed.x_min || s.x > p.bed.x_max || s.y < p.bed.y_min || s.y > p.bed.y_max || s.z < p.bed.z_min ||
+            s.z > p.bed.z_max)
+            doc.fail("kinematics.start", "it lies outside of bed");
+    }
     read_robot(doc, file, p.axes.chain.carrier == kinematics::Carrier::frame, p.robot);
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");

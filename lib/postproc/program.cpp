@@ -212,9 +212,16 @@ void Program::move(const Step& step) {
     if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
     if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
-    const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
+    // Else as far as it is taken to be, from where the axes are taken to stand.
+    const double way =
+        known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : distance(step.axes, stood_);
+    stood_ = step.axes;
+    const bool timed = rotary && profile_->axes.feed_word != machine::FeedWord::per_minute;
     if (step.act == Act::climb) {
-        if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, "G1")) return; // x and y stay, known or not
+        const bool rapid = timed && !(step.seconds > 0); // from nobody knows where
+        if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, rapid ? profile_->format.travel_code : "G1"))
+            return; // x and y stay, known or not
+        if (rotary && !timed && !(step.seconds > 0)) feed(step.feed);
     } else if (step.act == Act::travel) {
         if (!words(to, rotary && step.seconds > 0 ? "G1" : profile_->format.travel_code)) return;
     } else {

@@ -58,6 +58,7 @@ class Program final : public Writer {
     std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
     std::int64_t f_ = -1;            // likewise
     double tilt_ = 0, turn_ = 0;     // rad, of the step before
+    Vec3 stood_;                     // likewise, mm: its axes
     double laid_ = 0;                // extruder units of the bead so far, exact
     std::int64_t laid_units_ = 0;    // the same as written
     bool counted_ = false;           // the controller was told how extruder words count

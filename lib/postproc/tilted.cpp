@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "machine/feed.hpp"
+#include "postproc/approach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -205,13 +206,23 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
 
 void TiltedWalk::finish_stroke() {
     if (stroke_.poses.empty()) return;
-    const auto& a = profile_->axes;
+    const machine::Profile& next = machine::of_tool(*profile_, stroke_.legs.back().tool); // for what is laid
+    const auto& a = next.axes;
     const auto places = liftings(stroke_.legs, layer_ < 0);
     const auto track = kinematics::track(a.chain, stroke_.poses, at_, a.orientation, a.limits, places);
     check(track);
     if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
     const double lift = own().travel.lift;
-    stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
+    stroke_ = lifted(next, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
+    // What comes before the change is the last tool's, whose tip is elsewhere.
+    for (std::size_t i = 0; i < std::min(exchange(), stroke_.poses.size()); ++i)
+        stroke_.joints[i] =
+            kinematics::place(own().axes.chain, stroke_.poses[i].tip, stroke_.joints[i].tilt, stroke_.joints[i].turn);
+    if (layer_ < 0) {
+        std::size_t added = 0;
+        stroke_ = approached(next, std::move(stroke_), added);
+        landing_ += added;
+    }
     auto seconds = durations();
     if (a.chain.carrier == kinematics::Carrier::frame) {
         headings_ = carrier_.headings(stroke_);
@@ -316,7 +327,7 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
 
 // In how many parts the axes go straight to pose i, so that the tip keeps to its line.
 std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
-    const auto& a = profile_->axes;
+    const auto& a = own().axes;
     if (a.numbers == machine::Numbers::tip || i == 0 || !(seconds > 0) || !stroke_.legs[i].straight) return 1;
     const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
     const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
@@ -340,10 +351,11 @@ std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
 }
 
 void TiltedWalk::move(std::size_t i, double seconds) {
-    const auto& a = profile_->axes;
+    const auto& a = own().axes;
     const Leg& leg = stroke_.legs[i];
     const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
     const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
+    const Vec3 off = own().offset; // the axes count where tool 0's tip is
     const std::uint32_t n = parts(i, seconds);
     const bool jointly = a.chain.carrier == kinematics::Carrier::frame && carrier_.jointly(i);
     Joints last = from;
@@ -355,7 +367,7 @@ void TiltedWalk::move(std::size_t i, double seconds) {
         put({.act = jointly ? Act::stand : leg.act,
              .role = leg.role,
              .layer = leg.layer,
-             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
+             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz - off,
              .feed = leg.feed,
              .volume = leg.volume / n,
              .width = leg.width,
@@ -364,7 +376,7 @@ void TiltedWalk::move(std::size_t i, double seconds) {
              .turn = here.turn,
              .length = distance(begin, tip) / n,
              .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
-             .axes = here.xyz,
+             .axes = here.xyz - off,
              .axis = stroke_.poses[i].axis,
              .heading = headings_[i],
              .tool = tool_,

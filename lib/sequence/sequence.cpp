@@ -32,7 +32,7 @@ Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collis
     add("path-cover", p.path_cover, "strokes");
     if (p.relaxation > 0) add("relaxation-bound", p.relaxation, "strokes");
     add("lower-bound", p.bound, "strokes");
-    add("strokes", strokes, "strokes");
+    add("planned-strokes", strokes, "strokes");
     add("gap", 100 * (strokes - p.bound) / strokes, "%");
     const auto counts = tally(r.ends);
     for (std::size_t i = 0; i < kCauses; ++i)

@@ -29,7 +29,7 @@ struct Result {
     // path-cover, relaxation-bound, lower-bound: no order that the head allows has fewer strokes than any
     // of these (path-cover: nor without a head); lower-bound is the best of them, or the strokes if the search proved
     // its order best;
-    // strokes; gap (% of the strokes that lower-bound leaves open);
+    // planned-strokes; gap (% of the strokes that lower-bound leaves open);
     // ends-...: strokes by the cause of their end, see ends.hpp;
     // steps (millions) taken by search and bounds; search-complete (1 if the search left nothing out, so that nothing
     // has fewer strokes)

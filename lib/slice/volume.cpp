@@ -23,15 +23,16 @@ constexpr std::size_t kFirstPlanes = 32;   // fewer to begin with: they tell if 
 constexpr std::size_t kFirstPoints = 8000; //
 constexpr std::size_t kRows = 512;         // across the area of a plane
 
-// The levels at which the layers `asked` are measured, `each` in each.
+// The levels at which the layers `asked` are measured, `each` in each, as far up as the part reaches.
 std::vector<Level> levels_within(const Sweep& sweep, const std::vector<std::size_t>& asked, std::size_t each) {
     std::vector<Level> out;
     for (const std::size_t i : asked) {
         const Level& l = sweep.levels[i];
         const double bottom = l.z - l.height, top = std::min(l.z, sweep.top);
+        const double step = (top - bottom) / static_cast<double>(each);
         for (std::size_t k = 0; k < each; ++k) {
-            const double at = bottom + (static_cast<double>(k) + 0.5) / static_cast<double>(each) * l.height;
-            out.push_back({at, l.height / static_cast<double>(each), std::min(at, top)});
+            const double at = bottom + (static_cast<double>(k) + 0.5) * step;
+            out.push_back({at, step, at - kLift}); // which the sweep adds
         }
     }
     return out;
@@ -261,10 +262,11 @@ void compare(const Sweep& sweep, const std::optional<Measured>& measured, std::s
     }
     if (!(std::abs(printed - solid) > kTold * solid)) return;
     const double share = solid > 0 ? printed / solid - 1 : 1;
+    const double all_layers = static_cast<double>(area.size()) / static_cast<double>(m.layers.size());
     notes.push_back(
         {.stage = "",
          .what = "printed volume " + percent(std::abs(share)) + (share > 0 ? " above" : " below") + " the mesh's",
-         .amount = std::abs(solid > 0 ? share * all / (1 + share) : all),
+         .amount = all_layers * std::abs(printed - solid),
          .unit = "mm3",
          .layer = static_cast<std::int64_t>(worst)});
 }

@@ -54,6 +54,7 @@ std::string serialise(const Note& n) {
     m.set_layer(n.layer);
     m.set_x(n.x);
     m.set_y(n.y);
+    if (std::isfinite(n.z)) m.set_z(n.z);
     return m.SerializeAsString();
 }
 
@@ -61,7 +62,7 @@ Note parse_note(std::string_view body) {
     proto::Note m;
     if (!m.ParseFromArray(body.data(), static_cast<int>(body.size())))
         throw Error(Exit::bad_input, "cannot read a note frame: malformed");
-    return {m.stage(), m.what(), m.amount(), m.unit(), m.count(), m.layer(), m.x(), m.y()};
+    return {m.stage(), m.what(), m.amount(), m.unit(), m.count(), m.layer(), m.x(), m.y(), m.has_z() ? m.z() : std::nan("")};
 }
 
 std::string serialise(const Fact& f) {

@@ -89,7 +89,7 @@ struct Tally {
         if (badness > worst) worst = badness, at = p;
     }
     void note(Notes& notes, std::string what, double amount, std::string unit) const {
-        if (count > 0) notes.push_back({"", std::move(what), amount, std::move(unit), count, -1, at.x, at.y});
+        if (count > 0) notes.push_back({"", std::move(what), amount, std::move(unit), count, -1, at.x, at.y, at.z});
     }
 };
 

@@ -1,117 +1,194 @@
 #include "surfpath/bare.hpp"
 
+#include "geom/box_tree.hpp"
+#include "parallel/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
+#include <map>
+#include <tuple>
 
 namespace filum::surfpath {
 
 namespace {
 
-constexpr double kPart = 1.0 / 3;         // of the spacing, between points of a triangle
-constexpr double kTold = 0.01;            // of the surface: more is told aloud
-constexpr double kSought = 4;             // spacings: up to where the farthest place is sought
+constexpr double kPart = 1.0 / 3;         // of the width, between points of a triangle
+constexpr double kMissing = 0.01;         // of the surface: more is told aloud
+constexpr double kTold = 0.04;            // likewise, of what is not covered, or laid twice
+constexpr double kSought = 4;             // widths: up to where the widest place is sought
+constexpr double kHeap = 3;               // widths: side of the cubes by which the thickest place is found
 constexpr std::uint32_t kMostParts = 256; // of a triangle's side
+constexpr std::size_t kTriangles = 256;   // of a piece of work
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// The stretches of a plan by the cubes, one spacing wide, that they touch with one spacing around.
+geom::Box3 around(const Vec3& a, const Vec3& b, double by) {
+    return {{std::min(a.x, b.x) - by, std::min(a.y, b.y) - by, std::min(a.z, b.z) - by},
+            {std::max(a.x, b.x) + by, std::max(a.y, b.y) + by, std::max(a.z, b.z) + by}};
+}
+
+// The stretches of a plan, by place.
 class Stretches {
   public:
-    Stretches(const Surface& s, const Plan& plan, double reach) : surface_(s), reach_(reach) {
-        for (const Stroke& stroke : plan.strokes)
-            for (const Piece& piece : stroke.pieces)
-                for (std::size_t i = 0; i + 1 < piece.line.size(); ++i)
-                    add(piece.line[i], piece.line[i + 1], piece.line.places[i].triangle);
-    }
+    struct Stretch {
+        Vec3 a, b, normal;
+        double way; // mm from the begin of all strokes, laid out one behind the other a mile apart
+    };
 
-    // mm; beyond the reach: infinite.  Any distance that is not above `enough` will do.
-    [[nodiscard]] double distance_to(const Vec3& p, const Vec3& normal, double enough) const {
-        double least = std::numeric_limits<double>::infinity();
-        const auto found = cubes_.find(key(p.x, p.y, p.z));
-        if (found == cubes_.end()) return least;
-        for (const std::uint32_t k : found->second) {
+    Stretches(const Surface& s, const Plan& plan) : all_(listed(s, plan, length_)), tree_(boxes(all_)) {}
+
+    [[nodiscard]] double length() const { return length_; } // mm
+
+    // Calls f(mm off, way) for the nearest place of every stretch within reach that faces alike.
+    template <class F>
+    void near(const Vec3& p, const Vec3& normal, double reach, const F& f) const {
+        tree_.visit(around(p, p, reach), [&](std::uint32_t k) {
             const Stretch& l = all_[k];
-            if (!(dot(normal, surface::normal(surface_, l.triangle)) > 0)) continue;
+            if (!(dot(normal, l.normal) > 0)) return;
             const Vec3 d = l.b - l.a;
             const double dd = dot(d, d), t = dd > 0 ? std::clamp(dot(p - l.a, d) / dd, 0.0, 1.0) : 0;
-            least = std::min(least, distance(p, l.a + t * d));
-            if (least <= enough) break;
-        }
-        return least <= reach_ ? least : std::numeric_limits<double>::infinity();
+            const double off = distance(p, l.a + t * d);
+            if (off <= reach) f(off, l.way + t * std::sqrt(dd));
+        });
     }
 
   private:
-    struct Stretch {
-        Vec3 a, b;
-        std::uint32_t triangle;
-    };
-
-    [[nodiscard]] std::int64_t cell(double v) const { return static_cast<std::int64_t>(std::floor(v / reach_)); }
-    [[nodiscard]] std::uint64_t key(double x, double y, double z) const { return key(cell(x), cell(y), cell(z)); }
-    static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
-        constexpr std::uint64_t mask = (1U << 21) - 1; // far apart cubes may share a key: distances tell them apart
-        return (static_cast<std::uint64_t>(x) & mask) << 42 | (static_cast<std::uint64_t>(y) & mask) << 21 |
-               (static_cast<std::uint64_t>(z) & mask);
-    }
-
-    void add(const Vec3& a, const Vec3& b, std::uint32_t triangle) {
-        const auto parts = static_cast<std::uint32_t>(distance(a, b) / reach_) + 1;
-        for (std::uint32_t i = 0; i < parts; ++i) {
-            const Vec3 from = a + i / static_cast<double>(parts) * (b - a);
-            const Vec3 to = a + (i + 1) / static_cast<double>(parts) * (b - a);
-            all_.push_back({from, to, triangle});
-            spread(from, to);
+    static std::vector<Stretch> listed(const Surface& s, const Plan& plan, double& length) {
+        constexpr double kApart = 1e6; // mm
+        std::vector<Stretch> out;
+        double way = 0;
+        for (const Stroke& stroke : plan.strokes) {
+            for (const Piece& piece : stroke.pieces)
+                for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
+                    const Vec3 &a = piece.line[i], &b = piece.line[i + 1];
+                    out.push_back({a, b, surface::normal(s, piece.line.places[i].triangle), way});
+                    way += distance(a, b), length += distance(a, b);
+                }
+            way += kApart;
         }
+        return out;
+    }
+    static std::vector<geom::Box3> boxes(const std::vector<Stretch>& all) {
+        std::vector<geom::Box3> out;
+        out.reserve(all.size());
+        for (const Stretch& l : all) out.push_back(around(l.a, l.b, 0));
+        return out;
     }
 
-    void spread(const Vec3& a, const Vec3& b) {
-        const auto id = static_cast<std::uint32_t>(all_.size() - 1);
-        const auto low = [&](double u, double v) { return cell(std::min(u, v) - reach_); };
-        const auto high = [&](double u, double v) { return cell(std::max(u, v) + reach_); };
-        for (auto x = low(a.x, b.x); x <= high(a.x, b.x); ++x)
-            for (auto y = low(a.y, b.y); y <= high(a.y, b.y); ++y)
-                for (auto z = low(a.z, b.z); z <= high(a.z, b.z); ++z) cubes_[key(x, y, z)].push_back(id);
-    }
-
-    const Surface& surface_;
-    double reach_;
+    double length_ = 0;
     std::vector<Stretch> all_;
-    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_; // only ever asked for one key
+    geom::BoxTree tree_;
 };
+
+struct Sample {
+    Vec3 p, normal;
+    double area;
+};
+
+// Calls f(sample) for points about `apart` mm from each other, which share the triangle's area.
+template <class F>
+void each_sample(const Surface& s, std::uint32_t t, double apart, const F& f) {
+    const Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
+               v = s.vertices[s.triangles[t][2]] - a, n = surface::normal(s, t);
+    const double side = std::max({norm(u), norm(v), norm(u - v)});
+    const auto k = static_cast<std::uint32_t>(std::clamp(std::ceil(side / apart), 1.0, 1.0 * kMostParts));
+    const double part = norm(cross(u, v)) / 2 / (static_cast<double>(k) * k);
+    for (std::uint32_t i = 0; i < k; ++i)
+        for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // triangles that stand up, and between them down
+            const double turn = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
+            f(Sample{a + (i + turn) / k * u + (j / 2 + turn) / k * v, n, part});
+        }
+}
+
+// How often the path passes: places of it that are more than a width of way apart count each.
+std::size_t passes(std::vector<double>& ways, double width) {
+    std::sort(ways.begin(), ways.end());
+    std::size_t out = ways.empty() ? 0 : 1;
+    for (std::size_t i = 1; i < ways.size(); ++i) out += ways[i] - ways[i - 1] > width ? 1 : 0;
+    return out;
+}
+
+struct Sum {
+    double surface = 0, covered = 0, missing = 0;
+    std::vector<Sample> bare;
+    struct Heap {
+        double area = 0; // mm2, once for every pass but the first
+        Vec3 at;         // of the first point
+    };
+    std::map<std::tuple<long, long, long>, Heap> heaps{}; // by cubes
+};
+
+void look(const Sample& point, const Stretches& lines, double width, Sum& sum, std::vector<double>& ways) {
+    sum.surface += point.area;
+    double least = kFar;
+    ways.clear();
+    lines.near(point.p, point.normal, width, [&](double off, double way) {
+        least = std::min(least, off);
+        if (off <= width / 2) ways.push_back(way);
+    });
+    if (least > width) sum.missing += point.area;
+    if (least > width / 2)
+        sum.bare.push_back(point);
+    else
+        sum.covered += point.area;
+    if (const std::size_t n = passes(ways, width); n > 1) {
+        const auto cell = [&](double v) { return std::lround(v / (kHeap * width)); };
+        auto& heap =
+            sum.heaps.insert({{cell(point.p.x), cell(point.p.y), cell(point.p.z)}, {0, point.p}}).first->second;
+        heap.area += static_cast<double>(n - 1) * point.area;
+    }
+}
+
+void add(const Sum& part, Sum& sum) {
+    sum.surface += part.surface, sum.covered += part.covered, sum.missing += part.missing;
+    sum.bare.insert(sum.bare.end(), part.bare.begin(), part.bare.end());
+    for (const auto& [cell, heap] : part.heaps) sum.heaps.insert({cell, {0, heap.at}}).first->second.area += heap.area;
+}
+
+Vec3 widest(const std::vector<Sample>& bare, const Stretches& lines, double width) {
+    double worst = -1;
+    Vec3 at;
+    for (const Sample& b : bare) {
+        double least = kFar;
+        for (double reach = width; least == kFar && reach <= kSought * width; reach *= 2)
+            lines.near(b.p, b.normal, reach, [&](double off, double) { least = std::min(least, off); });
+        if (least > worst) worst = least, at = b.p;
+        if (worst == kFar) break;
+    }
+    return at;
+}
+
+Note noted(const char* what, double area, const Vec3& at) { return {"", what, area, "mm2", 1, -1, at.x, at.y, at.z}; }
 
 } // namespace
 
-void tell_bare(const Surface& s, Plan& plan, double spacing) {
-    struct Point {
-        Vec3 p, normal;
-    };
-    std::vector<Point> bare;
-    double area = 0;
-    const Stretches near(s, plan, spacing);
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
-                   v = s.vertices[s.triangles[t][2]] - a, n = surface::normal(s, t);
-        const double side = std::max({norm(u), norm(v), norm(u - v)});
-        const auto k =
-            static_cast<std::uint32_t>(std::clamp(std::ceil(side / (kPart * spacing)), 1.0, 1.0 * kMostParts));
-        const double part = norm(cross(u, v)) / 2 / (static_cast<double>(k) * k);
-        for (std::uint32_t i = 0; i < k; ++i)
-            for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // triangles that stand up, and between them down
-                const double turn = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-                const Vec3 p = a + (i + turn) / k * u + (j / 2 + turn) / k * v;
-                if (near.distance_to(p, n, spacing) <= spacing) continue;
-                area += part;
-                bare.push_back({p, n});
-            }
-    }
-    plan.facts.push_back({"", "bare", area, "mm2"});
-    if (!(area > kTold * surface::area(s))) return;
-    const Stretches far(s, plan, kSought * spacing);
-    double worst = 0;
-    Vec3 at = bare.front().p;
-    for (const Point& b : bare)
-        if (const double d = far.distance_to(b.p, b.normal, worst); d > worst) worst = d, at = b.p;
-    plan.notes.push_back({"", "no line within a spacing", area, "mm2", 1, -1, at.x, at.y});
+Cover cover(const Surface& s, const Plan& plan, double width) {
+    const Stretches lines(s, plan);
+    std::vector<Sum> parts((s.triangles.size() + kTriangles - 1) / kTriangles);
+    parallel::for_chunks(s.triangles.size(), kTriangles, 0, [&](std::size_t begin, std::size_t end) {
+        std::vector<double> ways;
+        for (std::size_t t = begin; t < end; ++t)
+            each_sample(s, static_cast<std::uint32_t>(t), kPart * width,
+                        [&](const Sample& p) { look(p, lines, width, parts[begin / kTriangles], ways); });
+    });
+    Sum sum;
+    for (const Sum& part : parts) add(part, sum);
+    Cover out{sum.surface, lines.length() * width, sum.covered, sum.missing, {}, {}};
+    out.widest = widest(sum.bare, lines, width);
+    double most = 0;
+    for (const auto& [cell, heap] : sum.heaps)
+        if (heap.area > most) most = heap.area, out.thickest = heap.at;
+    return out;
+}
+
+void tell_cover(const Surface& s, Plan& plan, double width) {
+    const Cover c = cover(s, plan, width);
+    plan.facts.push_back({"", "bare", c.missing, "mm2"});
+    plan.facts.push_back({"", "uncovered", c.bare(), "mm2"});
+    plan.facts.push_back({"", "laid-twice", c.overlap(), "mm2"});
+    if (c.missing > kMissing * c.surface) plan.notes.push_back(noted("no line within a spacing", c.missing, c.widest));
+    if (c.bare() > kTold * c.surface) plan.notes.push_back(noted("not covered", c.bare(), c.widest));
+    if (c.overlap() > kTold * c.surface) plan.notes.push_back(noted("laid twice", c.overlap(), c.thickest));
 }
 
 } // namespace filum::surfpath

@@ -31,18 +31,16 @@ class Path {
         for (const Chain& chain : joined(std::move(chains))) lay(chain);
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                       {"", "turns", turned_, ""},
-                      {"", "hairpins", hairpins_, ""},
                       {"", "transits", transited_, "mm"}};
         if (rows_.rows.empty())
             out_.notes.push_back(
                 {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
         if (rows_.drops > 0)
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
-                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y});
+                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
         if (out_.strokes.size() > 1)
             out_.notes.push_back({"", "no way on along rims and rows: cut",
                                   static_cast<double>(out_.strokes.size() - 1), "cuts", out_.strokes.size() - 1});
-        if (turned_ > 0) out_.facts.push_back({"", "least-radius", least_, "mm"});
         return std::move(out_);
     }
 
@@ -163,10 +161,8 @@ class Path {
                 stroke.pieces.push_back({std::move(row), false});
             if (last) break;
             off = next.to_trim;
-            const bool hairpin = turner_.hairpin(next.radius);
-            least_ = std::min(least_, next.radius);
-            hairpins_ += hairpin, ++turned_;
-            for (Piece& piece : turner_.pieces(next)) stroke.pieces.push_back(std::move(piece));
+            ++turned_;
+            stroke.pieces.push_back({std::move(next.line), false});
         }
         out_.strokes.push_back(std::move(stroke));
     }
@@ -178,7 +174,7 @@ class Path {
     std::vector<LaidTurn> turns_;
     Turning o_;
     Plan out_;
-    double least_ = std::numeric_limits<double>::infinity(), turned_ = 0, hairpins_ = 0, transited_ = 0;
+    double turned_ = 0, transited_ = 0;
 };
 
 } // namespace

@@ -153,7 +153,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
     Plan out = boustrophedon(s, all, turns);
     if (gaps.area > 0)
         out.notes.push_back({"", "rows more than 1.1 spacings apart: the surface leans towards the plane", gaps.area,
-                             "mm2", 1, -1, gaps.at.x, gaps.at.y});
+                             "mm2", 1, -1, gaps.at.x, gaps.at.y, gaps.at.z});
     return out;
 }
 

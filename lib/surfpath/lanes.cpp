@@ -22,7 +22,7 @@ Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
         for (std::size_t i = 0; i < n; ++i) {
             const double way = all * static_cast<double>(i) / static_cast<double>(n);
             const Place p = surface::curve::at(lines_[l], ways_[l], way);
-            nodes_.push_back({l, way, p.point, surface::normal(surface, p.triangle)});
+            nodes_.push_back({l, way, p.point, surface::normal(surface, p.triangle), surface.component[p.triangle]});
         }
     }
     cells_.reserve(nodes_.size());
@@ -77,6 +77,7 @@ LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
 
 std::optional<LanePlace> Lanes::nearest(const Place& from, double reach, const Use& use) const {
     const Vec3 n = surface::normal(surface_, from.triangle);
+    const std::uint32_t component = surface_.component[from.triangle];
     double least = reach;
     std::uint32_t best = surface::kNone;
     const int cells = std::max(1, static_cast<int>(std::ceil(reach / spacing_)));
@@ -89,7 +90,8 @@ std::optional<LanePlace> Lanes::nearest(const Place& from, double reach, const U
                     const Node& node = nodes_[c->second];
                     const double d = distance(node.point, from.point);
                     if (d > least || (d == least && c->second >= best)) continue;
-                    if (dot(node.normal, n) < 0.3 || !use(node.lane, node.way)) continue;
+                    if (node.component != component || dot(node.normal, n) < 0.3) continue;
+                    if (!use(node.lane, node.way)) continue;
                     least = d, best = c->second;
                 }
             }
@@ -115,9 +117,11 @@ std::optional<LanePlace> Lanes::across(std::uint32_t lane, double way, double si
         const Place q = surface::curve::step(surface_, from, length * out);
         const auto found = nearest(q, 0.45 * spacing_, use);
         if (!found) continue;
-        const Vec3 off = at(found->lane, found->way).point - from.point;
+        const Place there = at(found->lane, found->way);
+        const Vec3 off = there.point - from.point;
         const double d = norm(off);
         if (d < kNearest * spacing_ || d > (farthest + 0.2) * spacing_ || dot(off, out) < 0.8 * d) continue;
+        if (!surface::curve::leads(surface_, surface::curve::join(surface_, from, there))) continue;
         return LanePlace{found->lane, found->way, d};
     }
     return std::nullopt;

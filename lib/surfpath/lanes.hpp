@@ -35,13 +35,13 @@ class Lanes {
     [[nodiscard]] Line part(std::uint32_t lane, double from, double to) const;
     [[nodiscard]] double curvature(std::uint32_t lane, double way) const; // 1/mm, over a spacing
 
-    // The nearest place on a lane for which use(lane, way) holds, at most `reach` mm away, where the
-    // surface faces as it does at `from`.  Ties: the first lane, the least way.
+    // The nearest place on a lane for which use(lane, way) holds, at most `reach` mm away, on the same component, where
+    // the surface faces as it does at `from`.  Ties: the first lane, the least way.
     using Use = std::function<bool(std::uint32_t, double)>;
     [[nodiscard]] std::optional<LanePlace> nearest(const Place& from, double reach, const Use& use) const;
 
     // The lane next to `lane` at `way`, on its right (side 1) or left (-1), between 0.5 and `farthest` spacings away
-    // along the surface.  It may be the same lane, coming back.
+    // along the surface, which leads there.  It may be the same lane, coming back.
     [[nodiscard]] std::optional<LanePlace> across(std::uint32_t lane, double way, double side, double farthest) const;
 
     // How far ahead of `from` the place `to` lies on the lane, in the sense given; 0 up to its length.
@@ -52,6 +52,7 @@ class Lanes {
         std::uint32_t lane;
         double way;
         Vec3 point, normal;
+        std::uint32_t component;
     };
     [[nodiscard]] std::uint64_t key(const Vec3& p, int dx, int dy, int dz) const;
     [[nodiscard]] LanePlace refined(const Node& node, const Vec3& p) const;

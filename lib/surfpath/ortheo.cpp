@@ -111,9 +111,6 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
             raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
         const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
         out = boustrophedon(s, rows(s, raw, o.spacing / 2, o.spacing / 2), {o.spacing, radius});
-        if (o.turns == "hairpin") // rows and turns take turns
-            for (Stroke& stroke : out.strokes)
-                for (std::size_t i = 1; i < stroke.pieces.size(); i += 2) stroke.pieces[i].hairpin = true;
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);
@@ -122,7 +119,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     for (const Strands::Short& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
         Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
-        note.x = p.x, note.y = p.y;
+        note.x = p.x, note.y = p.y, note.z = p.z;
         out.notes.push_back(std::move(note));
     }
     return out;

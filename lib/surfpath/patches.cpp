@@ -12,7 +12,7 @@ namespace {
 Note unplanned(const surface::Sheet& sheet) {
     Note out{.stage = "", .what = "patch without a plan", .amount = surface::area(sheet.surface), .unit = "mm2"};
     const Vec3& p = sheet.surface.vertices.front();
-    out.x = p.x, out.y = p.y;
+    out.x = p.x, out.y = p.y, out.z = p.z;
     return out;
 }
 

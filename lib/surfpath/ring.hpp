@@ -30,10 +30,15 @@ struct Corner {
 struct Ring {
     Line line;
     std::vector<double> ways;
+    struct Touch { // a place where it stays as it is, and the rounded line that it belongs to, by number
+        double way;
+        std::size_t line;
+    };
     struct Rounded {
         std::vector<Corner> corners{};
-        std::vector<double> kept{};  // ways at places where it stays as it is
-        std::vector<Line> instead{}; // of all of it
+        std::vector<Touch> kept{};
+        std::vector<Line> instead{};        // that it may be left out for: they run all round within it
+        std::vector<std::size_t> numbers{}; // of these
     };
     std::vector<Rounded> by{}; // per radius
 

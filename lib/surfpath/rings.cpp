@@ -1,15 +1,15 @@
 #include "surfpath/rings.hpp"
 
 #include "base/error.hpp"
+#include "geodesic/beyond.hpp"
 #include "geodesic/exact.hpp"
-#include "geodesic/isolines.hpp"
+#include "geodesic/query.hpp"
 #include "parallel/parallel.hpp"
 #include "surfpath/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace filum::surfpath {
@@ -74,70 +74,26 @@ double stretched(double farthest, double d) {
     return (1 - kNarrowerSpacing / 2) * d;
 }
 
-// The highest vertex of the triangles that a line runs through; kNone if none is as high as the line.
-std::uint32_t top(const Surface& s, const std::vector<double>& far, const Isoline& line) {
-    std::uint32_t out = kNone;
-    for (const auto t : line.triangles)
-        for (const auto v : s.triangles[t])
-            if (far[v] >= line.level && (out == kNone || far[v] > far[out] || (far[v] == far[out] && v < out))) out = v;
-    return out;
-}
-
-// From where to find the highest vertex that can be reached without going below a level.
-struct Climb {
-    double level;
-    std::uint32_t from;       // kNone: leads nowhere
-    std::uint32_t to = kNone; // found
-};
-void climb(const Surface& s, const std::vector<double>& far, std::vector<Climb>& climbs) {
-    const auto higher = [&](std::uint32_t a, std::uint32_t b) { return far[a] != far[b] ? far[a] > far[b] : a < b; };
-    std::vector<std::uint32_t> order(far.size()), root(far.size()), turn(climbs.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::iota(root.begin(), root.end(), 0U);
-    std::iota(turn.begin(), turn.end(), 0U);
-    std::sort(order.begin(), order.end(), higher);
-    std::stable_sort(turn.begin(), turn.end(), [&](auto a, auto b) { return climbs[a].level > climbs[b].level; });
-    const auto find = [&](std::uint32_t v) {
-        while (root[v] != v) v = root[v] = root[root[v]];
-        return v;
-    };
-    std::size_t at = 0;
-    for (const auto i : turn) {
-        Climb& c = climbs[i];
-        for (; at < order.size() && far[order[at]] >= c.level; ++at)
-            surface::each_outgoing(s, order[at], [&](std::uint32_t h) {
-                for (const auto v : {s.head(h), s.tail(surface::prev(h))}) {
-                    if (!(far[v] >= c.level)) continue;
-                    const auto a = find(v), b = find(order[at]);
-                    if (a != b) root[higher(a, b) ? b : a] = higher(a, b) ? a : b;
-                }
-            });
-        if (c.from != kNone) c.to = find(c.from);
-    }
-}
-
 class Making {
   public:
     Making(const surface::Sheet& sheet, const Options& o)
-        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), far_(field_.distance),
-          least_(kRounder * o.least_radius) {
-        for (const double d : far_)
-            if (std::isfinite(d)) farthest_ = std::max(farthest_, d);
+        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), least_(kRounder * o.least_radius) {
+        farthest_ = geodesic::farthest(s_, field_);
         if (farthest_ > kFarthestPlace * o.spacing)
             throw Error(Exit::usage, "cannot lay more than 10000 rings inside each other; raise --spacing");
         for (const double d : {stretched(farthest_, o.spacing), (1 - kNarrowerSpacing / 2) * o.spacing}) {
             d_ = d;
             levels_.clear();
             for (double l = d / 2; l < farthest_; l += d) levels_.push_back(l);
-            levels_ = off_vertices(std::move(levels_), far_, d);
-            outer_ = geodesic::isolines(s_, field_, levels_);
+            levels_ = off_vertices(std::move(levels_), field_.distance, d);
+            begins_.clear();
+            outer_ = geodesic::isolines(s_, field_, levels_, &begins_);
             if (d <= o.spacing || one_ridge()) break; // so there is no harm to others
         }
     }
 
     Rings run() {
         find_batches();
-        find_inner();
         const Rounding rounding(s_, field_, least_, d_);
         each([&](Batch& b) { rounding.prepare(b); });
         const double gain = affordable(rounding);
@@ -170,63 +126,69 @@ class Making {
 
     // Rings by level, those within low ridges apart.
     void find_batches() {
-        std::vector<Climb> climbs;
-        for (const auto& line : outer_) climbs.push_back({line.level, top(s_, far_, line)});
-        climb(s_, far_, climbs);
-        for (const double l : levels_) {
-            Batch high{l, {}, {}};
-            for (const double part : kScales) high.scales.push_back({part * least_});
-            std::vector<std::uint32_t> high_tops;
-            const std::size_t first = batches_.size();
-            for (std::size_t i = 0; i < outer_.size(); ++i) {
-                if (!outer_[i].closed || outer_[i].level != l || climbs[i].to == kNone) continue;
-                const double rise = far_[climbs[i].to] - l, radius = kOfRidge * rise;
-                if (rise > least_) {
-                    high.outer.push_back(&outer_[i]), high_tops.push_back(climbs[i].to);
-                    continue;
-                }
-                if (radius < kTightest * d_) continue;
-                std::size_t own = batches_.size(); // of the rings about the same top
-                while (own > first && tops_[own - 1][0] != climbs[i].to) --own;
-                if (own > first) {
-                    batches_[own - 1].outer.push_back(&outer_[i]);
-                    continue;
-                }
-                batches_.push_back({l, {&outer_[i]}, {{radius}, {0.6 * radius}, {0.35 * radius}, {0.2 * least_}}});
-                tops_.push_back({climbs[i].to});
-            }
-            if (!high.outer.empty()) batches_.push_back(std::move(high)), tops_.push_back(std::move(high_tops));
+        std::vector<Level> found(levels_.size());
+        parallel::for_chunks(levels_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) found[i] = batches_at(levels_[i]);
+        });
+        for (Level& level : found) {
+            std::move(level.batches.begin(), level.batches.end(), std::back_inserter(batches_));
+            inner_.push_back(std::move(level.inner));
         }
     }
 
-    // What lies a radius within each batch.
-    void find_inner() {
+    // The batches of one level, by the parts of the surface that their rings go round, and what lies a radius within
+    // each.
+    struct Level {
+        std::vector<Batch> batches{};
+        std::vector<Isoline> inner{};
+    };
+    [[nodiscard]] Level batches_at(double level) const {
+        const geodesic::Beyond beyond(s_, field_, level);
+        Level out;
+        std::vector<std::vector<std::uint32_t>> parts; // per batch
+        Batch high{level, {}, {}};
+        std::vector<std::uint32_t> high_parts;
+        for (const double share : kScales) high.scales.push_back({share * least_});
+        for (std::size_t i = 0; i < outer_.size(); ++i) {
+            if (!outer_[i].closed || outer_[i].level != level) continue;
+            const std::uint32_t part = beyond.part(begins_[i]);
+            if (part == kNone) continue;
+            const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
+            if (rise > least_) {
+                high.outer.push_back(&outer_[i]), high_parts.push_back(part);
+                continue;
+            }
+            if (radius < kTightest * d_) continue;
+            const auto own =
+                static_cast<std::size_t>(std::find(parts.begin(), parts.end(), std::vector{part}) - parts.begin());
+            if (own == parts.size()) {
+                parts.push_back({part});
+                out.batches.push_back({level, {}, {{radius}, {0.6 * radius}, {0.35 * radius}, {0.2 * least_}}});
+            }
+            out.batches[own].outer.push_back(&outer_[i]);
+        }
+        if (!high.outer.empty()) out.batches.push_back(std::move(high)), parts.push_back(std::move(high_parts));
+        find_inner(beyond, level, parts, out);
+        return out;
+    }
+
+    void find_inner(const geodesic::Beyond& beyond, double level, const std::vector<std::vector<std::uint32_t>>& parts,
+                    Level& out) const {
         std::vector<double> levels;
-        for (const auto& b : batches_)
-            for (const auto& scale : b.scales) levels.push_back(b.level + scale.radius);
+        for (const auto& b : out.batches)
+            for (const auto& scale : b.scales) levels.push_back(level + scale.radius);
         std::sort(levels.begin(), levels.end());
         levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-        inner_ = geodesic::isolines(s_, field_, levels);
-        struct Use {
-            std::size_t batch, scale;
-            const Isoline* line;
-        };
-        std::vector<Use> uses;
-        std::vector<Climb> climbs;
-        for (std::size_t b = 0; b < batches_.size(); ++b)
-            for (std::size_t k = 0; k < batches_[b].scales.size(); ++k) {
-                const double level = batches_[b].level + batches_[b].scales[k].radius;
-                auto at = std::lower_bound(inner_.begin(), inner_.end(), level,
-                                           [](const Isoline& l, double x) { return l.level < x; });
-                for (; at != inner_.end() && at->level == level; ++at)
-                    if (at->closed)
-                        uses.push_back({b, k, &*at}), climbs.push_back({batches_[b].level, top(s_, far_, *at)});
+        std::vector<geodesic::OnEdge> begins;
+        out.inner = geodesic::isolines(s_, field_, levels, &begins);
+        for (std::size_t i = 0; i < out.inner.size(); ++i) {
+            if (!out.inner[i].closed) continue;
+            const std::uint32_t part = beyond.part(begins[i]);
+            for (std::size_t b = 0; b < out.batches.size(); ++b) {
+                if (std::find(parts[b].begin(), parts[b].end(), part) == parts[b].end()) continue;
+                for (auto& scale : out.batches[b].scales)
+                    if (level + scale.radius == out.inner[i].level) scale.inner.push_back(&out.inner[i]);
             }
-        climb(s_, far_, climbs);
-        for (std::size_t i = 0; i < uses.size(); ++i) {
-            const auto& t = tops_[uses[i].batch];
-            if (std::find(t.begin(), t.end(), climbs[i].to) != t.end())
-                batches_[uses[i].batch].scales[uses[i].scale].inner.push_back(uses[i].line);
         }
     }
 
@@ -261,13 +223,13 @@ class Making {
 
     const Surface& s_;
     ExactField field_;
-    const std::vector<double>& far_;
     double least_, farthest_ = 0, d_ = 0;
     std::vector<double> levels_;
-    std::vector<Isoline> outer_, inner_;
+    std::vector<Isoline> outer_;
+    std::vector<geodesic::OnEdge> begins_; // per outer line
+    std::vector<std::vector<Isoline>> inner_;
     std::vector<Batch> batches_;
-    std::map<double, double> floor_;               // mm: per level, the least radius
-    std::vector<std::vector<std::uint32_t>> tops_; // per batch: where its rings lead up to
+    std::map<double, double> floor_; // mm: per level, the least radius
 };
 
 } // namespace

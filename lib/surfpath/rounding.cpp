@@ -13,9 +13,10 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLongCut = 3.0; // least radii: a corner that is cut by less is let be
-constexpr double kSeen = 0.06;   // least radii: what touches a ring farther from the ends of an arc lies between them
-constexpr double kCusp = 0.15;   // rad
+constexpr double kLongCut = 3.0;  // least radii: a corner that is cut by less is let be
+constexpr double kSeen = 0.06;    // least radii: what touches a ring farther from the ends of an arc lies between them
+constexpr double kCusp = 0.15;    // rad
+constexpr double kShortest = 0.5; // of an arc: what it replaces is longer, as it runs inside
 
 surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
     surface::Sources out;
@@ -37,7 +38,9 @@ class Rounder {
         bool more = !rings.empty();
         for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
             for (Ring& r : rings) r.by.emplace_back();
-            for (const Line& line : opened(b.level, b.scales[k])) sort_in(line, b.level, b.scales[k].radius, rings);
+            std::size_t number = 0;
+            for (const Line& line : opened(b.level, b.scales[k]))
+                sort_in(line, number++, b.level, b.scales[k].radius, rings);
             more = false;
             for (Ring& r : rings) {
                 check(r);
@@ -86,29 +89,24 @@ class Rounder {
     }
 
     // Splits an opened line into arcs and what runs along the rings.
-    void sort_in(const Line& line, double level, double radius, std::vector<Ring>& rings) const {
+    void sort_in(const Line& line, std::size_t number, double level, double radius, std::vector<Ring>& rings) const {
         const double still = 0.0015 * radius, off = 0.01 * radius;
         const std::size_t n = line.size();
         std::vector<double> above(n);
         for (std::size_t i = 0; i < n; ++i) above[i] = height(line.places[i]) - level;
-        std::size_t first = n; // a place along a ring
-        for (std::size_t i = 0; i < n && first == n; ++i)
-            if (above[i] <= still) first = i;
-        if (first == n) {
-            rings[nearest(rings, line[0]).line].by.back().instead.push_back(line);
-            return;
-        }
+        const auto lowest = std::min_element(above.begin(), above.end()); // it touches at least there
+        const auto first = static_cast<std::size_t>(lowest - above.begin());
         for (std::size_t k = 0; k < n;) { // from first + k on
             std::size_t e = k;
             double most = 0;
-            while (e < n && above[(first + e) % n] > still) most = std::max(most, above[(first + e) % n]), ++e;
+            while (e < n && e > 0 && above[(first + e) % n] > still) most = std::max(most, above[(first + e) % n]), ++e;
             if (e == k) {
                 const On on = nearest(rings, line[(first + k) % n]);
-                rings[on.line].by.back().kept.push_back(on.way);
+                rings[on.line].by.back().kept.push_back({on.way, number});
                 ++k;
                 continue;
             }
-            if (most > off) add_arc(line, first + k - 1 + n, first + e + n, rings);
+            if (most > off) add_arc(line, number, first + k - 1 + n, first + e + n, rings);
             k = e;
         }
     }
@@ -121,27 +119,30 @@ class Rounder {
         }
         return false;
     }
-    void add_arc(const Line& line, std::size_t begin, std::size_t end, std::vector<Ring>& rings) const {
+    void add_arc(const Line& line, std::size_t number, std::size_t begin, std::size_t end,
+                 std::vector<Ring>& rings) const {
         const std::size_t n = line.size();
         const On a = nearest(rings, line[begin % n]), b = nearest(rings, line[end % n]);
         if (a.line != b.line) return;
         Line arc;
         for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);
         if (has_cusp(arc)) return;
-        const double l = surface::curve::length(arc);
-        if (rings[a.line].ahead(a.way, b.way) < 0.5 * l) { // all the way round
-            rings[a.line].by.back().instead.push_back(line);
+        const double l = surface::curve::length(arc), cut = rings[a.line].ahead(a.way, b.way);
+        Ring::Rounded& to = rings[a.line].by.back();
+        if (end - begin >= n || rings[a.line].ways.back() - cut < kSeen * least_) { // all the way round
+            to.instead.push_back(line), to.numbers.push_back(number);
             return;
         }
-        rings[a.line].by.back().corners.push_back({a.way, b.way, std::move(arc), l});
+        // Else it leads over a narrow place to where the ring comes back.
+        if (cut >= kShortest * l) to.corners.push_back({a.way, b.way, std::move(arc), l});
     }
     // Leaves out arcs that lead across narrow places.
     void check(Ring& r) const {
         auto& now = r.by.back();
         std::erase_if(now.corners, [&](const Corner& c) {
             const double l = r.ahead(c.from, c.to);
-            return std::any_of(now.kept.begin(), now.kept.end(), [&](double way) {
-                const double on = r.ahead(c.from, way);
+            return std::any_of(now.kept.begin(), now.kept.end(), [&](const Ring::Touch& t) {
+                const double on = r.ahead(c.from, t.way);
                 return on > kSeen * least_ && on < l - kSeen * least_;
             });
         });
@@ -182,8 +183,13 @@ class Rounder {
         for (const Corner* corner : best) choose(r, b, by, *corner, out);
     }
 
-    // True if nothing of the ring itself stays.
-    static bool gone(const Ring& r) { return r.by[0].kept.empty() || !r.by[0].instead.empty(); }
+    // True if nothing of the ring itself stays: only what runs all round within it touches it.
+    static bool gone(const Ring& r) {
+        const auto& now = r.by[0];
+        return std::all_of(now.kept.begin(), now.kept.end(), [&](const Ring::Touch& t) {
+            return std::find(now.numbers.begin(), now.numbers.end(), t.line) != now.numbers.end();
+        });
+    }
 
     // The corners that are taken, by their places.
     [[nodiscard]] std::vector<Bend> bends(const Batch& b) const {

@@ -153,13 +153,6 @@ void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
 
 namespace {
 
-// True if a line made by join() lies on the surface: it is two places only where none leads from one to the other.
-bool leads_over(const Surface& s, const Line& line) {
-    if (line.size() != 2) return true;
-    const Vec3 middle = 0.5 * (line[0] + line[1]);
-    return distance(surface::nearest_in(s, line.places[0].triangle, middle), middle) < 1e-3;
-}
-
 // A place where two lanes may change over into each other.
 struct Changeover {
     double cost;
@@ -178,7 +171,7 @@ class Crossover {
             if (find(l) == l) ++apart_;
     }
 
-    std::size_t run() {
+    void run() {
         find_spots();
         const auto all = [&](const auto& join) {
             for (const Changeover& s : spots_)
@@ -186,10 +179,9 @@ class Crossover {
         };
         for (const double share : {1.0, 0.5, 0.2}) all([&](const Changeover& s) { return join(s, share * radius_); });
         for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
-        if (apart_ == 1) return 0;
+        if (apart_ == 1) return;
         near_spots();
         for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
-        return apart_ - 1;
     }
 
   private:
@@ -278,7 +270,7 @@ class Crossover {
             const double end = k == 0 ? -half : half;
             links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end),
                                             lanes_.at(s.b, there + end * sense));
-            if (!leads_over(lanes_.surface(), links[k])) return false;
+            if (!surface::curve::leads(lanes_.surface(), links[k])) return false;
         }
         const std::uint32_t a = weave_.cut(s.a, s.way - half, s.way + half);
         const std::uint32_t b = weave_.cut(s.b, there - half, there + half);
@@ -323,8 +315,8 @@ class Crossover {
 
 } // namespace
 
-std::size_t cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
-    return Crossover(weave, lanes, merged, radius).run();
+void cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
+    Crossover(weave, lanes, merged, radius).run();
 }
 
 } // namespace filum::surfpath

@@ -17,7 +17,6 @@ void shift(Weave& weave, const Lanes& lanes, const Rungs& rungs, int by);
 
 // Joins all that the weave has left apart and that can be, two lanes at a time that change over into each other where
 // they run side by side, with turns of `radius` mm where there is room.  `merged`: lanes that are one already.
-// Returns how many remain apart.
-std::size_t cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius);
+void cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius);
 
 } // namespace filum::surfpath

@@ -1,17 +1,26 @@
 #include "surfpath/surfpath.hpp"
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "surfpath/bare.hpp"
+#include "surfpath/declare.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
+#include "surfpath/ground.hpp"
 #include "surfpath/ortheo.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace filum::surfpath {
 
 namespace {
+
+constexpr double kBeside = 0.5; // mm beside a tight turn that are declared with it, or half a spacing: by whatever
+                                // stretch of the path curvature is measured, it shows there
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
     if (options.algorithm == "fexa") return fexa(sheet, options);
@@ -23,12 +32,31 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
     throw Error(Exit::usage, "unknown algorithm '" + options.algorithm + "'");
 }
 
+std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
+
 } // namespace
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
     Plan out = lines(sheet, options);
-    tell_bare(sheet.surface, out, options.spacing);
+    keep_to_surface(sheet.surface, out);
     return out;
+}
+
+void finish(const Surface& surface, Plan& plan, const Options& o) {
+    const double beside = std::max(kBeside, o.spacing / 2);
+    const Tight tight = declare(surface, plan, o.least_radius, beside, o.offset);
+    if (o.strict && tight.count > 0)
+        throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) + " mm: one of " +
+                                       fixed_text(tight.least, 2) + " mm at " + text(tight.at) + ", " +
+                                       fixed_text(tight.length, 1) +
+                                       " mm in all; lower --least-radius, or leave out --strict");
+    plan.facts.push_back({"", "hairpins", static_cast<double>(tight.count), ""});
+    plan.facts.push_back({"", "hairpin-length", tight.declared, "mm"});
+    if (std::isfinite(tight.least)) plan.facts.push_back({"", "least-radius", tight.least, "mm"});
+    if (tight.count > 0)
+        plan.notes.push_back({"", "turn tighter than the least radius", tight.length, "mm", tight.count, -1, tight.at.x,
+                              tight.at.y, tight.at.z});
+    tell_cover(surface, plan, o.spacing);
 }
 
 } // namespace filum::surfpath

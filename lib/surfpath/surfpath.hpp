@@ -15,12 +15,19 @@ struct Options {
     double least_radius = 2.4;          // mm: of turns, where there is room
     std::string turns = "none";         // of ortheo: none, hairpin or wide
     double min_length = 0;              // mm: of the lines of ortheo; shorter ones are left out
+    double offset = 0;                  // mm: along the normals, at which the path will be laid
+    bool strict = false;                // no turn may be tighter than least_radius
 };
 
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.
 // Throws Error(usage) for options that cannot be followed, Error(bad_input) if the sheet lacks what the algorithm
 // needs: "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
-// What no line comes near is noted (bare.hpp).
 Plan plan(const surface::Sheet& sheet, const Options& options);
+
+// What is to be said of a plan, whoever made it: declares what turns within less than the least radius (declare.hpp),
+// in facts "hairpins", "hairpin-length" and "least-radius" and the note "turn tighter than the least radius", and tells
+// what is bare and what is laid twice (bare.hpp).
+// Throws Error(failure) with the place if a turn is too tight and the options are strict.
+void finish(const Surface& surface, Plan& plan, const Options& options);
 
 } // namespace filum::surfpath

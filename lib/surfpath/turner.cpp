@@ -21,7 +21,7 @@ constexpr double kEasedWider = 1.15; // likewise, of ways along rims
 constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
 constexpr double kTurning = 0.25;    // mm
-constexpr double kBesideTight = 0.5; // mm beside what is tight that are declared with it
+constexpr double kHairpin = 0.75;    // of the least radius: what is tighter costs much
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -111,27 +111,6 @@ std::vector<double> Turner::turning(const Line& line, std::span<const double> w)
     return out;
 }
 
-std::vector<Piece> Turner::pieces(const LaidTurn& turn) const {
-    if (!hairpin(turn.radius)) return {{turn.line, false}};
-    const auto w = surface::curve::ways(turn.line);
-    const auto k = turning(turn.line, w);
-    std::vector<Piece> out;
-    double begin = 0, end = 0; // of what is tight, or joined to it because it is near
-    for (std::size_t i = 0; i < k.size(); ++i) {
-        if (!hairpin(1 / std::max(1e-9, k[i]))) continue;
-        const double from = kTurning * static_cast<double>(i) - kBesideTight, to = from + 2 * kBesideTight;
-        if (from > end || end == 0) {
-            if (end > begin) out.push_back({surface::curve::part(turn.line, w, begin, end), true});
-            if (from > end) out.push_back({surface::curve::part(turn.line, w, end, from), false});
-            begin = std::max(0.0, from);
-        }
-        end = std::min(to, w.back());
-    }
-    if (end > begin) out.push_back({surface::curve::part(turn.line, w, begin, end), true});
-    if (end < w.back()) out.push_back({surface::curve::part(turn.line, w, end, w.back()), false});
-    return out;
-}
-
 const Port& Turner::port(std::uint32_t end) const {
     const Row& row = rows_.rows[end / 2];
     return end % 2 == 0 ? row.begin : row.end;
@@ -213,7 +192,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
 // What a tight turn is as bad as, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return part >= 0.999 ? 0 : hairpin(radius) ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
+    return part >= 0.999 ? 0 : part < kHairpin ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
 }
 
 } // namespace filum::surfpath

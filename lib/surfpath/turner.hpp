@@ -40,12 +40,6 @@ class Turner {
     // The row from the end `in` to its other end, with these lengths cut off.
     [[nodiscard]] Line stretch(std::uint32_t in, double off_begin, double off_end) const;
 
-    // The turn, with what is tight of it declared.
-    [[nodiscard]] std::vector<Piece> pieces(const LaidTurn& turn) const;
-
-    // Whether a turn is to be declared as tight.
-    [[nodiscard]] bool hairpin(double radius) const { return radius < 0.75 * o_.least_radius; }
-
   private:
     [[nodiscard]] const Port& port(std::uint32_t end) const;
     [[nodiscard]] const Line& inwards(std::uint32_t end) const;

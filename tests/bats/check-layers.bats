@@ -206,6 +206,17 @@ nest() {
     finds "docs/c.md:1: links to 'docs/c.md#bottom', a heading that is not there"
 }
 
+@test "a picture that no page shows" {
+    mkdir "$tree/docs/pictures"
+    echo x >"$tree/docs/pictures/a.png"
+    echo '![a](pictures/a.png)' >"$tree/docs/a.md"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    echo x >"$tree/docs/pictures/b.png"
+    finds 'docs/pictures/b.png: is in no page'
+}
+
 @test "a page named in a comment that is not there, or a heading of it" {
     printf '# Why\n' >"$tree/docs/a.md"
     printf '// Right, see docs/a.md#why; as docs/NAME.md.\n#include "base/error.hpp"\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"

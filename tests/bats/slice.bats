@@ -165,3 +165,45 @@ refuses() {
     slice cube.obj | head -c 10 > part
     [ "$(wc -c < part)" -eq 10 ]
 }
+
+@test "parts of unlikely size are told before any work, impossible ones refused" {
+    run --separate-stderr -0 slice --scale 0.09 --unit in --layer-height 0.01 cube.obj -o a
+    [ -z "$stderr" ] # 23 mm
+    run --separate-stderr -0 slice --scale 0.2,0.2,0.2 --layer-height 0.1 cube.obj -o a
+    [ -z "$stderr" ] # 2 mm, by the caller's own factor
+    sed 's/10/2.54/g' cube.obj > inches.obj
+    run --separate-stderr -0 slice inches.obj -o a
+    case "$stderr" in *"is its file in inches or metres? See --unit: 1 case, 2.54 mm"*) ;; *) echo "$stderr"; false ;; esac
+    run --separate-stderr -0 slice --unit m --layer-height 100 cube.obj -o a
+    case "$stderr" in *"larger than most machines; is its unit right? See --unit: 1 case, 10000 mm"*) ;; *) echo "$stderr"; false ;; esac
+    refuses 3 "it is 254 x 254 x 254 mm, and the machine reaches 220 x 220 x 250 mm" --unit in --machine marlin cube.obj
+    sed 's/^x = \[0, 220\]/x = [0, 300]/' "$FILUM_SOURCE/lib/machine/profiles/marlin.toml" > ./wide.toml
+    refuses 3 "turn it by --rotate 0,0,90" --scale 2,25,1 --machine ./wide.toml cube.obj
+    run -0 slice --scale 25,2,1 --machine ./wide.toml cube.obj -o a
+    refuses 2 "marlyn" --machine marlyn cube.obj
+}
+
+@test "beads that cannot fit are refused by regions" {
+    slice cube.obj -o a
+    run --separate-stderr -2 regions --bead-width 11 a -o b
+    case "$stderr" in *"wider than all of it"*) ;; *) echo "$stderr"; false ;; esac
+    run --separate-stderr -2 regions --bead-width 0.1 a -o b
+    case "$stderr" in *"a bead is no higher than it is wide"*) ;; *) echo "$stderr"; false ;; esac
+    [ ! -e b ]
+    slice --scale 0.05,1,1 cube.obj -o a
+    run --separate-stderr -0 regions --bead-width 0.6 a -o b
+    case "$stderr" in *"part narrower than a bead: 1 case, 0.5 mm"*) ;; *) echo "$stderr"; false ;; esac
+    slice --scale 250,250,0.1 cube.obj -o a 2> said
+    run --separate-stderr -3 regions a -o b
+    case "$stderr" in *"it takes 15.6 km of them and gigabytes of memory"*) ;; *) echo "$stderr"; false ;; esac
+}
+
+@test "what a file is that is no mesh" {
+    cp cube.obj part.OBJ
+    python3 -c 'import zipfile; zipfile.ZipFile("a.zip", "w").write("part.OBJ")'
+    refuses 3 "it is a ZIP archive that holds 'part.OBJ'; unpack it first" a.zip
+    printf 'glTF\002\000\000\000%0200d' 0 > a.glb
+    refuses 3 "it is a GLB file (binary glTF); export it as STL, 3MF or PLY" a.glb
+    printf '; by hand\nsolid a\nfacet normal 0 0 1\n' > a.stl
+    refuses 3 "it is an ASCII STL with 1 line before 'solid'; remove it" a.stl
+}

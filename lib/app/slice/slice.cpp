@@ -1,5 +1,6 @@
 #include "app/slice/slice.hpp"
 
+#include "app/slice/sizes.hpp"
 #include "cli/step_options.hpp"
 #include "slice/volume.hpp"
 #include "stream/crc32c.hpp"
@@ -30,6 +31,10 @@ void run(const Options& o, const cli::Io& io) {
     cli::step_idle(io, file.kind == mesh::Kind::step);
     Notes notes = std::move(file.notes);
     mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
+    const mesh::Box3 box = mesh::bounds(file.mesh);
+    const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
+    check_size(box, unit_known, notes);
+    if (!o.machine.empty()) check_bed(box, o.machine);
     const filum::slice::Part part = filum::slice::make_part(std::move(file.mesh), notes, o.slice.hairline);
     const Sweep sweep = filum::slice::prepare(part, o.slice, io.threads, notes);
     const auto measured = filum::slice::judge(sweep, io.threads, notes);

@@ -12,9 +12,10 @@ struct Options {
     mesh::Placement place;
     filum::slice::Options slice;
     mesh::step::Tessellation step;
+    std::string machine; // profile of the one that the part must fit, see machine::load_profile; none: not checked
 };
 
-// Reads, places and cuts the mesh, and writes its layers as they come.  Throws Error as those do.
+// Reads and places the mesh, checks its size, cuts it, and writes its layers as they come.  Throws Error as those do.
 void run(const Options& options, const cli::Io& io);
 
 } // namespace filum::app::slice

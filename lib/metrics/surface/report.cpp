@@ -6,6 +6,7 @@
 #include "metrics/surface/load.hpp"
 #include "metrics/surface/plies.hpp"
 #include "metrics/surface/strands.hpp"
+#include "metrics/surface/tight.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -115,6 +116,18 @@ void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
     out.push_back({g, "share above the limit, total, outside hairpins", share(total_plain, plain), 5});
     out.push_back({g, "length of declared hairpins", all - plain, 1, "mm"});
     out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
+}
+
+void tight_turns(const Job& job, const Feet& feet, Figures& out) {
+    const TightTurns t = tight(job.fibres, feet.normals, 1 / job.options.max_curvature);
+    const std::string g = "tight turns";
+    out.push_back({g, "radius", 1 / job.options.max_curvature, 3, "mm"});
+    out.push_back({g, "turns within less", std::uint64_t{t.count}});
+    out.push_back({g, "length", t.length, 2, "mm"});
+    out.push_back({g, "length not declared", t.undeclared, 2, "mm"});
+    out.push_back({g, "least radius by three points", t.least, 3, "mm"});
+    if (t.count > 0) out.push_back({g, "tightest at", place(t.tightest)});
+    if (t.undeclared > 0) out.push_back({g, "tightest not declared at", place(t.undeclared_at)});
 }
 
 void area(const Plies& plies, Figures& out) {
@@ -239,6 +252,7 @@ Measured measure(const Fibres& fibres, const filum::surface::Sheet& sheet, const
     continuity(fibres, plies.area.surface, out.figures);
     out.figures.push_back({"continuity", "retraced", retraced(job.samples, threads), 1, "mm"});
     curvature(job, bent, out.figures);
+    tight_turns(job, touch, out.figures);
     area(plies, out.figures);
     spacing(job, true, out.figures);
     spacing(job, false, out.figures);

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kSteep = 0.17;    // cosine of the angle between a chart and a triangle, at least
 constexpr std::size_t kMost = 1e6; // edges crossed
+constexpr double kOutside = -1e-7; // weight of a corner: a point with less lies outside
+constexpr double kAbove = 1e-5;    // mm: a point farther from a triangle's plane lies above it, or below
 
 // The way within one triangle: by how much each weight changes over it, and where it leaves.
 struct Crossing {
@@ -80,6 +82,12 @@ std::array<double, 3> barycentric(const Surface& s, const Place& place) {
     return {1 - v - w, v, w};
 }
 
+bool lies_in(const Surface& s, std::uint32_t triangle, const Vec3& p) {
+    const auto w = barycentric(s, {triangle, p});
+    if (std::min({w[0], w[1], w[2]}) < kOutside) return false;
+    return std::abs(dot(surface::normal(s, triangle), p - s.vertices[s.triangles[triangle][0]])) < kAbove;
+}
+
 Place step(const Surface& s, const Place& from, const Vec3& way, Line* crossed) {
     Place at = from;
     std::uint32_t entry = kNone;
@@ -133,20 +141,38 @@ Line join(const Surface& s, const Place& a, const Place& b) {
     return std::move(laid.line);
 }
 
+bool leads(const Surface& s, const Line& joined) {
+    return joined.size() != 2 || lies_in(s, joined.places[0].triangle, joined[1]);
+}
+
 Line threaded(const Surface& s, const Line& line) {
-    constexpr double kOutside = -1e-7;
     Line out{{}, line.closed};
     const std::size_t n = line.size();
     for (std::size_t i = 0; i < n; ++i) {
         out.places.push_back(line.places[i]);
         if (i + 1 == n && !line.closed) break;
         const Place& to = line.places[(i + 1) % n];
-        const auto w = barycentric(s, {line.places[i].triangle, to.point});
-        if (std::min({w[0], w[1], w[2]}) >= kOutside) continue;
+        if (lies_in(s, line.places[i].triangle, to.point)) continue;
         const Line way = join(s, line.places[i], to);
         out.places.insert(out.places.end(), way.places.begin() + 1, way.places.end() - 1);
     }
     return out;
+}
+
+Place settled(const Surface& s, Place p) {
+    for (int round = 0; round < 3; ++round) {
+        Place best{p.triangle, nearest_in(s, p.triangle, p.point)};
+        double least = distance(best.point, p.point);
+        if (least < 1e-9) return best;
+        for (const auto v : s.triangles[p.triangle])
+            each_outgoing(s, v, [&](std::uint32_t h) {
+                const Vec3 q = nearest_in(s, h / 3, p.point);
+                if (const double d = distance(q, p.point); d < least) least = d, best = {h / 3, q};
+            });
+        if (best.triangle == p.triangle) return best;
+        p.triangle = best.triangle;
+    }
+    return {p.triangle, nearest_in(s, p.triangle, p.point)};
 }
 
 } // namespace filum::surface::curve

@@ -10,6 +10,9 @@ namespace filum::surface::curve {
 // Weights of the corners of its triangle, of sum 1; below 0 only by rounding, or for points off the triangle.
 std::array<double, 3> barycentric(const Surface& s, const Place& place);
 
+// True if the point lies in the triangle, borders included.
+bool lies_in(const Surface& s, std::uint32_t triangle, const Vec3& point);
+
 // Where one comes to from `from` by the vector `way`, of which the part along the surface counts: straight on within
 // triangles, and over their edges as if both were flat (Polthier, Schmies 1998).  A rim ends it.
 // Adds the places where it crosses edges, and where it ends, to `crossed` if that is given.
@@ -44,5 +47,13 @@ Line threaded(const Surface& s, const Line& line);
 // The line from `a` to `b` on the plane through both that stands upright on the surface; only both if that does not
 // lead there.
 Line join(const Surface& s, const Place& a, const Place& b);
+
+// True if a line made by join() lies on the surface: it is two places only where none leads from one to the other, or
+// both lie in one triangle.
+bool leads(const Surface& s, const Line& joined);
+
+// The place in the triangle that its point lies in, or nearest to, among the triangle's own and those that meet it at a
+// corner, up to three such steps away: where lines were joined or parted, the point may lie in another one.
+Place settled(const Surface& s, Place p);
 
 } // namespace filum::surface::curve

@@ -248,14 +248,14 @@ TEST(Sequence, IsFeasibleAndNeverWorseThanByLayers) {
                 EXPECT_TRUE(linked);
             EXPECT_EQ(r.stroke[i] + 1, strokes);
         }
-        EXPECT_EQ(fact(r, "strokes"), strokes);
+        EXPECT_EQ(fact(r, "planned-strokes"), strokes);
         EXPECT_LE(fact(r, "lower-bound"), strokes);
         EXPECT_GE(fact(r, "lower-bound"), fact(r, "path-cover"));
         Options layers = o;
         layers.by_layers = true;
         const Result l = sequence(regions, layers);
-        EXPECT_LE(strokes, fact(l, "strokes"));
-        EXPECT_GE(fact(l, "strokes"), fact(l, "layer-floor"));
+        EXPECT_LE(strokes, fact(l, "planned-strokes"));
+        EXPECT_GE(fact(l, "planned-strokes"), fact(l, "layer-floor"));
         for (std::size_t i = 1; i < l.order.size(); ++i)
             EXPECT_LE(regions[l.order[i - 1]].layer, regions[l.order[i]].layer);
     }
@@ -281,7 +281,7 @@ TEST(Sequence, OneColumnIsOneStroke) {
     std::vector<Outlined> tower;
     for (std::uint32_t l = 0; l < 300; ++l) tower.push_back({l, box(0, 0, 5, 5)});
     const Result r = sequence(world(tower), {});
-    EXPECT_EQ(fact(r, "strokes"), 1);
+    EXPECT_EQ(fact(r, "planned-strokes"), 1);
     EXPECT_EQ(fact(r, "lower-bound"), 1);
 }
 
@@ -292,11 +292,11 @@ TEST(Sequence, FarApartTowersAreClimbedWholeAndNearOnesInTurns) {
             two.push_back({l, box(0, 0, 5, 5)}), two.push_back({l, box(5 + gap, 0, 5, 5)});
         return sequence(world(two), {});
     };
-    EXPECT_EQ(fact(pair(21), "strokes"), 2);
+    EXPECT_EQ(fact(pair(21), "planned-strokes"), 2);
     // from 8 mm, 40 layers, the carriage is in the way: clearance 41 layers, ceil(100 / 41) + 1
-    EXPECT_EQ(fact(pair(10), "strokes"), 4);
+    EXPECT_EQ(fact(pair(10), "planned-strokes"), 4);
     // 1 mm apart: the cone is 1 mm wide at (1 - 0.2) / tan 30 = 1.386 mm: clearance 7 layers
-    EXPECT_EQ(fact(pair(1), "strokes"), 16);
+    EXPECT_EQ(fact(pair(1), "planned-strokes"), 16);
     EXPECT_EQ(fact(pair(1), "lower-bound"), 16);
 }
 
@@ -308,8 +308,8 @@ TEST(Sequence, MeetsItsBoundWithoutAHead) {
         Options o;
         o.head.none = true;
         const Result r = sequence(regions, o);
-        EXPECT_EQ(fact(r, "strokes"), fact(r, "lower-bound")) << trial;
-        above_cover += fact(r, "strokes") > fact(r, "path-cover") ? 1 : 0;
+        EXPECT_EQ(fact(r, "planned-strokes"), fact(r, "lower-bound")) << trial;
+        above_cover += fact(r, "planned-strokes") > fact(r, "path-cover") ? 1 : 0;
     }
     RecordProperty("above_cover", above_cover);
 }

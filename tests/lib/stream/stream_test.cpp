@@ -204,6 +204,20 @@ TEST(stream, notes_come_out_as_they_went_in) {
     EXPECT_EQ(got.layer, note.layer);
     EXPECT_EQ(got.x, note.x);
     EXPECT_TRUE(std::isnan(got.y));
+    EXPECT_TRUE(std::isnan(got.z));
+    Note in_space = note;
+    in_space.y = 2, in_space.z = 0;
+    EXPECT_EQ(parse_note(serialise(in_space)).z, 0);
+}
+
+// Streams that were written before notes had a z.
+TEST(stream, a_note_without_z_has_none) {
+    const std::string old("\x0a\x01s\x12\x01w\x19\0\0\0\0\0\0\xf0\x3f\x28\x01\x39\0\0\0\0\0\0\xf0\x3f", 26);
+    const Note got = parse_note(old);
+    EXPECT_EQ(got.stage, "s");
+    EXPECT_EQ(got.amount, 1);
+    EXPECT_EQ(got.x, 1);
+    EXPECT_TRUE(std::isnan(got.z));
 }
 
 TEST(sink, a_named_file_appears_only_by_commit) {

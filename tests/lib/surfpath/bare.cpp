@@ -1,9 +1,12 @@
-// What a plan leaves without a bead is told, with area and place.
+// What a plan leaves without a bead, and what it lays twice, is told, with area and place.
 #include "surfpath/bare.hpp"
 
 #include "surface/curve/locate.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
 
 namespace filum::surfpath {
 namespace {
@@ -21,28 +24,69 @@ Plan rows(const Surface& s, double from, double to, double spacing) {
     return out;
 }
 
-// The fact, and that there is a note of the same.
-double told(const Surface& s, Plan plan) {
-    tell_bare(s, plan, 1);
-    EXPECT_EQ(plan.facts.at(0).name, "bare");
-    EXPECT_EQ(plan.notes.size(), plan.facts[0].value > 0.01 * surface::area(s) ? 1U : 0U);
-    for (const Note& note : plan.notes) EXPECT_EQ(note.amount, plan.facts[0].value);
-    return plan.facts[0].value;
+const Note* note(const Plan& plan, const std::string& what) {
+    const auto it = std::find_if(plan.notes.begin(), plan.notes.end(), [&](const Note& n) { return n.what == what; });
+    return it == plan.notes.end() ? nullptr : &*it;
+}
+
+// The facts "bare", "uncovered", "laid-twice", and that there are notes of just those beyond their share.
+std::array<double, 3> told(const Surface& s, Plan plan) {
+    tell_cover(s, plan, 1);
+    const std::array<const char*, 3> facts{"bare", "uncovered", "laid-twice"},
+        notes{"no line within a spacing", "not covered", "laid twice"};
+    const std::array<double, 3> shares{0.01, 0.04, 0.04};
+    std::array<double, 3> out{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(plan.facts.at(k).name, facts[k]);
+        out[k] = plan.facts[k].value;
+        const Note* n = note(plan, notes[k]);
+        EXPECT_EQ(n != nullptr, out[k] > shares[k] * surface::area(s)) << notes[k];
+        if (n != nullptr) {
+            EXPECT_EQ(n->amount, out[k]);
+        }
+    }
+    return out;
 }
 
 TEST(bare, rows_at_their_spacing_leave_nothing) {
     const Surface s = square(20);
-    EXPECT_EQ(told(s, rows(s, 0.5, 20, 1)), 0);
+    const auto [bare, uncovered, twice] = told(s, rows(s, 0.5, 20, 1));
+    EXPECT_EQ(bare, 0);
+    EXPECT_EQ(uncovered, 0);
+    EXPECT_NEAR(twice, 0, 1e-6);
 }
 
 TEST(bare, what_is_missing_is_told_with_its_place) {
     const Surface s = square(20);
-    Plan plan = rows(s, 0.5, 12, 1); // nothing from y = 11.5 on: bare from 12.5
-    EXPECT_NEAR(told(s, plan), 20 * 7.5, 3);
-    tell_bare(s, plan, 1);
-    EXPECT_GT(plan.notes.at(0).y, 13);
-    EXPECT_EQ(plan.notes[0].unit, "mm2");
-    EXPECT_NEAR(told(s, {}), 400, 1e-6);
+    Plan plan = rows(s, 0.5, 12, 1); // nothing from y = 11.5 on: bare from 12.5, uncovered from 12
+    const auto [bare, uncovered, twice] = told(s, plan);
+    EXPECT_NEAR(bare, 20 * 7.5, 3);
+    EXPECT_NEAR(uncovered, 20 * 8, 3);
+    EXPECT_NEAR(twice, 0, 3);
+    tell_cover(s, plan, 1);
+    for (const char* what : {"no line within a spacing", "not covered"}) {
+        ASSERT_NE(note(plan, what), nullptr);
+        EXPECT_GT(note(plan, what)->y, 13);
+        EXPECT_EQ(note(plan, what)->z, 0);
+        EXPECT_EQ(note(plan, what)->unit, "mm2");
+    }
+    EXPECT_NEAR(told(s, {})[0], 400, 1e-6);
+}
+
+TEST(bare, what_is_laid_twice_is_told_with_its_place) {
+    const Surface s = square(20, 3);
+    Plan plan = rows(s, 0.5, 20, 1);
+    Plan again = rows(s, 15.5, 18, 1); // three rows once more
+    plan.strokes.insert(plan.strokes.end(), again.strokes.begin(), again.strokes.end());
+    const auto [bare, uncovered, twice] = told(s, plan);
+    EXPECT_EQ(bare, 0);
+    EXPECT_EQ(uncovered, 0);
+    EXPECT_NEAR(twice, 3 * 20, 1);
+    tell_cover(s, plan, 1);
+    ASSERT_NE(note(plan, "laid twice"), nullptr);
+    EXPECT_GT(note(plan, "laid twice")->y, 14.9);
+    EXPECT_LT(note(plan, "laid twice")->y, 18.1);
+    EXPECT_EQ(note(plan, "laid twice")->z, 3);
 }
 
 // A line on the other skin of a thin wall covers nothing of this one.
@@ -52,7 +96,7 @@ TEST(bare, walls_are_not_seen_through) {
         {{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, 0, -0.3}, {20, 0, -0.3}, {20, 20, -0.3}, {0, 20, -0.3}},
          {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}}},
         notes);
-    EXPECT_NEAR(told(s, rows(s, 0.5, 20, 1)), 400, 1e-6);
+    EXPECT_NEAR(told(s, rows(s, 0.5, 20, 1))[0], 400, 1e-6);
 }
 
 } // namespace

@@ -78,6 +78,13 @@ struct Case {
 
 class Rings : public testing::TestWithParam<Case> {};
 
+Plan finished(const surface::Sheet& sheet, const char* algorithm) {
+    const Options o{.algorithm = algorithm};
+    Plan out = plan(sheet, o);
+    finish(sheet.surface, out, o);
+    return out;
+}
+
 void check(const surface::Sheet& sheet, const Plan& plan, double least) {
     ASSERT_EQ(plan.strokes.size(), 1U);
     const auto& pieces = plan.strokes[0].pieces;
@@ -96,13 +103,12 @@ void check(const surface::Sheet& sheet, const Plan& plan, double least) {
 
 TEST_P(Rings, contour_is_one_gentle_path) {
     const auto sheet = GetParam().make();
-    check(sheet, geo_contour(sheet, {.algorithm = "geo-contour"}), GetParam().covered);
+    check(sheet, finished(sheet, "geo-contour"), GetParam().covered);
 }
 
 TEST_P(Rings, fiso_is_one_gentle_path_that_ends_where_it_began) {
     const auto sheet = GetParam().make();
-    const Plan plan = geo_fiso(sheet, {.algorithm = "geo-fiso"});
-    check(sheet, plan, GetParam().covered - 0.03);
+    check(sheet, finished(sheet, "geo-fiso"), GetParam().covered - 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -115,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
                  return patch(48, 40, [](double x, double y) { return std::abs(x - 24) > 8 || std::abs(y - 20) > 8; });
              },
              0.9},
-        Case{"el", [] { return patch(48, 48, [](double x, double y) { return x < 24 || y < 24; }); }, 0.9},
+        Case{"el", [] { return patch(48, 48, [](double x, double y) { return x < 24 || y < 24; }); }, 0.85},
         Case{"dumbbell",
              [] {
                  return patch(64, 28, [](double x, double y) { return std::abs(x - 32) > 12 || std::abs(y - 14) < 6; });

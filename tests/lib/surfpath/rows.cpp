@@ -87,7 +87,8 @@ void expect_inside(const Surface& s, const Plan& plan) {
 
 TEST(Fina, CoversARectangleInOneStrokeWithoutTightTurns) {
     const auto s = seeded(50, 40, "plane:0,1,0,17.3", flat);
-    const Plan plan = fina(s, {.algorithm = "fina"});
+    Plan plan = fina(s, {.algorithm = "fina"});
+    finish(s.surface, plan, {.algorithm = "fina"});
     ASSERT_EQ(plan.strokes.size(), 1U);
     EXPECT_EQ(fact(plan, "hairpins"), 0);
     EXPECT_EQ(fact(plan, "rows"), 40); // 17.3 in 17 rows, 22.7 in 23

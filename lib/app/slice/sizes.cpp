@@ -1,0 +1,52 @@
+#include "app/slice/sizes.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "machine/profile.hpp"
+
+#include <algorithm>
+
+namespace filum::app::slice {
+
+namespace {
+
+constexpr double kInch = 4, kTiny = 1; // mm: parts whose longest side is less are likely to be in inches; to be wrong
+constexpr double kHuge = 1000;         // mm: beyond what common machines reach
+constexpr double kRounding = 1e-6;     // mm
+
+Note unlikely(std::string what, double longest) {
+    return {.stage = "", .what = std::move(what), .amount = longest, .unit = "mm"};
+}
+
+std::string spoken(const geom::Vec3& size) {
+    return fixed_text(size.x, 2) + " x " + fixed_text(size.y, 2) + " x " + fixed_text(size.z, 2) + " mm";
+}
+
+bool fits(double x, double y, double z, const geom::Vec3& room) {
+    return x <= room.x + kRounding && y <= room.y + kRounding && z <= room.z + kRounding;
+}
+
+} // namespace
+
+void check_size(const mesh::Box3& box, bool unit_known, Notes& notes) {
+    const geom::Vec3 size = box.hi - box.lo;
+    const double longest = std::max({size.x, size.y, size.z});
+    if (longest < (unit_known ? kTiny : kInch))
+        notes.push_back(unlikely("part is very small; is its file in inches or metres? See --unit", longest));
+    if (longest > kHuge)
+        notes.push_back(unlikely("part is larger than most machines; is its unit right? See --unit", longest));
+}
+
+void check_bed(const mesh::Box3& box, const std::string& machine) {
+    const machine::Profile profile = machine::load_profile(machine);
+    if (profile.axes.active()) return;
+    const machine::Bed& bed = profile.bed;
+    const geom::Vec3 size = box.hi - box.lo, room{bed.x_max - bed.x_min, bed.y_max - bed.y_min, bed.z_max - bed.z_min};
+    if (fits(size.x, size.y, size.z, room)) return;
+    throw Error(Exit::bad_input, "cannot make the part with '" + profile.name + "': it is " + spoken(size) +
+                                     ", and the machine reaches " + spoken(room) +
+                                     (fits(size.y, size.x, size.z, room) ? "; turn it by --rotate 0,0,90"
+                                                                         : "; check --unit and --scale"));
+}
+
+} // namespace filum::app::slice

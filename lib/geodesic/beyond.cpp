@@ -1,0 +1,91 @@
+#include "geodesic/beyond.hpp"
+
+#include "geodesic/query.hpp"
+
+#include <algorithm>
+
+namespace filum::geodesic {
+
+using surface::kNone;
+
+Beyond::Beyond(const Surface& s, const ExactField& field, double level) : surface_(s), sets_(s.vertices.size()) {
+    const auto& d = field.distance;
+    for (const double v : d) far_.push_back(std::isfinite(v) && v >= level ? 1 : 0);
+    std::vector<double> crossings;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const double a = d[s.tail(h)], b = d[s.head(h)];
+        if (s.twin[h] < h || !std::isfinite(a) || !std::isfinite(b)) continue;
+        crossings.clear();
+        if (within_reach(a, b, field.frame[h].length, level)) level_crossings(s, field, h, level, crossings);
+        if (!crossings.empty())
+            cut(h, crossings);
+        else if (far_[s.tail(h)] != 0)
+            sets_.unite(s.tail(h), s.head(h));
+    }
+    const Inside at = [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p) - level; };
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) join_across(t, at);
+    highest_.assign(sets_.number(part_), level);
+    for (std::size_t v = 0; v < d.size(); ++v)
+        if (far_[v] != 0) highest_[part_[v]] = std::max(highest_[part_[v]], d[v]);
+    for (const Stretch& g : stretches_) {
+        const Vec3 &a = s.vertices[s.tail(g.edge)], &b = s.vertices[s.head(g.edge)];
+        const Vec3 middle = a + (g.from + g.to) / 2 / field.frame[g.edge].length * (b - a);
+        double& highest = highest_[part_[g.node]];
+        highest = std::max(highest, distance_at(s, field, g.edge / 3, middle));
+    }
+}
+
+// The stretches of an edge between its crossings that are farther.
+void Beyond::cut(std::uint32_t h, std::span<const double> crossings) {
+    const std::uint32_t tail = surface_.tail(h), head = surface_.head(h);
+    const double length = distance(surface_.vertices[tail], surface_.vertices[head]);
+    double from = 0;
+    bool far = far_[tail] != 0;
+    for (std::size_t i = 0; i <= crossings.size(); ++i, far = !far) {
+        const double to = i < crossings.size() ? crossings[i] : length;
+        if (far) {
+            const std::uint32_t node = i == 0 ? tail : i == crossings.size() ? head : sets_.add();
+            stretches_.push_back({h, node, from, to});
+        }
+        from = to;
+    }
+}
+
+std::span<const Beyond::Stretch> Beyond::on(std::uint32_t half_edge) const {
+    const std::uint32_t edge = std::min(half_edge, surface_.twin[half_edge]);
+    const auto less = [](const Stretch& g, std::uint32_t e) { return g.edge < e; };
+    const auto first = std::lower_bound(stretches_.begin(), stretches_.end(), edge, less);
+    auto last = first;
+    while (last != stretches_.end() && last->edge == edge) ++last;
+    return {first, last};
+}
+
+// Where a triangle's border crosses the level more than twice, what is farther may hang together in the middle.
+void Beyond::join_across(std::uint32_t triangle, const Inside& above) {
+    std::size_t crossings = 0;
+    Vec3 sum;
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const std::uint32_t edge = std::min(h, surface_.twin[h]);
+        const Vec3 &a = surface_.vertices[surface_.tail(edge)], &b = surface_.vertices[surface_.head(edge)];
+        const double length = distance(a, b);
+        for (const Stretch& g : on(h))
+            for (const double x : {g.from, g.to})
+                if (x > 0 && x < length) ++crossings, sum = sum + a + x / length * (b - a);
+    }
+    if (crossings <= 2 || above(triangle, 1.0 / static_cast<double>(crossings) * sum) < 0) return;
+    std::uint32_t first = kNone;
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
+        for (const Stretch& g : on(h)) {
+            if (first != kNone) sets_.unite(first, g.node);
+            first = g.node;
+        }
+}
+
+std::uint32_t Beyond::part(const OnEdge& place) const {
+    const auto cut = on(place.h);
+    for (const Stretch& g : cut)
+        if (place.x >= g.from && place.x <= g.to) return part_[g.node];
+    return cut.empty() && far_[surface_.tail(place.h)] != 0 ? part_[surface_.tail(place.h)] : kNone;
+}
+
+} // namespace filum::geodesic
