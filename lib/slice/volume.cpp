@@ -222,7 +222,8 @@ Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int
             const double w = found[i].winding[p], turns = w / level;
             if (w > 0.5) out.solid[k] += h * found[i].cell;
             if (std::abs(turns - std::round(turns)) > kUncertain) out.baseless += h * found[i].cell;
-            if (std::abs(w - std::round(w)) <= kUncertain) continue;
+            const bool inside_out = w < -0.5; // some of the surface faces the wrong way
+            if (std::abs(w - std::round(w)) <= kUncertain && !inside_out) continue;
             if (out.undecided[k] == 0) out.where[k] = found[i].point[p];
             out.undecided[k] += h * found[i].cell;
         }
