@@ -156,8 +156,19 @@ void measure_area(const Surface& s, const Pieces& path, double width, Judged& ou
     out.overlap = out.length * width / out.area - out.covered;
 }
 
+// True if rims lie within a width on both sides: whoever goes there and back goes over the same ground twice.
+bool narrow(const surface::curve::Locator& ground, const At& at, const Vec3& along, double width) {
+    const Vec3 across = cross(at.normal, along), side = 1 / norm(across) * across;
+    for (const double sign : {-1.0, 1.0}) {
+        const Vec3 q = ground.nearest(at.point + 0.8 * sign * width * side, at.normal).point;
+        if (sign * dot(q - at.point, side) > 0.65 * width) return false;
+    }
+    return true;
+}
+
 // Path on path, and path across path.
-void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, double width, Judged& out) {
+void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, const surface::curve::Locator& ground,
+                     double width, Judged& out) {
     const double step = width / 4;
     for (std::size_t c = 0; c < chains.size(); ++c)
         for (double way = 0; way + step < chains[c].way.back(); way += step) {
@@ -169,6 +180,7 @@ void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, doubl
                 if (g.chain == c ? on < way + 3 * width : g.chain < c) return; // each pair once
                 found = found || std::abs(dot(d, along)) > 0.966 * norm(d) * norm(along);
             });
+            found = found && !narrow(ground, a, along, width);
             if (found && out.doubled == 0) out.doubled_at = a.point;
             out.doubled += found ? step : 0;
         }
@@ -211,7 +223,7 @@ Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& aske
     }
     const Pieces path(laid);
     measure_area(s, path, asked.spacing, out);
-    measure_doubles(laid, path, asked.spacing, out);
+    measure_doubles(laid, path, ground, asked.spacing, out);
     return out;
 }
 

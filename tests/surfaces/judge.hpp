@@ -27,9 +27,9 @@ struct Judged {
     double jump = 0;                           // mm: the farthest that a span begins from where one ended
     double tight = 0, undeclared = 0;          // mm of turns within less than the least radius
     double least_radius = 0;                   // mm
-    double doubled = 0;                        // mm of path that lies on other path, the same way
-    std::size_t crossings = 0;                 //
-    Vec3 undeclared_at, doubled_at, off_at;    //
+    double doubled = 0;        // mm of path that lies on other path, but in necks less than two widths wide
+    std::size_t crossings = 0; //
+    Vec3 undeclared_at, doubled_at, off_at; //
 };
 
 Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& asked);
