@@ -50,9 +50,9 @@ Filled fill(Mesh mesh, const surfpath::Options& o, const From& from, const Motio
     surfpath::finish(sheet.surface, plan, o);
     surfpath::Laying laying;
     laying.width = o.spacing;
-    return {
-        judge(sheet.surface, surfpath::spans(sheet.surface, plan, laying), {o.spacing, o.least_radius, true, false}),
-        plan.strokes.size()};
+    return {judge(sheet.surface, surfpath::spans(sheet.surface, plan, laying),
+                  {o.spacing, o.least_radius, true, false, {}}),
+            plan.strokes.size()};
 }
 
 // The middle of a triangle, and a way across the surface there.

@@ -1,7 +1,5 @@
 #include "surface/curve/walk.hpp"
 
-#include "surface/curve/strip.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +10,6 @@ namespace {
 constexpr double kSteep = 0.17;    // cosine of the angle between a chart and a triangle, at least
 constexpr std::size_t kMost = 1e6; // edges crossed
 constexpr double kOutside = -1e-7; // weight of a corner: a point with less lies outside
-constexpr double kDetour = 2;      // straight distances: no longer is a way over creases
 constexpr double kAbove = 1e-5;    // mm: a point farther from a triangle's plane lies above it, or below
 
 // The way within one triangle: by how much each weight changes over it, and where it leaves.
@@ -133,10 +130,7 @@ Laid lay(const Surface& s, const Chart& chart, const Place& from, std::span<cons
     return out;
 }
 
-namespace {
-
-// On the plane through both that stands upright on the surface; only both if that does not lead there.
-Line upright(const Surface& s, const Place& a, const Place& b) {
+Line join(const Surface& s, const Place& a, const Place& b) {
     const Vec3 sum = surface::normal(s, a.triangle) + surface::normal(s, b.triangle), way = b.point - a.point;
     if (a.triangle == b.triangle || !(norm(sum) > 0) || !(norm(cross(way, sum)) > 0)) return {{a, b}, false};
     const Chart flat = chart(a, 1 / norm(sum) * sum, way);
@@ -145,16 +139,6 @@ Line upright(const Surface& s, const Place& a, const Place& b) {
     if (!laid.whole || distance(laid.line.places.back().point, b.point) > 1e-6 * norm(way)) return {{a, b}, false};
     laid.line.places.back() = b;
     return std::move(laid.line);
-}
-
-} // namespace
-
-Line join(const Surface& s, const Place& a, const Place& b) {
-    Line out = upright(s, a, b);
-    if (leads(s, out)) return out;
-    const double straight = distance(a.point, b.point);
-    Line round = through_strip(s, a, b, kDetour * straight);
-    return round.size() > 2 && length(round) <= kDetour * straight ? round : out;
 }
 
 bool leads(const Surface& s, const Line& joined) {

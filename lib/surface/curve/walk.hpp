@@ -44,9 +44,8 @@ Laid lay(const Surface& s, const Chart& chart, const Place& from, std::span<cons
 // The line with places wherever it crosses edges, each stretch by join().
 Line threaded(const Surface& s, const Line& line);
 
-// The line from `a` to `b` on the plane through both that stands upright on the surface; if that does not lead there,
-// as over a crease, the shortest through triangles between them, up to twice as long as the straight way; else only
-// both.
+// The line from `a` to `b` on the plane through both that stands upright on the surface; only both if that does not
+// lead there.
 Line join(const Surface& s, const Place& a, const Place& b);
 
 // True if a line made by join() lies on the surface: it is two places only where none leads from one to the other, or
