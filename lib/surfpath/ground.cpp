@@ -1,5 +1,6 @@
 #include "surfpath/ground.hpp"
 
+#include "surface/curve/strip.hpp"
 #include "surface/curve/walk.hpp"
 
 #include <algorithm>
@@ -9,8 +10,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kOff = 0.01;  // mm
-constexpr double kSame = 1e-6; // mm: places that are one
+constexpr double kOff = 0.01;     // mm
+constexpr double kRoundabout = 2; // straight distances: no longer is the way between two places
+constexpr double kSame = 1e-6;    // mm: places that are one
 
 double off_line(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
@@ -24,7 +26,11 @@ enum class Step { whole, bent, none };
 Step step(const Surface& s, const Place& a, const Place& b, Line& way) {
     if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame) return Step::whole;
     way = surface::curve::join(s, a, b);
-    if (!surface::curve::leads(s, way)) return Step::none;
+    if (!surface::curve::leads(s, way)) { // as over a crease
+        const double longest = kRoundabout * distance(a.point, b.point);
+        way = surface::curve::through_strip(s, a, b, longest);
+        if (way.size() == 0 || surface::curve::length(way) > longest) return Step::none;
+    }
     double most = 0;
     for (const Place& p : way.places) most = std::max(most, off_line(p.point, a.point, b.point));
     return most > kOff ? Step::bent : Step::whole;

@@ -6,6 +6,7 @@
 #include "surfpath/declare.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
+#include "surfpath/fine.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
@@ -19,6 +20,7 @@ namespace filum::surfpath {
 
 namespace {
 
+constexpr double kLongest = 2;  // spacings: sides of the triangles that lines are found on
 constexpr double kBeside = 0.5; // mm beside a tight turn that are declared with it, or half a spacing: by whatever
                                 // stretch of the path curvature is measured, it shows there
 
@@ -37,7 +39,9 @@ std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p
 } // namespace
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
-    Plan out = lines(sheet, options);
+    const Fine small = fine(sheet, kLongest * options.spacing);
+    Plan out = lines(small.sheet, options);
+    back(out, small);
     keep_to_surface(sheet.surface, out);
     return out;
 }

@@ -1,5 +1,6 @@
 #include "judge.hpp"
 
+#include "geodesic/query.hpp"
 #include "geom/box_tree.hpp"
 #include "surface/curve/locate.hpp"
 
@@ -156,8 +157,39 @@ void measure_area(const Surface& s, const Pieces& path, double width, Judged& ou
     out.overlap = out.length * width / out.area - out.covered;
 }
 
+// Where rings come from, and how far from there they are.
+class Rise {
+  public:
+    Rise(const Surface& s, const surface::curve::Locator& ground, surface::Sources from)
+        : s_(s), ground_(ground), field_(geodesic::exact(s, with_rims(s, std::move(from)))) {}
+
+    // True if it falls to both sides of the path: rings of both slopes of a ridge come together, as in a neck.
+    [[nodiscard]] bool ridge(const At& at, const Vec3& along, double width) const {
+        const Vec3 across = cross(at.normal, along), side = 0.5 * width / norm(across) * across;
+        const double here = height(at.point, at.normal) - 0.2 * width;
+        return height(at.point + side, at.normal) < here && height(at.point - side, at.normal) < here;
+    }
+
+  private:
+    static surface::Sources with_rims(const Surface& s, surface::Sources out) {
+        for (const auto& rim : s.rims)
+            for (const auto h : rim.sides)
+                out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+        return out;
+    }
+    [[nodiscard]] double height(const Vec3& p, const Vec3& normal) const {
+        const auto q = ground_.nearest(p, normal);
+        return q.triangle == surface::kNone ? 0 : geodesic::distance_at(s_, field_, q.triangle, q.point);
+    }
+
+    const Surface& s_;
+    const surface::curve::Locator& ground_;
+    geodesic::ExactField field_;
+};
+
 // Path on path, and path across path.
-void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, double width, Judged& out) {
+void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, const Rise* rise, double width,
+                     Judged& out) {
     const double step = width / 4;
     for (std::size_t c = 0; c < chains.size(); ++c)
         for (double way = 0; way + step < chains[c].way.back(); way += step) {
@@ -169,6 +201,7 @@ void measure_doubles(const std::vector<Chain>& chains, const Pieces& path, doubl
                 if (g.chain == c ? on < way + 3 * width : g.chain < c) return; // each pair once
                 found = found || std::abs(dot(d, along)) > 0.966 * norm(d) * norm(along);
             });
+            found = found && !(rise != nullptr && rise->ridge(a, along, width));
             if (found && out.doubled == 0) out.doubled_at = a.point;
             out.doubled += found ? step : 0;
         }
@@ -211,7 +244,9 @@ Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& aske
     }
     const Pieces path(laid);
     measure_area(s, path, asked.spacing, out);
-    measure_doubles(laid, path, asked.spacing, out);
+    std::optional<Rise> rise;
+    if (asked.rings) rise.emplace(s, ground, asked.from);
+    measure_doubles(laid, path, rise ? &*rise : nullptr, asked.spacing, out);
     return out;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/note.hpp"
-#include "surface/surface.hpp"
+#include "surface/sources.hpp"
 #include "toolpath/path.hpp"
 
 #include <string>
@@ -17,7 +17,8 @@ using toolpath::Span;
 struct Asked {
     double spacing = 1, least_radius = 2.4; // mm
     bool on_surface = true;                 // whether the path should keep to it
-    bool rings = false;                     // whether it consists of rings, which must not lie on each other
+    bool rings = false;                     // whether it consists of rings, which must not lie on each other,
+    surface::Sources from{};                // and where from
 };
 
 struct Judged {
@@ -27,7 +28,7 @@ struct Judged {
     double jump = 0;                           // mm: the farthest that a span begins from where one ended
     double tight = 0, undeclared = 0;          // mm of turns within less than the least radius
     double least_radius = 0;                   // mm
-    double doubled = 0;                        // mm of path that lies on other path, the same way
+    double doubled = 0;                        // mm of path that lies on other path, but where rings meet on a ridge
     std::size_t crossings = 0;                 //
     Vec3 undeclared_at, doubled_at, off_at;    //
 };

@@ -64,21 +64,6 @@ void march(const std::array<std::uint32_t, 4>& corner, const std::vector<double>
     for (std::size_t k = 2; k < loop.size(); ++k) out.triangles.push_back({loop[0], loop[k - 1], loop[k]});
 }
 
-void split_in_four(Mesh& mesh) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
-    const auto between = [&](std::uint32_t a, std::uint32_t b) {
-        const auto [it, fresh] = middle.insert({std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size())});
-        if (fresh) mesh.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
-        return it->second;
-    };
-    std::vector<mesh::Triangle> out;
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const auto p = between(a, b), q = between(b, c), r = between(c, a);
-        for (const mesh::Triangle& t : {mesh::Triangle{a, p, r}, {p, b, q}, {r, q, c}, {p, q, r}}) out.push_back(t);
-    }
-    mesh.triangles = std::move(out);
-}
-
 // Some triangles in three of which two are slivers.
 void splinter(Mesh& mesh, Random& r) {
     const std::size_t n = mesh.triangles.size();
@@ -92,6 +77,23 @@ void splinter(Mesh& mesh, Random& r) {
         mesh.triangles.push_back({b, c, m});
         mesh.triangles.push_back({c, a, m});
     }
+}
+
+} // namespace
+
+void split_in_four(Mesh& mesh) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
+    const auto between = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [it, fresh] = middle.insert({std::minmax(a, b), static_cast<std::uint32_t>(mesh.vertices.size())});
+        if (fresh) mesh.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
+        return it->second;
+    };
+    std::vector<mesh::Triangle> out;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const auto p = between(a, b), q = between(b, c), r = between(c, a);
+        for (const mesh::Triangle& t : {mesh::Triangle{a, p, r}, {p, b, q}, {r, q, c}, {p, q, r}}) out.push_back(t);
+    }
+    mesh.triangles = std::move(out);
 }
 
 void shuffle(Mesh& mesh, Random& r) {
@@ -109,13 +111,10 @@ void shuffle(Mesh& mesh, Random& r) {
         std::swap(mesh.triangles[i - 1], mesh.triangles[r.below(i)]);
 }
 
-void turn_about(Mesh& mesh, Random& r) {
-    const Vec3 x = r.direction(), side = cross(x, r.direction()), y = 1 / norm(side) * side, z = cross(x, y);
-    const Vec3 by{r.in(-100, 100), r.in(-100, 100), r.in(-100, 100)};
-    for (Vec3& v : mesh.vertices) v = v.x * x + v.y * y + v.z * z + by;
+Motion turned(Random& r) {
+    const Vec3 x = r.direction(), side = cross(x, r.direction()), y = 1 / norm(side) * side;
+    return {x, y, cross(x, y), {r.in(-100, 100), r.in(-100, 100), r.in(-100, 100)}};
 }
-
-} // namespace
 
 Mesh sheet(Vec2 size, const Grid& grid, const Domain& inside, const Lift& lift, Random& r) {
     const auto n = std::max(1, static_cast<int>(std::round(size.x / grid.u))),
@@ -195,7 +194,11 @@ std::string spoil(Mesh& mesh, Random& r) {
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
         done += " flipped";
     }
-    if (r.chance(0.5)) turn_about(mesh, r), done += " turned";
+    if (r.chance(0.5)) {
+        const Motion motion = turned(r);
+        for (Vec3& v : mesh.vertices) v = motion.point(v);
+        done += " turned";
+    }
     return done;
 }
 

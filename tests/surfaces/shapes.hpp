@@ -42,6 +42,16 @@ void coarsen(Mesh& mesh);
 // Any of them, between 15 and 60 mm wide; its triangles are not spoilt yet.
 Shape random_shape(Random& random);
 
+// The same surface in other triangles, or elsewhere.
+void split_in_four(Mesh& mesh);
+void shuffle(Mesh& mesh, Random& random); // vertices, triangles, and which corner is first
+struct Motion {
+    Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, by{};
+    [[nodiscard]] Vec3 way(const Vec3& v) const { return v.x * x + v.y * y + v.z * z; }
+    [[nodiscard]] Vec3 point(const Vec3& p) const { return way(p) + by; }
+};
+Motion turned(Random& random);
+
 // Spoils what lies in the triangles but not in the shape: their order, corners, orientation, sizes; turns the whole
 // about and shifts it.  Returns what was done, in words.
 std::string spoil(Mesh& mesh, Random& random);

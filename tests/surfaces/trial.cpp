@@ -137,7 +137,7 @@ Outcome run(const Trial& t) {
     Outcome out;
     const bool ours = t.options.method == "filum";
     const bool rings = ours && (t.options.algorithm == "geo-fiso" || t.options.algorithm == "geo-contour");
-    const Asked asked{t.options.spacing, t.options.least_radius, ours, rings};
+    const Asked asked{t.options.spacing, t.options.least_radius, ours, rings, t.sheet.sources};
     try {
         surfpath::Plan plan =
             ours ? surfpath::plan(t.sheet, t.options) : baselines::kipping2022::plan(t.sheet, t.paper);

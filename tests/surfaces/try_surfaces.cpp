@@ -1,13 +1,15 @@
 // try_surfaces - every algorithm of surfpath on random surfaces, each in a process of its own, under a judge that asks
 // none of them
 //
-// try_surfaces [--seed S] [--first K] [--count N] [--jobs J] [--seconds T] [--write DIR] [--quiet]
+// try_surfaces [--same] [--seed S] [--first K] [--count N] [--jobs J] [--seconds T] [--write DIR] [--quiet]
 //   Runs the trials K .. K + N - 1 of the seed.  A trial that dies, takes longer than T seconds of processor time, or
 //   has faults is printed with what it was.  --write: leaves their surfaces there as streams.  Exit 1 if there is one.
+//   --same: compares paths on the same surface in other triangles instead.
 #include "stream/writer.hpp"
 #include "wire/surface.hpp"
 
 #include "base/error.hpp"
+#include "same.hpp"
 #include "trial.hpp"
 
 #include <cstdio>
@@ -26,7 +28,7 @@ using namespace filum;
 struct Asked {
     std::uint64_t seed = 1, first = 0, count = 100, jobs = 2, seconds = 60;
     std::string write;
-    bool quiet = false;
+    bool quiet = false, same = false;
 };
 
 void leave(const Asked& asked, std::uint64_t number, const surface::Sheet& sheet) {
@@ -37,6 +39,21 @@ void leave(const Asked& asked, std::uint64_t number, const surface::Sheet& sheet
                        header);
     out.write(wire::frame(sheet));
     out.close();
+}
+
+// In the child, of --same.  Exits as work().
+int work_same(const Asked& asked, std::uint64_t number) {
+    try {
+        const auto like = trials::compare(asked.seed, number);
+        std::printf("%llu %s\n", static_cast<unsigned long long>(number), like.words.c_str());
+        for (const auto& f : like.faults) std::printf("  FAULT %s\n", f.c_str());
+        std::fflush(stdout);
+        return like.faults.empty() ? 0 : 10;
+    } catch (const Error& e) {
+        std::printf("%llu no trial: %s\n", static_cast<unsigned long long>(number), e.what());
+        std::fflush(stdout);
+        return 11;
+    }
 }
 
 // In the child.  Exit 0: good; 10: faults; 11: no trial; 12: refused.
@@ -87,7 +104,7 @@ pid_t start(const Asked& asked, std::uint64_t number, std::FILE* output) {
     ::dup2(::fileno(output), STDERR_FILENO);
     const rlimit limit{asked.seconds, asked.seconds + 1};
     ::setrlimit(RLIMIT_CPU, &limit);
-    std::_Exit(work(asked, number));
+    std::_Exit(asked.same ? work_same(asked, number) : work(asked, number));
 }
 
 std::string text(std::FILE* f) {
@@ -150,6 +167,8 @@ int main(int argc, char** argv) {
         };
         if (std::strcmp(argv[i], "--quiet") == 0)
             asked.quiet = true;
+        else if (std::strcmp(argv[i], "--same") == 0)
+            asked.same = true;
         else if (std::strcmp(argv[i], "--write") == 0 && i + 1 < argc)
             asked.write = argv[++i];
         else if (!number("--seed", asked.seed) && !number("--first", asked.first) && !number("--count", asked.count) &&

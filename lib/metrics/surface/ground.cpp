@@ -103,7 +103,7 @@ class Laying {
 } // namespace
 
 Ground::Ground(const Surface& s, double edge)
-    : surface(s), finer(metrics::surface::finer(s, edge)), normals_(filum::surface::curve::vertex_normals(s)),
+    : surface(s), finer(filum::surface::finer(s, edge)), normals_(filum::surface::curve::vertex_normals(s)),
       locator_(s), fine_locator_(finer.surface), farther_(2 * edge) {}
 
 filum::surface::curve::Place Ground::foot(const Vec3& p, const Vec3& axis) const {

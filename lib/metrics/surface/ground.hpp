@@ -2,10 +2,12 @@
 #pragma once
 
 #include "metrics/surface/chains.hpp"
-#include "metrics/surface/finer.hpp"
+#include "surface/finer.hpp"
 #include "surface/curve/locate.hpp"
 
 namespace filum::metrics::surface {
+
+using filum::surface::Surface;
 
 inline constexpr std::size_t kGrain = 256; // samples, triangles or vertices of a piece of work
 
@@ -18,7 +20,7 @@ class Ground {
     Ground& operator=(const Ground&) = delete;
 
     const Surface& surface;
-    Finer finer;
+    filum::surface::Finer finer;
 
     // The place of the given surface (or of the finer one) nearest to `p`; if `axis` is not (0, 0, 0), among triangles
     // that face its way, unless those are more than two `edge` farther off: so a thin wall's skins are told apart.

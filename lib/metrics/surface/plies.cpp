@@ -52,7 +52,7 @@ class Distances {
 
   private:
     const Ground& ground_;
-    Finer fine_;
+    filum::surface::Finer fine_;
     std::vector<std::uint32_t> in_;
     std::vector<double> values_;
 };

@@ -3,9 +3,7 @@
 
 #include "surface/surface.hpp"
 
-namespace filum::metrics::surface {
-
-using filum::surface::Surface;
+namespace filum::surface {
 
 struct Finer {
     Surface surface;
@@ -17,4 +15,4 @@ struct Finer {
 // Stops before there would be more than `most` triangles.
 Finer finer(const Surface& surface, double edge, std::size_t most = 2'000'000);
 
-} // namespace filum::metrics::surface
+} // namespace filum::surface

@@ -1,12 +1,10 @@
-#include "metrics/surface/finer.hpp"
+#include "surface/finer.hpp"
 
 #include <algorithm>
 
-namespace filum::metrics::surface {
+namespace filum::surface {
 
 namespace {
-
-using filum::surface::kNone;
 
 // The surface under way.  `whole[h]`: the half-edge of the round before that h is, kNone if it is new or a half.
 struct Round {
@@ -99,9 +97,8 @@ Finer finer(const Surface& given, double edge, std::size_t most) {
         for (std::uint32_t t = 0; t < s.triangles.size(); ++t) cut(s, t, &middle[3 * t], vertices, round);
         auto twin = join(s, round);
         for (auto& p : round.parent) p = out.parent[p];
-        out = {filum::surface::assemble(std::move(vertices), std::move(round.triangles), std::move(twin)),
-               std::move(round.parent)};
+        out = {assemble(std::move(vertices), std::move(round.triangles), std::move(twin)), std::move(round.parent)};
     }
 }
 
-} // namespace filum::metrics::surface
+} // namespace filum::surface

@@ -1,0 +1,103 @@
+#include "same.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "geodesic/choose.hpp"
+#include "geodesic/measure.hpp"
+#include "surfpath/surfpath.hpp"
+
+#include "judge.hpp"
+#include "random.hpp"
+#include "shapes.hpp"
+
+#include <cmath>
+
+namespace filum::trials {
+
+namespace {
+
+constexpr double kCoverage = 0.02; // of the area: that much may differ,
+constexpr double kLength = 0.02;   // of the length,
+constexpr std::size_t kStrokes = 1;
+constexpr std::size_t kMost = 10'000; // triangles: four times as many are to be filled, too
+
+// Where lines come from, as a part of space that moves with the surface.
+struct From {
+    Vec3 point, normal;
+};
+
+std::string text(const Vec3& v) { return shortest_text(v.x) + "," + shortest_text(v.y) + "," + shortest_text(v.z); }
+
+std::string source(const std::string& algorithm, const From& from, const Motion& m) {
+    const Vec3 n = m.way(from.normal), p = m.point(from.point);
+    if (algorithm == "geo-spiral") return "point:" + text(p);
+    if (algorithm == "geo-fiso" || algorithm == "geo-contour") return "boundary";
+    return "plane:" + text(n) + "," + shortest_text(dot(n, p));
+}
+
+struct Filled {
+    Judged judged;
+    std::size_t strokes = 0;
+};
+
+Filled fill(Mesh mesh, const surfpath::Options& o, const From& from, const Motion& motion) {
+    Notes notes;
+    for (Vec3& v : mesh.vertices) v = motion.point(v);
+    surface::Sheet sheet;
+    sheet.surface = surface::connect(std::move(mesh), notes);
+    geodesic::measure(sheet, geodesic::choose(sheet.surface, source(o.algorithm, from, motion), notes), {}, notes);
+    surfpath::Plan plan = surfpath::plan(sheet, o);
+    surfpath::finish(sheet.surface, plan, o);
+    surfpath::Laying laying;
+    laying.width = o.spacing;
+    return {judge(sheet.surface, surfpath::spans(sheet.surface, plan, laying),
+                  {o.spacing, o.least_radius, true, false, {}}),
+            plan.strokes.size()};
+}
+
+// The middle of a triangle, and a way across the surface there.
+From from_somewhere(const Mesh& mesh, Random& r) {
+    const auto& [a, b, c] = mesh.triangles[r.below(mesh.triangles.size())];
+    const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &s = mesh.vertices[c];
+    return {1.0 / 3 * (p + q + s), r.direction()};
+}
+
+void hold(const std::string& name, const Filled& a, const Filled& b, std::vector<std::string>& faults) {
+    const auto differ = [&](const char* what, double x, double y) {
+        faults.push_back(name + ": " + what + " " + fixed_text(y, 3) + ", was " + fixed_text(x, 3));
+    };
+    if (std::abs(a.judged.covered - b.judged.covered) > kCoverage)
+        differ("coverage", a.judged.covered, b.judged.covered);
+    if (std::abs(a.judged.length - b.judged.length) > kLength * a.judged.length)
+        differ("length", a.judged.length, b.judged.length);
+    if (std::max(a.strokes, b.strokes) - std::min(a.strokes, b.strokes) > kStrokes)
+        differ("strokes", static_cast<double>(a.strokes), static_cast<double>(b.strokes));
+}
+
+} // namespace
+
+Likeness compare(std::uint64_t seed, std::uint64_t number) {
+    Random r(seed * 1'000'003 + number);
+    static const std::vector<std::string> algorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"};
+    surfpath::Options o;
+    o.algorithm = r.of(algorithms);
+    o.spacing = r.chance(0.3) ? 1 : r.in(0.8, 2.5);
+    const Shape shape = random_shape(r);
+    if (shape.mesh.triangles.empty()) throw Error(Exit::usage, "nothing is left of the shape");
+    if (shape.mesh.triangles.size() > kMost) throw Error(Exit::usage, "too many triangles for a trial");
+    const From from = from_somewhere(shape.mesh, r);
+    Likeness out;
+    out.words = o.algorithm + " spacing " + fixed_text(o.spacing, 2) + " on " + shape.name + ", " +
+                std::to_string(shape.mesh.triangles.size()) + " triangles";
+    const Filled first = fill(shape.mesh, o, from, {});
+    Mesh shuffled = shape.mesh, split = shape.mesh;
+    shuffle(shuffled, r);
+    split_in_four(split);
+    hold("shuffled", first, fill(shuffled, o, from, {}), out.faults);
+    hold("split", first, fill(split, o, from, {}), out.faults);
+    hold("turned", first, fill(shape.mesh, o, from, turned(r)), out.faults);
+    out.words += ", covered " + fixed_text(first.judged.covered, 3) + ", " + std::to_string(first.strokes) + " strokes";
+    return out;
+}
+
+} // namespace filum::trials
