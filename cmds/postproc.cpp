@@ -3,15 +3,18 @@
 // writes: text
 // memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
 #include "app/postproc/postproc.hpp"
+#include "cli/deviation_options.hpp"
+#include "cli/head_options.hpp"
 
 namespace {
 
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
-    "travel with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken "
-    "back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
+    "Writes the program that a machine runs: every bead as moves with their own material, every break as a travel "
+    "with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken back. "
+    "Material is exact: what rounding leaves over goes into the next move. What lies within --path-tolerance of one "
+    "move, straight or (with format.arcs) an arc, becomes that; a bead's section stays within 5 % meanwhile.\n\n"
     "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
     "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
@@ -39,22 +42,20 @@ cli::Spec spec(postproc::Options& o) {
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
         .memory = "one span; what else arrives is kept, beyond 48 MiB in a temporary file in $TMPDIR",
-        .options =
+        .options = cli::with(
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
-             cli::Option{"place", &o.place, "",
-                         "where the part goes: center, the middle of the bed; or as-is, where it is"}
-                 .one_of({"center", "as-is"}),
+             cli::Option{"place", &o.place, "", "where the part goes: center, of the bed; or as-is"}.one_of(
+                 {"center", "as-is"}),
              {"orient", &o.orient, "",
               "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
               "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
              {"set", &o.set, "KEY=VALUE,...",
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
-             cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
-                 {"error", "drop"}),
              cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting(),
              cli::Option{"modules", &o.modules, "FOLDER",
                          "of robots: where the modules go of a program longer than robot.module_moves"}
                  .not_a_setting()},
+            cli::deviation_options(o)),
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},

@@ -2,28 +2,14 @@
 // reads:  Surface
 // writes: Toolpath
 // memory: the model, and windows of distance
-#include "surfpath/surfpath.hpp"
-#include "baselines/kipping2022/kipping2022.hpp"
-#include "cli/command.hpp"
+#include "app/surfpath/surfpath.hpp"
 #include "cli/head_options.hpp"
-#include "surfpath/patches.hpp"
-#include "wire/planar.hpp"
-#include "wire/surface.hpp"
-
-#include <algorithm>
 
 namespace {
 
 using namespace filum;
+using app::surfpath::Options;
 using cli::Option;
-
-struct Options {
-    surfpath::Options plan{.algorithm = "planned"};
-    surfpath::Laying laying;
-    std::int64_t ply = 0;
-    std::vector<double> plane;
-    baselines::kipping2022::Options paper;
-};
 
 constexpr const char* kDescription =
     "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
@@ -86,12 +72,9 @@ cli::Spec spec(Options& o) {
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
                  .within(0.001, 1000)
                  .same_as({"choose.spacing"}),
-             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}
-                 .within(0, 1e5)
-                 .same_as({"choose.least-radius"})
-                 .when("!method=kipping2022 algorithm=planned|fina|fexa|geo-fiso|geo-contour|geo-spiral/turns=wide"),
+             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5).same_as(
+                 {"choose.least-radius"}),
              Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"}
-                 .when("!method=kipping2022")
                  .a_limit(),
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
                  .one_of({"none", "hairpin", "wide"})
@@ -115,55 +98,6 @@ cli::Spec spec(Options& o) {
         .leading = "algorithm"};
 }
 
-surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
-    surfpath::Options asked = o.plan;
-    asked.algorithm = algorithm, asked.offset = o.laying.offset;
-    baselines::kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm, paper.spacing = asked.spacing;
-    if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    surfpath::Plan out =
-        asked.method == "kipping2022" ? baselines::kipping2022::plan(sheet, paper) : surfpath::plan(sheet, asked);
-    surfpath::finish(sheet.surface, out, asked);
-    return out;
-}
-
-// Warns of options of algorithms that no patch follows.
-void tell_idle(const std::vector<std::string>& algorithms, const cli::Io& io) {
-    const auto used = [&](const char* name) {
-        return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
-    };
-    const auto idle = [&](const std::vector<const char*>& options, const char* of) {
-        for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
-    };
-    if (!used("ortheo")) idle({"turns", "min-length", "d-iso", "least-spacing"}, "ortheo");
-    if (!used("fina") && !used("fexa") && !used("ortheo")) idle({"plane"}, "fina, fexa or ortheo");
-    const bool rings = used("geo-fiso") || used("geo-contour");
-    if (!rings) idle({"t-dist"}, "geo-fiso or geo-contour");
-    if (!rings && !used("geo-spiral")) idle({"n-thresh"}, "geo-fiso, geo-contour or geo-spiral");
-}
-
-void run(const Options& o, const cli::Io& io) {
-    std::vector<surface::Sheet> sheets;
-    auto whole = cli::read_all(io.input, stream::Payload::surface,
-                               [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
-    const auto algorithms = surfpath::algorithms(sheets, o.plan.algorithm);
-    tell_idle(algorithms, io);
-    auto patches = surfpath::each_patch(sheets, algorithms, io.threads,
-                                        [&](std::size_t k) { return lay(sheets[k], o, algorithms[k]); });
-    surfpath::Laying laying = o.laying;
-    laying.width = o.plan.spacing, laying.layer = static_cast<std::uint32_t>(o.ply);
-    const auto spans = surfpath::spans(sheets, patches.plans, laying);
-    cli::Io self = io; // with what was followed
-    for (auto& s : self.settings)
-        if (s.name == "algorithm" && sheets.size() == 1)
-            s.value = algorithms[0], s.changed = s.value != surfpath::algorithms(sheets, "planned")[0];
-    whole.header.expected = spans.size();
-    std::vector<stream::RawFrame> frames;
-    for (const auto& span : spans) frames.push_back(wire::frame(span));
-    cli::write_all(io, cli::header(self, stream::Payload::toolpath, {&whole.header}), whole, patches.notes,
-                   patches.facts, frames);
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, app::surfpath::run); }

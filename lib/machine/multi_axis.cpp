@@ -54,6 +54,8 @@ void speeds(Document& doc, MultiAxis& m) {
     degrees(doc, "kinematics.turn_speed_deg", m.turn_speed, {0, 1e6, true});
     degrees(doc, "kinematics.tilt_acceleration_deg", m.tilt_acceleration, {0, 1e8, true});
     degrees(doc, "kinematics.turn_acceleration_deg", m.turn_acceleration, {0, 1e8, true});
+    degrees(doc, "kinematics.tilt_corner_speed_deg", m.tilt_corner_speed, {0, 1e6, true});
+    degrees(doc, "kinematics.turn_corner_speed_deg", m.turn_corner_speed, {0, 1e6, true});
     limits(doc, "kinematics.tilt_deg", m.limits.tilt_min, m.limits.tilt_max);
     limits(doc, "kinematics.turn_deg", m.limits.turn_min, m.limits.turn_max);
 }

@@ -37,8 +37,9 @@ struct MultiAxis {
     // Where the axes are taken to stand behind the start template: from there the first stroke is approached.
     std::optional<kinematics::Joints> start;
     char tilt_letter = 'B', turn_letter = 'C';
-    double tilt_speed = 1, turn_speed = 2;                 // rad/s
-    double tilt_acceleration = 10, turn_acceleration = 20; // rad/s2
+    double tilt_speed = 1, turn_speed = 2;                         // rad/s
+    double tilt_acceleration = 10, turn_acceleration = 20;         // rad/s2
+    double tilt_corner_speed = 0.0873, turn_corner_speed = 0.1745; // rad/s that the axis may jump from move to move
     Numbers numbers = Numbers::joints;
     FeedWord feed_word = FeedWord::inverse;
     std::string tcp_on, tcp_off; // codes around what has tip numbers

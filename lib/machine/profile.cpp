@@ -89,8 +89,23 @@ void read_extrusion(Document& doc, Extrusion& e) {
         doc.fail(e.on.empty() ? "extrusion.on" : "extrusion.off", "a valve needs codes to open and to close");
 }
 
+void read_planner(Document& doc, Motion& m) {
+    std::string controller = "marlin";
+    doc.choice("motion.controller", controller, {"marlin", "klipper", "reprapfirmware", "linuxcnc"});
+    m.controller = controller == "klipper"          ? Controller::klipper
+                   : controller == "reprapfirmware" ? Controller::reprapfirmware
+                   : controller == "linuxcnc"       ? Controller::linuxcnc
+                                                    : Controller::marlin;
+    doc.number("motion.acceleration_z", m.acceleration_z, above_zero(kInf));
+    doc.number("motion.extruder_corner_speed", m.extruder_corner_speed, above_zero(kInf));
+    doc.number("motion.minimum_cruise_ratio", m.minimum_cruise_ratio, {0, 0.99});
+    doc.whole("motion.look_ahead", m.look_ahead, 0, 1000);
+    doc.number("motion.moves_per_second", m.moves_per_second, above_zero(kInf));
+}
+
 void read_motion(Document& doc, Profile& p) {
     Motion& m = p.motion;
+    read_planner(doc, m);
     doc.number("motion.max_speed", m.max_speed, above_zero(1e5));
     doc.number("motion.max_speed_z", m.max_speed_z, above_zero(1e5));
     doc.number("motion.acceleration", m.acceleration, above_zero(1e7));
@@ -124,6 +139,7 @@ void read_travel(Document& doc, Travel& t) {
     doc.number("travel.lift", t.lift, {0, 1000});
     doc.number("travel.retract", t.retract, {0, 1000});
     doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
+    doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
     doc.number("travel.extra", t.extra, {0, 1000});
     doc.number("travel.min_length", t.min_length, {0, 1e5});
 }
@@ -148,6 +164,7 @@ void read_format(Document& doc, Format& f) {
     f.crlf = line_end == "crlf";
     doc.flag("format.viewer_comments", f.viewer_comments);
     doc.choice("format.travel_code", f.travel_code, {"G0", "G1"});
+    doc.flag("format.arcs", f.arcs);
 }
 
 // A robot's language goes with tool frames, and with nothing else.
@@ -195,10 +212,14 @@ void read_templates(Document& doc, Profile& p) {
     }
     doc.text("templates.start", p.templates.start);
     doc.text("templates.layer", p.templates.layer);
+    doc.text("templates.first_layer", p.templates.first_layer);
+    doc.text("templates.upper_layers", p.templates.upper_layers);
     doc.text("templates.end", p.templates.end);
     check_codes(doc, p,
                 {{"templates.start", &p.templates.start},
                  {"templates.layer", &p.templates.layer},
+                 {"templates.first_layer", &p.templates.first_layer},
+                 {"templates.upper_layers", &p.templates.upper_layers},
                  {"templates.end", &p.templates.end},
                  {"extrusion.on", &p.extrusion.on},
                  {"extrusion.off", &p.extrusion.off},
@@ -271,6 +292,17 @@ void read_own_tools(Document& doc, Profile& p) {
 
 } // namespace
 
+Merging standard_merging() { return {0.01, 0.02, geom::radians(0.5)}; }
+
+void merge_moves(Profile& profile, const Merging& merging) {
+    profile.merging = merging;
+    for (auto& [number, one] : profile.own) {
+        Profile copy = *one;
+        copy.merging = merging;
+        one = std::make_shared<const Profile>(std::move(copy));
+    }
+}
+
 const std::string& change_codes(const Profile& profile, std::uint32_t tool) {
     const Profile& own = of_tool(profile, tool);
     return own.change.empty() ? profile.tools.change : own.change;
@@ -312,6 +344,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_format(doc, p.format);
     check_robot(doc, p);
     doc.numbers("values", p.values);
+    if (const auto found = p.values.find("tolerance"); found != p.values.end()) p.motion.blend = found->second;
     read_templates(doc, p);
     read_own_tools(doc, p);
     check_fibre(doc, p);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <span>
 
@@ -291,9 +292,29 @@ std::vector<char> repeated(const Sheets& sheets, const std::vector<Face>& faces)
     return out;
 }
 
+// Per sheet whether it bounds a solid by itself, but for cracks: its areas, as vectors, cancel out.
+std::vector<char> nearly_closed(const Mesh& mesh, const Sheets& sheets) {
+    std::vector<Vec3> sum(sheets.open.size());
+    std::vector<double> size(sheets.open.size(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Triangle& tri = mesh.triangles[t];
+        const Vec3 a = mesh.vertices[tri[0]];
+        const Vec3 n = cross(mesh.vertices[tri[1]] - a, mesh.vertices[tri[2]] - a);
+        sum[sheets.of[t]] = sum[sheets.of[t]] + n;
+        size[sheets.of[t]] += norm(n);
+    }
+    std::vector<char> out(sum.size());
+    for (std::size_t s = 0; s < out.size(); ++s) out[s] = norm(sum[s]) <= kOpenShare * size[s] ? 1 : 0;
+    return out;
+}
+
 // Gives each fan of triangles round a vertex a vertex of its own if it closes, or if more than two triangles meet on an
-// edge there; open ones else stay together, as what lies between them may be a hole.
+// edge there; open ones else stay together, as what lies between them may be a hole: but for those of sheets that
+// nearly close by themselves, which need no others.
 void part_vertices(Mesh& mesh, const std::vector<HalfEdge>& sides, const std::vector<std::uint32_t>& mate) {
+    const Sheets sheets = sheets_of(mate);
+    const std::vector<char> whole = nearly_closed(mesh, sheets);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> own; // vertex and sheet: what the open fans share
     geom::DisjointSets corners(mate.size());
     for (std::uint32_t s = 0; s < mate.size(); ++s) {
         const std::uint32_t o = mate[s];
@@ -315,17 +336,22 @@ void part_vertices(Mesh& mesh, const std::vector<HalfEdge>& sides, const std::ve
     std::vector<char> taken(mesh.vertices.size(), 0);
     std::vector<std::uint32_t> to(mate.size()), shared(mesh.vertices.size(), kNoSide);
     for (std::uint32_t c = 0; c < mate.size(); ++c) {
-        const std::uint32_t v = mesh.triangles[c / 3][c % 3];
-        if (corners.root(c) != c)
+        const std::uint32_t v = mesh.triangles[c / 3][c % 3], sheet = sheets.of[c / 3];
+        if (corners.root(c) != c) {
             to[c] = to[corners.root(c)];
-        else if (open[c] != 0 && crowded[v] == 0 && shared[v] != kNoSide)
-            to[c] = shared[v];
-        else {
-            to[c] = taken[v] == 0 ? v : static_cast<std::uint32_t>(mesh.vertices.size());
+            continue;
+        }
+        std::uint32_t alone = kNoSide;
+        const bool may_share = open[c] != 0 && crowded[v] == 0;
+        std::uint32_t& with = !may_share          ? alone
+                              : whole[sheet] != 0 ? own.try_emplace({v, sheet}, kNoSide).first->second
+                                                  : shared[v];
+        if (with == kNoSide) {
+            with = taken[v] == 0 ? v : static_cast<std::uint32_t>(mesh.vertices.size());
             if (taken[v] != 0) mesh.vertices.push_back(Vec3(mesh.vertices[v]));
             taken[v] = 1;
-            if (open[c] != 0) shared[v] = to[c];
         }
+        to[c] = with;
     }
     for (std::uint32_t c = 0; c < mate.size(); ++c) mesh.triangles[c / 3][c % 3] = to[c];
 }

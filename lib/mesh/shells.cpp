@@ -4,6 +4,7 @@
 #include "mesh/formats.hpp"
 #include "mesh/holes.hpp"
 #include "mesh/place.hpp"
+#include "mesh/sides.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +14,6 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr double kOpenShare = 0.05;    // of a shell's area: a few holes do not matter, a sheet has no volume
 constexpr std::size_t kWitnesses = 13; // points of a shell that are asked what lies around them
 constexpr double kSameSize = 0.01;     // of a volume: shells that may be copies of each other
 

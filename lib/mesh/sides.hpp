@@ -9,6 +9,9 @@
 
 namespace filum::mesh {
 
+// Of the area of what bounds a solid: a few holes do not matter, a sheet has no volume.
+inline constexpr double kOpenShare = 0.05;
+
 inline constexpr std::uint32_t kNoSide = ~std::uint32_t{0};
 
 // Side k of triangle t, from its corner k to the next one, is side 3t + k.

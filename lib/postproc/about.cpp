@@ -5,6 +5,7 @@
 #include "postproc/digits.hpp"
 #include "postproc/job.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace filum::postproc {
@@ -112,6 +113,18 @@ std::vector<std::string> axes(const machine::Profile& profile) {
     return {chain, pivots(a.chain), numbers, " feed: F is " + feed};
 }
 
+// How far the program may be from the toolpath.
+std::string merged(const machine::Profile& profile) {
+    const auto& m = profile.merging;
+    std::string out = " path: moves merged within " + shortest_text(m.planar) + " mm of the toolpath";
+    if (!profile.axes.active() && m.surface != m.planar)
+        out += ", " + shortest_text(m.surface) + " mm where it leans the tool";
+    if (profile.axes.active())
+        out += ", where it leans the tool " + shortest_text(m.surface) + " mm and " +
+               shortest_text(geom::degrees(m.axis)) + " degrees";
+    return out;
+}
+
 void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
     const Used material = used(profile, s);
@@ -139,10 +152,17 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
                  Facts& facts) {
     const auto& a = profile.axes;
-    if (a.chain.carrier == kinematics::Carrier::frame)
-        return add_arm_efforts(profile, survey.efforts.arm, stage, notes, facts);
-    if (!a.active()) return;
     const Efforts& e = survey.efforts;
+    facts.push_back({stage, "moves", static_cast<double>(survey.moves), ""});
+    facts.push_back({stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, survey.laying)), ""});
+    facts.push_back({stage, "largest-merge", e.off, "mm"});
+    facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
+    constexpr double told = 0.01; // degrees
+    if (!a.active() && geom::degrees(e.lean) > told)
+        notes.push_back({stage, "nozzle upright where the toolpath leans it", geom::degrees(e.lean), "deg", 1, -1,
+                         e.lean_at.x, e.lean_at.y});
+    if (a.chain.carrier == kinematics::Carrier::frame) return add_arm_efforts(profile, e.arm, stage, notes, facts);
+    if (!a.active()) return;
     const auto degrees = [](double rad) { return geom::degrees(rad); };
     facts.push_back({stage, "unwinds", static_cast<double>(e.unwinds), ""});
     facts.push_back({stage, "largest-lean", degrees(e.lean), "deg"});
@@ -152,7 +172,6 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
     if (e.unwinds_in_turns > 0)
         notes.push_back(
             {stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks", e.unwinds_in_turns});
-    constexpr double told = 0.01; // degrees
     if (degrees(e.clipped) > told)
         notes.push_back({stage, "tool leans to keep the limits of the tilt axis", degrees(e.clipped), "deg", 1, -1,
                          e.clipped_at.x, e.clipped_at.y});
@@ -166,6 +185,7 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
+    lines.push_back(merged(profile));
     if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
     pipeline(stages, lines);
     remarks(notes, lines);

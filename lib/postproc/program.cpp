@@ -109,6 +109,9 @@ void Program::layer(const Step& step) {
         comment("HEIGHT:" + fixed_text(step.height, 3));
         height_ = step.height;
     }
+    const bool upper = step.layer > 0;
+    if (std::exchange(upper_, upper) != upper)
+        code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
     code(profile_->templates.layer);
     // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
     // offset could halt the stroke.
@@ -154,6 +157,26 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
     return true;
 }
 
+// Of what lays material: an arc where it can be told from its chord.
+bool Program::bead_words(const Step& step, const std::array<std::int64_t, 5>& to) {
+    const std::int64_t i = units(step.centre.x + shift_.x, xyz_scale_) - at_[0],
+                       j = units(step.centre.y + shift_.y, xyz_scale_) - at_[1];
+    constexpr std::int64_t least = 10; // units of the last decimal
+    const auto far = [](std::int64_t a, std::int64_t b) { return std::abs(a) + std::abs(b) >= least; };
+    if (step.sweep == 0 || !far(i, j) || !far(to[0] - at_[0], to[1] - at_[1])) return words(to, "G1");
+    text_ += step.sweep > 0 ? "G3" : "G2";
+    const auto word = [&](char letter, std::int64_t value) {
+        text_ += ' ';
+        text_ += letter;
+        append_units(text_, value, profile_->format.xyz_decimals);
+    };
+    word('X', to[0]), word('Y', to[1]);
+    if (to[2] != at_[2]) word('Z', to[2]);
+    word('I', i), word('J', j);
+    at_ = to;
+    return true;
+}
+
 void Program::feed_units(double value) {
     const auto f = std::max<std::int64_t>(1, units(value, f_scale_));
     if (f == f_) return;
@@ -169,7 +192,10 @@ void Program::feed(const Step& step, double way) {
     constexpr double degrees = 180 / std::numbers::pi;
     const double turned = std::max(std::abs(step.tilt - tilt_), std::abs(step.turn - turn_)) * degrees;
     tilt_ = step.tilt, turn_ = step.turn;
-    if (!(step.seconds > 0)) return;
+    if (!(step.seconds > 0)) { // as fast as a travel; a feed that the start template left could be any
+        if (profile_->axes.feed_word == machine::FeedWord::per_minute) feed(step.feed);
+        return;
+    }
     switch (profile_->axes.feed_word) {
     case machine::FeedWord::per_minute:
         return feed_units(60 * (way > 0 ? way : turned) / step.seconds);
@@ -194,7 +220,7 @@ void Program::extruder_only(std::int64_t units, double speed) {
     if (units == 0 || !counts()) return;
     text_ += "G1";
     material(units);
-    const double seconds = static_cast<double>(std::abs(units)) / e_scale_ / speed;
+    const double seconds = std::max(static_cast<double>(std::abs(units)) / e_scale_ / speed, kLeastSeconds);
     if (profile_->axes.active() && profile_->axes.feed_word != machine::FeedWord::per_minute) {
         f_ = -1;
         feed_units(profile_->axes.feed_word == machine::FeedWord::inverse ? 60 / seconds : seconds);
@@ -213,10 +239,11 @@ void Program::move(const Step& step) {
     if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
     // Else as far as it is taken to be, from where the axes are taken to stand.
-    const double way =
+    double way =
         known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : distance(step.axes, stood_);
     stood_ = step.axes;
     const bool timed = rotary && profile_->axes.feed_word != machine::FeedWord::per_minute;
+    if (known && way < toolpath::kLeastMove * (1 - 1e-9)) to[0] = at_[0], to[1] = at_[1], to[2] = at_[2], way = 0;
     if (step.act == Act::climb) {
         const bool rapid = timed && !(step.seconds > 0); // from nobody knows where
         if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, rapid ? profile_->format.travel_code : "G1"))
@@ -227,7 +254,7 @@ void Program::move(const Step& step) {
     } else {
         laid_ += feeds(step);
         bead_comments(step);
-        if (!words(to, "G1")) return; // too short to see: its material goes on with the next
+        if (!bead_words(step, to)) return; // too short to see: its material goes on with the next
         if (counts()) material(due());
     }
     if (rotary)

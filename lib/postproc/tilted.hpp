@@ -10,12 +10,13 @@ namespace filum::postproc {
 
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
 // that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
-// joints the axes move straight, so they are cut in equal parts until the tip is off its line by no more than the
-// profile's chord, its last decimals included.
+// joints the axes move straight; as many are written as keep the tip to its line, and no more than the profile's
+// Merging needs (poses.hpp).
 //
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
-// its speed faster than it can, so the path slows down, never the reverse.
+// its speed faster than it can, so the path slows down, never the reverse; and where the controller takes no more moves
+// at a time (throughput.hpp).
 // Where an axis would leave its limits the stroke is broken and the axes turned back in the air (see lifts.hpp), which
 // the efforts count.  Throws Error(failure) naming the place that the axes cannot reach, or where the tool would lean
 // off its axis by more than the profile's orientation.
@@ -35,13 +36,12 @@ class TiltedWalk final : public Walker {
     void note(const kinematics::Track& track, std::span<const kinematics::Lifting> places);
     void emit(const std::vector<double>& seconds);
     void move(std::size_t to, double seconds);
-    [[nodiscard]] std::vector<double> durations() const;
+    [[nodiscard]] std::vector<double> durations();
     [[nodiscard]] std::size_t exchange() const;
     void put(const Step& step);
     [[nodiscard]] double swing(std::size_t i) const;
     [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
     [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
-    [[nodiscard]] std::uint32_t parts(std::size_t i, double seconds) const;
 
     [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); } // for the tool
 

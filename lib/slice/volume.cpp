@@ -15,13 +15,15 @@ namespace filum::slice {
 
 namespace {
 
-constexpr double kTold = 0.02;             // of the volume: more is told
+constexpr double kTold = 0.015;            // of the volume: more is told; 2 %, less what the measure itself is off
 constexpr double kUncertain = 0.25;        // winding numbers so far from whole ones leave open what is inside
 constexpr std::size_t kPlanes = 256;       // that a part is measured by,
 constexpr std::size_t kPoints = 64000;     // and points on them all, where contours are open;
 constexpr std::size_t kFirstPlanes = 32;   // fewer to begin with: they tell if it is a solid at all
 constexpr std::size_t kFirstPoints = 8000; //
-constexpr std::size_t kRows = 512;         // across the area of a plane
+constexpr double kRows = 512;              // across the area of a plane,
+constexpr double kFewRows = 48;            // or as few as this,
+constexpr double kPassed = 2e5;            // so that they pass no more walls than this
 
 // The levels at which the layers `asked` are measured, `each` in each, as far up as the part reaches.
 std::vector<Level> levels_within(const Sweep& sweep, const std::vector<std::size_t>& asked, std::size_t each) {
@@ -49,12 +51,16 @@ double scattered(std::uint64_t n) {
 double area_by_rows(const Loops& loops, bool hollow) {
     const geom::Box2 box = polygon::bounds(loops);
     if (box.empty() || !(box.hi.y > box.lo.y)) return 0;
-    const double step = (box.hi.y - box.lo.y) / static_cast<double>(kRows);
-    std::vector<std::vector<std::pair<double, int>>> passed(kRows); // per row: where, and which way
-    for (const polygon::Wall& w : polygon::walls(loops)) {
+    const auto walls = polygon::walls(loops);
+    double rise = 0;
+    for (const polygon::Wall& w : walls) rise += std::abs(w.b.y - w.a.y) / (box.hi.y - box.lo.y);
+    const double rows = std::clamp(std::floor(kPassed / std::max(rise, 1.0)), kFewRows, kRows);
+    const double step = (box.hi.y - box.lo.y) / rows;
+    std::vector<std::vector<std::pair<double, int>>> passed(static_cast<std::size_t>(rows)); // where, and which way
+    for (const polygon::Wall& w : walls) {
         const auto [low, high] = std::minmax(w.a.y, w.b.y);
         const double first = std::ceil((low - box.lo.y) / step - 0.5);
-        for (double r = std::max(0.0, first); r < static_cast<double>(kRows); ++r) {
+        for (double r = std::max(0.0, first); r < rows; ++r) {
             const double y = box.lo.y + (r + 0.5) * step;
             if ((w.a.y > y) != (w.b.y > y))
                 passed[static_cast<std::size_t>(r)].emplace_back(
@@ -216,7 +222,8 @@ Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int
             const double w = found[i].winding[p], turns = w / level;
             if (w > 0.5) out.solid[k] += h * found[i].cell;
             if (std::abs(turns - std::round(turns)) > kUncertain) out.baseless += h * found[i].cell;
-            if (std::abs(w - std::round(w)) <= kUncertain) continue;
+            const bool inside_out = w < -0.5; // some of the surface faces the wrong way
+            if (std::abs(w - std::round(w)) <= kUncertain && !inside_out) continue;
             if (out.undecided[k] == 0) out.where[k] = found[i].point[p];
             out.undecided[k] += h * found[i].cell;
         }

@@ -11,7 +11,7 @@ namespace filum::slice {
 // How much of a part is solid, found another way than by slicing it: planes of its own, two or more in each layer that
 // is asked.  Where contours close, the area that they wind round, by rows; where they don't, points at which the
 // surface winds round by more than one half.  Undecided is what it winds round by a quarter more or less than a whole
-// number.
+// number, or less than not at all.
 struct Measured {
     std::vector<std::size_t> layers;      // that were asked, ascending; all of them if there are not many
     std::vector<double> solid, undecided; // of each, mm3

@@ -36,10 +36,12 @@ std::vector<Range> widened(const std::vector<surface::curve::TightTurn>& turns, 
     return out;
 }
 
-// The piece between two ways, with ends that lie in their triangles, as places do.
+// The piece between two ways.  Its ends name the triangles that they lie in, or next to: where a stretch leads from one
+// triangle to another, its middle belongs to neither.  The points stay where they are, on the path.
 Piece piece(const Surface& s, const Line& line, std::span<const double> ways, Range r, bool hairpin) {
     Piece out{surface::curve::part(line, ways, r.from, r.to), hairpin};
-    for (Place* p : {&out.line.places.front(), &out.line.places.back()}) *p = surface::curve::settled(s, *p);
+    for (Place* p : {&out.line.places.front(), &out.line.places.back()})
+        p->triangle = surface::curve::settled(s, *p).triangle;
     return out;
 }
 

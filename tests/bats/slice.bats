@@ -183,6 +183,15 @@ refuses() {
     refuses 2 "marlyn" --machine marlyn cube.obj
 }
 
+@test "coordinates that single precision has rounded are told" {
+    awk '$1 == "v" { $2 = 9000000 + $2; $3 -= 8000000 } { print }' cube.obj > far.obj
+    run --separate-stderr -0 slice far.obj -o a
+    case "$stderr" in *"far from the origin are rounded to 1 units of the file"*"300 mm3"*) ;; *) echo "$stderr"; false ;; esac
+    awk '$1 == "v" { $2 = sprintf("%.2f", 9000000.01 + $2) } { print }' cube.obj > double.obj # more digits than that
+    run --separate-stderr -0 slice double.obj -o a
+    [ -z "$stderr" ]
+}
+
 @test "beads that cannot fit are refused by regions" {
     slice cube.obj -o a
     run --separate-stderr -2 regions --bead-width 11 a -o b

@@ -4,6 +4,7 @@
 #include "postproc/about.hpp"
 #include "postproc/job.hpp"
 #include "postproc/measure.hpp"
+#include "postproc/program.hpp"
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
 
@@ -51,8 +52,7 @@ std::vector<filum::postproc::Stage> stages(const stream::Header& before, const c
 } // namespace
 
 void run(const filum::postproc::Options& o, const cli::Io& io) {
-    auto profile = machine::load_profile(o.machine, o.set);
-    profile.fibre.omit_short = o.short_strokes == "drop";
+    const auto profile = filum::postproc::profile_for(o);
     if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
     if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
     stream::Reader reader(io.input, stream::Payload::toolpath);
@@ -62,7 +62,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     Notes notes;
     Facts facts;
     filum::postproc::Measure measure(profile, filum::postproc::parse_place(o.place),
-                                     filum::postproc::parse_orient(o.orient));
+                                     filum::postproc::parse_orient(o.orient), o.flatten);
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
         if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
@@ -86,8 +86,8 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto program = filum::postproc::writer(
         profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
     program->begin(filum::postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    const auto written =
-        filum::postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
+    const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
+    const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
     while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
     written->end();
     program->end();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/command.hpp"
-#include "postproc/program.hpp"
+#include "postproc/options.hpp"
 
 namespace filum::app::postproc {
 

@@ -5,6 +5,8 @@
 #include "machine/profile.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace filum::app::slice {
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kInch = 4, kTiny = 1; // mm: parts whose longest side is less are likely to be in inches; to be wrong
 constexpr double kHuge = 1000;         // mm: beyond what common machines reach
+constexpr double kTold = 0.02;         // of the volume
 constexpr double kRounding = 1e-6;     // mm
 
 Note unlikely(std::string what, double longest) {
@@ -20,6 +23,12 @@ Note unlikely(std::string what, double longest) {
 
 std::string spoken(const geom::Vec3& size) {
     return fixed_text(size.x, 2) + " x " + fixed_text(size.y, 2) + " x " + fixed_text(size.z, 2) + " mm";
+}
+
+// The distance of neighbouring numbers in single precision.
+double spacing(double at) {
+    const auto f = static_cast<float>(std::abs(at));
+    return std::nextafter(f, std::numeric_limits<float>::infinity()) - f;
 }
 
 bool fits(double x, double y, double z, const geom::Vec3& room) {
@@ -35,6 +44,27 @@ void check_size(const mesh::Box3& box, bool unit_known, Notes& notes) {
         notes.push_back(unlikely("part is very small; is its file in inches or metres? See --unit", longest));
     if (longest > kHuge)
         notes.push_back(unlikely("part is larger than most machines; is its unit right? See --unit", longest));
+}
+
+void check_precision(const mesh::Mesh& mesh, Notes& notes) {
+    const mesh::Box3 box = mesh::bounds(mesh);
+    double step = 0;
+    for (const geom::Vec3& p : {box.lo, box.hi})
+        for (const double c : {p.x, p.y, p.z}) step = std::max(step, spacing(c));
+    const auto single = [](double c) { return c == static_cast<double>(static_cast<float>(c)); };
+    for (const geom::Vec3& v : mesh.vertices)
+        if (!single(v.x) || !single(v.y) || !single(v.z)) return;
+    double area = 0;
+    for (const auto& t : mesh.triangles)
+        area += norm(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]])) / 2;
+    const double moved = area * step / 2, volume = std::abs(mesh::volume(mesh)); // half a step, all outwards
+    if (!(moved > kTold * volume)) return;
+    notes.push_back({.stage = "",
+                     .what = "coordinates so far from the origin are rounded to " + shortest_text(step) +
+                             " units of the file; export the part near the origin, or volume may be wrong",
+                     .amount = moved,
+                     .unit = "mm3",
+                     .count = 1});
 }
 
 void check_bed(const mesh::Box3& box, const std::string& machine) {

@@ -12,6 +12,10 @@ namespace filum::app::slice {
 // `unit_known` if the file states it or the caller chose one.
 void check_size(const mesh::Box3& box, bool unit_known, Notes& notes);
 
+// Notes how much of its volume a part can have lost, or gained, because its file gives coordinates in single precision
+// far from the origin, if that is more than 2 %.  `mesh` as the file gives it.
+void check_precision(const mesh::Mesh& mesh, Notes& notes);
+
 // Throws Error(bad_input) if the part is larger than the bed of the machine, or higher than that reaches; `machine` as
 // machine::load_profile takes it.  Machines that turn the part or the head are not checked: what they reach
 // depends on the path.

@@ -30,6 +30,7 @@ void run(const Options& o, const cli::Io& io) {
     mesh::File file = read(o, self);
     cli::step_idle(io, file.kind == mesh::Kind::step);
     Notes notes = std::move(file.notes);
+    check_precision(file.mesh, notes);
     mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
     const mesh::Box3 box = mesh::bounds(file.mesh);
     const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};

