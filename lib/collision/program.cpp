@@ -129,6 +129,10 @@ class Reader {
     }
 
     Program finish() {
+        if (unsized_ > 0 && stroke_ == 0) {
+            number_ = unsized_;
+            fail("lays a bead of unknown size; give --bead");
+        }
         out_.moves = std::move(growth_.moves), out_.beads = std::move(growth_.beads);
         return std::move(out_);
     }
@@ -303,14 +307,17 @@ class Reader {
 
     void go(const Axes& to, std::optional<double> extruder) {
         if (mode_ < 0) fail("moves before any G0 or G1");
-        const bool lays = extruder ? pushed(*extruder) > 0 && mode_ == 1 : open_ && mode_ == 1;
+        bool lays = extruder ? pushed(*extruder) > 0 && mode_ == 1 : open_ && mode_ == 1;
         ++out_.lines;
         if (!known(at_) || !known(to)) {
             ++out_.unknown;
             at_ = to;
             return;
         }
-        if (lays && !(width_ > 0 && height_ > 0)) fail("lays a bead of unknown size; give --bead");
+        // What is pushed out before any size is stated is start code, such as a purge line: followed, but no bead.
+        const bool purges = lays && !(width_ > 0 && height_ > 0);
+        if (purges && unsized_ == 0) unsized_ = number_;
+        lays = lays && !purges;
         if (lays && !laid_) ++stroke_;
         laid_ = lays;
         part(at_, to, stance(at_), stance(to), lays, 0);
@@ -346,7 +353,7 @@ class Reader {
     std::map<std::string, std::uint32_t> tools_;
     Axes at_{};
     double width_, height_, extruder_ = 0;
-    std::uint64_t number_ = 0;
+    std::uint64_t number_ = 0, unsized_ = 0; // lines, from 1; the first that laid what no size was known of, or 0
     std::uint32_t layer_ = 0, stroke_ = 0, tool_ = 0;
     int mode_ = -1;
     bool tip_ = true, open_ = false, laid_ = false;

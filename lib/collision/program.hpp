@@ -30,7 +30,8 @@ struct Program {
 // tcp_on to its tcp_off or all along if it names none; else they are where the axes stand.  From there moves are cut
 // until, in their middle, the tip leaves the straight line between the ends by at most 0.002 mm and the axis its great
 // circle by at most 0.2 degrees. Throws Error(bad_input) with the line: malformed words, G2, G3, G20, G53, G91, G92 of
-// an axis that moves, beads of unknown size.
+// an axis that moves, and beads of unknown size,
+// if no size is ever stated; what is pushed out before the first is start code, such as a purge line, and no bead.
 Program read_program(std::string_view text, const std::string& name, const machine::Profile& profile,
                      const ProgramOptions& options);
 

@@ -34,7 +34,8 @@ program() { postproc --machine marlin "$1" > part.gcode; }
 
 # stops in part.gcode: travels or retractions between extrusions
 stops() {
-    awk '/^G[01] / { e = 0; xy = 0; for (i = 2; i <= NF; ++i) { if ($i ~ /^E/) e = substr($i, 2) + 0; if ($i ~ /^[XY]/) xy = 1 }
+    awk '/^;LAYER/ { part = 1 } # before it: the purge line
+         part && /^G[01] / { e = 0; xy = 0; for (i = 2; i <= NF; ++i) { if ($i ~ /^E/) e = substr($i, 2) + 0; if ($i ~ /^[XY]/) xy = 1 }
              if (xy && e > 0) { if (idle && printed) ++n; idle = 0; printed = 1 } else if (xy || e < 0) idle = 1 }
          END { print n + 0 }' part.gcode
 }

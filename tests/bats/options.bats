@@ -12,7 +12,7 @@ setup_file() {
 
 setup() {
     cd "$BATS_FILE_TMPDIR" || exit 1
-    tools=$FILUM_SOURCE/tests/options
+    tools=$BATS_TEST_DIRNAME/../options
 }
 
 # What the cases of witness.tsv need besides.

@@ -73,7 +73,7 @@ for y in range(11):
     for x in range(11):
         print(x / 1000, y / 1000, 0, 1, 0, 0)' > metres.csv
     expect 0 stressfield --stress metres.csv --case X s --output t
-    [[ $err == 'stressfield: vertex without stress of case X: 3 cases, 66.6667 mm2 at 10,10' ]]
+    [[ $err == 'stressfield: vertex without stress of case X: 3 cases, 66.6667 mm2 at 10,10,0' ]]
     [[ $(columns t stress.X.s1) == 'stress.X.s1 1.0 inf inf inf' ]]
     expect 0 stressfield --stress metres.csv --unit m s --output t
     [[ -z $err ]]
