@@ -4,6 +4,9 @@
 #include "surface/finer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
 
 namespace filum::surfpath {
 
@@ -50,9 +53,65 @@ void cut(const Surface& s, const surface::Segment& g, std::uint32_t first, std::
     if (clips.empty()) out.segments.push_back({first, g.a, g.b}); // a point, or beside all by rounding
 }
 
+auto xyz(const Vec3& p) { return std::tuple(p.x, p.y, p.z); }
+
+// The numbers of vertices by their places; of those in one place, by the places of the triangles about them.
+std::vector<std::uint32_t> by_place(const Surface& s) {
+    std::vector<Vec3> about(s.vertices.size());
+    for (std::uint32_t v = 0; v < about.size(); ++v)
+        surface::each_outgoing(s, v, [&](std::uint32_t h) {
+            const auto& [a, b, c] = s.triangles[h / 3];
+            about[v] = about[v] + s.vertices[a] + s.vertices[b] + s.vertices[c];
+        });
+    std::vector<std::uint32_t> order(about.size()), out(about.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto p = xyz(s.vertices[a]), q = xyz(s.vertices[b]);
+        return p != q ? p < q : std::tuple(xyz(about[a]), a) < std::tuple(xyz(about[b]), b);
+    });
+    for (std::uint32_t i = 0; i < order.size(); ++i) out[order[i]] = i;
+    return out;
+}
+
+// The same sheet with vertices, triangles and sources in an order that only their places decide, so that equal surfaces
+// get equal paths, in whatever order a file has them.
+Fine ordered(const surface::Sheet& given) {
+    const Surface& s = given.surface;
+    const auto number = by_place(s);
+    std::vector<std::array<std::uint32_t, 4>> named; // corners, the least first, and the half-edge that leaves that
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const std::array<std::uint32_t, 4> t{number[s.tail(h)], number[s.head(h)], number[s.tail(surface::prev(h))], h};
+        if (t[0] < t[1] && t[0] < t[2]) named.push_back(t);
+    }
+    std::sort(named.begin(), named.end());
+    Fine out;
+    std::vector<std::uint32_t> now(s.twin.size()), twin(s.twin.size()), place(s.triangles.size());
+    std::vector<Vec3> vertices(s.vertices.size());
+    std::vector<mesh::Triangle> triangles;
+    for (std::size_t v = 0; v < number.size(); ++v) vertices[number[v]] = s.vertices[v];
+    for (std::uint32_t t = 0; t < named.size(); ++t) {
+        const std::uint32_t h = named[t][3];
+        triangles.push_back({named[t][0], named[t][1], named[t][2]});
+        out.parent.push_back(h / 3), place[h / 3] = t;
+        now[h] = 3 * t, now[surface::next(h)] = 3 * t + 1, now[surface::prev(h)] = 3 * t + 2;
+    }
+    for (std::uint32_t h = 0; h < now.size(); ++h)
+        twin[now[h]] = s.twin[h] == surface::kNone ? surface::kNone : now[s.twin[h]];
+    out.sheet.surface = surface::assemble(std::move(vertices), std::move(triangles), std::move(twin));
+    auto& from = out.sheet.sources;
+    for (const std::uint32_t v : given.sources.vertices) from.vertices.push_back(number[v]);
+    for (const surface::Segment& g : given.sources.segments) from.segments.push_back({place[g.triangle], g.a, g.b});
+    std::sort(from.vertices.begin(), from.vertices.end());
+    std::sort(from.segments.begin(), from.segments.end(), [](const auto& x, const auto& y) {
+        return std::tuple(xyz(x.a), xyz(x.b), x.triangle) < std::tuple(xyz(y.a), xyz(y.b), y.triangle);
+    });
+    return out;
+}
+
 } // namespace
 
-Fine fine(const surface::Sheet& sheet, double edge) {
+Fine fine(const surface::Sheet& given, double edge) {
+    const auto [sheet, parent] = ordered(given);
     auto finer = surface::finer(sheet.surface, edge, kMostFine);
     Fine out{{std::move(finer.surface), {}, {}, {}, {}, {}, {}}, std::move(finer.parent)};
     out.sheet.sources.vertices = sheet.sources.vertices;
@@ -61,6 +120,7 @@ Fine fine(const surface::Sheet& sheet, double edge) {
         cut(out.sheet.surface, g, static_cast<std::uint32_t>(first - out.parent.begin()),
             static_cast<std::uint32_t>(last - out.parent.begin()), out.sheet.sources);
     }
+    for (std::uint32_t& p : out.parent) p = parent[p];
     return out;
 }
 

@@ -11,8 +11,9 @@ struct Fine {
     std::vector<std::uint32_t> parent; // per triangle: the one of the given sheet that it is part of
 };
 
-// The same sheet in triangles with sides of at most `edge` mm, or as near to that as half a million triangles come.
-// Lines are straight between sides of triangles: so what several lines do within one triangle does not depend on them.
+// The same sheet, in an order that does not depend on the given one, and in triangles with sides of at most `edge` mm,
+// or as near to that as half a million triangles come. Lines are straight between sides of triangles: so what several
+// lines do within one triangle does not depend on them.
 Fine fine(const surface::Sheet& sheet, double edge);
 
 // The plan on the given sheet: its places named by the triangles of that.
