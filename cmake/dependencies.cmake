@@ -26,10 +26,13 @@ find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 
 # What a folder of lib/ uses from outside; included in its .cpp files only, but for Eigen.
 set(FILUM_USES_geom Eigen3::Eigen)
+set(FILUM_USES_kinematics Eigen3::Eigen)
 set(FILUM_USES_parallel TBB::tbb)
 set(FILUM_USES_polygon PkgConfig::polyclipping)
 set(FILUM_USES_mesh PkgConfig::libzip PkgConfig::pugixml)
+set(FILUM_USES_machine PkgConfig::pugixml)
 set(FILUM_USES_sequence ${GLPK_LIBRARY})
+set(FILUM_USES_rings Boost::headers)
 set(FILUM_USES_fill Boost::headers Eigen3::Eigen)
 set(FILUM_USES_link3d CGAL::CGAL)
 set(FILUM_HIDES_surface CGAL::CGAL) # whose flags (-frounding-math) are for its own files only

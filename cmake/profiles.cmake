@@ -1,9 +1,11 @@
-# Machine profiles: copied beside the executables so that the build tree finds them as an installed tree does.
+# Machine profiles and robot models: copied beside the executables so that the build tree finds them as an installed tree
+# does.
 file(GLOB profiles CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/machine/profiles/*.toml)
+file(GLOB robots CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/machine/robots/*.toml)
 set(copies)
-foreach(profile IN LISTS profiles)
-    get_filename_component(name ${profile} NAME)
-    set(copy ${CMAKE_BINARY_DIR}/share/filum/profiles/${name})
+foreach(profile IN LISTS profiles robots)
+    file(RELATIVE_PATH name ${CMAKE_SOURCE_DIR}/lib/machine ${profile})
+    set(copy ${CMAKE_BINARY_DIR}/share/filum/${name})
     add_custom_command(
         OUTPUT ${copy}
         COMMAND ${CMAKE_COMMAND} -E copy_if_different ${profile} ${copy}
@@ -16,3 +18,4 @@ if(TARGET filum_machine)
     add_dependencies(filum_machine profiles)
 endif()
 install(FILES ${profiles} DESTINATION share/filum/profiles)
+install(FILES ${robots} DESTINATION share/filum/robots)

@@ -36,15 +36,16 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "one toolpath",
-        .options =
-            {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}.at_least(0),
-             cli::Option{"tools", &o.job.tools, "N,...",
-                         "tool of each toolpath in turn, the last one also of all that follow"}
-                 .at_least(0)
-                 .at_most(1000),
-             cli::Option{"rotate", &o.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(
-                 3),
-             cli::Option{"translate", &o.translate, "X,Y,Z", "mm to move by"}.numbers(3)},
+        .options = {cli::Option{"lift", &o.job.lift, "MM", "how high the tool travels from one to the next"}
+                        .within(0, 1e4)
+                        .a_limit(),
+                    cli::Option{"tools", &o.job.tools, "N,...",
+                                "tool of each toolpath in turn, the last one also of all that follow"}
+                        .within(0, 1000),
+                    cli::Option{"rotate", &o.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}
+                        .numbers(3)
+                        .within(-360, 360),
+                    cli::Option{"translate", &o.translate, "X,Y,Z", "mm to move by"}.numbers(3).within(-1e7, 1e7)},
         .examples =
             {{"geodesic part.stl --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > a.toolpath; "
               "surfpath ortheo part.surface --ply 1 --offset 0.2 > b.toolpath; assemble a.toolpath b.toolpath > "

@@ -50,15 +50,25 @@ cli::Spec spec(Options& o) {
             {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
                  {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
              Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
-             Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.at_least(
-                 0),
-             Option{"finals", &o.how.finals, "N", "candidates to lay as asked"}.at_least(1).at_most(1000),
-             Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.above(0),
-             Option{"least-radius", &plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
+             Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.within(
+                 0, 1e5),
+             Option{"finals", &o.how.finals, "N", "candidates to lay as asked"}
+                 .within(1, 1000)
+                 .when("algorithm=best")
+                 .a_limit(),
+             Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
+             Option{"least-radius", &plan.least_radius, "MM", "of turns, where there is room"}
+                 .within(0, 1e5)
+                 .a_limit()
+                 .a_limit(),
              Option{"turns", &plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
-                 .one_of({"none", "hairpin", "wide"}),
-             Option{"min-length", &plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}.at_least(
-                 0),
+                 .one_of({"none", "hairpin", "wide"})
+                 .when("algorithm=best|ortheo")
+                 .a_limit(),
+             Option{"min-length", &plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}
+                 .within(0, 1e6)
+                 .when("algorithm=best|ortheo")
+                 .a_limit(),
              Option{"report", &o.report, "FILE", "also all candidates and their criteria, as TSV"}.not_a_setting()},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 | choose --spacing 1 | surfpath --spacing 1 > part.toolpath",
                       "the path that scores best on a surface, here a part without its top"}},

@@ -49,14 +49,19 @@ cli::Spec spec(app::collide::Options& o) {
             {Option{"program", &o.program, "FILE", "check this machine code instead of a toolpath"}.not_a_setting(),
              Option{"bead", &o.bead, "MM,MM", "width and height of the program's beads"}
                  .above(0)
+                 .at_most(100)
                  .numbers(2)
-                 .not_a_setting(),
+                 .not_a_setting()
+                 .when("program"),
              Option{"shift", &o.shift, "MM,MM,MM", "from places in the program to those of the meshes"}
                  .numbers(3)
-                 .not_a_setting(),
+                 .within(-1e7, 1e7)
+                 .not_a_setting()
+                 .when("program"),
              Option{"format", &o.format, "", "how to write the program's figures"}
                  .one_of({"table", "tsv", "json"})
-                 .not_a_setting()}),
+                 .not_a_setting()
+                 .when("program")}),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d | collide --bed | postproc > part.gcode",
                       "a program only if the head meets nothing"},
                      {"slice part.stl | regions | sequence | fill | link3d | postproc > part.gcode; collide --program "

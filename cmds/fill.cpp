@@ -53,38 +53,48 @@ cli::Spec spec(Options& all) {
         .memory = "one region per thread, and outlines filled before, up to 32 MB",
         .options =
             {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
-             Option{"method", &all.method, "", "how to build a spiral"}.one_of({"cyc", "sun2019"}),
-             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.at_least(0.01).at_most(100),
+             Option{"method", &all.method, "", "how to build a spiral"}
+                 .one_of({"cyc", "sun2019"})
+                 .when("pattern=spiral"),
+             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as(
+                 {"regions.bead-width"}),
              Option{"min-width", &o.min_width, "MM",
                     "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
-                 .at_least(0),
-             Option{"thin", &o.thin, "", kThin}.one_of({"lanes", "half-height", "single"}),
+                 .within(0, 100)
+                 .when("pattern=spiral !method=sun2019")
+                 .a_limit(),
+             Option{"thin", &o.thin, "", kThin}
+                 .one_of({"lanes", "half-height", "single"})
+                 .when("pattern=spiral !method=sun2019")
+                 .a_limit(),
              Option{"min-radius", &o.min_radius, "MM",
                     "rings of the spiral turn no tighter; what that leaves open and where it turns tighter is reported"}
-                 .at_least(0)
-                 .at_most(1000),
+                 .within(0, 1000)
+                 .when("pattern=spiral !method=sun2019"),
              Option{"angles", &o.angles_deg, "DEG,...",
                     "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
-                    "0,90 of a scaffold"},
+                    "0,90 of a scaffold"}
+                 .within(-360, 360)
+                 .when("!pattern=spiral|contour"),
              Option{"spacing", &o.spacing, "MM",
-                    "scaffold: from strand to strand, centre to centre; 0: two and a half bead widths"}
-                 .at_least(0)
-                 .at_most(1e6),
-             Option{"stagger", &o.stagger, "SPACINGS",
-                    "scaffold: how far the strands of every other round of angles are shifted"}
-                 .at_least(0)
-                 .at_most(1),
+                    "from strand to strand, centre to centre; 0: two and a half bead widths"}
+                 .within(0, 1e6)
+                 .when("pattern=scaffold"),
+             Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
+                 .within(0, 1)
+                 .when("pattern=scaffold"),
              Option{"rings", &o.rings, "N",
                     "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
-                 .at_least(-1)
-                 .at_most(1e6),
-             Option{"threshold", &all.sun2019.threshold, "WIDTHS", "sun2019: within what contours are adjacent"}
-                 .at_least(1)
-                 .at_most(4),
+                 .within(-1, 1e6)
+                 .when("!pattern=spiral|zigzag"),
+             Option{"threshold", &all.sun2019.threshold, "WIDTHS", "within what contours are adjacent"}
+                 .within(1, 4)
+                 .when("method=sun2019")
+                 .a_limit(),
              Option{"start-shift", &all.sun2019.start_shift, "MM",
-                    "sun2019: how far the start moves along the outer contour from layer to layer"}
-                 .at_least(0)
-                 .at_most(1e6)},
+                    "how far the start moves along the outer contour from layer to layer"}
+                 .within(0, 1e6)
+                 .when("method=sun2019")},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
                       "rows, turned by 90 degrees from layer to layer"},

@@ -42,6 +42,8 @@ constexpr const char* kDescription =
     "Facts in the stream tell how many vertices were reached, the farthest, and how far the slope of the distances, "
     "taken as linear in every triangle, is from 1: it is where fronts meet, near points and on coarse meshes.";
 
+constexpr const char* kMeasured = "source/source-lines/source-mesh";
+
 cli::Spec spec(app::geodesic::Options& o) {
     return {
         .name = "geodesic",
@@ -56,12 +58,22 @@ cli::Spec spec(app::geodesic::Options& o) {
                  .not_a_setting(),
              Option{"source-mesh", &o.mesh, "FILE", "a mesh, placed as the input's: where it meets the surface"}
                  .not_a_setting(),
-             {"signed", &o.measure.with_sides, "", "distances are negative on one side of the sources; see above"},
-             Option{"method", &o.measure.method, "", "how distances are found"}.one_of({"auto", "exact", "heat"}),
-             {"paper", &o.measure.paper, "", "heat as in Kipping et al. 2022: snapped sources, no corrections"},
-             {"levels", &o.measure.levels, "MM,...", "isolines at these distances"},
-             Option{"spacing", &o.measure.spacing, "MM", "isolines at every multiple of this; 0: none"}.at_least(0),
-             Option{"first", &o.measure.first, "MM", "where the first of these is; 0: one spacing away"}.at_least(0),
+             Option{"signed", &o.measure.with_sides, "", "distances are negative on one side of the sources; see above"}
+                 .when(kMeasured),
+             Option{"method", &o.measure.method, "", "how distances are found"}
+                 .one_of({"auto", "exact", "heat"})
+                 .when(kMeasured),
+             Option{"paper", &o.measure.paper, "", "heat as in Kipping et al. 2022: snapped sources, no corrections"}
+                 .when("method=heat"),
+             Option{"levels", &o.measure.levels, "MM,...", "isolines at these distances"}.above(0).at_most(1e7).when(
+                 kMeasured),
+             Option{"spacing", &o.measure.spacing, "MM", "isolines at every multiple of this; 0: none"}
+                 .zero_or_at_least(0.001)
+                 .at_most(1e7)
+                 .when(kMeasured),
+             Option{"first", &o.measure.first, "MM", "where the first of these is; 0: one spacing away"}
+                 .within(0, 1e7)
+                 .when("spacing"),
              Option{"unit", &o.place.unit, "",
                     "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
                  .one_of({"mm", "cm", "m", "in", "um", "auto"}),

@@ -46,31 +46,43 @@ struct Options {
     machine::HeadChoice head;
 };
 
-std::vector<cli::Option> options(Options& o) {
+// How curves are joined clear of all beads.
+std::vector<cli::Option> free_options(Options& o) {
     using cli::Option;
     return {
         Option{"reach", &o.link.reach, "WIDTHS",
                "the longest jog, in bead widths; a climb takes at most one; 0 joins only what touches"}
-            .at_least(0)
-            .at_most(10),
+            .within(0, 10)
+            .a_limit(),
         Option{"look-ahead", &o.link.look_ahead, "REGIONS", "how many regions are read before one is printed"}
-            .at_least(1)
-            .at_most(1000),
-        Option{"connect", &o.names.connect, "", "how to reach a region that lies aside"}.one_of(
-            {"break", "inside", "outside"}),
+            .within(1, 1000)
+            .a_limit(),
+        Option{"connect", &o.names.connect, "", "how to reach a region that lies aside"}
+            .one_of({"break", "inside", "outside"})
+            .a_limit(),
         Option{"strand", &o.names.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
-            .one_of({"free", "carried"}),
+            .one_of({"free", "carried"})
+            .when("connect=outside")
+            .a_limit(),
         Option{"seam", &o.names.seam, "", "where a stroke begins"}.one_of({"nearest", "inside"}),
         Option{"lift", &o.names.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
             .one_of({"plain", "ramp", "helical"}),
         Option{"interlace", &o.names.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
             {"none", "alternate", "golden", "random"}),
-        Option{"seed", &o.link.seed, "N", "of random starts"}.at_least(0).at_most(1e15),
+        Option{"seed", &o.link.seed, "N", "of random starts"}.within(0, 1e15).when("interlace=random"),
         Option{"alternate-direction", &o.link.alternate_direction, "",
-               "every second layer runs the other way (the default; =false for none)"},
-        Option{"links", &o.links, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
-            {"free", "sun2019"}),
-        Option{"start-shift", &o.sun2019.start_shift, "MM", "sun2019: way of starts from layer to layer"}.at_least(0)};
+               "every second layer runs the other way (the default; =false for none)"}};
+}
+
+std::vector<cli::Option> options(Options& o) {
+    using cli::Option;
+    auto out = cli::when("links=free", cli::with(free_options(o), cli::head_options(o.head)));
+    out.push_back(Option{"links", &o.links, "", "how to link: clear of all beads, or as in the 2019 paper"}.one_of(
+        {"free", "sun2019"}));
+    out.push_back(
+        Option{"start-shift", &o.sun2019.start_shift, "MM", "way of starts from layer to layer"}.within(0, 1e6).when(
+            "links=sun2019"));
+    return out;
 }
 
 cli::Spec spec(Options& o) {
@@ -81,7 +93,7 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the regions it looks ahead; all of them with --connect outside or --links sun2019",
-        .options = cli::with(options(o), cli::head_options(o.head)),
+        .options = options(o),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",
                       "around the part instead of stops"}},

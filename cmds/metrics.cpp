@@ -18,7 +18,9 @@ constexpr const char* kDescription =
     "by more than two layers without extruding. A bead is a straight stretch with round ends, as wide as its "
     "cross-section divided by the height of the layer that its z falls into. Shares are of the outlines' area: "
     "coverage is what lies under beads, outside are beads over no outline (connectors, too), overfill is the sum of "
-    "length times width less the area under beads. Crossings are pairs of moves of one layer that properly cross and "
+    "length times width less the area under beads. In the air is what no bead of the layer below carries: a bead "
+    "carries what is at most half a bead aside of it, and the lowest layer lies on the bed. Crossings are pairs of "
+    "moves of one layer that properly cross and "
     "do not follow each other.\n\n"
     "Sharp turns follow the authors of the Connected Fermat Spirals: the path cuts a disc of one bead width's radius "
     "in two, and the turn is sharp where the smaller part is below 0.3 of the disc. Areas are swept by rows with exact "
@@ -47,25 +49,46 @@ cli::Spec spec(app::metrics::Options& all) {
         .out = cli::text("a table, TSV or JSON"),
         .memory = "the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows",
         .options =
-            {Option{"regions", &o.regions, "FILE", "the Regions stream that should be filled"}.not_a_setting(),
+            {Option{"regions", &o.regions, "FILE", "the Regions stream that should be filled"}.not_a_setting().when(
+                 "!surface"),
              Option{"format", &o.format, "", "how to write the figures"}.one_of({"table", "tsv", "json"}),
-             Option{"per-region", &o.per_region, "FILE", "also a line per region, as TSV"}.not_a_setting(),
-             Option{"per-layer", &o.per_layer, "FILE", "also a line per layer, as TSV"}.not_a_setting(),
-             {"pores", &o.pores, "", "measure the pores of a scaffold, too; needs --regions"},
-             Option{"pixel", &o.pixel, "MM", "spacing of the rows; 0: a sixteenth of the bead width"}.at_least(0),
-             Option{"turn-samples", &o.turn_samples, "N", "places tested for sharp turns"}.at_least(1).at_most(1e8),
-             Option{"machine", &o.machine, "NAME|FILE", "machine profile of the print time"}.not_a_setting(),
-             {"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as feeds.bead=40"},
+             Option{"per-region", &o.per_region, "FILE", "also a line per region, as TSV"}.not_a_setting().when(
+                 "!surface"),
+             Option{"per-layer", &o.per_layer, "FILE", "also a line per layer, as TSV"}.not_a_setting().when(
+                 "!surface"),
+             Option{"pores", &o.pores, "", "measure the pores of a scaffold, too"}.when("!surface regions"),
+             Option{"pixel", &o.pixel, "MM", "spacing of the rows; 0: a sixteenth of the bead width"}
+                 .zero_or_at_least(0.001)
+                 .at_most(1000)
+                 .when("!surface regions"),
+             Option{"turn-samples", &o.turn_samples, "N", "places tested for sharp turns"}
+                 .within(1, 1e8)
+                 .when("!surface")
+                 .a_limit(),
+             Option{"machine", &o.machine, "NAME|FILE", "machine profile of the print time"}.not_a_setting().when(
+                 "!surface"),
+             Option{"set", &o.set, "KEY=VALUE,...", "change keys of the profile, as feeds.bead=40"}.when("!surface"),
              Option{"density", &o.density, "G/CM3",
                     "density of the material where the profile says none; of fibre, only the profile does"}
-                 .above(0),
+                 .above(0)
+                 .at_most(100)
+                 .when("!surface"),
              Option{"surface", &all.surface, "FILE", "the Surface stream that the path lies on"}.not_a_setting(),
-             Option{"voids", &all.voids, "FILE", "also the surface with its distances from the path; needs --surface"}
-                 .not_a_setting(),
-             Option{"spacing", &c.spacing, "MM", "between strands on a surface, d; 0: the median bead width"}.at_least(
-                 0),
-             Option{"step", &c.step, "MM", "between samples on a surface; 0: d / 4"}.at_least(0),
-             Option{"max-curvature", &c.max_curvature, "1/MM", "what the fibre can be bent to"}.above(0)},
+             Option{"voids", &all.voids, "FILE", "also the surface with its distances from the path"}
+                 .not_a_setting()
+                 .when("surface"),
+             Option{"spacing", &c.spacing, "MM", "between strands on a surface, d; 0: the median bead width"}
+                 .within(0, 1e4)
+                 .when("surface")
+                 .same_as({"surfpath.spacing"}),
+             Option{"step", &c.step, "MM", "between samples on a surface; 0: d / 4"}
+                 .zero_or_at_least(0.001)
+                 .at_most(1000)
+                 .when("surface"),
+             Option{"max-curvature", &c.max_curvature, "1/MM", "what the fibre can be bent to"}
+                 .above(0)
+                 .at_most(1e6)
+                 .when("surface")},
         .examples =
             {{"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | metrics --regions "
               "part.regions",

@@ -28,12 +28,12 @@ cli::Spec spec(app::peek::Options& o) {
         .memory = "one frame",
         .options = {{"check", &o.check, "", "only verify: print nothing, tell by the exit code"},
                     {"text", &o.text, "", "print every frame, a line for each point"},
-                    cli::Option{"decimals", &o.decimals, "N", "digits behind the point in --text"}.at_least(0).at_most(
-                        9),
+                    cli::Option{"decimals", &o.decimals, "N", "digits behind the point"}.within(0, 9).when("text"),
                     {"json", &o.json, "", "print header, frames and summary as one JSON object"},
                     {"frames", &o.frames, "", "print a line for each frame: offset of its first byte, and its kind"},
                     {"script", &o.script, "", "print a bash script that makes the stream from its input again"},
-                    {"defaults", &o.defaults, "", "with --script: give options also where they have their default"}},
+                    cli::Option{"defaults", &o.defaults, "", "give options also where they have their default"}.when(
+                        "script")},
         .examples = {{"slice part.stl | peek", "what slice made of a part"},
                      {"slice part.stl | regions | peek --text", "every region, point by point"},
                      {"slice part.stl | regions | sequence | fill | peek --check && echo fine", "verify a chain"},

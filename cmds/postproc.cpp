@@ -2,22 +2,19 @@
 // reads:  Toolpath
 // writes: text
 // memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
-#include "cli/command.hpp"
-#include "postproc/about.hpp"
-#include "postproc/job.hpp"
-#include "postproc/measure.hpp"
-#include "postproc/program.hpp"
-#include "stream/spool.hpp"
-#include "wire/planar.hpp"
+#include "app/postproc/postproc.hpp"
+#include "cli/deviation_options.hpp"
+#include "cli/head_options.hpp"
 
 namespace {
 
 using namespace filum;
 
 constexpr const char* kDescription =
-    "Writes the program that a machine runs: every bead as straight moves with its own material, every break as a "
-    "travel with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken "
-    "back. Material is counted exactly: what rounding leaves over goes into the next move.\n\n"
+    "Writes the program that a machine runs: every bead as moves with their own material, every break as a travel "
+    "with the profile's retraction and lift. Within a stroke every move lays material and nothing is taken back. "
+    "Material is exact: what rounding leaves over goes into the next move. What lies within --path-tolerance of one "
+    "move, straight or (with format.arcs) an arc, becomes that; a bead's section stays within 5 % meanwhile.\n\n"
     "The toolpath is read to its end first, because the head of the program holds the time and the material, the part "
     "is centred on the bed, and limits are checked. So a toolpath that is cut short or breaks a limit gives no program "
     "at all. A program cut short later (a full disk, a killed process) lacks its last line, 'end of program'.\n\n"
@@ -45,19 +42,20 @@ cli::Spec spec(postproc::Options& o) {
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
         .memory = "one span; what else arrives is kept, beyond 48 MiB in a temporary file in $TMPDIR",
-        .options =
+        .options = cli::with(
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
-             cli::Option{"place", &o.place, "",
-                         "where the part goes: center, the middle of the bed; or as-is, where it is"}
-                 .one_of({"center", "as-is"}),
+             cli::Option{"place", &o.place, "", "where the part goes: center, of the bed; or as-is"}.one_of(
+                 {"center", "as-is"}),
              {"orient", &o.orient, "",
               "how the part is turned on a machine with rotary axes: as-is; RX,RY,RZ: degrees about x, then y, then z; "
               "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
              {"set", &o.set, "KEY=VALUE,...",
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
-             cli::Option{"short", &o.short_strokes, "", "fibre strokes below fibre.least_path: error, or drop"}.one_of(
-                 {"error", "drop"}),
-             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting()},
+             cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting(),
+             cli::Option{"modules", &o.modules, "FOLDER",
+                         "of robots: where the modules go of a program longer than robot.module_moves"}
+                 .not_a_setting()},
+            cli::deviation_options(o)),
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},
@@ -66,55 +64,6 @@ cli::Spec spec(postproc::Options& o) {
         .see_also = {"link3d", "metrics", "sequence"}};
 }
 
-std::vector<postproc::Stage> stages(const stream::Header& before, const cli::Io& io, const machine::Profile& profile) {
-    std::vector<postproc::Stage> out;
-    for (const auto& run : cli::header(io, stream::Payload::unknown, {&before}).history) {
-        out.push_back({run.program, {}});
-        for (const auto& s : run.settings) out.back().settings.emplace_back(s.name, s.value);
-    }
-    auto& own = out.back().settings;
-    own.insert(own.begin(), {"machine", profile.name + " (profile " + profile.fingerprint + ")"});
-    return out;
-}
-
-void run(const postproc::Options& o, const cli::Io& io) {
-    auto profile = machine::load_profile(o.machine, o.set);
-    profile.fibre.omit_short = o.short_strokes == "drop";
-    stream::Reader reader(io.input, stream::Payload::toolpath);
-    stream::Sink sink(io.output, stream::Sink::Content::text);
-    stream::Spool spool;
-    cli::Progress progress(io, reader.header().expected);
-    Notes notes;
-    Facts facts;
-    postproc::Measure measure(profile, postproc::parse_place(o.place), postproc::parse_orient(o.orient));
-    while (auto frame = reader.next()) {
-        if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
-        if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
-        if (frame->tag != stream::Tag::span) continue;
-        measure.add(wire::span(*frame));
-        spool.add(std::move(*frame));
-        progress.step();
-    }
-    for (; measure.again(); spool.rewind())
-        while (const auto frame = spool.next()) measure.add(wire::span(*frame));
-    const auto survey = measure.end();
-    cli::Report said(io);
-    for (const Note& n : postproc::omissions(survey, io.program)) notes.push_back(n);
-    postproc::add_efforts(profile, survey, io.program, notes, facts);
-    for (const Note& n : notes) said.add(n);
-    said.say();
-    if (!o.job.empty())
-        cli::write_text(o.job, metrics::figures::text(postproc::job(profile, survey), metrics::figures::Format::tsv));
-    const auto program =
-        postproc::writer(profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); });
-    program->begin(postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
-    const auto written = postproc::walker(profile, measure.walk_shift(), [&](auto steps) { program->add(steps); });
-    while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
-    written->end();
-    program->end();
-    sink.commit();
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<postproc::Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<postproc::Options>(argc, argv, spec, app::postproc::run); }

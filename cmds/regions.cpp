@@ -4,6 +4,7 @@
 // memory: two layers
 #include "regions/regions.hpp"
 #include "cli/command.hpp"
+#include "regions/sizes.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -17,45 +18,63 @@ cli::Spec spec(regions::Options& o) {
         .description =
             "Simplifies the contours of every layer, once for the whole pipeline: a point is removed if it lies within "
             "--tolerance of what stays. Afterwards no two edges cross; outlines that came to meet are united.\n\n"
+            "What is nearer than two beads flow together, or narrower, cannot be told apart in print: a hairline, "
+            "0.107 of the bead width, or --hairline. Gaps narrower than that are closed, a region nowhere as wide is "
+            "left "
+            "out, and where regions of two layers share nothing as wide, neither lies on the other. The first two are "
+            "told. So the same part gives the same regions however its surface is cut into triangles.\n\n"
             "Each connected set of material becomes one region: an outer loop and its holes, with its area, bounding "
             "box, the region whose hole holds it, and its overlaps with the regions of the layer below: the common "
             "area, a radius that certainly fits into it, and whether a stroke can climb there. It can where a circle "
             "of half a bead's diameter fits into the common area, or, between walls thinner than a bead, one of half "
-            "the thinner wall's. The rest of the area hangs free and is reported as unsupported.\n\n"
-            "Regions that touch in a single point are separate. A region into which no circle of --least-width fits is "
-            "left out, with a note.",
+            "the thinner wall's.\n\n"
+            "What is farther than half a bead from the layer below hangs in the air: each region tells its area, and "
+            "one line on standard error the sum, and of the place farthest from anything below the longest bridge, the "
+            "shortest straight way over it from what carries to what carries, or how far it hangs over. The first "
+            "layer lies on the bed.\n\n"
+            "Layers higher than a bead is wide, and beads wider than the part, are refused, as are layers that take "
+            "more beads than memory holds: 25 million squares of a bead's width.",
         .in = cli::reads(stream::Payload::layers),
         .out = cli::writes(stream::Payload::regions),
         .memory = "two layers",
         .options = {cli::Option{"bead-width", &o.bead_width, "MM",
                                 "width of a bead, which decides where a stroke can climb"}
-                        .above(0)
-                        .at_most(1000),
+                        .within(0.01, 100)
+                        .a_limit(),
                     cli::Option{"tolerance", &o.tolerance, "MM",
                                 "how far a removed contour point may lie from the outline"}
-                        .at_least(0)
-                        .at_most(1),
-                    cli::Option{"least-width", &o.least_width, "MM", "regions nowhere as wide as this are left out"}
-                        .above(0)
-                        .at_most(10)},
+                        .within(0, 1)
+                        .a_limit(),
+                    cli::Option{"hairline", &o.hairline, "MM",
+                                "narrower gaps, walls and contacts do not count; 0: 0.107 of the bead width"}
+                        .within(0, 10)
+                        .a_limit()},
         .examples = {{"slice part.stl | regions > part.regions", "the regions of a part"},
                      {"slice part.stl | regions --bead-width 0.8 | peek", "for a wide nozzle; what came out"}},
         .see_also = {"slice", "sequence", "fill"}};
 }
 
 void run(const regions::Options& options, const cli::Io& io) {
-    std::vector<polygon::Region> below;
+    regions::Ground below;
+    regions::Air air;
     std::uint32_t id = 0;
     std::int64_t last = -2;
-    cli::scan_stage(io, stream::Payload::layers, stream::Payload::regions,
-                    [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
-                        const auto layer = wire::layer(frame);
-                        if (layer.index != last + 1) below.clear(); // a gap in the stack carries nothing
-                        last = layer.index;
-                        below = regions::regions(layer, below, id, options, notes);
-                        id += static_cast<std::uint32_t>(below.size());
-                        for (const auto& r : below) emit(wire::frame(r));
-                    });
+    geom::Box2 box;
+    cli::scan_stage(
+        io, stream::Payload::layers, stream::Payload::regions,
+        [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
+            const auto layer = wire::layer(frame);
+            regions::check_layer(layer, options.bead_width, box);
+            if (layer.index != last + 1) below.regions.clear(); // a gap in the stack carries nothing
+            last = layer.index;
+            below = {false, regions::regions(layer, below, id, options, air, notes)};
+            id += static_cast<std::uint32_t>(below.regions.size());
+            for (const auto& r : below.regions) emit(wire::frame(r));
+        },
+        [&](const auto&, Notes& notes) {
+            regions::check_part(box, options.bead_width, notes);
+            if (const auto said = regions::note(air)) notes.push_back(*said);
+        });
 }
 
 } // namespace

@@ -29,51 +29,62 @@ constexpr const char* kDescription =
 
 cli::Spec spec(render::Options& o) {
     using cli::Option;
-    return {.name = "render",
-            .synopsis = "draw a picture of any stream",
-            .description = kDescription,
-            .in = cli::reads(stream::Payload::unknown),
-            .out = cli::text("a PNG picture, SVG or VTP"),
-            .memory = "the model",
-            .options = cli::with(
-                {Option{"color", &o.color, "", "what colours mean; auto: what suits the stream"}.one_of(
-                     {"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
-                 {"view", &o.view, "VIEW",
-                  "from where: iso, top, bottom, front, back, left, right, face (straight onto it), face-left, -right, "
-                  "-up, -down (50 degrees aside), or X,Y,Z: towards the camera; auto: face for surfaces, else iso"},
-                 {"views", &o.views, "VIEW,...", "several of these in one picture"},
-                 Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
-                 {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
-                 {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
-                 Option{"collisions", &o.collisions, "FILE", "shows where 'collide --places' says"}.not_a_setting(),
-                 Option{"part", &o.part, "FILE,...", "meshes that the head meets there"}.not_a_setting(),
-                 Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}.numbers(4),
-                 {"voids", &o.voids, "", "marks where no bead covers the surface"},
-                 {"overlap", &o.overlap, "", "marks where passes of one layer cover the surface twice"},
-                 Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all"}.at_least(-1).at_most(
-                     UINT32_MAX),
-                 Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.at_least(0).at_most(UINT32_MAX),
-                 Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}.at_least(0).at_most(UINT32_MAX),
-                 Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines --layer shows"}.not_a_setting(),
-                 Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
-                 Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.at_least(1).at_most(4096),
-                 Option{"machine", &o.machine, "NAME|FILE", "machine profile that --color speed shows"}.not_a_setting(),
-                 {"travels", &o.travels, "", "draws moves without material in perspective, too"},
-                 {"no-centres", &o.no_centres, "", "leaves out the lines along the middle of beads"},
-                 {"no-table", &o.no_table, "", "leaves out the table and its shadow"},
-                 {"svg", &o.svg, "", "writes SVG; needs --layer"}},
-                cli::head_options(o.head)),
-            .examples = {{"slice part.stl | regions | sequence | fill | link3d | render --output part.png",
-                          "the whole toolpath in perspective"},
-                         {"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | "
-                          "render --regions part.regions --layer 3 --output layer.png",
-                          "one layer from above, with voids"},
-                         {"slice part.stl | regions | sequence | render --output order.png",
-                          "which regions are printed in one stroke"},
-                         {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
-                          "--output distance.png",
-                          "distances on a surface"}},
-            .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
+    return {
+        .name = "render",
+        .synopsis = "draw a picture of any stream",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::unknown),
+        .out = cli::text("a PNG picture, SVG or VTP"),
+        .memory = "the model",
+        .options = cli::with(
+            {Option{"color", &o.color, "", "what colours mean; auto: what suits the stream"}.one_of(
+                 {"auto", "progress", "stroke", "layer", "width", "speed", "class"}),
+             Option{
+                 "view", &o.view, "VIEW",
+                 "from where: iso, top, bottom, front, back, left, right, face (straight onto it), face-left, -right, "
+                 "-up, -down (50 degrees aside), or X,Y,Z: towards the camera; auto: face for surfaces, else iso"}
+                 .when("!views !layer"),
+             Option{"views", &o.views, "VIEW,...", "several of these in one picture"}.when("!layer"),
+             Option{"surface", &o.surface, "FILE", "the Surface stream that a toolpath lies on"}.not_a_setting(),
+             {"by", &o.by, "FIELD", "the field that colours the surface; beads are slim then, unless --voids"},
+             {"arrows", &o.arrows, "FIELD", "a field of vectors, drawn as short lines on the surface"},
+             Option{"collisions", &o.collisions, "FILE", "shows where 'collide --places' says"}.not_a_setting(),
+             Option{"part", &o.part, "FILE,...", "meshes that the head meets there"}.not_a_setting().when("collisions"),
+             Option{"around", &o.around, "X,Y,Z,R", "fills the picture with what is R mm around there"}
+                 .numbers(4)
+                 .within(-1e9, 1e9),
+             {"voids", &o.voids, "", "marks where no bead covers the surface"},
+             {"overlap", &o.overlap, "", "marks where passes of one layer cover the surface twice"},
+             Option{"layer", &o.layer, "N", "draws this layer flat from above; -1: all"}.within(-1, UINT32_MAX),
+             Option{"from-layer", &o.from_layer, "N", "the lowest layer drawn"}.within(0, UINT32_MAX).when("!layer"),
+             Option{"to-layer", &o.to_layer, "N", "the highest layer drawn: a cut"}
+                 .within(0, UINT32_MAX)
+                 .when("!layer")
+                 .a_limit(),
+             Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines are shown"}.not_a_setting().when(
+                 "layer"),
+             Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
+             Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.within(1, 4096).when("!svg"),
+             Option{"machine", &o.machine, "NAME|FILE", "machine profile of the speeds"}.not_a_setting().when(
+                 "color=speed"),
+             Option{"travels", &o.travels, "", "draws moves without material in perspective, too"}
+                 .when("!layer")
+                 .a_limit(),
+             {"no-centres", &o.no_centres, "", "leaves out the lines along the middle of beads"},
+             Option{"no-table", &o.no_table, "", "leaves out the table and its shadow"}.when("!layer"),
+             Option{"svg", &o.svg, "", "writes SVG"}.when("layer")},
+            cli::when("collisions", cli::head_options(o.head))),
+        .examples = {{"slice part.stl | regions | sequence | fill | link3d | render --output part.png",
+                      "the whole toolpath in perspective"},
+                     {"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | "
+                      "render --regions part.regions --layer 3 --output layer.png",
+                      "one layer from above, with voids"},
+                     {"slice part.stl | regions | sequence | render --output order.png",
+                      "which regions are printed in one stroke"},
+                     {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
+                      "--output distance.png",
+                      "distances on a surface"}},
+        .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
 }
 
 // Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
@@ -108,6 +119,7 @@ void run(const render::Options& given, const cli::Io& io) {
                                      std::to_string(o.range().to) + ": the input has nothing there; see 'peek'");
     if (!o.surface.empty()) load(o.surface, stream::Payload::surface, o.range(), scene, seen);
     if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene, seen);
+    if (!o.flat() && !scene.sheet) io.idle("no-centres", "only --layer and surfaces show them");
     const bool regions = payload == stream::Payload::regions, layers = payload == stream::Payload::layers;
     const char* color = regions ? "stroke" : layers ? "layer" : scene.sheet ? "class" : "progress";
     stream::Sink out(io.output, o.svg || o.vtp ? stream::Sink::Content::text : stream::Sink::Content::binary);

@@ -32,14 +32,16 @@ cli::Spec spec(app::route::Options& o) {
             .memory = "the toolpath at 1000 bytes per move, meshes at 150 per triangle",
             .options = cli::with(
                 {Option{"lift", &o.lift, "MM", "how high the tool travels at least; default: the profile's, else 0.6"}
-                     .at_least(0)
-                     .at_most(1000)
-                     .numbers(1),
-                 Option{"tilt", &o.tilt, "DEG", "how far the tool may lean off its normals"}.at_least(0).at_most(80),
+                     .within(0, 1000)
+                     .numbers(1)
+                     .a_limit(),
+                 Option{"tilt", &o.tilt, "DEG", "how far the tool may lean off its normals"}.within(0, 80).a_limit(),
                  Option{"tilt-rate", &o.tilt_rate, "DEG/MM", "how fast that may change along the path"}
-                     .at_least(0.1)
-                     .at_most(90),
-                 Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting()},
+                     .within(0.1, 90)
+                     .when("tilt")
+                     .a_limit(),
+                 Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting().when(
+                     "tilt")},
                 app::collide::options(o)),
             .examples = {{"slice part.stl | regions | sequence | fill | link3d | route --bed | postproc > part.gcode",
                           "travels that go no higher than they have to"}},

@@ -36,7 +36,7 @@ cli::Spec spec(Options& o) {
             "Strokes are the climbs without a stop. How few are possible is hard to know in general: orders are "
             "searched and lower bounds proven in turns until they meet or --budget is used up. The order, the strokes "
             "and the joins are written into the regions. What is known of them travels with the stream and is printed "
-            "with --report: the strokes; the best lower bound, which no order can beat under the same head "
+            "with --report: the planned strokes; the best lower bound, which no order can beat under the same head "
             "(lower-bound), and what proved it; the gap between the two in percent of the strokes; the least by the "
             "links alone (path-cover) and layer by layer (layer-floor); how many strokes end for which cause.\n\n"
             "The causes are: top, no link leads on; taken, the region ahead continues another stroke; support, it also "
@@ -49,10 +49,13 @@ cli::Spec spec(Options& o) {
         .options = cli::with(
             cli::with({cli::Option{"order", &o.order, "ORDER",
                                    "climb columns, go layer by layer, or do so as in the 2019 paper"}
-                           .one_of({"columns", "layers", "sun2019"})},
+                           .one_of({"columns", "layers", "sun2019"})
+                           .a_limit()},
                       cli::head_options(o.head)),
             {cli::Option{"budget", &o.budget, "MILLIONS|SECONDSs",
-                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"},
+                         "steps that may be taken, about 3 ms per million; 10s: as many as take about 10 s"}
+                 .when("order=columns")
+                 .a_limit(),
              cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
              cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},

@@ -2,26 +2,13 @@
 // reads:  a mesh file: STL, OBJ, PLY, OFF, 3MF or STEP
 // writes: Layers
 // memory: the model
-#include "slice/slice.hpp"
-#include "cli/command.hpp"
+#include "app/slice/slice.hpp"
 #include "cli/step_options.hpp"
-#include "mesh/place.hpp"
-#include "mesh/step/step.hpp"
-#include "stream/crc32c.hpp"
-#include "wire/planar.hpp"
-
-#include <cstdio>
 
 namespace {
 
 using namespace filum;
 using cli::Option;
-
-struct Options {
-    mesh::Placement place;
-    slice::Options slice;
-    mesh::step::Tessellation step;
-};
 
 constexpr const char* kDescription =
     "Reads a mesh from a file or standard input and cuts it at the mid-height of each layer; a face level "
@@ -35,6 +22,9 @@ constexpr const char* kDescription =
     "in "
     "the surface. Whatever was repaired, and every open contour that had to be left out, is noted in the stream with "
     "its layer and length, and summed up on standard error.\n\n"
+    "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
+    "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
+    "more undecided than it holds is refused.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers. Contours are on a grid of 0.1 um.";
 
 std::vector<Option> placing(mesh::Placement& p) {
@@ -42,39 +32,56 @@ std::vector<Option> placing(mesh::Placement& p) {
         Option{"unit", &p.unit, "", "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
             .one_of({"mm", "cm", "m", "in", "um", "auto"}),
         {"scale", &p.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"},
-        Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3),
-        Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3),
-        Option{"center", &p.center, "X,Y", "place for the middle of the part's box, mm"}.numbers(2),
-        {"on-bed", &p.on_bed, "", "move the part's lowest point to z = 0: done unless --no-on-bed is given"},
-        {"no-on-bed", &p.keep_z, "", "leave the part at its own height"},
+        Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3).within(
+            -360, 360),
+        Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3).within(-1e7, 1e7),
+        Option{"center", &p.center, "X,Y", "place for the middle of the part's box, mm"}.numbers(2).within(-1e7, 1e7),
+        Option{"on-bed", &p.on_bed, "", "move the part's lowest point to z = 0: done unless --no-on-bed is given"}
+            .when("!no-on-bed")
+            .a_limit(),
+        Option{"no-on-bed", &p.keep_z, "", "leave the part at its own height"}.a_limit(),
     };
 }
 
 std::vector<Option> cutting(slice::Options& s) {
     return {
-        Option{"layer-height", &s.layer_height, "MM", "thickness of a layer"}.above(0),
+        Option{"layer-height", &s.layer_height, "MM", "thickness of a layer"}.within(0.001, 1000),
         Option{"first-layer-height", &s.first_layer_height, "MM", "thickness of the first layer, 0: as the others"}
-            .at_least(0),
+            .zero_or_at_least(0.001)
+            .at_most(1000),
         {"adaptive", &s.adaptive, "", "choose the thickness of every layer by the slope of the surface"},
-        Option{"min-layer-height", &s.min_layer_height, "MM", "least thickness of adaptive layers"}.above(0),
-        Option{"max-layer-height", &s.max_layer_height, "MM", "greatest thickness of adaptive layers"}.above(0),
-        Option{"cusp", &s.cusp, "MM", "how far the steps of adaptive layers may stand off the surface"}.above(0),
-        Option{"close-gaps", &s.close_gaps, "MM", "width up to which gaps in contours are closed"}.at_least(0).at_most(
-            100),
+        Option{"min-layer-height", &s.min_layer_height, "MM", "least thickness of adaptive layers"}
+            .within(0.001, 1000)
+            .when("adaptive")
+            .a_limit(),
+        Option{"max-layer-height", &s.max_layer_height, "MM", "greatest thickness of adaptive layers"}
+            .within(0.001, 1000)
+            .when("adaptive")
+            .a_limit(),
+        Option{"cusp", &s.cusp, "MM", "how far the steps of adaptive layers may stand off the surface"}
+            .within(1e-5, 100)
+            .when("adaptive")
+            .a_limit(),
+        Option{"close-gaps", &s.close_gaps, "MM", "width up to which gaps in contours are closed"}
+            .within(0, 100)
+            .a_limit(),
         Option{"close-openings", &s.close_openings, "SHARE",
                "close wider openings straight, up to this part of the contour's length; 0: never, nor holes"}
-            .at_least(0)
-            .at_most(1),
+            .within(0, 1)
+            .a_limit(),
         Option{"hairline", &s.hairline, "MM", "heal gaps and slivers between bodies narrower than this"}
-            .at_least(0)
-            .at_most(1),
+            .within(0, 1)
+            .a_limit(),
     };
 }
 
-cli::Spec spec(Options& o) {
+cli::Spec spec(app::slice::Options& o) {
     auto options = cutting(o.slice);
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
+    options.push_back(
+        Option{"machine", &o.machine, "NAME|FILE", "a machine profile: refuse what is larger than its bed"}
+            .not_a_setting());
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,
@@ -90,31 +97,6 @@ cli::Spec spec(Options& o) {
             .see_also = {"regions", "peek"}};
 }
 
-void run(const Options& o, const cli::Io& io) {
-    cli::Io self = io; // with what identifies the input, as its name may not
-    mesh::File file;
-    {
-        const mesh::Bytes bytes = mesh::load(io.input);
-        char crc[9];
-        std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-        self.settings.push_back({"input_crc32c", crc});
-        file = mesh::step::read(bytes.view(), mesh::spoken_name(io.input), o.step);
-    }
-    Notes notes = std::move(file.notes);
-    mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
-    const slice::Part part = slice::make_part(std::move(file.mesh), notes);
-    const slice::Sweep sweep = slice::prepare(part, o.slice, io.threads, notes);
-    auto header = cli::header(self, stream::Payload::layers);
-    header.expected = sweep.levels.size();
-    cli::source_stage(io, header, sweep.chunks(), std::move(notes), [&](std::size_t chunk, Notes& found) {
-        slice::Cut cut = slice::cut(sweep, chunk);
-        found = std::move(cut.notes);
-        std::vector<stream::RawFrame> frames;
-        for (const auto& layer : cut.layers) frames.push_back(wire::frame(layer));
-        return frames;
-    });
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<app::slice::Options>(argc, argv, spec, app::slice::run); }

@@ -4,6 +4,7 @@
 // memory: the surface, and the file of stresses twice over
 #include "stressfield/stressfield.hpp"
 #include "cli/command.hpp"
+#include "cli/head_options.hpp"
 #include "mesh/read.hpp"
 #include "stream/crc32c.hpp"
 #include "stressfield/read.hpp"
@@ -45,34 +46,39 @@ constexpr const char* kDescription =
     "and its direction is the surface's normal, of no use on it: how much of the surface that is, is said and kept as "
     "a fact. --tangent takes the direction of the greatest stress in the tangent plane instead.";
 
+std::vector<Option> options(Options& o) {
+    const std::vector<Option> how = {
+        {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
+        {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
+        {"columns", &o.read.columns, "NAME,...", "what the columns of a CSV are, or arrays of a VTU; none: see above"},
+        Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
+        Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
+            {"MPa", "Pa", "kPa", "GPa", "psi"}),
+        Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by the spacing there"}
+            .within(0, 1e6)
+            .a_limit(),
+        {"tangent", &o.place.tangent, "", "directions in the tangent plane"},
+        Option{"mask", &o.place.mask, "SHARE", "no direction where s1 is below this share of its greatest"}
+            .within(0, 1)
+            .a_limit()};
+    return cli::with(
+        {Option{"stress", &o.file, "FILE", "the stresses: FRD, VTU or CSV, also packed by gzip"}.not_a_setting()},
+        cli::when("stress", how));
+}
+
 cli::Spec spec(Options& o) {
-    return {
-        .name = "stressfield",
-        .synopsis = "put stresses onto a surface",
-        .description = kDescription,
-        .in = cli::reads(stream::Payload::surface),
-        .out = cli::writes(stream::Payload::surface),
-        .memory = "the surface, and the file of stresses twice over",
-        .options =
-            {Option{"stress", &o.file, "FILE", "the stresses: FRD, VTU or CSV, also packed by gzip"}.not_a_setting(),
-             {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
-             {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
-             {"columns", &o.read.columns, "NAME,...",
-              "what the columns of a CSV are, or arrays of a VTU; none: see above"},
-             Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
-             Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
-                 {"MPa", "Pa", "kPa", "GPa", "psi"}),
-             Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by the spacing there"}
-                 .at_least(0),
-             {"tangent", &o.place.tangent, "", "directions in the tangent plane"},
-             Option{"mask", &o.place.mask, "SHARE", "no direction where s1 is below this share of its greatest"}
-                 .at_least(0)
-                 .at_most(1)},
-        .examples =
-            {{"printf '0 0 1 5 0 0\\n9 0 1 5 0 0\\n9 9 1 5 0 0\\n0 9 1 5 0 0\\n' > stress.csv; geodesic part.stl | "
-              "stressfield --stress stress.csv --case X --reach 1 | peek",
-              "a part that is pulled along x with 5 MPa at the corners of its top"}},
-        .see_also = {"geodesic", "peek"}};
+    return {.name = "stressfield",
+            .synopsis = "put stresses onto a surface",
+            .description = kDescription,
+            .in = cli::reads(stream::Payload::surface),
+            .out = cli::writes(stream::Payload::surface),
+            .memory = "the surface, and the file of stresses twice over",
+            .options = options(o),
+            .examples =
+                {{"printf '0 0 1 5 0 0\\n9 0 1 5 0 0\\n9 9 1 5 0 0\\n0 9 1 5 0 0\\n' > stress.csv; geodesic part.stl | "
+                  "stressfield --stress stress.csv --case X --reach 1 | peek",
+                  "a part that is pulled along x with 5 MPa at the corners of its top"}},
+            .see_also = {"geodesic", "peek"}};
 }
 
 void run(const Options& o, const cli::Io& io) {

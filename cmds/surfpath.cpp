@@ -2,25 +2,14 @@
 // reads:  Surface
 // writes: Toolpath
 // memory: the model, and windows of distance
-#include "surfpath/surfpath.hpp"
-#include "baselines/kipping2022/kipping2022.hpp"
-#include "cli/command.hpp"
-#include "surfpath/patches.hpp"
-#include "wire/planar.hpp"
-#include "wire/surface.hpp"
+#include "app/surfpath/surfpath.hpp"
+#include "cli/head_options.hpp"
 
 namespace {
 
 using namespace filum;
+using app::surfpath::Options;
 using cli::Option;
-
-struct Options {
-    surfpath::Options plan{.algorithm = "planned"};
-    surfpath::Laying laying;
-    std::int64_t ply = 0;
-    std::vector<double> plane;
-    baselines::kipping2022::Options paper;
-};
 
 constexpr const char* kDescription =
     "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
@@ -39,6 +28,35 @@ constexpr const char* kDescription =
     "All options from --plane on are for this method only. What the paper does not give: --resample, --savgol-window, "
     "--savgol-degree, --least-spacing. Smoothing takes the path off the surface.";
 
+std::vector<Option> paper_options(Options& o) {
+    return {Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}
+                .numbers(4)
+                .within(-1e7, 1e7)
+                .when("algorithm=planned|fina|fexa|ortheo"),
+            Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}
+                .zero_or_at_least(0.001)
+                .at_most(1000),
+            Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}.within(
+                1, 9999),
+            Option{"savgol-degree", &o.paper.degree, "", "of its polynomials"}.within(0, 9),
+            Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}
+                .zero_or_at_least(0.001)
+                .at_most(1e4)
+                .when("algorithm=planned|ortheo"),
+            Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}
+                .within(0, 1e4)
+                .when("algorithm=planned|ortheo")
+                .a_limit(),
+            Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}
+                .within(0, 1e4)
+                .when("algorithm=planned|geo-fiso|geo-contour")
+                .a_limit(),
+            Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for; 0: spacing / resample"}
+                .within(0, 1e6)
+                .when("algorithm=planned|geo-fiso|geo-contour|geo-spiral")
+                .a_limit()};
+}
+
 cli::Spec spec(Options& o) {
     return {
         .name = "surfpath",
@@ -47,31 +65,29 @@ cli::Spec spec(Options& o) {
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",
-        .options =
+        .options = cli::with(
             {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
                  .one_of({"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
-             Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}.above(0),
-             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.at_least(0),
-             {"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"},
+             Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
+                 .within(0.001, 1000)
+                 .same_as({"choose.spacing"}),
+             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5).same_as(
+                 {"choose.least-radius"}),
+             Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"}
+                 .a_limit(),
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
-                 .one_of({"none", "hairpin", "wide"}),
-             Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}.at_least(
-                 0),
-             Option{"height", &o.laying.height, "MM", "of the bead"}.above(0),
-             Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.at_least(0).at_most(1e6),
-             Option{"offset", &o.laying.offset, "MM", "along the normals: the height of the plies below"}.at_least(0),
-             Option{"lift", &o.laying.lift, "MM", "how high the tool travels above the surface"}.at_least(0),
-             Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}.numbers(4),
-             Option{"resample", &o.paper.resample, "MM", "between points of the path; 0: spacing / 4"}.at_least(0),
-             Option{"savgol-window", &o.paper.window, "POINTS", "of the Savitzky-Golay filter, odd; 1: none"}
-                 .at_least(1)
-                 .at_most(9999),
-             Option{"savgol-degree", &o.paper.degree, "", "of its polynomials"}.at_least(0).at_most(9),
-             Option{"d-iso", &o.paper.iso, "MM", "between isocontours that ortheo steps along; 0: spacing"}.at_least(0),
-             Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}.at_least(0),
-             Option{"t-dist", &o.paper.reach, "MM", "farthest that rings are joined across; 0: 1.2 d"}.at_least(0),
-             Option{"n-thresh", &o.paper.run, "POINTS", "that they are so near for, or 0"}.at_least(0)},
+                 .one_of({"none", "hairpin", "wide"})
+                 .when("!method=kipping2022 algorithm=planned|ortheo"),
+             Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}
+                 .within(0, 1e6)
+                 .when("!method=kipping2022 algorithm=planned|ortheo")
+                 .a_limit(),
+             Option{"height", &o.laying.height, "MM", "of the bead"}.within(0.001, 100),
+             Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
+             Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),
+             Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()},
+            cli::when("method=kipping2022", paper_options(o))),
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                       "one path over a surface, here a part without its top"},
                      {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "
@@ -82,39 +98,6 @@ cli::Spec spec(Options& o) {
         .leading = "algorithm"};
 }
 
-surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
-    surfpath::Options asked = o.plan;
-    asked.algorithm = algorithm, asked.offset = o.laying.offset;
-    baselines::kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm, paper.spacing = asked.spacing;
-    if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    surfpath::Plan out =
-        asked.method == "kipping2022" ? baselines::kipping2022::plan(sheet, paper) : surfpath::plan(sheet, asked);
-    surfpath::finish(sheet.surface, out, asked);
-    return out;
-}
-
-void run(const Options& o, const cli::Io& io) {
-    std::vector<surface::Sheet> sheets;
-    auto whole = cli::read_all(io.input, stream::Payload::surface,
-                               [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
-    const auto algorithms = surfpath::algorithms(sheets, o.plan.algorithm);
-    auto patches = surfpath::each_patch(sheets, algorithms, io.threads,
-                                        [&](std::size_t k) { return lay(sheets[k], o, algorithms[k]); });
-    surfpath::Laying laying = o.laying;
-    laying.width = o.plan.spacing, laying.layer = static_cast<std::uint32_t>(o.ply);
-    const auto spans = surfpath::spans(sheets, patches.plans, laying);
-    cli::Io self = io; // with what was followed
-    for (auto& s : self.settings)
-        if (s.name == "algorithm" && sheets.size() == 1)
-            s.value = algorithms[0], s.changed = s.value != surfpath::algorithms(sheets, "planned")[0];
-    whole.header.expected = spans.size();
-    std::vector<stream::RawFrame> frames;
-    for (const auto& span : spans) frames.push_back(wire::frame(span));
-    cli::write_all(io, cli::header(self, stream::Payload::toolpath, {&whole.header}), whole, patches.notes,
-                   patches.facts, frames);
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, app::surfpath::run); }

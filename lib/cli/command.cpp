@@ -1,11 +1,13 @@
 #include "cli/command.hpp"
 
 #include "base/number.hpp"
+#include "base/printable.hpp"
 #include "cli/document.hpp"
 #include "cli/output.hpp"
 #include "cli/parse.hpp"
 #include "parallel/parallel.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -19,8 +21,13 @@ namespace filum::cli {
 
 void Io::say(const std::string& text) const {
     // One write, so that stages do not mix their lines; on a terminal it takes the place of a progress bar.
-    const std::string line = (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + program + ": " + text + "\n";
+    const std::string line = (::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "") + program + ": " + printable(text) + "\n";
     if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;
+}
+
+void Io::idle(const std::string& option, const std::string& why) const {
+    if (quiet || std::find(given.begin(), given.end(), option) == given.end()) return;
+    say("--" + option + " has no effect: " + why);
 }
 
 stream::Header header(const Io& io, stream::Payload payload, const std::vector<const stream::Header*>& before) {
@@ -151,7 +158,8 @@ void scan_stage(const Io& io, stream::Payload in, stream::Payload out, const Sca
     output.close();
 }
 
-void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work) {
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
+                  const SourceEnd& end) {
     Output output(io, header);
     Progress progress(io, parts);
     output.add(found);
@@ -168,6 +176,11 @@ void source_stage(const Io& io, const stream::Header& header, std::size_t parts,
             output.add(result.notes);
             progress.step();
         });
+    if (end) {
+        Notes last;
+        end(last);
+        output.add(last);
+    }
     output.close();
 }
 

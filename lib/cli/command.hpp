@@ -24,9 +24,17 @@ struct Io {
     int threads = 0;                       // --threads, 0 for all cores
     bool quiet = false;                    // --quiet: no warnings
     std::vector<stream::Setting> settings; // the resolved options, for the history
+    std::vector<std::string> given;        // options that are not at their defaults
+    struct Same {
+        std::string name;
+        std::vector<std::string> as; // PROGRAM.NAME
+    };
+    std::vector<Same> same; // settings that stages before should have been told, too
 
-    // A line on standard error: "program: text".
+    // A line on standard error: "program: text", as printable() makes it.
     void say(const std::string& text) const;
+    // Warns, unless quiet, if the option was given: on this input it does nothing, since `why`.
+    void idle(const std::string& option, const std::string& why) const;
 };
 
 // A header for `payload` whose history is that of `before`, if any, plus this run.
@@ -72,9 +80,12 @@ void scan_stage(const Io& io, stream::Payload reads, stream::Payload writes, con
                 const ScanEnd& end = {});
 
 // Shape "source": no stream comes in; `parts` pieces of work, on all cores, give the frames of the output in order.
-// `found` is what was noted before.  The header's settings may be more than io.settings: what identifies the input.
+// `found` is what was noted before, `end` notes what is known when all is done.  The header's settings may be more than
+// io.settings: what identifies the input.
 using SourceWork = std::function<std::vector<stream::RawFrame>(std::size_t, Notes&)>;
-void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work);
+using SourceEnd = std::function<void(Notes&)>;
+void source_stage(const Io& io, const stream::Header& header, std::size_t parts, Notes found, const SourceWork& work,
+                  const SourceEnd& end = {});
 
 // Reads a whole stream: calls `frame` per payload frame and collects the notes and facts.  For folds and sinks.
 struct Whole {

@@ -1,6 +1,7 @@
 #include "cli/document.hpp"
 
 #include "base/number.hpp"
+#include "cli/needs.hpp"
 
 #include <algorithm>
 
@@ -25,10 +26,13 @@ std::string left_part(const Option& o) {
     return "--" + o.name + (value.empty() ? "" : " " + value);
 }
 
+// What it does, and with what.
+std::string help_text(const Option& o) { return o.help + (o.needs.empty() ? "" : " (" + needs_text(o.needs) + ")"); }
+
 std::string help_and_default(const Option& o) {
     const std::string value = value_text(o);
     const bool flag = std::holds_alternative<bool*>(o.target);
-    return o.help + (flag || value.empty() ? "" : " [" + value + "]");
+    return help_text(o) + (flag || value.empty() ? "" : " [" + value + "]");
 }
 
 std::vector<Option> with_common(const Spec& spec) {
@@ -162,7 +166,7 @@ std::string markdown(const Spec& spec) {
         std::string left = left_part(o);
         for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
         const bool flag = std::holds_alternative<bool*>(o.target);
-        out += "| `" + left + "` | " + o.help + " | " + (flag ? "" : value_text(o)) + " |\n";
+        out += "| `" + left + "` | " + help_text(o) + " | " + (flag ? "" : value_text(o)) + " |\n";
     }
     out += "\n## Examples\n\n";
     for (const Example& e : spec.examples) out += e.says + "\n\n    " + e.command + "\n\n";
@@ -183,6 +187,20 @@ std::string completion_line(const Spec& spec) {
     return out + "\n";
 }
 
+namespace {
+
+bool is_number(const Option& o) {
+    return std::holds_alternative<double*>(o.target) || std::holds_alternative<std::int64_t*>(o.target) ||
+           std::holds_alternative<std::vector<double>*>(o.target);
+}
+
+// "LEAST MOST", and " open" where the least itself is not allowed, " zero" where 0 is besides.
+std::string range(const Option& o) {
+    return shortest_text(o.min) + " " + shortest_text(o.max) + (o.open_min ? " open" : "") + (o.zero ? " zero" : "");
+}
+
+} // namespace
+
 std::string contract(const Spec& spec) {
     const auto kind = [](const Port& p) -> std::string {
         switch (p.kind) {
@@ -201,6 +219,10 @@ std::string contract(const Spec& spec) {
     for (const Option& o : with_common(spec)) {
         const std::string value = value_name(o);
         out += (value.empty() ? "flag " + o.name : "option " + o.name + " " + value) + "\n";
+        out += "default " + o.name + " " + value_text(o) + "\n";
+        if (is_number(o)) out += "range " + o.name + " " + range(o) + "\n";
+        if (o.limit) out += "limit " + o.name + "\n";
+        if (!o.needs.empty()) out += "needs " + o.name + " " + o.needs + "\n";
     }
     for (const Example& e : spec.examples) out += "example " + e.command + "\n";
     return out;

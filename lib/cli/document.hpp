@@ -16,7 +16,8 @@ std::string markdown(const Spec& spec); // docs/commands/NAME.md
 std::string completion_line(const Spec& spec);
 
 // One line per fact that the tests and the front command go by: "synopsis ...", "in file|text|none|stream Regions",
-// "out ...", "flag NAME", "option NAME UNIT", "example COMMAND".
+// "out ...", "flag NAME", "option NAME UNIT", "default NAME VALUE", "range NAME LEAST MOST [open] [zero]", "limit
+// NAME", "needs NAME" and a need as needs.hpp writes it, "example COMMAND".
 std::string contract(const Spec& spec);
 
 // The value of an option as it stands in the history.

@@ -11,11 +11,12 @@ namespace filum::cli {
 template <class HeadChoice>
 std::vector<Option> head_options(HeadChoice& to) {
     const auto length = [](const char* name, std::vector<double>& at, const char* unit, const char* help) {
-        return Option{name, &at, unit, help}.at_least(0).at_most(1e4).numbers(1).not_a_setting();
+        return Option{name, &at, unit, help}.within(0, 1e4).numbers(1).not_a_setting().when("!head=none").a_limit();
     };
     return {
         Option{"head", &to.name, "HEAD", "ordinary, none, or the head of a machine profile: its name or file"}
-            .not_a_setting(),
+            .not_a_setting()
+            .a_limit(),
         length("flat-radius", to.flat_radius, "MM", "radius of the flat at the tip; the ordinary head's is 0.2"),
         length("cone-angle", to.cone_angle_deg, "DEG", "whole angle of the nozzle's cone; ordinary 60").at_most(175),
         length("cone-height", to.cone_height, "MM", "height of the carriage above the tip; ordinary 8"),

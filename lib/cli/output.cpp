@@ -1,6 +1,15 @@
 #include "cli/output.hpp"
 
+#include "cli/agree.hpp"
+
 namespace filum::cli {
+
+Output::Output(const Io& io, const stream::Header& header) : io_(io), writer_(io.output, header), report_(io) {
+    for (const Note& note : disagreements(io, header)) {
+        writer_.write(note);
+        if (!io.quiet) io.say(note.what);
+    }
+}
 
 void Output::pass_on(const Whole& before, const std::function<bool(const Fact&)>& keep) {
     for (const Note& note : before.notes) writer_.write(note);

@@ -7,8 +7,8 @@ namespace filum::cli {
 
 class Output {
   public:
-    // Begins the stream `header` in the file that `io` names.
-    Output(const Io& io, const stream::Header& header) : io_(io), writer_(io.output, header), report_(io) {}
+    // Begins the stream `header` in the file that `io` names, with what this run was told otherwise than those before.
+    Output(const Io& io, const stream::Header& header);
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
 

@@ -1,12 +1,16 @@
 #include "cli/parse.hpp"
 
+#include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "cli/document.hpp"
+#include "cli/needs.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 
 namespace filum::cli {
 
@@ -15,11 +19,12 @@ namespace {
 [[noreturn]] void misused(const std::string& why) { throw Error(Exit::usage, why); }
 
 void check_range(const Option& o, double v) {
+    if (o.zero && v == 0) return;
     if (v < o.min || v > o.max || (o.open_min && v == o.min) || !std::isfinite(v)) {
         std::string limits;
         if (std::isfinite(o.min)) limits += (o.open_min ? " above " : " at least ") + shortest_text(o.min);
         if (std::isfinite(o.max)) limits += (limits.empty() ? " at most " : " and at most ") + shortest_text(o.max);
-        misused("cannot use '" + shortest_text(v) + "' for --" + o.name + ": it must be" +
+        misused("cannot use '" + shortest_text(v) + "' for --" + o.name + ": it must be" + (o.zero ? " 0, or" : "") +
                 (limits.empty() ? " a finite number" : limits));
     }
 }
@@ -47,7 +52,7 @@ void check_choice(const Option& o, const std::string& text) {
     if (o.choices.empty() || std::find(o.choices.begin(), o.choices.end(), text) != o.choices.end()) return;
     std::string all;
     for (const auto& c : o.choices) all += (all.empty() ? "" : ", ") + c;
-    misused("cannot use '" + text + "' for --" + o.name + ": it must be one of " + all);
+    misused("cannot use '" + text + "' for --" + o.name + ": it must be one of " + all + did_you_mean(text, o.choices));
 }
 
 void store(const Option& o, const std::string& text) {
@@ -105,6 +110,31 @@ void take_leading(const Spec& spec, Io& io) {
     }
 }
 
+// What was typed that no option is called by, and what may have been meant.
+[[noreturn]] void unknown(const std::string& word, const Spec& spec) {
+    const std::string name = word.substr(0, word.find('='));
+    const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
+    std::vector<std::string> names{"output", "threads", "quiet", "help", "version"};
+    for (const Option& o : spec.options) names.push_back(o.name);
+    const std::string meant = did_you_mean(name.substr(dashes), names, "--");
+    misused("unknown option '" + word + "'" + (meant.empty() ? "; see '" + spec.name + " --help'" : meant));
+}
+
+// Options that were given and do nothing beside the others.
+void check_needs(const Spec& spec, const std::vector<std::string>& defaults, Io& io) {
+    const Lookup lookup = [&](const std::string& name) -> Standing {
+        for (std::size_t i = 0; i < spec.options.size(); ++i)
+            if (spec.options[i].name == name)
+                return {value_text(spec.options[i]), value_text(spec.options[i]) != defaults[i]};
+        throw std::logic_error("--" + name + " is no option of " + spec.name);
+    };
+    for (const Option& o : spec.options) {
+        if (!lookup(o.name).changed) continue;
+        io.given.push_back(o.name);
+        if (const auto why = fault(o.name, o.needs, lookup)) misused(*why);
+    }
+}
+
 void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
     CLI::App app;
     app.set_help_flag();
@@ -117,8 +147,7 @@ void read_command_line(int argc, char** argv, const Spec& spec, Io& io) {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {
         const auto left = app.remaining();
-        const std::string first = left.empty() ? "" : left.front();
-        misused("unknown option '" + first + "'; see '" + spec.name + " --help'");
+        unknown(left.empty() ? "" : left.front(), spec);
     } catch (const CLI::ParseError& e) {
         misused("cannot read the command line: " + in_house(e.what()) + "; see '" + spec.name + " --help'");
     }
@@ -144,8 +173,10 @@ std::string parse(int argc, char** argv, const Spec& spec, Io& io) {
         if (path.empty()) misused("cannot use '' as a file name; is a variable empty?");
     if (io.output.empty()) misused("cannot use '' for --output; is a variable empty?");
     if (!io.inputs.empty()) io.input = io.inputs.front();
+    check_needs(spec, defaults, io);
     for (std::size_t i = 0; i < defaults.size(); ++i) {
         const Option& o = spec.options[i];
+        if (!o.same.empty()) io.same.push_back({o.name, o.same});
         if (!o.setting) continue;
         const std::string value = value_text(o);
         io.settings.push_back({o.name, value, value != defaults[i]});

@@ -21,17 +21,38 @@ struct Option {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     bool open_min = false;                 // min itself is not allowed
+    bool zero = false;                     // 0 is, though below min
     std::vector<std::string> choices = {}; // for texts
     std::size_t count = 0;                 // for lists: how many numbers exactly, 0 for any
     bool setting = true;                   // false for files and whatever must not enter the history
+    std::string needs = "";                // what other options it needs to have an effect: see when()
+    std::vector<std::string> same = {};    // settings of stages before, PROGRAM.NAME, that should have its value
+    std::string group = "";                // heading in the help
+    bool limit = false;                    // acts only where the input reaches it: nothing may change, rightly
 
     Option& at_least(double v) { return min = v, *this; }
     Option& above(double v) { return min = v, open_min = true, *this; }
+    Option& zero_or_at_least(double v) { return min = v, zero = true, *this; }
     Option& at_most(double v) { return max = v, *this; }
+    Option& within(double from, double to) { return min = from, max = to, *this; }
     Option& one_of(std::vector<std::string> c) { return choices = std::move(c), *this; }
     Option& numbers(std::size_t n) { return count = n, *this; }
     Option& not_a_setting() { return setting = false, *this; }
+    // Where it has an effect: given elsewhere, not at its default, it is an error.  Conditions with blanks between, all
+    // of which must hold: "pattern=spiral|zigzag", the other option has one of these values; "surface", it is not at
+    // its default; with '/' one of several; with '!' in front none of them.  As "method=cyc !surface/regions".
+    Option& when(const std::string& condition) {
+        needs += (needs.empty() ? "" : " ") + condition;
+        return *this;
+    }
+    // A stage before that was told otherwise is told of in a warning and a note.
+    Option& same_as(std::vector<std::string> settings) { return same = std::move(settings), *this; }
+    Option& a_limit() { return limit = true, *this; }
 };
+
+// Options under one heading, or under one more condition.
+std::vector<Option> grouped(const std::string& heading, std::vector<Option> options);
+std::vector<Option> when(const std::string& condition, std::vector<Option> options);
 
 struct Example {
     std::string command; // shell text, run by the tests in a folder that holds part.stl; must exit 0

@@ -1,7 +1,7 @@
 // The options of commands that read STEP files.
 #pragma once
 
-#include "cli/spec.hpp"
+#include "cli/command.hpp"
 
 #include <vector>
 
@@ -17,6 +17,12 @@ std::vector<Option> step_options(Tessellation& to) {
         Option{"deflection-angle", &to.angle_deg, "DEG", "STEP: and how far one chord of a curve turns from the next"}
             .at_least(0.1)
             .at_most(90)};
+}
+
+// Warns of these options, if given, where there is nothing for them to do.
+inline void step_idle(const Io& io, bool is_step) {
+    if (is_step) return;
+    for (const char* name : {"deflection", "deflection-angle"}) io.idle(name, "no file is STEP");
 }
 
 } // namespace filum::cli

@@ -8,7 +8,7 @@ namespace filum::collision {
 bool Growth::add(Move move, double width, double height) {
     const double length = distance(move.from.tip, move.to.tip);
     if (length == 0 && move.from.axis == move.to.axis && move.from.side == move.to.side) return false;
-    if (width > 0) fresh_ = width + 2 * flat_;
+    if (width > 0) fresh_ = width + 2 * heads_.of(move.tool).flat_radius;
     while (!ends_.empty() && ends_.front() <= way_ - fresh_) ends_.pop_front();
     move.before = static_cast<std::uint32_t>(beads.size() - ends_.size());
     moves.push_back(move);
@@ -34,7 +34,7 @@ Stance Walk::stance(const toolpath::Span& span, std::size_t i) const {
 }
 
 void Walk::go(const Stance& to, const toolpath::Span& span, double width, double height) {
-    Move move{at_, to, 0, points_, span.layer, span.stroke, !toolpath::extrudes(span.role)};
+    Move move{at_, to, 0, points_, span.layer, span.stroke, !toolpath::extrudes(span.role), span.tool};
     if (move.from.side == Vec3{} || to.side == Vec3{}) move.from.side = move.to.side = {};
     growth.add(move, width, height);
     at_ = to;

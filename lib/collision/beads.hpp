@@ -14,7 +14,7 @@ namespace filum::collision {
 // diameter, is shaped by the nozzle itself and does not stand in its way; a bead is there once its move has ended.
 class Growth {
   public:
-    explicit Growth(double flat_radius) : flat_(flat_radius) {}
+    explicit Growth(Heads heads) : heads_(std::move(heads)) {}
     // Adds the move; its `before` is set here.  A width of 0 lays nothing.  Returns false, and adds nothing, if it
     // does not move.
     bool add(Move move, double width, double height);
@@ -25,12 +25,13 @@ class Growth {
     std::vector<Solid> beads; // born in their order
 
   private:
-    double flat_, way_ = 0, fresh_ = 0; // mm: gone so far; how long the fresh bead is
-    std::deque<double> ends_;           // of the fresh beads along the way
+    Heads heads_;
+    double way_ = 0, fresh_ = 0; // mm: gone so far; how long the fresh bead is
+    std::deque<double> ends_;    // of the fresh beads along the way
 };
 
 struct Machine {
-    machine::Head head;
+    Heads head;
     double lift = 0.6;     // mm, of travels without normals above all that is printed
     double min_length = 0; // mm; shorter ones stay where they are
     bool rotary = false;   // the carriage may be turned about the tool axis, nobody knows how
@@ -42,7 +43,7 @@ struct Machine {
 // machine, and on travels from there whose normals are upright; otherwise it is taken as round.
 class Walk {
   public:
-    explicit Walk(const Machine& machine) : growth(machine.head.flat_radius), machine_(machine) {}
+    explicit Walk(const Machine& machine) : growth(machine.head), machine_(machine) {}
     void add(const toolpath::Span& span);
     Growth growth;
 

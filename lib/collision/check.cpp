@@ -34,7 +34,7 @@ Vec3 turned(const Vec3& a, const Vec3& b, double share) {
 
 struct Search {
     const Scene& scene;
-    const Shape shape;
+    const Shapes shapes;
     const std::vector<Move>& moves;
     const Options& options;
 
@@ -66,7 +66,7 @@ struct Search {
         Probe p = probe(at(m, middle), m, c.against, cutoff);
         p.shift = half * c.motion.length, p.turn = half * c.motion.turn;
         p.sink = half * std::abs(dot(c.motion.way, p.stance.axis));
-        const auto near = tree.any(shape, p, {at(m, begin), at(m, end)}, options.step);
+        const auto near = tree.any(shapes.of(m.tool), p, {at(m, begin), at(m, end)}, options.step);
         if (near == Tree::Near::nothing) return;
         if (near == Tree::Near::moving && depth < kHalvings) {
             look(c, begin, middle, depth + 1, best);
@@ -74,7 +74,7 @@ struct Search {
             return;
         }
         p.shift = p.turn = p.sink = 0;
-        const auto hit = tree.nearest(shape, p);
+        const auto hit = tree.nearest(shapes.of(m.tool), p);
         if (!hit.found) return;
         c.worst = {c.move, middle, hit.distance, p.stance.tip, hit.piece, c.against};
         c.found = true;
@@ -102,6 +102,7 @@ struct Search {
         };
         for (std::size_t i = begin; i < end; ++i) {
             const Move& m = moves[i];
+            if (m.tool != moves[begin].tool) return true; // another head
             stretch(m.from, length > 0 ? gone / length : 0);
             gone += distance(m.from.tip, m.to.tip);
             stretch(m.to, length > 0 ? gone / length : 1);
@@ -112,7 +113,8 @@ struct Search {
         if (p.turn > 0.5 || turn > 0.5 || most > 0.5) return true;
         // chords into angles, and how far arcs are off their chords
         sweep.lean = kArc * (sweep.lean + (turn * turn + most * most) / 8), p.turn *= kArc;
-        return scene[static_cast<std::size_t>(against)].any(shape, p, sweep, 0) != Tree::Near::nothing;
+        return scene[static_cast<std::size_t>(against)].any(shapes.of(moves[begin].tool), p, sweep, 0) !=
+               Tree::Near::nothing;
     }
 
     // Looks along moves; `best` is the least clearance so far.
@@ -150,7 +152,7 @@ struct Search {
                 const auto against = static_cast<Against>(k);
                 const double so_far = out.least[k] ? out.least[k]->clearance : std::numeric_limits<double>::infinity();
                 const Stance stance = at(moves[i], 0.5);
-                const auto hit = scene[k].nearest(shape, probe(stance, moves[i], against, so_far));
+                const auto hit = scene[k].nearest(shapes.of(moves[i].tool), probe(stance, moves[i], against, so_far));
                 if (hit.found) out.least[k] = Place{i, 0.5, hit.distance, stance.tip, hit.piece, against};
             }
         return out;
@@ -174,9 +176,9 @@ Motion motion(const Move& m) {
     return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
 }
 
-Found check(const Scene& scene, const machine::Head& head, const std::vector<Move>& moves, const Options& options,
+Found check(const Scene& scene, const Heads& heads, const std::vector<Move>& moves, const Options& options,
             int threads) {
-    const Search search{scene, Shape(head), moves, options};
+    const Search search{scene, Shapes(heads), moves, options};
     Found out = search.sample();
     std::array<double, 4> seed{};
     for (std::size_t k = 0; k < seed.size(); ++k)

@@ -1,4 +1,4 @@
-// Whether the head meets anything on its way, and how near it comes.
+// Whether the head meets anything on its way, and how near it comes (docs/algorithms/routing.md).
 #pragma once
 
 #include "collision/tree.hpp"
@@ -16,6 +16,7 @@ struct Move {
     std::uint32_t source = 0; // a point of the toolpath, counted over all; a line of the program
     std::uint32_t layer = 0, stroke = 0;
     bool travel = false;
+    std::uint32_t tool = 0; // whose head it is
 };
 
 enum class Against : std::uint8_t { beads, part, fixture, bed };
@@ -53,7 +54,7 @@ using Scene = std::array<Tree, 4>;
 // the margin asks, or that no point of the head that can move by more than `step` within the piece comes so near; then
 // its middle is checked.  So no clearance is below the one given by more than half a step.
 // Ties: the earlier move, then the earlier place.  The same for any number of threads (0: all cores).
-Found check(const Scene& scene, const machine::Head& head, const std::vector<Move>& moves, const Options& options,
+Found check(const Scene& scene, const Heads& heads, const std::vector<Move>& moves, const Options& options,
             int threads);
 
 // The stance at a share of a move.

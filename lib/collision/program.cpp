@@ -1,6 +1,7 @@
 #include "collision/program.hpp"
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
 
@@ -10,7 +11,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <vector>
 
 namespace filum::collision {
@@ -55,12 +59,51 @@ struct Line {
 // X Y Z, tilt, turn: the numbers of the program.
 using Axes = std::array<double, 5>;
 
+Heads heads(const machine::Profile& profile) {
+    Heads out = profile.head;
+    for (const auto& [tool, own] : profile.own) out.own.emplace(tool, own->head);
+    return out;
+}
+
+std::string first_line(const std::string& text) { return std::string(trimmed(text.substr(0, text.find('\n')))); }
+
+// The line of each tool's codes by which it is known: the first that no other tool's codes hold.
+std::map<std::string, std::uint32_t> tool_lines(const machine::Profile& p) {
+    std::map<std::string, std::set<std::uint32_t>> holders;
+    std::map<std::uint32_t, std::vector<std::string>> codes;
+    std::set<std::uint32_t> tools{0};
+    for (const auto& [tool, own] : p.own) tools.insert(tool);
+    if (p.fibre.active()) tools.insert(static_cast<std::uint32_t>(p.fibre.tool));
+    for (const std::uint32_t tool : tools) {
+        std::istringstream text(machine::change_codes(p, tool));
+        for (std::string line; std::getline(text, line);) {
+            constexpr std::string_view number = "{tool_no}";
+            if (const auto at = line.find(number); at != std::string::npos)
+                line.replace(at, number.size(), shortest_text(p.tools.first + static_cast<double>(tool)));
+            if (line.find('{') != std::string::npos) continue; // what only the whole job knows
+            line = Line(line).code;
+            if (line.empty()) continue;
+            codes[tool].push_back(line);
+            holders[line].insert(tool);
+        }
+    }
+    std::map<std::string, std::uint32_t> out;
+    for (const auto& [tool, lines] : codes)
+        for (const auto& line : lines)
+            if (holders[line].size() == 1) {
+                out[line] = tool;
+                break;
+            }
+    return out;
+}
+
 class Reader {
   public:
     Reader(const std::string& name, const machine::Profile& profile, const ProgramOptions& options)
-        : name_(name), p_(profile), o_(options), growth_(profile.head.flat_radius), width_(options.width),
-          height_(options.height) {
+        : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(tool_lines(profile)),
+          width_(options.width), height_(options.height) {
         lose_place();
+        if (p_.axes.start) stand(*p_.axes.start);
         tip_ = !p_.axes.active() || (p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty());
     }
 
@@ -76,6 +119,13 @@ class Reader {
     void lose_place() {
         at_[0] = at_[1] = at_[2] = std::numeric_limits<double>::quiet_NaN();
         if (p_.axes.chain.carrier == kinematics::Carrier::polar) at_[1] = p_.axes.chain.turn_point.y;
+    }
+
+    // Where the profile takes the axes to stand; their numbers are the axes' own while no code tells of tips.
+    void stand(const Joints& j) {
+        const bool tips = p_.axes.numbers == machine::Numbers::tip && p_.axes.tcp_on.empty();
+        const Vec3 at = tips ? kinematics::forward(p_.axes.chain, j).tip : j.xyz;
+        at_ = {at.x, at.y, at.z, j.tilt / kDegree, j.turn / kDegree};
     }
 
     Program finish() {
@@ -106,8 +156,14 @@ class Reader {
     bool special(const std::string& code) {
         const auto is = [&](const std::string& other) { return !other.empty() && code == trimmed(other); };
         const auto& a = p_.axes;
-        if (is(p_.extrusion.on)) return open_ = true, ++out_.ignored, true;
-        if (is(p_.extrusion.off)) return open_ = false, ++out_.ignored, true;
+        if (const auto found = tools_.find(code); found != tools_.end()) {
+            take(found->second);
+            ++out_.ignored;
+            return true;
+        }
+        const auto& e = machine::of_tool(p_, tool_).extrusion;
+        if (is(first_line(e.on))) return open_ = true, ++out_.ignored, true;
+        if (is(first_line(e.off))) return open_ = false, ++out_.ignored, true;
         if (p_.fibre.active() && is(p_.fibre.on)) return open_ = true, ++out_.ignored, true;
         if (p_.fibre.active() && is(p_.fibre.off)) return open_ = false, ++out_.ignored, true;
         if (!a.active() || a.numbers != machine::Numbers::tip) return false;
@@ -116,28 +172,39 @@ class Reader {
         return false;
     }
 
+    // Where the tip of another tool is, nobody knows: its codes move it.
+    void take(std::uint32_t tool) {
+        if (tool != tool_) lose_place();
+        tool_ = tool;
+    }
+
     // The numbers get another meaning; the tool stays where it is.
     void switch_to(bool tip) {
         if (tip == tip_ || !known(at_)) return void(tip_ = tip);
         const Joints j = joints(at_);
-        const Vec3 now = tip ? kinematics::forward(p_.axes.chain, j).tip : j.xyz;
+        const Vec3 now = tip ? kinematics::forward(chain(), j).tip : j.xyz;
         at_[0] = now.x, at_[1] = now.y, at_[2] = now.z;
         tip_ = tip;
     }
 
+    [[nodiscard]] const kinematics::Chain& chain() const { return machine::of_tool(p_, tool_).axes.chain; }
     static bool known(const Axes& a) { return !std::isnan(a[0]) && !std::isnan(a[1]) && !std::isnan(a[2]); }
 
     [[nodiscard]] Joints joints(const Axes& a) const {
         const Vec3 xyz{a[0], a[1], a[2]};
-        if (tip_) return kinematics::place(p_.axes.chain, xyz, a[3] * kDegree, a[4] * kDegree);
-        return {xyz, a[3] * kDegree, a[4] * kDegree};
+        if (tip_) return kinematics::place(chain(), xyz, a[3] * kDegree, a[4] * kDegree);
+        return {xyz + offset(), a[3] * kDegree, a[4] * kDegree};
     }
+
+    // The axes count where tool 0's tip is.
+    [[nodiscard]] Vec3 offset() const { return machine::of_tool(p_, tool_).offset; }
 
     [[nodiscard]] Stance stance(const Axes& a) const {
         const Joints j = joints(a);
-        const auto pose = kinematics::forward(p_.axes.chain, j);
-        return {(tip_ ? Vec3{a[0], a[1], a[2]} : pose.tip) + o_.shift, pose.axis,
-                kinematics::tool_side(p_.axes.chain, j)};
+        const auto pose = kinematics::forward(chain(), j);
+        const Vec3 off = p_.axes.active() ? Vec3{} : offset();
+        return {(tip_ ? Vec3{a[0], a[1], a[2]} + off : pose.tip) + o_.shift, pose.axis,
+                kinematics::tool_side(chain(), j)};
     }
 
     struct Word {
@@ -184,7 +251,7 @@ class Reader {
         std::optional<double> extruder;
         bool moves = false, says_so = false;
         Other other = Other::none;
-        const bool counts = p_.extrusion.feeding != machine::Feeding::valve;
+        const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
         for (const auto& [letter, v] : *all) {
             const std::size_t k = axis(letter);
             if (k < to.size())
@@ -267,8 +334,8 @@ class Reader {
                 return;
             }
         }
-        growth_.add({from, to, 0, static_cast<std::uint32_t>(number_), layer_, stroke_, !lays}, lays ? width_ : 0,
-                    height_);
+        growth_.add({from, to, 0, static_cast<std::uint32_t>(number_), layer_, stroke_, !lays, tool_},
+                    lays ? width_ : 0, height_);
     }
 
     const std::string& name_;
@@ -276,10 +343,11 @@ class Reader {
     const ProgramOptions& o_;
     Program out_;
     Growth growth_;
+    std::map<std::string, std::uint32_t> tools_;
     Axes at_{};
     double width_, height_, extruder_ = 0;
     std::uint64_t number_ = 0;
-    std::uint32_t layer_ = 0, stroke_ = 0;
+    std::uint32_t layer_ = 0, stroke_ = 0, tool_ = 0;
     int mode_ = -1;
     bool tip_ = true, open_ = false, laid_ = false;
     bool relative_ = p_.extrusion.relative;

@@ -30,4 +30,13 @@ class Room {
     double more_;
 };
 
+// The same for each tool's head.  All that it is made of is referred to.
+struct Rooms {
+    const Scene& scene;
+    const Shapes& shapes;
+    const Options& options;
+    double more = 0;
+    [[nodiscard]] Room of(std::uint32_t tool) const { return {scene, shapes.of(tool), options, more}; }
+};
+
 } // namespace filum::collision

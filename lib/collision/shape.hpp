@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 
 namespace filum::collision {
@@ -14,6 +15,18 @@ using geom::Vec3;
 
 enum class Piece : std::uint8_t { nozzle, carriage, gantry };
 inline constexpr std::array<const char*, 3> kPieceNames{"nozzle", "carriage", "gantry"};
+
+// The heads of a machine's tools: one for all, but for those that have another.
+struct Heads {
+    machine::Head common;
+    std::map<std::uint32_t, machine::Head> own;
+    Heads() = default;
+    Heads(const machine::Head& head) : common(head) {} // NOLINT: a head is the head of all tools
+    [[nodiscard]] const machine::Head& of(std::uint32_t tool) const {
+        const auto found = own.find(tool);
+        return found == own.end() ? common : found->second;
+    }
+};
 
 // Where the tool stands, in the part's frame.
 struct Stance {
@@ -65,6 +78,22 @@ class Shape {
     double flat_ = 0, wide_ = 0, height_ = 0; // mm: radii of the nozzle's ends, height of the upper one
     double half_x_ = 0, half_y_ = 0, half_diagonal_ = 0, gantry_ = 0;
     double out_ = 1, down_ = 0; // of the unit normal of the nozzle's side
+};
+
+// Those of all heads.
+class Shapes {
+  public:
+    explicit Shapes(const Heads& heads) : common_(heads.common) {
+        for (const auto& [tool, head] : heads.own) own_.emplace(tool, Shape(head));
+    }
+    [[nodiscard]] const Shape& of(std::uint32_t tool) const {
+        const auto found = own_.find(tool);
+        return found == own_.end() ? common_ : found->second;
+    }
+
+  private:
+    Shape common_;
+    std::map<std::uint32_t, Shape> own_;
 };
 
 } // namespace filum::collision

@@ -1,9 +1,9 @@
 #include "fill/contour.hpp"
 
 #include "fill/inset.hpp"
-#include "fill/spacing.hpp"
+#include "fill/rings.hpp"
 #include "fill/spiral.hpp"
-#include "fill/thin.hpp"
+#include "rings/lanes.hpp"
 
 #include <limits>
 
@@ -11,42 +11,41 @@ namespace filum::fill {
 
 namespace {
 
-std::vector<toolpath::Curve> curves_along(const BeadRings& beads) {
+std::vector<toolpath::Curve> curves_along(const rings::Rings& beads) {
     std::vector<toolpath::Curve> out;
-    for (std::size_t i = 0; i < beads.loops.size(); ++i)
+    for (std::size_t i = 0; i < beads.size(); ++i)
         out.push_back({true,
-                       {beads.loops[i].begin(), beads.loops[i].end()},
-                       {beads.width.begin() + beads.loops.start[i], beads.width.begin() + beads.loops.start[i + 1]}});
+                       {beads.points.begin() + beads.start[i], beads.points.begin() + beads.start[i + 1]},
+                       {beads.width.begin() + beads.start[i], beads.width.begin() + beads.start[i + 1]}});
     return out;
 }
 
-// The rings of the first `levels` levels.
-Rings outer(const Rings& all, int levels) {
-    Rings out;
+// The classical rings: those of the first `levels` levels, one bead wide.
+std::vector<toolpath::Curve> plain_rings(const Loops& region, double w, int levels) {
+    const double tolerance = w / 128;
+    const Rings all = nested_rings(inset(region, w / 2), w * (1 - kRingOverlap), kShortestRing * w, tolerance);
+    std::vector<toolpath::Curve> out;
     for (std::size_t i = 0; i < all.loops.size(); ++i)
-        if (all.level[i] < levels) out.loops.add(all.loops[i]), out.level.push_back(all.level[i]);
+        if (all.level[i] < levels) out.push_back({true, {all.loops[i].begin(), all.loops[i].end()}, {w}});
     return out;
 }
 
 } // namespace
 
 std::vector<toolpath::Curve> contour(const Loops& region, const ContourOptions& o, Notes& notes) {
-    struct Try {
-        double tolerance; // bead widths
-        int lanes;
-    };
+    constexpr double kTolerance = 0.01; // mm
+    constexpr double kReach = 0.5 + 1.0 / 32;
     const double w = o.bead_width;
-    const int levels = o.rings > 0 ? o.rings : std::numeric_limits<int>::max();
+    if (!o.fit) {
+        note_unplaced(region, inset(inset(region, w / 2), -kReach * w), w, notes);
+        return plain_rings(region, w, o.rings > 0 ? o.rings : std::numeric_limits<int>::max());
+    }
     std::vector<toolpath::Curve> out;
-    Loops first;
-    for (const Try t : {Try{1.0 / 128, 2}, Try{1.0 / 1024, 2}, Try{1.0 / 1024, 0}}) {
-        const double tolerance = t.tolerance * w;
-        first = o.fit ? first_rings(region, w, tolerance).rings : inset(region, w / 2);
-        const Rings rings = outer(nested_rings(first, w * (1 - kRingOverlap), kShortestRing * w, tolerance), levels);
-        out = curves_along(even_spacing(rings, region, w, o.fit ? t.lanes : 0, tolerance));
+    for (const double share : {1.0, 0.125}) {
+        const double tolerance = share * std::min(kTolerance, w / 40);
+        out = curves_along(rings::lanes(region, {.width = w, .most = o.rings, .tolerance = tolerance}));
         if (count_crossings(out, w) == 0) break;
     }
-    note_unplaced(region, inset(first, -(0.5 + 1.0 / 32) * w), w, notes);
     return out;
 }
 

@@ -12,10 +12,15 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kNeighbourReach = 2.2;     // bead widths: neighbours are nearer (Lemma 2: at most 2)
-constexpr double kLongestLink = 2.4;        // bead widths
-constexpr double kPlaces = 8;               // along a ring, where strips are looked for
-constexpr std::size_t kSpiralsTried = 4;    // of them, the best, are tried
+constexpr double kNeighbourReach = 2.2;  // bead widths: neighbours are nearer (Lemma 2: at most 2)
+constexpr double kLongestLink = 2.4;     // bead widths
+constexpr double kPlaces = 8;            // along a ring, where strips are looked for
+constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
+// Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
+// square of that.
+constexpr double kLink = 0.25;
+constexpr double kNarrowLink = 0.5;         // bead widths
+constexpr double kLinkEnd = 0.2;            // share of a link's length on which it becomes as wide as its rings
 constexpr double kShortestSegment = 0.0125; // bead widths: shorter segments could cross their neighbours once rounded
 
 // Two rings facing each other at one place.
@@ -37,9 +42,14 @@ struct Bridge {
         if (parallel) return k == 0 ? geom::Segment{begin[0], begin[1]} : geom::Segment{end[0], end[1]};
         return k == 0 ? geom::Segment{begin[0], end[1]} : geom::Segment{end[0], begin[1]};
     }
-    [[nodiscard]] Splice splice() const {
-        return {{{ring[0], s0[0], s1[0]}, {ring[1], s0[1], s1[1]}},
-                {{{0, false}, {1, !parallel}, {}}, {{0, true}, {1, parallel}, {}}}};
+    // The links are as wide as they are apart.
+    [[nodiscard]] Splice splice(double width) const {
+        Splice out{{{ring[0], s0[0], s1[0]}, {ring[1], s0[1], s1[1]}},
+                   {{{0, false}, {1, !parallel}, {}}, {{0, true}, {1, parallel}, {}}}};
+        for (const int k : {0, 1})
+            for (const double t : {kLinkEnd, 1 - kLinkEnd})
+                out.links[static_cast<std::size_t>(k)].bead.add(geom::lerp(link(k).a, link(k).b, t), width);
+        return out;
     }
 };
 
@@ -86,12 +96,12 @@ class Joiner {
         for (const double samples : {8.0, 64.0, 1024.0}) {
             if (forest_.groups() <= 1) break;
             const auto found = candidates(samples);
-            for (const double half : {0.5, 0.3, 0.17}) accept(found, half);
+            for (const double half : {kLink, 0.17}) accept(found, half);
         }
         if (forest_.groups() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
             stay_inside_ = false;
             const auto found = candidates(1024);
-            for (const double half : {0.3, 0.17, 0.05}) accept(found, half);
+            for (const double half : {kLink, 0.17, 0.05}) accept(found, half);
         }
         return trace();
     }
@@ -171,8 +181,9 @@ class Joiner {
                                     graph_.turning(there->ring, there->s - 0.6 * width_, there->s + 0.6 * width_);
                 const Vec2 across = (1 / there->distance) * (there->point - here);
                 const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
-                out.push_back({r, there->ring, s, across, std::min(bead, width_),
-                               std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0)});
+                out.push_back(
+                    {r, there->ring, s, across, std::min(bead, width_),
+                     std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0) + std::max(0.0, 1 - bead / width_)});
             }
         }
         std::stable_sort(out.begin(), out.end(),
@@ -191,9 +202,11 @@ class Joiner {
             if (forest_.groups() <= 1) return;
             if (forest_.root(c.ring) == forest_.root(c.other)) continue;
             Bridge b;
-            const double window = half * c.bead; // the links are beads, too, and as wide as those they join
+            // half of a bead wide, or as wide as their rings
+            const double least = half < kLink ? 0 : std::min(c.bead / 2, kNarrowLink * width_ / 2);
+            const double window = std::max(half * c.bead, least);
             if (!make(c, window, b) || !fits(b, window)) continue;
-            splices_.add(b.splice());
+            splices_.add(b.splice(2 * window));
             for (const int k : {0, 1}) links_.push_back(b.link(k));
             forest_.unite(c.ring, c.other);
         }

@@ -1,4 +1,4 @@
-// Rings to one closed curve: the exchange construction and double spirals (notes 3a, A3-A5).
+// Rings to one closed curve: the exchange construction and double spirals (docs/algorithms/fill.md).
 #pragma once
 
 #include "base/note.hpp"
@@ -18,7 +18,7 @@ using ClosedLine = BeadLine; // its last point runs on to its first
 // 2.2 `width`: rings spaced `width` inside a connected erosion then always form one connected graph (Lemma 2).
 //
 // With `spirals`, stacks of three rings or more become double spirals first: two turns for all of them instead of two
-// for each pair (A5), in the order of the rings, each where the most rings lie side by side.
+// for each pair, in the order of the rings, each where the most rings lie side by side.
 //
 // No link crosses `outline` either: rings on both sides of a narrow slot are near, but not neighbours.
 //

@@ -1,4 +1,5 @@
-// Many parallel rings to one curve at one place: the Fermat double spiral (notes 3a, A5).  Private to lib/fill.
+// Many parallel rings to one curve at one place: the Fermat double spiral (docs/algorithms/fill.md).  Private to
+// lib/fill.
 #pragma once
 
 #include "fill/splices.hpp"

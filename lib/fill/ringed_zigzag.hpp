@@ -18,7 +18,7 @@ struct RingedZigzagOptions {
 
 // Fills one connected region (outer loop first, then holes): `rings` rings as in `spiral`, thin walls followed, and in
 // every part of what is left the corridors of `zigzag`, whose outline is just one more ring inside the others.  Linked,
-// all are joined by exchanges to one closed curve (notes 3a: "the core pattern as a loop keeps the one-path theorem").
+// all are joined by exchanges to one closed curve (docs/algorithms/fill.md: a core that is one more loop keeps it one).
 // The result is checked and made again as in `zigzag`.  Order: longest first if linked, else from outside inwards.
 // Notes: curves that could not be joined (count), area that no bead reaches (mm2).
 std::vector<toolpath::Curve> ringed_zigzag(const polygon::Loops& region, const RingedZigzagOptions& options,

@@ -20,8 +20,8 @@ struct Rings {
 };
 
 // The rings inside and including `first`, each `spacing` mm from the one around it, until nothing is left.  Each level
-// is the offset of the simplified level before (notes 3a, A2): the distance between neighbours is exact to twice the
-// `tolerance`.  Rings shorter than `min_length` are left out, but not those inside them.
+// is the offset of the simplified level before (docs/algorithms/fill.md): the distance between neighbours is exact to
+// twice the `tolerance`.  Rings shorter than `min_length` are left out, but not those inside them.
 Rings nested_rings(const Loops& first, double spacing, double min_length, double tolerance);
 
 } // namespace filum::fill

@@ -79,8 +79,8 @@ struct RoundedStretch {
 
 class Rounding {
   public:
-    Rounding(const BeadLine& line, double reach, const std::function<double(Vec2)>& room)
-        : line_(&line), course_(line), reach_(reach), room_(&room) {}
+    Rounding(const BeadLine& line, double width, double reach, const std::function<double(Vec2)>& room)
+        : line_(&line), course_(line), width_(width), reach_(reach), room_(&room) {}
 
     BeadLine run() {
         find_corners();
@@ -106,7 +106,8 @@ class Rounding {
         const double ratio = chord(s, reach_) / (2 * reach_);
         if (ratio >= kTurned) return 0;
         const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
-        return ratio < kAcute && !outer ? kAcuteReach * reach_ : reach_;
+        const double reach = reach_ * std::min(1.0, 2 * line_->width[vertex] / width_); // narrow lanes are near
+        return ratio < kAcute && !outer ? kAcuteReach * reach : reach;
     }
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
@@ -161,7 +162,7 @@ class Rounding {
 
     const BeadLine* line_;
     Course course_;
-    double reach_;
+    double width_, reach_;
     const std::function<double(Vec2)>* room_;
     std::vector<RoundedStretch> parts_;
     BeadLine out_;
@@ -256,11 +257,11 @@ BeadLine with_wide_turns(const BeadLine& line, double width, const std::function
     return line.points.size() < 4 ? line : Widening(line, width, room).run();
 }
 
-BeadLine rounded(const BeadLine& line, double reach, const std::function<double(Vec2)>& room) {
+BeadLine rounded(const BeadLine& line, double width, double reach, const std::function<double(Vec2)>& room) {
     double length = 0;
     for (std::size_t i = 0; i < line.points.size(); ++i)
         length += geom::distance(line.points[i], line.points[(i + 1) % line.points.size()]);
-    return length < kShortestRounded * reach ? line : Rounding(line, reach, room).run();
+    return length < kShortestRounded * reach ? line : Rounding(line, width, reach, room).run();
 }
 
 } // namespace filum::fill

@@ -1,4 +1,4 @@
-// Lanes of thin walls moved to their middle: one of them, which opens the curve, or both (notes 3a, A6).
+// Lanes of thin walls moved to their middle: one of them, which opens the curve, or both.
 #pragma once
 
 #include "fill/wall_graph.hpp"

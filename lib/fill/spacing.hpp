@@ -1,4 +1,4 @@
-// Even spacing: rings moved and widened so that the beads of a wall share its thickness (notes 3a, A7).
+// Even spacing: rings moved and widened so that the beads of a wall share its thickness (docs/algorithms/fill.md).
 #pragma once
 
 #include "fill/rings.hpp"

@@ -1,13 +1,12 @@
 #include "fill/spiral.hpp"
 
-#include "absorb/absorb.hpp"
 #include "fill/cycle.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/rounding.hpp"
-#include "fill/speck.hpp"
 #include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
+#include "rings/lanes.hpp"
 
 namespace filum::fill {
 
@@ -19,7 +18,11 @@ constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones clos
 constexpr double kRound = 0.4;         // bead widths of path on each side that corners are rounded within
 constexpr double kRoundMost = 0.7;     // the same where a least radius asks for more
 
-constexpr double kGrid = 1e-3; // mm
+constexpr double kTinyRing = 0.25; // bead widths squared, laid: a ring that may be left out if it cannot be joined
+
+constexpr double kGrid = 1e-3;      // mm
+constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
+constexpr double kFiner = 0.125;    // of it, where the curve would cross itself
 
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
@@ -33,9 +36,9 @@ bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
 }
 
 // Puts the line on the grid; drops points that fall together and the tips of spikes.
-void tidy(ClosedLine& line) {
+void tidy(toolpath::Curve& line) {
     for (geom::Vec2& p : line.points) p = snapped(p);
-    ClosedLine out;
+    toolpath::Curve out;
     const auto size = [&] { return out.points.size(); };
     const auto drop = [&] { out.points.pop_back(), out.width.pop_back(); };
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -59,17 +62,40 @@ void tidy(ClosedLine& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-Spiral spiral_by(const polygon::Loops& region, const SpiralOptions& o, double tolerance, bool move, bool wind,
-                 bool round) {
+// Rings with corners of the radius that is asked for, evenly spaced; `unplaced` and `open` as they leave it.
+BeadRings gentle_rings(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
+    const double w = o.bead_width, fine = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
+    const FirstRings first = first_rings(region, w, fine);
+    out.unplaced = first.unplaced;
+    const Rings rings = nested_round_rings(first.rings, w * (1 - kRingOverlap), kShortestRing * w, fine,
+                                           drawn_radius(o.min_radius, w / 2, kGrid + fine), out.open);
+    return even_spacing(rings, region, w, 2, fine);
+}
+
+BeadRings lane_rings(const Loops& region, double width, double tolerance, Spiral& out) {
+    const rings::Rings all = rings::lanes(region, {.width = width, .tolerance = tolerance});
+    out.unplaced = std::max(0.0, polygon::signed_area(region) - rings::laid_area(all));
+    return {{all.points, all.start}, all.width};
+}
+
+// Leaves open what tiny rings would lay that no link has room for beside: the first curve is the longest.
+void leave_tiny_rings(double least, Spiral& spiral) {
+    for (std::size_t i = spiral.curves.size(); i-- > 1;) {
+        const toolpath::Curve& c = spiral.curves[i];
+        double area = 0;
+        for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
+            area += c.width[k] * geom::distance(c.points[k], c.points[(k + 1) % n]);
+        if (area >= least) continue;
+        spiral.unplaced += area;
+        spiral.curves.erase(spiral.curves.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
+Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, bool wind, bool round) {
     const double w = o.bead_width;
-    if (o.min_radius > 0) tolerance = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
-    const FirstRings first = first_rings(region, w, tolerance);
-    const double spacing = w * (1 - kRingOverlap), shortest = kShortestRing * w;
-    Spiral out{{}, first.unplaced, {"", "left open for the least radius", 0, "mm2", 0}};
-    const Rings rings = o.min_radius > 0
-                            ? nested_round_rings(first.rings, spacing, shortest, tolerance,
-                                                 drawn_radius(o.min_radius, w / 2, kGrid + tolerance), out.open)
-                            : nested_rings(first.rings, spacing, shortest, tolerance);
+    Spiral out{{}, 0, {"", "left open for the least radius", 0, "mm2", 0}};
+    const BeadRings rings =
+        o.min_radius > 0 ? gentle_rings(region, o, tolerance, out) : lane_rings(region, w, tolerance, out);
     const double reach = std::clamp(0.75 * o.min_radius, kRound * w, kRoundMost * w);
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
@@ -80,12 +106,14 @@ Spiral spiral_by(const polygon::Loops& region, const SpiralOptions& o, double to
         });
         return best;
     };
-    for (ClosedLine& line :
-         join_rings(even_spacing(rings, region, w, move ? o.lanes : 0, tolerance), w, region, wind)) {
-        if (round && rings.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), reach, room);
-        tidy(line);
-        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
+    for (ClosedLine& line : join_rings(rings, w, region, wind)) {
+        if (round && rings.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), w, reach, room);
+        toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
+        if (o.min_radius <= 0) curve = rings::with_fewer_points(curve, tolerance, rings::kLeastVoid * w * w);
+        tidy(curve);
+        out.curves.push_back(std::move(curve));
     }
+    leave_tiny_rings(kTinyRing * w * w, out);
     return out;
 }
 
@@ -124,12 +152,6 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
-// With noses into what the beads leave open; should the result cross itself, without.
-void absorb_voids(const Loops& region, const SpiralOptions& o, Spiral& spiral) {
-    auto curves = absorb::absorb(region, spiral.curves, {.bead_width = o.bead_width});
-    if (count_crossings(curves, o.bead_width) == 0) spiral.curves = std::move(curves);
-}
-
 } // namespace
 
 std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell) {
@@ -158,24 +180,15 @@ namespace {
 // The first of several ways to fill the region, from the best to the safest, whose curves do not cross themselves.
 Spiral certified(const Loops& region, const SpiralOptions& o) {
     struct Try {
-        double tolerance; // bead widths
-        bool move, wind, round;
+        double share; // of the tolerance
+        bool wind, round;
     };
-    constexpr double kUsual = 1.0 / 128, kFine = 1.0 / 1024;
+    const double usual = std::min(kTolerance, o.bead_width / 40);
     Spiral out;
-    if (is_speck(region, o.bead_width)) {
-        ClosedLine line = speck_loop(region);
-        tidy(line);
-        out.curves.push_back({true, std::move(line.points), std::move(line.width)});
-        return out;
-    }
-    for (const Try t : {Try{kUsual, true, true, true}, Try{kFine, true, true, true}, Try{kFine, true, true, false},
-                        Try{kFine, true, false, false}, Try{kFine, false, false, false}}) {
-        out = spiral_by(region, o, t.tolerance * o.bead_width, t.move, t.wind, t.round);
-        if (count_crossings(out.curves, o.bead_width) > 0) continue;
-        // noses are sharp: not where a least radius is asked for
-        if (o.absorb && o.min_radius <= 0) absorb_voids(region, o, out);
-        break;
+    for (const Try t :
+         {Try{1, true, true}, Try{kFiner, true, true}, Try{kFiner, true, false}, Try{kFiner, false, false}}) {
+        out = spiral_by(region, o, t.share * usual, t.wind, t.round);
+        if (count_crossings(out.curves, o.bead_width) == 0) break;
     }
     return out;
 }

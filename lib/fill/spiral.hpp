@@ -1,4 +1,4 @@
-// The default fill: one closed curve per connected region, never crossing itself (notes 3a, algorithm CYC).
+// The default fill: one closed curve per connected region, never crossing itself (docs/algorithms/fill.md).
 #pragma once
 
 #include "base/note.hpp"
@@ -13,8 +13,6 @@ struct SpiralOptions {
     double bead_width = 0.4; // mm
     double min_width = 0.1;  // mm: beads narrower than this are reported
     double min_radius = 0;   // mm: the path turns no tighter where there is room for that
-    bool absorb = true;      // whether voids beside corners and turns are reached into
-    int lanes = 2;           // rings on each side of the medial axis that share a wall's odd thickness
 };
 
 struct Spiral {
@@ -23,13 +21,11 @@ struct Spiral {
     Note open{"", "left open for the least radius", 0, "mm2", 0}; // of it
 };
 
-// Fills one connected region (outer loop first, then holes).  Nested rings at one bead width, spaced evenly in walls
-// whose thickness is no multiple of it, thin walls followed by two lanes of half the wall each, all joined to one
-// curve: stacks of rings as double spirals, the rest by pairs of links.  Corners and turns are rounded, so that sharp
-// turns are left at the ends of walls, at centres and where rings branch; then voids beside them are absorbed
-// (lib/absorb).  Specks get a loop in the rectangle about them.  The result is checked: should it cross itself, it is
-// made again with finer outlines, then without rounding, spirals, and moving rings. Notes: beads below
-// min_width (mm of length), rings that could not be joined (count).
+// Fills one connected region (outer loop first, then holes).  Rings along the lanes of the region (rings/lanes.hpp),
+// which share walls of every thickness evenly, are joined to one curve: stacks of rings as double spirals, the rest by
+// pairs of links.  Corners and turns are rounded, so that sharp turns are left at the ends of walls, at centres and
+// where rings branch.  The result is checked: should it cross itself, it is made again with finer lines, then without
+// rounding and spirals.  Notes: beads below min_width (mm of length), rings that could not be joined (count).
 //
 // With a min_radius, corners of rings become arcs of that radius, and rings too small for it are left out; a note says
 // what area that leaves open, another how many turns are tighter all the same: of links, at the ends of walls, round

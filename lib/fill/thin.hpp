@@ -1,4 +1,4 @@
-// Walls, necks and tips too thin for a ring at half a bead's depth (notes 3a, A6; failure modes F2, F3).
+// Walls, necks and tips too thin for a ring at half a bead's depth (docs/algorithms/fill.md).
 #pragma once
 
 #include "polygon/loops.hpp"

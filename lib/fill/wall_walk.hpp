@@ -1,4 +1,4 @@
-// Thin walls in one pass where that is possible (notes 3a, A6).
+// Thin walls in one pass where that is possible.
 #pragma once
 
 #include "fill/wall_graph.hpp"

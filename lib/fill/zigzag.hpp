@@ -1,4 +1,4 @@
-// Zigzag fill in one closed curve (notes 3a, "Also fills").
+// Zigzag fill in one closed curve (docs/algorithms/fill.md).
 #pragma once
 
 #include "base/note.hpp"

@@ -1,5 +1,5 @@
 // Exact geodesic distance on a triangulated surface: the length of the shortest path on the faces to the nearest
-// source.
+// source (docs/algorithms/geodesic.md).
 #pragma once
 
 #include "geodesic/sources.hpp"

@@ -1,4 +1,5 @@
-// Geodesic distance by the heat method: approximate, but its time does not grow with the distance as that of windows.
+// Geodesic distance by the heat method: approximate, but its time does not grow with the distance as that of windows
+// (docs/algorithms/geodesic.md#distances-by-heat).
 #pragma once
 
 #include "geodesic/factor.hpp"

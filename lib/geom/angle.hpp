@@ -19,4 +19,10 @@ inline double unwrapped(double angle, double to) {
     return angle + 2 * std::numbers::pi * std::round((to - angle) / (2 * std::numbers::pi));
 }
 
+// `angle` less whole turns, in (-pi, pi].
+inline double wrapped(double angle) {
+    const double a = std::remainder(angle, 2 * std::numbers::pi);
+    return a <= -std::numbers::pi ? a + 2 * std::numbers::pi : a;
+}
+
 } // namespace filum::geom

@@ -55,6 +55,10 @@ struct Box2 {
     [[nodiscard]] bool empty() const { return lo.x > hi.x; }
 };
 
+inline bool meet(const Box2& a, const Box2& b) {
+    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
+}
+
 // Distance between two boxes, 0 where they touch or overlap.
 inline double distance(const Box2& a, const Box2& b) {
     const double dx = std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x});

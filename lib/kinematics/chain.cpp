@@ -1,5 +1,8 @@
 #include "kinematics/chain.hpp"
 
+#include "geom/angle.hpp"
+#include "geom/frame.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -11,11 +14,8 @@ constexpr Vec3 kUp{0, 0, 1};
 
 bool rotary(const Chain& c) { return c.carrier != Carrier::none && c.carrier != Carrier::frame; }
 
-// `v` turned about the unit vector `axis` (Rodrigues).
-Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
-}
+using geom::turned;
+using geom::wrapped;
 
 Vec3 turned_by_turn(const Chain& c, const Vec3& v, double turn) { return turned(v, kUp, c.turn_sign * turn); }
 Vec3 turned_by_tilt(const Chain& c, const Vec3& v, double tilt) { return turned(v, c.tilt_axis, tilt); }
@@ -30,11 +30,6 @@ Vec3 before_turn(const Chain& c, const Vec3& v, double tilt) {
 
 // By which sign the turn acts on that axis to give it in the part's frame.
 double turn_to_part(const Chain& c) { return c.carrier == Carrier::head_head ? 1 : -1; }
-
-double wrapped(double a) {
-    a = std::remainder(a, 2 * std::numbers::pi);
-    return a <= -std::numbers::pi ? a + 2 * std::numbers::pi : a;
-}
 
 // Where the part's point lies in the machine's frame.
 Vec3 carried(const Chain& c, const Vec3& p, double tilt, double turn) {

@@ -27,7 +27,7 @@ double mean_width(const toolpath::Curve& curve);
 Vec2 along(const toolpath::Curve& curve, const Place& place, double l);
 
 // The gap that a cut leaves between the end of a closed bead and its start: w (1 - pi / 4), so that the two rounded
-// bead ends fill it (notes F8, A9); at most a tenth of the curve.
+// bead ends fill it (docs/algorithms/link3d.md#the-construction); at most a tenth of the curve.
 double cut_gap(const toolpath::Curve& curve);
 
 // The closed curve cut at `at`: once around from there, along the order of its points or against it, ending `gap` mm

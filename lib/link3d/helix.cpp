@@ -1,4 +1,5 @@
-// True helical z (notes 3d): each turn of a column rises evenly by one layer, as thick as the gap to the turn below it.
+// True helical z (docs/algorithms/link3d.md#ramps-and-helices): each turn of a column rises evenly by one layer, as
+// thick as the gap to the turn below it.
 #include "link3d/linker.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 
 namespace filum::link3d {
 
-// The scheme of a column's starts (paper 3.3; notes 3c, L2).
+// The scheme of a column's starts (Sun et al. 2019, 3.3; docs/algorithms/link3d.md#starts-set-apart).
 enum class Interlace : std::uint8_t {
     none,      // each layer begins where the one below it ended
     alternate, // at two places in turn

@@ -16,11 +16,17 @@ constexpr double kDrift = 0.5; // bead widths per layer that an entry can be cou
 
 } // namespace
 
+// Whether the front region lies on the layer that the nozzle is on.
+bool Linker::rises() const {
+    const auto& r = window_.front().paths;
+    const double rise = at_ ? r.z - at_->z : 0;
+    return rise >= 0.5 * r.height && rise <= 1.5 * r.height;
+}
+
 // A plain lift, then a short jog to the nearest place of the front region: it cannot cross that region's beads.
 std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
-    const double rise = at_ ? r.paths.z - at_->z : 0;
-    if (!may_climb_ || rise < 0.5 * r.paths.height || rise > 1.5 * r.paths.height) return std::nullopt;
+    if (!may_climb_ || !rises()) return std::nullopt;
     auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     if (options_.interlace == Interlace::none && !turn_)

@@ -67,7 +67,7 @@ Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double ste
     return out;
 }
 
-// Longest slope 1 : 20, and never shorter than five beads (notes 3c, L1).
+// Longest slope 1 : 20, and never shorter than five beads (docs/algorithms/link3d.md#ramps-and-helices).
 double Linker::ramp_length() const {
     const auto& r = window_.front();
     return std::max(20 * (r.paths.z - at_->z), 5 * r.width);

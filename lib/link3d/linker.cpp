@@ -35,6 +35,7 @@ Facts facts(const Counts& c) {
             {"", "connectors", n(c.connectors), ""},
             {"", "breaks", n(c.breaks), ""},
             {"", "broken-joins", n(c.broken), ""},
+            {"", "stops-in-regions", n(c.parted), ""},
             {"", "lift-length", c.lift_length, "mm"},
             {"", "lane-length", c.lane_length, "mm"},
             {"", "shift-length", c.shift_length, "mm"},
@@ -49,6 +50,7 @@ Facts facts(const Counts& c) {
 void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     SegmentIndex index(region.curves);
     const double width = region_width(region);
+    if (region.join != Join::vertical) ++counts_.planned;
     bool closed = false, open = false;
     for (const auto& c : region.curves) (c.closed ? closed : open) = true;
     window_.push_back({std::move(region), std::move(index), width, closed, open});
@@ -59,6 +61,9 @@ void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
 
 void Linker::finish(const Emit& emit, Notes& notes) {
     while (!window_.empty()) print_front(emit, notes);
+    if (counts_.strokes > counts_.planned)
+        notes.push_back(
+            {"", "more strokes than planned", static_cast<double>(counts_.strokes - counts_.planned), "strokes", 1});
 }
 
 void Linker::print_front(const Emit& emit, Notes& notes) {
@@ -81,7 +86,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
     const auto main = main_curve();
     for (std::size_t left = r.curves.size(); left > 0; --left) {
         if (main) done[*main] = left > 1 || *main == first.place.curve ? 1 : 0;
-        if (left < r.curves.size()) entry = hop(done, emit);
+        if (left < r.curves.size()) entry = hop(done, emit, notes);
         done[entry.place.curve] = 1;
         print_curve(entry, left == 1, emit, notes);
     }
@@ -108,6 +113,12 @@ std::optional<std::uint32_t> Linker::main_curve() const {
     return longest > all / 2 ? std::optional(main) : std::nullopt;
 }
 
+// Why the front region, which is to be reached from the one below, was not.
+const char* Linker::no_climb() const {
+    if (!may_climb_) return "join broken, the region below has no bead";
+    return rises() ? "join broken, its ends are out of reach" : "join broken, it does not lie on the layer below";
+}
+
 // Gets the nozzle to the front region's first curve.
 Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
@@ -123,8 +134,8 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     if (joined) return *joined;
     if (at_ && (above || options_.connect != Connect::stop)) {
         ++counts_.broken;
-        notes.push_back({"", above ? "join broken, its ends are out of reach" : "connector impossible, broken", 0, "",
-                         1, r.paths.layer, at_->x, at_->y});
+        notes.push_back(
+            {"", above ? no_climb() : "connector impossible, broken", 0, "", 1, r.paths.layer, at_->x, at_->y});
     }
     Entry entry = start_entry();
     if (const auto other = other_end(entry)) entry = *other;
@@ -148,7 +159,7 @@ std::optional<Linker::Entry> Linker::other_end(const Entry& entry) const {
 }
 
 // The nozzle's way from one curve of the front region to the nearest one that is left.
-Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit) {
+Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
     auto entry = nearest_entry(r, at_->xy(), std::numeric_limits<double>::infinity(), done).value();
     const Vec2 to = entry.place.point;
@@ -160,6 +171,11 @@ Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit) {
         if (entry.place.distance > kSamePoint)
             extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
     } else {
+        ++counts_.parted;
+        notes.push_back({"",
+                         near ? "stop within a region, a bead lies between its curves"
+                              : "stop within a region, its curves are out of reach of each other",
+                         0, "", 1, r.paths.layer, at_->x, at_->y});
         stop_and_travel(to, emit);
     }
     return entry;

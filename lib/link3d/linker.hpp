@@ -4,7 +4,7 @@
 // at the nearest place of its curve: a plain lift, then a short jog that cannot cross that curve.  If the region above
 // is out of reach, a lane is laid from the exit along the middle of the strip between two lanes of the curve
 // (strip_route.hpp), at half a bead's width, and the beads on both sides give up what it deposits.  Looking some
-// regions ahead, entries drift towards where the column goes, so that such lanes stay rare (notes 3c, L0).
+// regions ahead, entries drift towards where the column goes, so that such lanes stay rare (docs/algorithms/link3d.md).
 #pragma once
 
 #include "base/fact.hpp"
@@ -28,6 +28,7 @@ namespace filum::link3d {
 // Every join of two curves, by class; strokes = breaks + 1.
 struct Counts {
     std::uint64_t strokes = 0;
+    std::uint64_t planned = 0;    // strokes, by the joins that the input asks for
     std::uint64_t lifts = 0;      // to a region above
     std::uint64_t ramps = 0;      // of those, by a ramp
     std::uint64_t turns = 0;      // regions that are a turn of a helix
@@ -39,6 +40,7 @@ struct Counts {
     std::uint64_t connectors = 0; // outside the part
     std::uint64_t breaks = 0;
     std::uint64_t broken = 0; // of those, where the input asked for a join
+    std::uint64_t parted = 0; // and between curves of a region
     double lift_length = 0, lane_length = 0, shift_length = 0, jog_length = 0, strand_length = 0, connector_length = 0,
            travel_length = 0;    // mm
     double connector_free = 0;   // mm of connectors that nothing carries
@@ -95,7 +97,9 @@ class Linker {
     [[nodiscard]] std::optional<Entry> other_end(const Entry& entry) const;
     std::optional<Entry> climb(const Emit& emit);
     [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
-    Entry hop(std::span<const char> done, const Emit& emit);
+    Entry hop(std::span<const char> done, const Emit& emit, Notes& notes);
+    [[nodiscard]] const char* no_climb() const;
+    [[nodiscard]] bool rises() const;
     [[nodiscard]] bool crosses_no_join(Vec2 a, Vec2 b) const;
     void print_curve(const Entry& entry, bool last, const Emit& emit, Notes& notes);
 

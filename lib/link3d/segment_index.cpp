@@ -20,10 +20,6 @@ double distance(const Box2& box, Vec2 p) {
     return std::sqrt(dx * dx + dy * dy);
 }
 
-bool meet(const Box2& a, const Box2& b) {
-    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
-}
-
 } // namespace
 
 SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {

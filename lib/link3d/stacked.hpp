@@ -1,4 +1,4 @@
-// Walls laid in two passes, one on the other (notes 3a, A6).
+// Walls laid in two passes, one on the other (docs/algorithms/fill.md).
 #pragma once
 
 #include "link3d/bead.hpp"

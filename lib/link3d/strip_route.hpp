@@ -21,8 +21,10 @@ struct Strips {
     double narrow = 0.2, beyond = 0.15;
 };
 
-// For lanes; the others are where a lane just fits, or does not: better a thick place than a stop.
-inline constexpr std::array kStrips{Strips{}, Strips{0.05, 0.15}, Strips{0.05, 0.3}, Strips{0.0125, 0.3}};
+// For lanes; the others are where a lane just fits, or does not: better a thick place than a stop.  The last kind also
+// lays them over voids no wider than a bead, which no bead could fill.
+inline constexpr std::array kStrips{Strips{}, Strips{0.05, 0.15}, Strips{0.05, 0.3}, Strips{0.0125, 0.3},
+                                    Strips{0.0125, 0.5}};
 
 // The way along the first kind of `strips` that has one, from `from`, a point of `lines`, along the middle of the
 // strips between the lines of a region to the place of the highest rank above zero, and of those the nearest; the first

@@ -42,7 +42,7 @@ std::vector<Vec3> travel(const Printed& printed, Vec3 from, Vec3 to, const machi
 // A way for a connector: straight out to `box` grown by `margin` mm, around it the shorter way, and straight in; the
 // height changes evenly on the way around.  Nothing if there is no straight way out (at from.z) or in (at to.z) for
 // which `free(a, b)` holds, or no way around of which each leg is `clear`.  Tie: the sides in the order left, right,
-// front, back. (paper Fig. 8b; notes 3c, L3)
+// front, back. (Sun et al. 2019, Fig. 8b; docs/algorithms/link3d.md#connectors-outside)
 std::optional<std::vector<Vec3>> around(const Box2& box, double margin, Vec3 from, Vec3 to,
                                         const std::function<bool(Vec3, Vec3)>& free,
                                         const std::function<bool(Vec3, Vec3)>& clear);

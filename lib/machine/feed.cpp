@@ -25,23 +25,25 @@ double role_feed(const Feeds& feeds, toolpath::Role role) {
 
 } // namespace
 
-double bead_feed(const Profile& p, const toolpath::Span& span, std::size_t i) {
-    double v = role_feed(p.feeds, span.role);
-    if (span.layer == 0) v = std::min(v, p.feeds.first_layer);
-    const double length = geom::distance(span.points[i], span.points[i + 1]);
-    if (!(length > 0)) return v;
-    const double section = toolpath::volume(span, i) / length * p.extrusion.flow;
-    const double rise = std::abs(span.points[i + 1].z - span.points[i].z);
-    const double most =
-        std::min(section > 0 ? p.limits.flow / section : v, rise > 0 ? p.motion.max_speed_z * length / rise : v);
+Laid laid(const toolpath::Span& span, std::size_t i) {
+    const geom::Vec3 a = span.points[i], b = span.points[i + 1];
+    return {span.role, span.layer, geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i)};
+}
+
+double bead_feed(const Profile& p, const Laid& move) {
+    double v = role_feed(p.feeds, move.role);
+    if (move.layer == 0) v = std::min(v, p.feeds.first_layer);
+    if (!(move.length > 0)) return v;
+    const double section = move.volume / move.length * p.extrusion.flow;
+    const double most = std::min(section > 0 ? p.limits.flow / section : v,
+                                 move.rise > 0 ? p.motion.max_speed_z * move.length / move.rise : v);
     if (most >= v) return v;
     return most >= 1 ? std::floor(most) : most;
 }
 
-double fibre_feed(const Profile& p, const toolpath::Span& span, std::size_t i, double feed) {
-    const double rise = std::abs(span.points[i + 1].z - span.points[i].z);
-    if (!(rise > 0)) return feed;
-    return std::min(feed, p.motion.max_speed_z * geom::distance(span.points[i], span.points[i + 1]) / rise);
+double fibre_feed(const Profile& p, const Laid& move, double feed) {
+    if (!(move.rise > 0)) return feed;
+    return std::min(feed, p.motion.max_speed_z * move.length / move.rise);
 }
 
 } // namespace filum::machine

@@ -6,11 +6,20 @@
 
 namespace filum::machine {
 
-// Feed of the extruding segment i -> i + 1 of `span`, mm/s: that of its role, at most feeds.first_layer on layer 0,
-// lowered so that limits.flow and motion.max_speed_z are kept; a lowered feed is a whole number where it is above one.
-double bead_feed(const Profile& profile, const toolpath::Span& span, std::size_t i);
+// What of an extruding move its feed depends on.
+struct Laid {
+    toolpath::Role role = toolpath::Role::bead;
+    std::uint32_t layer = 0;
+    double length = 0, rise = 0; // mm
+    double volume = 0;           // mm3
+};
+Laid laid(const toolpath::Span& span, std::size_t i); // by the segment i -> i + 1
+
+// Its feed, mm/s: that of its role, at most feeds.first_layer on layer 0, lowered so that limits.flow and
+// motion.max_speed_z are kept; a lowered feed is a whole number where it is above one.
+double bead_feed(const Profile& profile, const Laid& move);
 
 // The same of a fibre that is to be laid at `feed`: lowered so that motion.max_speed_z is kept, and for nothing else.
-double fibre_feed(const Profile& profile, const toolpath::Span& span, std::size_t i, double feed);
+double fibre_feed(const Profile& profile, const Laid& move, double feed);
 
 } // namespace filum::machine

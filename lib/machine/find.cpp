@@ -1,6 +1,8 @@
-// Where profiles live.
+// Where profiles and models of robots live.
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "machine/profile.hpp"
+#include "machine/robot.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -32,27 +34,32 @@ std::vector<fs::path> folders() {
 
 bool is_path(const std::string& name) { return name.find('/') != std::string::npos || name.ends_with(".toml"); }
 
-// `shown` is what messages call the file.
-std::string contents(const fs::path& path, const std::string& shown) {
+// `shown` is what messages call the file, which is a `kind`.
+std::string contents(const fs::path& path, const std::string& shown, const std::string& kind = "profile") {
     constexpr std::uintmax_t kMax = 1 << 20;
+    const std::string file = kind + " '" + shown + "'";
     std::error_code status;
-    if (fs::is_directory(path, status)) throw Error(Exit::io, "cannot read profile '" + shown + "': it is a folder");
+    if (fs::is_directory(path, status)) throw Error(Exit::io, "cannot read " + file + ": it is a folder");
     std::ifstream in(path, std::ios::binary);
-    if (!in)
-        throw Error(Exit::io, "cannot open profile '" + shown + "'; see postproc --help for where they are sought");
+    if (!in) throw Error(Exit::io, "cannot open " + file + "; see postproc --help for where they are sought");
     std::string text(kMax + 1, '\0');
     in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (in.bad()) throw Error(Exit::io, "cannot read profile '" + shown + "'");
+    if (in.bad()) throw Error(Exit::io, "cannot read " + file);
     text.resize(static_cast<std::size_t>(in.gcount()));
-    if (text.size() > kMax) throw Error(Exit::bad_input, "cannot use profile '" + shown + "': it is above 1 MiB");
+    if (text.size() > kMax) throw Error(Exit::bad_input, "cannot use " + file + ": it is above 1 MiB");
     return text;
 }
 
-} // namespace
+// Where models of robots live: beside the folders of profiles, or within them.
+std::vector<fs::path> model_folders() {
+    std::vector<fs::path> out;
+    for (const auto& folder : folders()) out.push_back(folder / "robots"), out.push_back(folder / ".." / "robots");
+    return out;
+}
 
-std::vector<std::string> profile_names() {
+std::vector<std::string> names_in(const std::vector<fs::path>& folders) {
     std::vector<std::string> names;
-    for (const auto& folder : folders()) {
+    for (const auto& folder : folders) {
         std::error_code none;
         for (const auto& entry : fs::directory_iterator(folder, none))
             if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
@@ -60,6 +67,33 @@ std::vector<std::string> profile_names() {
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
+}
+
+} // namespace
+
+std::vector<std::string> profile_names() { return names_in(folders()); }
+
+std::vector<std::string> robot_names() { return names_in(model_folders()); }
+
+kinematics::Arm load_robot(const std::string& name_or_path, const std::string& beside, const RobotLinks& links) {
+    const std::string kind = "robot model";
+    const auto parsed = [&](const fs::path& path, const std::string& shown) {
+        const std::string text = contents(path, shown, kind);
+        return path.extension() == ".urdf" ? urdf_robot(text, shown, links) : table_robot(text, shown);
+    };
+    if (is_path(name_or_path) || name_or_path.ends_with(".urdf")) {
+        const fs::path path(name_or_path);
+        return parsed(path.is_absolute() ? path : fs::path(beside).parent_path() / path, name_or_path);
+    }
+    for (const auto& folder : model_folders()) {
+        const fs::path path = folder / (name_or_path + ".toml");
+        std::error_code none;
+        if (!name_or_path.empty() && fs::exists(path, none)) return parsed(path, path.filename().string());
+    }
+    std::string known;
+    for (const auto& name : robot_names()) known += (known.empty() ? "" : ", ") + name;
+    throw Error(Exit::bad_input, "unknown robot model '" + name_or_path + "'; known are " +
+                                     (known.empty() ? "none" : known) + ", or give a .toml or .urdf file");
 }
 
 Profile load_profile(const std::string& name_or_path, const std::string& set) {
@@ -71,10 +105,13 @@ Profile load_profile(const std::string& name_or_path, const std::string& set) {
             return parse_profile(contents(path, path.filename().string()), path.filename().string(), set);
     }
     std::string known;
-    for (const auto& name : profile_names()) known += (known.empty() ? "" : ", ") + name;
+    const auto names = profile_names();
+    for (const auto& name : names) known += (known.empty() ? "" : ", ") + name;
     if (known.empty())
         throw Error(Exit::usage, "unknown machine '" + name_or_path +
                                      "': there are no profiles; set FILUM_PROFILES to their folder");
+    if (const auto meant = did_you_mean(name_or_path, names); !meant.empty())
+        throw Error(Exit::usage, "unknown machine '" + name_or_path + "'" + meant);
     throw Error(Exit::usage, "unknown machine '" + name_or_path + "'; known are " + known + ", or give a .toml file");
 }
 

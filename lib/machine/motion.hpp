@@ -1,40 +1,57 @@
-// How long a machine takes: trapezoidal speed profiles with look-ahead, slowed in corners.
+// How long a machine takes: what its controller's planner makes of moves, one after the other.
 #pragma once
 
 #include "geom/vec.hpp"
 #include "machine/profile.hpp"
 
-#include <vector>
+#include <memory>
 
 namespace filum::machine {
 
-// Adds up the time of moves as they come.  A move speeds up and slows down at its acceleration, never exceeds its feed,
-// and enters a corner no faster than the circle through it allows whose deviation from the corner gives `corner_speed`
-// at 90 degrees (the rule of Klipper's "square corner velocity"); slower, too, where the arms are shorter than that
-// circle.  Look-ahead is at least kAhead moves; one that cannot stop within them is taken to slow down at their end.
+// A move as the controller sees it.
+struct PlannedMove {
+    geom::Vec3 step;           // mm, of the program's X, Y and Z
+    double feed = 0;           // mm/s along the step; rad/s where only rotary axes move
+    double tilt = 0, turn = 0; // rad
+    double extruded = 0;       // extruder units
+    bool extruding = false;
+    double sweep = 0; // rad of an arc, positive counter-clockwise; 0: straight
+    geom::Vec2 arm{}; // mm, of an arc, from its centre to where it begins
+};
+
+class Planner {
+  public:
+    virtual ~Planner() = default;
+    virtual void move(const PlannedMove& move) = 0;
+    virtual double total() = 0; // s of all so far; the machine then stands
+};
+
+// What profile.motion.controller names; see look_ahead.hpp, parabolic.hpp.
+std::unique_ptr<Planner> planner(const Profile& profile);
+
+// Adds up the time of moves and pauses as they come.
 class Clock {
   public:
-    static constexpr std::size_t kAhead = 2048;
-    explicit Clock(const Motion& motion);
-
-    // A straight move by `step` mm at up to `feed` mm/s; no length, no time.
-    void move(geom::Vec3 step, double feed, bool extruding);
+    explicit Clock(const Profile& profile) : planner_(planner(profile)) {}
+    // No length and no turn, no time.
+    void move(const PlannedMove& move) { planner_->move(move); }
     // The machine stands for `seconds`.
     void pause(double seconds);
     // All so far, s; the machine then stands.
-    double total();
+    double total() { return paused_ + planner_->total(); }
 
   private:
-    struct Leg {
-        double length, feed2, acceleration; // mm, (mm/s)2, mm/s2
-        double corner2, entry2;             // (mm/s)2: allowed at its start, and planned there
-        geom::Vec3 direction;
-    };
-    void settle(std::size_t count); // times the first `count` legs and drops them
-    Motion motion_;
-    std::vector<Leg> legs_;
-    double speed2_ = 0; // at the start of legs_[0]
-    double seconds_ = 0;
+    std::unique_ptr<Planner> planner_;
+    double paused_ = 0;
 };
+
+// s for `length` at up to `speed` from standstill to standstill; `acceleration` may be infinite.
+double stop_to_stop(double length, double speed, double acceleration);
+
+// What an axis' bounds leave of a speed or acceleration along a way of `length`, of which it does `part`.
+inline double along(double bound, double part, double length) {
+    const double own = part < 0 ? -part : part;
+    return own > 0 ? bound * length / own : std::numeric_limits<double>::infinity();
+}
 
 } // namespace filum::machine

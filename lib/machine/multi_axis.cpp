@@ -54,6 +54,8 @@ void speeds(Document& doc, MultiAxis& m) {
     degrees(doc, "kinematics.turn_speed_deg", m.turn_speed, {0, 1e6, true});
     degrees(doc, "kinematics.tilt_acceleration_deg", m.tilt_acceleration, {0, 1e8, true});
     degrees(doc, "kinematics.turn_acceleration_deg", m.turn_acceleration, {0, 1e8, true});
+    degrees(doc, "kinematics.tilt_corner_speed_deg", m.tilt_corner_speed, {0, 1e6, true});
+    degrees(doc, "kinematics.turn_corner_speed_deg", m.turn_corner_speed, {0, 1e6, true});
     limits(doc, "kinematics.tilt_deg", m.limits.tilt_min, m.limits.tilt_max);
     limits(doc, "kinematics.turn_deg", m.limits.turn_min, m.limits.turn_max);
 }
@@ -73,10 +75,22 @@ void program(Document& doc, MultiAxis& m) {
     doc.number("kinematics.chord", m.chord, {1e-5, 1});
     degrees(doc, "kinematics.orientation_deg", m.orientation, {0, 45});
     std::string spin = "fixed";
-    doc.choice("kinematics.spin", spin, {"fixed", "follow"});
-    m.spin = spin == "follow" ? Spin::follow : Spin::fixed;
+    doc.choice("kinematics.spin", spin, {"fixed", "follow", "free"});
+    m.spin = spin == "follow" ? Spin::follow : spin == "free" ? Spin::free : Spin::fixed;
     doc.number("kinematics.blend", m.blend, {0, 100});
     doc.whole("kinematics.angle_decimals", m.angle_decimals, 2, 8);
+}
+
+void start(Document& doc, MultiAxis& m) {
+    std::array<double, 5> v{};
+    if (!doc.list("kinematics.start", v, kPlace)) return;
+    if (m.chain.carrier == Carrier::none || m.chain.carrier == Carrier::frame)
+        doc.fail("kinematics.start", "it is for machines with rotary axes; a robot has robot.start");
+    m.start = kinematics::Joints{{v[0], v[1], v[2]}, v[3] * kDegree, v[4] * kDegree};
+    const auto& l = m.limits;
+    if (m.start->tilt < l.tilt_min || m.start->tilt > l.tilt_max || m.start->turn < l.turn_min ||
+        m.start->turn > l.turn_max)
+        doc.fail("kinematics.start", "a rotary axis does not reach there");
 }
 
 } // namespace
@@ -101,6 +115,7 @@ void read_multi_axis(Document& doc, MultiAxis& m) {
     point(doc, "kinematics.turn_point", m.chain.turn_point);
     point(doc, "kinematics.tip_to_tilt", m.chain.tip_to_tilt);
     point(doc, "kinematics.tilt_to_turn", m.chain.tilt_to_turn);
+    start(doc, m);
 }
 
 } // namespace filum::machine

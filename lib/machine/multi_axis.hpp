@@ -4,6 +4,7 @@
 #include "kinematics/track.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace filum::machine {
@@ -27,14 +28,18 @@ enum class FeedWord : std::uint8_t {
 enum class Spin : std::uint8_t {
     fixed,  // as near to the part's x axis as the tool axis allows
     follow, // along the path: for nozzles that are not round
+    free,   // for round nozzles: as at the start, and turned where that keeps axes off limits and singularities
 };
 
 struct MultiAxis {
     kinematics::Chain chain;   // Carrier::none: three axes, and nothing of the rest counts
     kinematics::Limits limits; // rad
+    // Where the axes are taken to stand behind the start template: from there the first stroke is approached.
+    std::optional<kinematics::Joints> start;
     char tilt_letter = 'B', turn_letter = 'C';
-    double tilt_speed = 1, turn_speed = 2;                 // rad/s
-    double tilt_acceleration = 10, turn_acceleration = 20; // rad/s2
+    double tilt_speed = 1, turn_speed = 2;                         // rad/s
+    double tilt_acceleration = 10, turn_acceleration = 20;         // rad/s2
+    double tilt_corner_speed = 0.0873, turn_corner_speed = 0.1745; // rad/s that the axis may jump from move to move
     Numbers numbers = Numbers::joints;
     FeedWord feed_word = FeedWord::inverse;
     std::string tcp_on, tcp_off; // codes around what has tip numbers

@@ -7,7 +7,10 @@
 #include "machine/template.hpp"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
 
 namespace filum::machine {
 
@@ -59,7 +62,9 @@ void read_head(Document& doc, Head& head) {
 
 void read_extrusion(Document& doc, Extrusion& e) {
     doc.require("extrusion.kind");
-    std::string kind, mode = e.relative ? "relative" : "absolute", letter(1, e.letter);
+    const std::array kinds{"filament", "plunger", "volume", "valve"};
+    std::string kind = kinds[static_cast<std::size_t>(e.feeding)], mode = e.relative ? "relative" : "absolute",
+                letter(1, e.letter);
     doc.choice("extrusion.kind", kind, {"filament", "plunger", "volume", "valve"});
     e.feeding = kind == "filament"  ? Feeding::filament
                 : kind == "plunger" ? Feeding::plunger
@@ -76,17 +81,40 @@ void read_extrusion(Document& doc, Extrusion& e) {
     doc.number("extrusion.density", e.density, {0, 100});
     doc.text("extrusion.on", e.on);
     doc.text("extrusion.off", e.off);
-    if (e.feeding == Feeding::valve && (e.on.empty() || e.off.empty()))
+    doc.text("extrusion.on_trigger", e.on_trigger);
+    doc.text("extrusion.off_trigger", e.off_trigger);
+    if (e.on_trigger.empty() != e.off_trigger.empty())
+        doc.fail("extrusion.on_trigger", "a trigger that opens needs one that closes, off_trigger, and it one");
+    if (e.feeding == Feeding::valve && e.on_trigger.empty() && (e.on.empty() || e.off.empty()))
         doc.fail(e.on.empty() ? "extrusion.on" : "extrusion.off", "a valve needs codes to open and to close");
+}
+
+void read_planner(Document& doc, Motion& m) {
+    std::string controller = "marlin";
+    doc.choice("motion.controller", controller, {"marlin", "klipper", "reprapfirmware", "linuxcnc"});
+    m.controller = controller == "klipper"          ? Controller::klipper
+                   : controller == "reprapfirmware" ? Controller::reprapfirmware
+                   : controller == "linuxcnc"       ? Controller::linuxcnc
+                                                    : Controller::marlin;
+    doc.number("motion.acceleration_z", m.acceleration_z, above_zero(kInf));
+    doc.number("motion.extruder_corner_speed", m.extruder_corner_speed, above_zero(kInf));
+    doc.number("motion.minimum_cruise_ratio", m.minimum_cruise_ratio, {0, 0.99});
+    doc.whole("motion.look_ahead", m.look_ahead, 0, 1000);
+    doc.number("motion.moves_per_second", m.moves_per_second, above_zero(kInf));
 }
 
 void read_motion(Document& doc, Profile& p) {
     Motion& m = p.motion;
+    read_planner(doc, m);
     doc.number("motion.max_speed", m.max_speed, above_zero(1e5));
     doc.number("motion.max_speed_z", m.max_speed_z, above_zero(1e5));
     doc.number("motion.acceleration", m.acceleration, above_zero(1e7));
     doc.number("motion.travel_acceleration", m.travel_acceleration, above_zero(1e7));
     doc.number("motion.corner_speed", m.corner_speed, above_zero(1e5));
+}
+
+void read_feeds(Document& doc, Profile& p) {
+    const Motion& m = p.motion;
     const auto feed = [&](const std::string& key, double& out, double max, const char* name) {
         doc.number(key, out, {0.01, 1e5});
         if (out > max) doc.fail(key, "it must not be above " + std::string(name) + ", " + shortest_text(max));
@@ -100,10 +128,18 @@ void read_motion(Document& doc, Profile& p) {
     feed("feeds.z", p.feeds.z, m.max_speed_z, "motion.max_speed_z");
 }
 
+void read_limits(Document& doc, Limits& l) {
+    doc.number("limits.section", l.section, above_zero(kInf));
+    doc.number("limits.flow", l.flow, above_zero(kInf));
+    doc.pair("limits.width", l.narrowest, l.widest, {0, kInf});
+    if (l.narrowest >= l.widest) doc.fail("limits.width", "the first number must be below the second");
+}
+
 void read_travel(Document& doc, Travel& t) {
     doc.number("travel.lift", t.lift, {0, 1000});
     doc.number("travel.retract", t.retract, {0, 1000});
     doc.number("travel.retract_speed", t.retract_speed, {0.001, 1e5});
+    doc.number("travel.retract_acceleration", t.retract_acceleration, above_zero(kInf));
     doc.number("travel.extra", t.extra, {0, 1000});
     doc.number("travel.min_length", t.min_length, {0, 1e5});
 }
@@ -128,6 +164,7 @@ void read_format(Document& doc, Format& f) {
     f.crlf = line_end == "crlf";
     doc.flag("format.viewer_comments", f.viewer_comments);
     doc.choice("format.travel_code", f.travel_code, {"G0", "G1"});
+    doc.flag("format.arcs", f.arcs);
 }
 
 // A robot's language goes with tool frames, and with nothing else.
@@ -137,6 +174,8 @@ void check_robot(const Document& doc, const Profile& p) {
         doc.fail("format.dialect", "krl, rapid and urscript go with kinematics.carrier \"frame\", and it with them");
     if (p.format.dialect == Dialect::urscript && p.extrusion.feeding != Feeding::valve)
         doc.fail("extrusion.kind", "URScript knows no extruder axis: use a valve");
+    if (p.format.dialect != Dialect::rapid && !p.extrusion.on_trigger.empty())
+        doc.fail("extrusion.on_trigger", "only RAPID has triggers: use on and off");
 }
 
 // Speeds of the fibre keep to the machine's own, and a fibre head is reached by a change of tools or is the only one.
@@ -148,16 +187,22 @@ void check_fibre(const Document& doc, const Profile& p) {
     for (const auto& [key, speed] : speeds)
         if (speed > p.motion.max_speed)
             doc.fail(key, "it must not be above motion.max_speed, " + shortest_text(p.motion.max_speed));
-    if (f.tool != 0 && p.tools.change.empty())
+    if (f.tool != 0 && change_codes(p, static_cast<std::uint32_t>(f.tool)).empty())
         doc.fail("tools.change", "a fibre head beside tool 0 needs the codes that change tools");
 }
 
-void read_templates(Document& doc, Profile& p) {
-    const auto one = [&](const std::string& key, std::string& out) {
-        doc.text(key, out);
-        const auto fault = check_template(out, p.values);
+// Texts that hold placeholders.
+void check_codes(const Document& doc, const Profile& p,
+                 std::initializer_list<std::pair<const char*, const std::string*>> texts) {
+    Values own = p.values;
+    if (p.axes.chain.carrier == kinematics::Carrier::frame) add_robot(p.robot, own);
+    for (const auto& [key, text] : texts) {
+        const auto fault = check_template(*text, own);
         if (!fault.why.empty()) doc.fail_in_text(key, fault.why, fault.line);
-    };
+    }
+}
+
+void read_templates(Document& doc, Profile& p) {
     for (const auto& [name, value] : p.values) {
         if (!is_name(name) || name.find_first_of(".-") != std::string::npos)
             doc.fail("values." + name, "a name is made of letters, digits and '_'");
@@ -165,19 +210,103 @@ void read_templates(Document& doc, Profile& p) {
         if (std::find(known.begin(), known.end(), name) != known.end())
             doc.fail("values." + name, "the name is taken; every program knows it");
     }
-    one("templates.start", p.templates.start);
-    one("templates.layer", p.templates.layer);
-    one("templates.end", p.templates.end);
-    one("extrusion.on", p.extrusion.on);
-    one("extrusion.off", p.extrusion.off);
-    one("tools.change", p.tools.change);
-    one("fibre.cut", p.fibre.cut);
-    one("fibre.tension", p.fibre.tension);
-    one("fibre.on", p.fibre.on);
-    one("fibre.off", p.fibre.off);
+    doc.text("templates.start", p.templates.start);
+    doc.text("templates.layer", p.templates.layer);
+    doc.text("templates.first_layer", p.templates.first_layer);
+    doc.text("templates.upper_layers", p.templates.upper_layers);
+    doc.text("templates.end", p.templates.end);
+    check_codes(doc, p,
+                {{"templates.start", &p.templates.start},
+                 {"templates.layer", &p.templates.layer},
+                 {"templates.first_layer", &p.templates.first_layer},
+                 {"templates.upper_layers", &p.templates.upper_layers},
+                 {"templates.end", &p.templates.end},
+                 {"extrusion.on", &p.extrusion.on},
+                 {"extrusion.off", &p.extrusion.off},
+                 {"tools.change", &p.tools.change},
+                 {"fibre.cut", &p.fibre.cut},
+                 {"fibre.tension", &p.fibre.tension},
+                 {"fibre.on", &p.fibre.on},
+                 {"fibre.off", &p.fibre.off},
+                 {"robot.module_file", &p.robot.module_file},
+                 {"robot.module_start", &p.robot.module_start},
+                 {"robot.module_end", &p.robot.module_end},
+                 {"robot.module_load", &p.robot.module_load},
+                 {"robot.module_call", &p.robot.module_call},
+                 {"robot.module_unload", &p.robot.module_unload}});
+}
+
+// What a section [tool.N] says differently.
+void read_own_tool(Document& doc, const std::string& name, Profile& p) {
+    const bool letters = p.extrusion.letter == 'E';
+    const bool relative = p.extrusion.relative;
+    const Feeding feeding = p.extrusion.feeding;
+    read_head(doc, p.head);
+    read_extrusion(doc, p.extrusion);
+    if (p.extrusion.relative != relative || (p.extrusion.letter == 'E') != letters)
+        doc.fail("extrusion.mode", "all tools count alike, on one extruder axis");
+    const bool measured = p.extrusion.feeding == Feeding::filament || p.extrusion.feeding == Feeding::plunger;
+    if (measured && p.extrusion.feeding != feeding && !doc.has("extrusion.diameter"))
+        doc.fail("extrusion.diameter", "it is missing");
+    check_robot(doc, p);
+    read_limits(doc, p.limits);
+    read_feeds(doc, p);
+    read_travel(doc, p.travel);
+    doc.text("change", p.change);
+    std::array<double, 3> offset{};
+    doc.list("offset", offset, {-1e4, 1e4});
+    p.offset = {offset[0], offset[1], offset[2]};
+    const auto& a = p.axes;
+    if (p.offset != geom::Vec3{} && a.active() && a.numbers == Numbers::tip)
+        doc.fail("offset", "the controller knows the tip: give the offset to its tool table");
+    if (p.offset != geom::Vec3{} && a.chain.carrier == kinematics::Carrier::frame)
+        doc.fail("offset", "a robot's tool has a frame");
+    p.axes.chain.tip_to_tilt = p.axes.chain.tip_to_tilt - p.offset;
+    if (a.chain.carrier == kinematics::Carrier::frame) read_tool_frame(doc, p.robot);
+    check_codes(doc, p,
+                {{"change", &p.change}, {"extrusion.on", &p.extrusion.on}, {"extrusion.off", &p.extrusion.off}});
+    if (name != "0" && p.change.empty() && p.tools.change.empty())
+        doc.fail("change", "a tool beside tool 0 needs the codes that take it: this, or tools.change");
+}
+
+// Also what holds for all: a valve has nothing to take back.
+void read_own_tools(Document& doc, Profile& p) {
+    const auto settle = [](Profile& one) {
+        if (one.extrusion.feeding == Feeding::valve) one.travel.retract = one.travel.extra = 0;
+    };
+    std::map<std::uint32_t, std::shared_ptr<const Profile>> own;
+    for (const auto& name : doc.tables("tool")) {
+        const bool number = name.find_first_not_of("0123456789") == std::string::npos;
+        if (!number || name.size() > 3 || (name.size() > 1 && name[0] == '0'))
+            doc.fail("tool." + name, "a tool has a number, 0 to 999, as [tool.1]");
+        Profile one = p;
+        doc.enter("tool." + name);
+        read_own_tool(doc, name, one);
+        doc.leave();
+        settle(one);
+        own[static_cast<std::uint32_t>(std::stoul(name))] = std::make_shared<const Profile>(std::move(one));
+    }
+    settle(p);
+    p.own = std::move(own);
 }
 
 } // namespace
+
+Merging standard_merging() { return {0.01, 0.02, geom::radians(0.5)}; }
+
+void merge_moves(Profile& profile, const Merging& merging) {
+    profile.merging = merging;
+    for (auto& [number, one] : profile.own) {
+        Profile copy = *one;
+        copy.merging = merging;
+        one = std::make_shared<const Profile>(std::move(copy));
+    }
+}
+
+const std::string& change_codes(const Profile& profile, std::uint32_t tool) {
+    const Profile& own = of_tool(profile, tool);
+    return own.change.empty() ? profile.tools.change : own.change;
+}
 
 double Extrusion::per_mm3() const {
     const double area = std::numbers::pi * diameter * diameter / 4;
@@ -195,22 +324,30 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_bed(doc, p.bed);
     read_head(doc, p.head);
     read_extrusion(doc, p.extrusion);
-    doc.number("limits.section", p.limits.section, above_zero(kInf));
-    doc.number("limits.flow", p.limits.flow, above_zero(kInf));
+    read_limits(doc, p.limits);
     read_motion(doc, p);
+    read_feeds(doc, p);
     read_travel(doc, p.travel);
-    if (p.extrusion.feeding == Feeding::valve) p.travel.retract = p.travel.extra = 0; // it has nothing to take back
     read_multi_axis(doc, p.axes);
     p.axes.limits.radius_min = p.bed.x_min;
+    if (p.axes.start) {
+        const geom::Vec3& s = p.axes.start->xyz;
+        if (s.x < p.bed.x_min || s.x > p.bed.x_max || s.y < p.bed.y_min || s.y > p.bed.y_max || s.z < p.bed.z_min ||
+            s.z > p.bed.z_max)
+            doc.fail("kinematics.start", "it lies outside of bed");
+    }
+    read_robot(doc, file, p.axes.chain.carrier == kinematics::Carrier::frame, p.robot);
     if (p.axes.active() && (p.extrusion.letter == p.axes.tilt_letter || p.extrusion.letter == p.axes.turn_letter))
         doc.fail("extrusion.letter", "it is a rotary axis' letter");
     read_tools(doc, p.tools);
     read_fibre(doc, p.fibre);
-    check_fibre(doc, p);
     read_format(doc, p.format);
     check_robot(doc, p);
     doc.numbers("values", p.values);
+    if (const auto found = p.values.find("tolerance"); found != p.values.end()) p.motion.blend = found->second;
     read_templates(doc, p);
+    read_own_tools(doc, p);
+    check_fibre(doc, p);
     doc.finish();
     return p;
 }

@@ -5,10 +5,12 @@
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
+#include "machine/robot.hpp"
 
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,12 +39,14 @@ struct Extrusion {
     double flow = 1;                      // factor on all material
     double density = 0;                   // g/cm3; 0: unknown
     std::string on, off;                  // codes before the first and after the last move of a stroke, may be empty
+    std::string on_trigger, off_trigger;  // RAPID: triggers that do the same at the very place, while the robot goes on
     [[nodiscard]] double per_mm3() const; // extruder units for one mm3 of bead
 };
 
 struct Limits {
-    double section = std::numeric_limits<double>::infinity(); // mm2, largest bead cross-section
-    double flow = std::numeric_limits<double>::infinity();    // mm3/s; feeds are lowered to keep it
+    double section = std::numeric_limits<double>::infinity();               // mm2, largest bead cross-section
+    double narrowest = 0, widest = std::numeric_limits<double>::infinity(); // mm, of beads that the nozzle lays
+    double flow = std::numeric_limits<double>::infinity();                  // mm3/s; feeds are lowered to keep it
 };
 
 // Speeds of the nozzle, mm/s.
@@ -52,21 +56,41 @@ struct Feeds {
 
 // What a break costs.
 struct Travel {
-    double lift = 0.6;         // mm above everything printed so far
-    double retract = 0.8;      // extruder units taken back, 0 for none
-    double retract_speed = 35; // extruder units per s
-    double extra = 0;          // extruder units given on top when printing goes on
-    double min_length = 0;     // mm; a shorter travel keeps its height and does not retract
+    double lift = 0.6;                                                     // mm above everything printed so far
+    double retract = 0.8;                                                  // extruder units taken back, 0 for none
+    double retract_speed = 35;                                             // extruder units per s
+    double retract_acceleration = std::numeric_limits<double>::infinity(); // extruder units per s2
+    double extra = 0;      // extruder units given on top when printing goes on
+    double min_length = 0; // mm; a shorter travel keeps its height and does not retract
 };
 
-// For print times; see motion.hpp.
+// Whose rules plan the moves; see look_ahead.hpp, parabolic.hpp.
+enum class Controller : std::uint8_t { marlin, klipper, reprapfirmware, linuxcnc };
+
+// What the machine's own settings are, for print times; see motion.hpp.
 struct Motion {
-    double max_speed = 300;            // mm/s along the path
-    double max_speed_z = 10;           // mm/s along z
-    double acceleration = 1500;        // mm/s2, extruding
-    double travel_acceleration = 1500; // mm/s2
-    double corner_speed = 5;           // mm/s through a corner of 90 degrees (Klipper's square corner velocity)
+    Controller controller = Controller::marlin;
+    double max_speed = 300;                                          // mm/s along the path
+    double max_speed_z = 10;                                         // mm/s along z
+    double acceleration = 1500;                                      // mm/s2, extruding; LinuxCNC: of each axis
+    double travel_acceleration = 1500;                               // mm/s2
+    double acceleration_z = std::numeric_limits<double>::infinity(); // mm/s2
+    double corner_speed = 5; // mm/s through a corner of 90 degrees; RepRapFirmware: the jump of an axis
+    double extruder_corner_speed = std::numeric_limits<double>::infinity(); // extruder units/s that it may jump
+    double minimum_cruise_ratio = 0.5;                                      // Klipper's
+    double blend = 0;   // mm: LinuxCNC's G64 P, the value `tolerance`
+    int look_ahead = 0; // moves that the controller plans together; 0: as many as matter
+    // Moves/s that the controller takes, on average over the moves that it plans together (0: 16).
+    double moves_per_second = std::numeric_limits<double>::infinity();
 };
+
+// How far programs may be from the toolpath to need fewer moves; all 0: not at all.
+struct Merging {
+    double planar = 0, surface = 0; // mm, of planar paths and of those that lean the tool
+    double axis = 0;                // rad, of the tool's axis on surfaces
+};
+// What `postproc` takes unless told otherwise: 0.01 mm; 0.02 mm and half a degree.
+Merging standard_merging();
 
 enum class CommentStyle : std::uint8_t { semicolon, parentheses, exclamation, hash };
 
@@ -84,11 +108,13 @@ struct Format {
     bool viewer_comments = true; // ;TYPE: ;LAYER_CHANGE ;Z: ;HEIGHT: ;WIDTH:
     bool crlf = false;           // line ends
     std::string travel_code = "G0";
+    bool arcs = false; // the controller takes G2 and G3
 };
 
 // Text with {placeholders}; see template.hpp.
 struct Templates {
     std::string start, layer, end;
+    std::string upper_layers, first_layer; // when the first layer is left for those above, and when it is come back to
 };
 
 struct Profile {
@@ -102,13 +128,31 @@ struct Profile {
     Feeds feeds;
     Travel travel;
     Motion motion;
+    Merging merging; // none of the file's: the user says it
     MultiAxis axes;
+    Robot robot; // of tool frames
     Tools tools;
     Fibre fibre;
     Format format;
     Templates templates;
     std::map<std::string, double> values; // the user's own placeholders: nozzle_temp, bed_temp, ...
+
+    // Of a tool with a section of its own, [tool.N].
+    std::string change; // codes when it takes over; "": tools.change
+    geom::Vec3 offset;  // mm: from tool 0's tip to its own; the controller does not know
+    // Tools with a section of their own, each with the whole profile as it is for it; see of_tool.
+    std::map<std::uint32_t, std::shared_ptr<const Profile>> own;
 };
+
+// The profile as it is for a tool: head, extrusion, limits, feeds, travel, offset, kinematics and frame of its own
+// where it has a section; else `profile` itself.
+inline const Profile& of_tool(const Profile& profile, std::uint32_t tool) {
+    const auto found = profile.own.find(tool);
+    return found == profile.own.end() ? profile : *found->second;
+}
+
+// Codes when the tool takes over; "": there are none.
+const std::string& change_codes(const Profile& profile, std::uint32_t tool);
 
 // The profile in `name_or_path`: a file if that holds a '/' or ends in ".toml", else NAME.toml in the folders of
 // $FILUM_PROFILES (separated by ':'), then in ../share/filum/profiles and ../../share/filum/profiles beside the
@@ -117,10 +161,13 @@ struct Profile {
 // naming file, line and key for an unknown key, a wrong type or an impossible value.
 Profile load_profile(const std::string& name_or_path, const std::string& set = "");
 
-// The same from text; `file` is what messages call it.
+// The same from text; `file` is what messages call it, and beside which a robot's model is sought.
 Profile parse_profile(std::string_view text, const std::string& file, const std::string& set = "");
 
 // Names that load_profile knows, sorted.
 std::vector<std::string> profile_names();
+
+// Sets the merging of the profile and of its own tools.
+void merge_moves(Profile& profile, const Merging& merging);
 
 } // namespace filum::machine

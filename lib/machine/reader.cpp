@@ -1,10 +1,12 @@
 #include "machine/reader.hpp"
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "machine/toml_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -31,11 +33,15 @@ namespace filum::machine {
 namespace filum::machine {
 
 struct Document::State {
-    std::string file;
+    std::string kind, file;
+    std::string within;                            // "tool.1.": what stands before every key that is asked for
+    toml::node* asked_for(const std::string& key); // that is asked for, within that
     toml::table root;
     std::set<std::string> asked; // dotted keys
     std::set<std::string> set;   // keys that came from `set`
     std::vector<bool> opens;     // by line: a text of several lines begins at its end, so below it
+    std::string texts;           // all that were asked for: where names in braces may stand
+    std::set<std::string> named; // sections whose keys are such names
 };
 
 namespace {
@@ -47,12 +53,25 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-toml::node* find(toml::table& root, const std::string& key) {
-    const auto dot = key.find('.');
-    if (dot == std::string::npos) return root.get(key);
-    auto* section = root.get_as<toml::table>(key.substr(0, dot));
-    return section == nullptr ? nullptr : section->get(key.substr(dot + 1));
+toml::node* find(toml::table& root, std::string_view key) {
+    toml::table* table = &root;
+    for (;;) {
+        const auto dot = key.find('.');
+        if (dot == std::string_view::npos) return table->get(key);
+        table = table->get_as<toml::table>(key.substr(0, dot));
+        if (table == nullptr) return nullptr;
+        key.remove_prefix(dot + 1);
+    }
 }
+
+} // namespace
+
+toml::node* Document::State::asked_for(const std::string& key) {
+    asked.insert(within + key);
+    return find(root, within + key);
+}
+
+namespace {
 
 // What stands after '=' in `set`: a number, true or false, or else a text as it is.
 void assign(toml::table& to, const std::string& key, const std::string& value) {
@@ -77,21 +96,21 @@ void assign(toml::table& to, const std::string& key, const std::string& value) {
 
 } // namespace
 
-Document::Document(std::string_view text, const std::string& file, const std::string& set)
+Document::Document(std::string_view text, const std::string& file, const std::string& set, const std::string& kind)
     : state_(std::make_unique<State>()) {
-    state_->file = file;
+    state_->kind = kind, state_->file = file;
     const TomlText known = examine(text);
     if (!known.fault.empty())
         throw Error(Exit::bad_input,
-                    "cannot read profile '" + file + "', line " + std::to_string(known.line) + ": " + known.fault);
+                    "cannot read " + kind + " '" + file + "', line " + std::to_string(known.line) + ": " + known.fault);
     state_->opens = known.opens;
     try {
         state_->root = toml::parse(text, file);
     } catch (const toml::parse_error& e) {
-        throw Error(Exit::bad_input, "cannot read profile '" + file + "', line " +
+        throw Error(Exit::bad_input, "cannot read " + kind + " '" + file + "', line " +
                                          std::to_string(e.source().begin.line) + ": " + printable(e.description()));
     } catch (const std::logic_error&) {
-        throw Error(Exit::bad_input, "cannot read profile '" + file + "': it is no TOML");
+        throw Error(Exit::bad_input, "cannot read " + kind + " '" + file + "': it is no TOML");
     }
     for (std::size_t at = 0; at < set.size();) {
         const std::size_t comma = std::min(set.find(',', at), set.size());
@@ -101,11 +120,16 @@ Document::Document(std::string_view text, const std::string& file, const std::st
         if (equals == std::string::npos || equals == 0) misused(item, "it is not KEY=VALUE");
         std::string key = item.substr(0, equals);
         if (key.find('.') == std::string::npos) key = "values." + key;
-        const std::string section = key.substr(0, key.find('.')), name = key.substr(section.size() + 1);
-        if (section.empty() || name.empty() || name.find('.') != std::string::npos) misused(item, "it is no key");
-        if (state_->root.get(section) == nullptr) state_->root.insert(section, toml::table{});
-        auto* table = state_->root.get_as<toml::table>(section);
-        if (table == nullptr) misused(item, "'" + section + "' has no keys");
+        toml::table* table = &state_->root;
+        std::string name = key;
+        for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.')) {
+            const std::string section = name.substr(0, dot);
+            name.erase(0, dot + 1);
+            if (section.empty() || name.empty()) misused(item, "it is no key");
+            if (table->get(section) == nullptr) table->insert(section, toml::table{});
+            table = table->get_as<toml::table>(section);
+            if (table == nullptr) misused(item, "'" + section + "' has no keys");
+        }
         assign(*table, name, item.substr(equals + 1));
         state_->set.insert(key);
     }
@@ -113,9 +137,13 @@ Document::Document(std::string_view text, const std::string& file, const std::st
 
 Document::~Document() = default;
 
+void Document::enter(const std::string& section) { state_->within = section + "."; }
+void Document::leave() { state_->within.clear(); }
+
 void Document::fail(const std::string& key, const std::string& why) const { fail_in_text(key, why, 0); }
 
-void Document::fail_in_text(const std::string& key, const std::string& why, std::size_t line) const {
+void Document::fail_in_text(const std::string& name, const std::string& why, std::size_t line) const {
+    const std::string key = state_->within + name;
     if (state_->set.count(key) != 0) misused(key, why);
     const toml::node* node = find(state_->root, key);
     std::string where = "'" + state_->file + "'";
@@ -124,11 +152,13 @@ void Document::fail_in_text(const std::string& key, const std::string& why, std:
         const bool below = node->is_string() && first <= state_->opens.size() && state_->opens[first - 1];
         where += ", line " + std::to_string(first + line + (below ? 1 : 0));
     }
-    throw Error(Exit::bad_input, "cannot use profile " + where + ", key '" + printable(key) + "': " + why);
+    throw Error(Exit::bad_input, "cannot use " + state_->kind + " " + where + ", key '" + printable(key) + "': " + why);
 }
 
+bool Document::has(const std::string& key) const { return find(state_->root, state_->within + key) != nullptr; }
+
 void Document::require(const std::string& key) const {
-    if (find(state_->root, key) == nullptr) fail(key, "it is missing");
+    if (state_->within.empty() && find(state_->root, key) == nullptr) fail(key, "it is missing");
 }
 
 namespace {
@@ -150,15 +180,13 @@ std::string number_in(const toml::node& node, const Document::Range& range, doub
 } // namespace
 
 void Document::number(const std::string& key, double& out, Range range) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     if (const auto why = number_in(*node, range, out); !why.empty()) fail(key, why);
 }
 
 void Document::whole(const std::string& key, int& out, int min, int max) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     const auto* value = node->as_integer();
     if (value == nullptr || value->get() < min || value->get() > max)
@@ -167,22 +195,21 @@ void Document::whole(const std::string& key, int& out, int min, int max) {
 }
 
 void Document::flag(const std::string& key, bool& out) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     if (!node->is_boolean()) fail(key, "it must be true or false");
     out = node->as_boolean()->get();
 }
 
 void Document::text(const std::string& key, std::string& out) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
+    const auto* node = state_->asked_for(key);
     if (node == nullptr) return;
     if (!node->is_string()) fail(key, "it must be a text in quotes");
     out = node->as_string()->get();
     for (const char c : out)
         if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
             fail(key, "it holds a control character");
+    state_->texts += out;
 }
 
 void Document::choice(const std::string& key, std::string& out, const std::vector<std::string>& choices) {
@@ -194,21 +221,39 @@ void Document::choice(const std::string& key, std::string& out, const std::vecto
 }
 
 void Document::pair(const std::string& key, double& a, double& b, Range range) {
-    state_->asked.insert(key);
-    const auto* node = find(state_->root, key);
-    if (node == nullptr) return;
+    std::array<double, 2> both{a, b};
+    if (!list(key, both, range)) return;
+    a = both[0], b = both[1];
+}
+
+bool Document::list(const std::string& key, std::span<double> out, Range range) {
+    const auto* node = state_->asked_for(key);
+    if (node == nullptr) return false;
     const auto* array = node->as_array();
-    if (array == nullptr || array->size() != 2) fail(key, "it must be two numbers in brackets");
-    auto why = number_in(*array->get(0), range, a);
-    if (why.empty()) why = number_in(*array->get(1), range, b);
-    if (!why.empty()) fail(key, why);
+    if (array == nullptr || array->size() != out.size())
+        fail(key, "it must be " + (out.size() == 2 ? "two" : std::to_string(out.size())) + " numbers in brackets");
+    for (std::size_t k = 0; k < out.size(); ++k)
+        if (const auto why = number_in(*array->get(k), range, out[k]); !why.empty()) fail(key, why);
+    return true;
+}
+
+std::vector<std::string> Document::tables(const std::string& section) const {
+    std::vector<std::string> out;
+    const auto* node = find(state_->root, section);
+    if (node == nullptr) return out;
+    if (!node->is_table()) fail(section, "it must be a section");
+    for (const auto& [name, value] : *node->as_table()) {
+        if (!value.is_table()) fail(section + "." + std::string(name.str()), "it must be a section");
+        out.emplace_back(name.str());
+    }
+    return out;
 }
 
 void Document::numbers(const std::string& section, std::map<std::string, double>& out) {
-    state_->asked.insert(section);
-    const auto* node = find(state_->root, section);
+    const auto* node = state_->asked_for(section);
     if (node == nullptr) return;
     if (!node->is_table()) fail(section, "it must be a table");
+    state_->named.insert(section);
     for (const auto& [name, value] : *node->as_table()) {
         const std::string key = section + "." + std::string(name.str());
         double v = 0;
@@ -217,31 +262,67 @@ void Document::numbers(const std::string& section, std::map<std::string, double>
     }
 }
 
-void Document::finish() const {
-    struct Left {
-        std::string key;
-        toml::source_position at;
-    };
-    std::vector<Left> left;
-    const auto consider = [&](const std::string& key, const toml::node& node) {
-        if (state_->asked.count(key) == 0) left.push_back({key, node.source().begin});
-    };
-    for (const auto& [name, node] : state_->root) {
-        const std::string key(name.str());
-        const bool section = std::any_of(state_->asked.begin(), state_->asked.end(),
-                                         [&](const std::string& a) { return a.starts_with(key + "."); });
-        if (!section || state_->asked.count(key) != 0) {
-            consider(key, node);
-            continue;
+void Document::check_names() const {
+    for (const std::string& section : state_->named) {
+        const auto* table = state_->root.get_as<toml::table>(section);
+        std::vector<std::string> used;
+        std::vector<std::string> idle;
+        for (const auto& [name, node] : *table) {
+            const std::string key(name.str());
+            const bool in_use = state_->texts.find("{" + key + "}") != std::string::npos;
+            (in_use ? used : idle).push_back(key);
         }
-        if (!node.is_table()) fail(key, "it must be a section");
-        for (const auto& [inner, value] : *node.as_table()) consider(key + "." + std::string(inner.str()), value);
+        if (idle.empty()) continue;
+        const auto set = std::find_if(idle.begin(), idle.end(),
+                                      [&](const auto& name) { return state_->set.count(section + "." + name) != 0; });
+        const std::string& name = set != idle.end() ? *set : idle.front();
+        for (const std::string& key : state_->asked) // "bead" may be feeds.bead
+            if (key.ends_with("." + name)) used = {key};
+        const std::string meant = did_you_mean(name, used);
+        fail(section + "." + name,
+             "no template names it" +
+                 (meant.empty() ? "; leave it out, or write {" + name + "} where it is to stand" : meant));
     }
-    if (left.empty()) return;
+}
+
+namespace {
+
+struct Left {
+    std::string key;
+    toml::source_position at;
+};
+
+// Keys of `table`, whose own key is `above`, that were not asked for; a section is gone through, one that holds
+// nothing asked for is left over as a whole.
+void left_over(const toml::table& table, const std::string& above, const std::set<std::string>& asked,
+               std::vector<Left>& out) {
+    for (const auto& [name, node] : table) {
+        const std::string key = above + std::string(name.str());
+        if (asked.count(key) != 0) continue;
+        const auto inside = asked.lower_bound(key + ".");
+        const bool section = inside != asked.end() && inside->starts_with(key + ".");
+        if (section && node.is_table())
+            left_over(*node.as_table(), key + ".", asked, out);
+        else
+            out.push_back({key, node.source().begin});
+    }
+}
+
+} // namespace
+
+void Document::finish() const {
+    std::vector<Left> left;
+    left_over(state_->root, "", state_->asked, left);
+    if (left.empty()) return check_names();
     const auto first = std::min_element(left.begin(), left.end(), [](const Left& a, const Left& b) {
         return std::pair(a.at.line, a.key) < std::pair(b.at.line, b.key);
     });
-    fail(first->key, "there is no such key");
+    const std::vector<std::string> keys(state_->asked.begin(), state_->asked.end());
+    for (const auto& key : state_->set)
+        if (key.starts_with(first->key + ".")) misused(key, "there is no such key" + did_you_mean(key, keys));
+    const auto inside = state_->asked.lower_bound(first->key + ".");
+    const bool section = inside != state_->asked.end() && inside->starts_with(first->key + ".");
+    fail(first->key, section ? "it must be a section" : "there is no such key" + did_you_mean(first->key, keys));
 }
 
 } // namespace filum::machine

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,9 @@ namespace filum::machine {
 
 class Document {
   public:
-    // Parses `text`, then lays the keys of `set` ("a.b=1,c=2") over it.
-    Document(std::string_view text, const std::string& file, const std::string& set);
+    // Parses `text`, then lays the keys of `set` ("a.b=1,c=2") over it.  `kind` is what messages call such a file.
+    Document(std::string_view text, const std::string& file, const std::string& set,
+             const std::string& kind = "profile");
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
@@ -23,17 +25,28 @@ class Document {
         double min = -1e9, max = 1e9;
         bool open = false; // min itself is not allowed
     };
-    // Each leaves `out` as it is where the key is missing.  `key` is dotted: "feeds.bead".
+    // Each leaves `out` as it is where the key is missing.  `key` is dotted: "feeds.bead", "tool.1.feeds.bead".
     void number(const std::string& key, double& out, Range range);
     void whole(const std::string& key, int& out, int min, int max);
     void flag(const std::string& key, bool& out);
     void text(const std::string& key, std::string& out);
     void choice(const std::string& key, std::string& out, const std::vector<std::string>& choices);
     void pair(const std::string& key, double& a, double& b, Range range);         // [a, b]
+    bool list(const std::string& key, std::span<double> out, Range range);        // as many as `out` has; is it there?
     void numbers(const std::string& section, std::map<std::string, double>& out); // a table of any names
 
+    // The names of the sections within a section, in the order of their names; none: it is missing.
+    [[nodiscard]] std::vector<std::string> tables(const std::string& section) const;
+
+    // From enter() to leave() every key is meant within that section; none of them is required there.
+    void enter(const std::string& section);
+    void leave();
+
+    [[nodiscard]] bool has(const std::string& key) const;
     void require(const std::string& key) const;
-    void finish() const; // throws for the first key (in the file's order) that was not asked for
+    // Throws for the first key (in the file's order) that was not asked for, then for the first of numbers() that
+    // stands in braces in no text.
+    void finish() const;
 
     // Throws: the value of `key` cannot be used.
     [[noreturn]] void fail(const std::string& key, const std::string& why) const;
@@ -41,6 +54,7 @@ class Document {
     [[noreturn]] void fail_in_text(const std::string& key, const std::string& why, std::size_t line) const;
 
   private:
+    void check_names() const;
     struct State;
     std::unique_ptr<State> state_;
 };

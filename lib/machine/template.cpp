@@ -38,13 +38,48 @@ Piece next_piece(std::string_view& rest) {
 } // namespace
 
 const std::vector<std::string>& known_placeholders() {
-    static const std::vector<std::string> names = {
-        "x_min",         "x_max",           "y_min",      "y_max",     "z_min",     "z_max",
-        "x_start",       "y_start",         "z_start",    "bed_x_min", "bed_x_max", "bed_y_min",
-        "bed_y_max",     "bed_z_max",       "z_park",     "layer",     "layers",    "z",
-        "height",        "path_len",        "travel_len", "time",      "strokes",   "material_mm3",
-        "material_e",    "travel_feed",     "z_feed",     "tool_no",   "cut_dwell", "cut_dwell_ms",
-        "tension_dwell", "tension_dwell_ms"};
+    static const std::vector<std::string> names = {"x_min",
+                                                   "x_max",
+                                                   "y_min",
+                                                   "y_max",
+                                                   "z_min",
+                                                   "z_max",
+                                                   "x_start",
+                                                   "y_start",
+                                                   "z_start",
+                                                   "bed_x_min",
+                                                   "bed_x_max",
+                                                   "bed_y_min",
+                                                   "bed_y_max",
+                                                   "bed_z_max",
+                                                   "z_park",
+                                                   "layer",
+                                                   "layers",
+                                                   "z",
+                                                   "height",
+                                                   "path_len",
+                                                   "travel_len",
+                                                   "time",
+                                                   "strokes",
+                                                   "material_mm3",
+                                                   "material_e",
+                                                   "travel_feed",
+                                                   "z_feed",
+                                                   "tool_no",
+                                                   "cut_dwell",
+                                                   "cut_dwell_ms",
+                                                   "tension_dwell",
+                                                   "tension_dwell_ms",
+                                                   "purge_x",
+                                                   "purge_y",
+                                                   "purge_x_end",
+                                                   "purge_y_end",
+                                                   "tilt_axis_speed",
+                                                   "turn_axis_speed",
+                                                   "tilt_axis_acceleration",
+                                                   "turn_axis_acceleration",
+                                                   "tilt_axis_jump",
+                                                   "turn_axis_jump"};
     return names;
 }
 
@@ -66,7 +101,7 @@ TemplateFault check_template(std::string_view text, const Values& own) {
     return {};
 }
 
-std::string expand(std::string_view text, const Values& values) {
+std::string expand(std::string_view text, const Values& values, int decimals) {
     std::string out;
     while (!text.empty()) {
         const Piece p = next_piece(text);
@@ -77,7 +112,7 @@ std::string expand(std::string_view text, const Values& values) {
         const auto it = values.find(std::string(p.text));
         if (p.kind == Piece::Kind::fault || it == values.end())
             throw Error(Exit::bad_input, "cannot fill in a template: nothing known for '" + std::string(p.text) + "'");
-        append_fixed(out, it->second, 5);
+        append_fixed(out, it->second, decimals);
     }
     return out;
 }

@@ -21,8 +21,8 @@ struct TemplateFault {
 };
 TemplateFault check_template(std::string_view text, const Values& own);
 
-// `text` with each {name} replaced by its number (up to 5 decimals, never an exponent).
+// `text` with each {name} replaced by its number (up to so many decimals, never an exponent).
 // Throws Error(bad_input) for an unknown name or a stray brace.
-std::string expand(std::string_view text, const Values& values);
+std::string expand(std::string_view text, const Values& values, int decimals = 5);
 
 } // namespace filum::machine

@@ -15,6 +15,13 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes); // in mm
 
+// What `bytes` are, as far as anyone can tell, with what to do: "a GLB file (binary glTF); export it as STL".  "" if
+// nobody can.  For messages about files that no reader takes.
+std::string foreign(std::string_view bytes);
+
+// True if a file of that name would be a mesh.
+bool is_mesh_name(std::string_view name);
+
 // Appends the fan of a polygon's triangles, all from its first corner.
 void append_fan(std::vector<Triangle>& out, const std::vector<std::uint32_t>& corners);
 

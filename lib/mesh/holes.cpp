@@ -2,6 +2,7 @@
 
 #include "mesh/formats.hpp"
 #include "mesh/place.hpp"
+#include "mesh/sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,59 +11,7 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 constexpr double kLargestLid = 0.6; // of the shell's area
-
-// Side k of triangle t, from its corner k to the next one, is half-edge 3t + k.
-struct HalfEdge {
-    std::uint64_t key; // both vertices, the lower number in the high half
-    std::uint32_t side;
-    bool falls; // from the higher number to the lower
-};
-
-std::vector<HalfEdge> half_edges(const Mesh& mesh) {
-    std::vector<HalfEdge> out;
-    out.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-            out.push_back({std::min(a, b) << 32 | std::max(a, b), 3 * t + k, a > b});
-        }
-    std::sort(out.begin(), out.end(),
-              [](const HalfEdge& a, const HalfEdge& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
-    return out;
-}
-
-// Calls visit(first, last) for the half-edges of each edge.
-template <class Visit>
-void each_edge(const std::vector<HalfEdge>& sides, const Visit& visit) {
-    for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
-        while (j < sides.size() && sides[j].key == sides[i].key) ++j;
-        visit(i, j);
-    }
-}
-
-double area(const Mesh& mesh, const Triangle& t) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    return norm(cross(b - a, c - a)) / 2;
-}
-
-// Per half-edge the one that it meets on an edge of exactly two triangles, and whether both run the same way.
-struct Meeting {
-    std::uint32_t side = kNone;
-    bool same_way = false;
-};
-std::vector<Meeting> meetings(const Mesh& mesh) {
-    const auto sides = half_edges(mesh);
-    std::vector<Meeting> out(sides.size());
-    each_edge(sides, [&](std::size_t i, std::size_t j) {
-        if (j - i != 2) return;
-        const bool same = sides[i].falls == sides[i + 1].falls;
-        out[sides[i].side] = {sides[i + 1].side, same};
-        out[sides[i + 1].side] = {sides[i].side, same};
-    });
-    return out;
-}
 
 // Surplus sides of edges that are not balanced, as (from, to) vertices, ascending.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> rims(const Mesh& mesh) {
@@ -103,53 +52,40 @@ std::vector<std::vector<std::uint32_t>> closed_rims(const std::vector<std::pair<
 
 } // namespace
 
-bool is_closed(const Mesh& mesh) {
-    std::uint64_t sum = 0;
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint64_t a = t[k], b = t[(k + 1) % 3];
-            std::uint64_t h = (std::min(a, b) << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15ULL;
-            h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ULL;
-            h ^= h >> 32;
-            sum += a < b ? h : 0 - h;
+std::vector<HalfEdge> half_edges(const Mesh& mesh) {
+    std::vector<HalfEdge> out;
+    out.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint64_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+            out.push_back({std::min(a, b) << 32 | std::max(a, b), 3 * t + k, a > b});
         }
-    return sum == 0;
+    std::sort(out.begin(), out.end(),
+              [](const HalfEdge& a, const HalfEdge& b) { return a.key != b.key ? a.key < b.key : a.side < b.side; });
+    return out;
 }
 
-void face_one_way(Mesh& mesh, Notes& notes) {
-    if (is_closed(mesh)) return;
-    const auto meets = meetings(mesh);
-    std::vector<char> seen(mesh.triangles.size(), 0), turn(mesh.triangles.size(), 0);
-    std::vector<std::uint32_t> patch;
-    Note n = note("triangle turned round to face as its neighbours do", 0, "mm2");
-    n.count = 0;
-    for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
-        if (seen[first] != 0) continue;
-        seen[first] = 1;
-        patch.assign(1, first);
-        double all = 0, turned = 0;
-        for (std::size_t i = 0; i < patch.size(); ++i) {
-            const std::uint32_t t = patch[i];
-            const double a = area(mesh, mesh.triangles[t]);
-            all += a;
-            if (turn[t] != 0) turned += a;
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const Meeting& m = meets[3 * t + k];
-                if (m.side == kNone || seen[m.side / 3] != 0) continue;
-                seen[m.side / 3] = 1;
-                turn[m.side / 3] = static_cast<char>((turn[t] != 0) != m.same_way);
-                patch.push_back(m.side / 3);
-            }
-        }
-        const char wrong = turned > all / 2 ? 0 : 1; // the mark of the smaller part
-        for (const std::uint32_t t : patch) {
-            if (turn[t] != wrong) continue;
-            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-            ++n.count;
-        }
-        n.amount += std::min(turned, all - turned);
+double area(const Mesh& mesh, const Triangle& t) {
+    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    return norm(cross(b - a, c - a)) / 2;
+}
+
+std::uint64_t imbalance(const Triangle& t) {
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint64_t a = t[k], b = t[(k + 1) % 3];
+        std::uint64_t h = (std::min(a, b) << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15ULL;
+        h = (h ^ (h >> 29)) * 0xbf58476d1ce4e5b9ULL;
+        h ^= h >> 32;
+        sum += a < b ? h : 0 - h;
     }
-    if (n.count > 0) notes.push_back(std::move(n));
+    return sum;
+}
+
+bool is_closed(const Mesh& mesh) {
+    std::uint64_t sum = 0;
+    for (const Triangle& t : mesh.triangles) sum += imbalance(t);
+    return sum == 0;
 }
 
 Lids lids(Mesh& mesh) {
@@ -178,7 +114,7 @@ Lids lids(Mesh& mesh) {
             lid += area(mesh, out.triangles.back());
         }
         if (lid <= kLargestLid * size[shells.of_vertex[rim[0]]]) {
-            ++out.holes;
+            out.holes.push_back({lid, mesh.vertices[centre]});
             continue;
         }
         out.triangles.resize(before);

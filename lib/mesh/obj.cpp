@@ -3,6 +3,8 @@
 #include "mesh/formats.hpp"
 #include "mesh/text.hpp"
 
+#include <algorithm>
+
 namespace filum::mesh {
 
 namespace {
@@ -38,17 +40,31 @@ void face(Text& text, const std::string& name, std::size_t count, std::vector<st
     }
 }
 
+// Files written one behind the other: the second one's faces name the first one's vertices.
+void note_unused(const Mesh& mesh, std::size_t from, Notes& notes) {
+    std::vector<char> used(mesh.vertices.size(), 0);
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t) used[v] = 1;
+    const auto unused = std::count(used.begin() + static_cast<std::ptrdiff_t>(from), used.end(), 0);
+    if (unused == 0) return;
+    Note n = note("vertex behind the first faces that no face has: several files in one?", 0, "");
+    n.count = static_cast<std::size_t>(unused);
+    notes.push_back(std::move(n));
+}
+
 } // namespace
 
-Mesh read_obj(std::string_view bytes, const std::string& name, Notes&) {
+Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
     Mesh out;
+    std::size_t before_faces = 0; // vertices
     std::vector<std::uint32_t> corners;
     while (text.more()) {
         const std::string_view word = text.word();
         if (word == "v")
             out.vertices.push_back(vertex(text, name));
         else if (word == "f") {
+            if (out.triangles.empty()) before_faces = out.vertices.size();
             face(text, name, out.vertices.size(), corners);
             append_fan(out.triangles, corners);
         }
@@ -59,6 +75,7 @@ Mesh read_obj(std::string_view bytes, const std::string& name, Notes&) {
             if (v >= out.vertices.size())
                 throw Error(Exit::bad_input, "cannot read " + name + ": a face has vertex " + std::to_string(v + 1) +
                                                  " of " + std::to_string(out.vertices.size()));
+    note_unused(out, before_faces, notes);
     return out;
 }
 

@@ -61,7 +61,7 @@ std::vector<Triangle> faces(Text& text, const std::string& name, std::uint64_t n
 
 } // namespace
 
-Mesh read_off(std::string_view bytes, const std::string& name, Notes&) {
+Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes, '#');
     text.more();
     const std::string_view head = text.word();
@@ -77,6 +77,8 @@ Mesh read_off(std::string_view bytes, const std::string& name, Notes&) {
     Mesh out;
     out.vertices = vertices(text, name, v, !prefix.empty());
     out.triangles = faces(text, name, f, out.vertices.size());
+    if (text.more())
+        notes.push_back(note("bytes after the last face not read", static_cast<double>(text.end - text.at), "bytes"));
     return out;
 }
 

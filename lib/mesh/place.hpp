@@ -45,9 +45,4 @@ struct Shells {
 };
 Shells shells_of(const Mesh& mesh);
 
-// Turns round what is certainly inside out: the whole if its volume is negative, then every nearly closed shell of
-// negative volume that lies in the box of no shell of positive volume, so that it can be no cavity.  Notes how many.
-// Returns the number of shells.
-std::size_t face_outwards(Mesh& mesh, Notes& notes);
-
 } // namespace filum::mesh

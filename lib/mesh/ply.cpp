@@ -150,6 +150,12 @@ class Values {
         return static_cast<std::uint64_t>(n);
     }
 
+    // What is left when all has been read, less blanks.
+    [[nodiscard]] std::uint64_t bytes_behind() {
+        if (encoding_ == Encoding::text) text_.more();
+        return bytes_left();
+    }
+
   private:
     template <class T>
     T raw() {
@@ -221,7 +227,7 @@ void read_faces(Values& values, const Element& e, const std::string& name, std::
 
 } // namespace
 
-Mesh read_ply(std::string_view bytes, const std::string& name, Notes&) {
+Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes) {
     Text text(bytes);
     text.word();
     const Header head = header(text, name);
@@ -242,6 +248,8 @@ Mesh read_ply(std::string_view bytes, const std::string& name, Notes&) {
             for (std::uint64_t i = 0; i < e.count; ++i)
                 for (const Property& p : e.properties) skip(values, p);
     }
+    if (const std::uint64_t behind = values.bytes_behind(); behind > 0)
+        notes.push_back(note("bytes after the last face not read", static_cast<double>(behind), "bytes"));
     if (strips && out.triangles.empty()) malformed(name, "it holds triangle strips; export it with faces");
     for (const Triangle& t : out.triangles)
         for (const std::uint32_t v : t)

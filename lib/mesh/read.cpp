@@ -109,6 +109,8 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, Notes
     const std::string_view stream_mark("\x00\x89\x46\x69lum\n", 8);
     if (bytes.substr(0, 16).find(stream_mark) != std::string_view::npos)
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a Filum stream, not a mesh");
+    const std::string other = foreign(bytes);
+    if (!other.empty()) throw Error(Exit::bad_input, "cannot read " + name + ": it is " + other);
     throw Error(Exit::bad_input, "cannot read " + name + ": it is no STL, OBJ, PLY, OFF, 3MF or STEP file");
 }
 
@@ -123,13 +125,13 @@ Kind recognise(std::string_view bytes) {
     // more than 500 million triangles.
     const std::uint32_t n = announced_triangles(bytes);
     if (bytes.size() >= kStlHeader && bytes.size() == kStlHeader + kStlRecord * std::size_t{n}) return Kind::stl_binary;
-    if (bytes.starts_with("PK\x03\x04")) return Kind::threemf;
+    if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return Kind::threemf;
     if (bytes.starts_with("ply") || is_text(bytes)) return recognise_text(bytes);
     // Binary, and of another size than it says: cut short, or with something behind.
     const std::string_view body = bytes.size() > kStlHeader ? bytes.substr(kStlHeader) : std::string_view{};
     const bool plausible = n > 0 && n < (1U << 27) && body.size() >= kStlRecord && std::size_t{n} < 1000 * body.size();
     const bool stream = bytes.substr(0, 16).find("Filum") != std::string_view::npos;
-    return plausible && !stream ? Kind::stl_binary : Kind::unknown;
+    return plausible && !stream && foreign(bytes).empty() ? Kind::stl_binary : Kind::unknown;
 }
 
 File read(std::string_view bytes, const std::string& name) {

@@ -37,6 +37,29 @@ void add_block(const char* record, std::size_t count, Weld<std::uint32_t>& weld,
     }
 }
 
+std::size_t announced_by(std::string_view bytes) {
+    std::uint32_t n = 0;
+    std::memcpy(&n, bytes.data() + kHeader - 4, 4);
+    return n;
+}
+
+// Whether a whole binary STL begins there.
+bool holds_stl(std::string_view bytes) {
+    if (bytes.size() < kHeader + kRecord) return false;
+    const std::size_t n = announced_by(bytes);
+    return n > 0 && n <= (bytes.size() - kHeader) / kRecord;
+}
+
+void add_records(std::string_view records, Weld<std::uint32_t>& weld, std::vector<Triangle>& out) {
+    const std::size_t triangles = records.size() / kRecord;
+    out.reserve(out.size() + triangles);
+    for (std::size_t t = 0; t < triangles; t += kBlock) {
+        const std::size_t count = std::min(kBlock, triangles - t);
+        weld.reserve(3 * count);
+        add_block(records.data() + kRecord * t, count, weld, out);
+    }
+}
+
 // On the last line, half a word or number is the mark of a file that was cut.
 [[noreturn]] void bad_line(const Text& text, const std::string& name, const std::string& why) {
     if (std::find(text.at, text.end, '\n') == text.end)
@@ -47,30 +70,35 @@ void add_block(const char* record, std::size_t count, Weld<std::uint32_t>& weld,
 } // namespace
 
 Mesh read_stl_binary(std::string_view bytes, const std::string& name, Notes& notes) {
-    std::uint32_t announced = 0;
-    std::memcpy(&announced, bytes.data() + 80, 4);
-    const std::size_t held = (bytes.size() - kHeader) / kRecord;
+    const std::size_t held = (bytes.size() - kHeader) / kRecord, announced = announced_by(bytes);
     if (held < announced)
         throw Error(Exit::truncated, "cannot read " + name + ": it announces " + std::to_string(announced) +
                                          " triangles and ends after " + std::to_string(held) +
                                          "; copy or export it again");
-    const std::size_t beyond = bytes.size() - kHeader - kRecord * announced;
-    if (beyond > 0)
-        notes.push_back(note("bytes after the last triangle not read", static_cast<double>(beyond), "bytes"));
     Mesh out;
-    out.triangles.reserve(announced);
     Weld<std::uint32_t> weld(announced / 2 + 16);
-    for (std::size_t t = 0; t < announced; t += kBlock) {
-        const std::size_t count = std::min<std::size_t>(kBlock, announced - t);
-        weld.reserve(3 * count);
-        add_block(bytes.data() + kHeader + kRecord * t, count, weld, out.triangles);
+    Note more = note("STL behind the end of another read as well", 0, "triangles");
+    more.count = 0;
+    for (bool first = true; first || holds_stl(bytes); first = false) {
+        const std::size_t count = announced_by(bytes);
+        add_records(bytes.substr(kHeader, kRecord * count), weld, out.triangles);
+        bytes.remove_prefix(kHeader + kRecord * count);
+        if (first) continue;
+        ++more.count;
+        more.amount += static_cast<double>(count);
     }
+    if (more.count > 0) notes.push_back(std::move(more));
+    if (recognise(bytes) != Kind::unknown)
+        throw Error(Exit::bad_input, "cannot read " + name + ": behind its " + std::to_string(out.triangles.size()) +
+                                         " triangles another file begins; give the files one by one");
+    if (!bytes.empty())
+        notes.push_back(note("bytes after the last triangle not read", static_cast<double>(bytes.size()), "bytes"));
     out.vertices = std::move(weld.vertices);
     return out;
 }
 
 Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& notes) {
-    Text text(bytes);
+    Text text(bytes, '#');
     Weld<std::uint64_t> weld(bytes.size() / 600); // about 250 bytes a triangle
     Mesh out;
     std::vector<std::uint32_t> corners;

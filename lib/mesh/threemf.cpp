@@ -5,10 +5,13 @@
 #include "mesh/formats.hpp"
 #include "mesh/text.hpp"
 
+#include <array>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <pugixml.hpp>
+#include <set>
+#include <tuple>
 #include <zip.h>
 
 namespace filum::mesh {
@@ -18,7 +21,7 @@ using geom::Affine;
 namespace {
 
 constexpr std::size_t kMaxText = std::size_t{1} << 29;      // of all models together: a small zip can hold terabytes
-constexpr std::size_t kMaxTriangles = std::size_t{1} << 26; // after all copies that components ask for
+constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // after all copies that components ask for
 constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
 
@@ -74,10 +77,20 @@ class Archive {
             const std::string path = part_path(item);
             add(path.empty() ? root : path, item.attribute("objectid").value(), transform(item), 0);
         }
+        if (same_.count > 0) notes_.push_back(std::move(same_));
+        reserve();
+        for (const Placed& p : placed_) add_mesh(p.mesh, p.unit, p.place);
         return std::move(out_);
     }
 
   private:
+    // A mesh, and where it is to be.
+    struct Placed {
+        pugi::xml_node mesh;
+        double unit = 1;
+        Affine place;
+    };
+
     [[noreturn]] void bad(const std::string& why) const {
         throw Error(Exit::bad_input, "cannot read " + name_ + ": " + why);
     }
@@ -103,7 +116,21 @@ class Archive {
         }
     }
 
+    // The first entry that is a mesh by its name.
+    [[nodiscard]] std::string other_mesh() const {
+        for (zip_int64_t i = 0; i < zip_get_num_entries(zip_.get(), 0); ++i)
+            if (const char* entry = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0);
+                entry != nullptr && is_mesh_name(entry))
+                return entry;
+        return "";
+    }
+
     std::string root_path() {
+        if (zip_name_locate(zip_.get(), "_rels/.rels", ZIP_FL_NOCASE) < 0) {
+            const std::string mesh = other_mesh();
+            bad(mesh.empty() ? "it is a ZIP archive, but no 3MF, and holds no mesh"
+                             : "it is a ZIP archive that holds '" + mesh + "'; unpack it first");
+        }
         pugi::xml_document xml;
         const std::string text = file("_rels/.rels");
         if (!xml.load_buffer(text.data(), text.size())) bad("'_rels/.rels' in the archive is no XML");
@@ -154,13 +181,43 @@ class Archive {
         const auto found = model.objects.find(id);
         if (found == model.objects.end()) bad("object '" + id + "' is missing");
         const auto& object = found->second;
-        if (const auto mesh = child(object, "mesh")) add_mesh(mesh, model.unit, place);
+        if (!there_.insert({&model, id, key(place)}).second) {
+            ++same_.count;
+            return;
+        }
+        if (const auto mesh = child(object, "mesh")) placed_.push_back({mesh, model.unit, place});
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
             const std::string other = part_path(c);
             if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
             add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1);
         }
+    }
+
+    static std::array<double, 12> key(const Affine& place) {
+        std::array<double, 12> out{};
+        for (std::size_t i = 0; i < 12; ++i) out[i] = i < 9 ? place.a[i / 3][i % 3] : place.t[i - 9];
+        return out;
+    }
+
+    // Refuses what would be too large before it is made.
+    void reserve() {
+        std::map<const void*, std::pair<std::size_t, std::size_t>> size; // of a mesh: vertices, triangles
+        std::size_t vertices = 0, triangles = 0;
+        for (const Placed& p : placed_) {
+            const auto [it, fresh] = size.try_emplace(p.mesh.internal_object());
+            if (fresh) it->second = {children(child(p.mesh, "vertices")), children(child(p.mesh, "triangles"))};
+            vertices += it->second.first;
+            triangles += it->second.second;
+        }
+        if (std::max(vertices, triangles) > kMaxTriangles)
+            bad("with all its copies it has " + std::to_string(triangles) + " triangles and " +
+                std::to_string(vertices) + " vertices, more than 16 million; print fewer copies at once");
+        out_.vertices.reserve(vertices);
+        out_.triangles.reserve(triangles);
+    }
+    static std::size_t children(const pugi::xml_node& n) {
+        return static_cast<std::size_t>(std::distance(n.begin(), n.end()));
     }
 
     // The translation of a transform is in the model's unit as well, so scale last.
@@ -179,8 +236,6 @@ class Archive {
             if (turn) std::swap(tri[1], tri[2]);
             out_.triangles.push_back(tri);
         }
-        if (out_.triangles.size() > kMaxTriangles || out_.vertices.size() > kMaxTriangles)
-            bad("with all its copies it has more than 67 million triangles");
     }
 
     [[nodiscard]] double number(const pugi::xml_node& n, const char* what) const {
@@ -202,6 +257,9 @@ class Archive {
     std::unique_ptr<zip_t, void (*)(zip_t*)> zip_{nullptr, [](zip_t* z) { zip_discard(z); }};
     std::map<std::string, std::unique_ptr<Model>> models_; // by path
     std::size_t text_ = 0, copies_ = 0;
+    std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
+    std::vector<Placed> placed_;
+    Note same_{.stage = "", .what = "copy of a body in the same place left out", .unit = "", .count = 0};
     Mesh out_;
 };
 

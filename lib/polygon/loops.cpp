@@ -16,6 +16,23 @@ double signed_area(const Loops& loops) {
     return sum;
 }
 
+Vec2 centroid(const Loops& loops) {
+    if (loops.empty()) return {};
+    const Vec2 o = loops.points[0];
+    double twice = 0;
+    Vec2 sum;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        const auto loop = loops[l];
+        for (std::size_t i = 1; i + 1 < loop.size(); ++i) { // triangles about the loop's first point
+            const Vec2 a = loop[0] - o, b = loop[i] - o, c = loop[i + 1] - o;
+            const double t = geom::cross(b - a, c - a);
+            twice += t;
+            sum = sum + (t / 3) * (a + b + c);
+        }
+    }
+    return twice == 0 ? o : o + (1 / twice) * sum;
+}
+
 double perimeter(std::span<const Vec2> loop) {
     double sum = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) sum += geom::distance(loop[i], loop[(i + 1) % loop.size()]);

@@ -32,6 +32,7 @@ struct Loops {
 
 double signed_area(std::span<const Vec2> loop); // mm2, positive if counter-clockwise
 double signed_area(const Loops& loops);         // sum over the loops: the area, if holes are clockwise
+Vec2 centroid(const Loops& loops);              // of that area; the first point if there is none
 double perimeter(std::span<const Vec2> loop);   // mm
 Box2 bounds(std::span<const Vec2> points);
 inline Box2 bounds(const Loops& loops) { return bounds(loops.points); }

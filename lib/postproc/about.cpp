@@ -5,6 +5,7 @@
 #include "postproc/digits.hpp"
 #include "postproc/job.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace filum::postproc {
@@ -64,20 +65,36 @@ std::string frames(machine::Dialect dialect) {
     case machine::Dialect::rapid:
         return "mm in the work object, unit quaternion from its real part on";
     case machine::Dialect::urscript:
-        return "m in the robot's base, rotation vector in rad";
+        return "m, rotation vector in rad";
     case machine::Dialect::gcode:
         break;
     }
     return "";
 }
 
+std::string frame(const geom::Frame& f) {
+    const auto turn = geom::euler_zyx(f.turn);
+    std::string out;
+    for (const double v :
+         {f.origin.x, f.origin.y, f.origin.z, geom::degrees(turn[0]), geom::degrees(turn[1]), geom::degrees(turn[2])})
+        out += (out.empty() ? "" : ", ") + fixed_text(v, 3);
+    return out;
+}
+
+std::vector<std::string> robot(const machine::Profile& profile) {
+    const machine::Robot& r = profile.robot;
+    return {" axes: those of a robot, which works them out; " +
+                (r.arm ? "checked for '" + r.model + "'" : std::string("of an unknown model, not checked")),
+            " numbers: tool frames in the part's frame, z out of the nozzle; " + frames(profile.format.dialect),
+            " part in the robot's base [mm, degrees about z, y, x]: " + frame(r.base),
+            " nozzle in the flange's frame: " + frame(r.tool)};
+}
+
 // Which frame the numbers are in: the same words mean other places on other machines.
 std::vector<std::string> axes(const machine::Profile& profile) {
     const auto& a = profile.axes;
     if (!a.active()) return {};
-    if (a.chain.carrier == kinematics::Carrier::frame)
-        return {" axes: those of a robot, which works them out",
-                " numbers: tool frames in the part's frame, z out of the nozzle; " + frames(profile.format.dialect)};
+    if (a.chain.carrier == kinematics::Carrier::frame) return robot(profile);
     const char* carriers[] = {"", "turn axis on tilt axis, both under the part", "tilting head, turning table",
                               "tilting head on a turning one", "tilting head, turning table, X the radius"};
     const auto& u = a.chain.tilt_axis;
@@ -96,17 +113,29 @@ std::vector<std::string> axes(const machine::Profile& profile) {
     return {chain, pivots(a.chain), numbers, " feed: F is " + feed};
 }
 
+// How far the program may be from the toolpath.
+std::string merged(const machine::Profile& profile) {
+    const auto& m = profile.merging;
+    std::string out = " path: moves merged within " + shortest_text(m.planar) + " mm of the toolpath";
+    if (!profile.axes.active() && m.surface != m.planar)
+        out += ", " + shortest_text(m.surface) + " mm where it leans the tool";
+    if (profile.axes.active())
+        out += ", where it leans the tool " + shortest_text(m.surface) + " mm and " +
+               shortest_text(geom::degrees(m.axis)) + " degrees";
+    return out;
+}
+
 void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
-    const double volume = s.volume * e.flow;
+    const Used material = used(profile, s);
     const bool filament = e.feeding == machine::Feeding::filament;
     lines.push_back("TIME:" + std::to_string(static_cast<long long>(std::ceil(std::min(s.seconds, 1e15)))));
     lines.push_back(" estimated printing time (normal mode) = " + duration(s.seconds));
-    if (filament) lines.push_back(" filament used [mm] = " + fixed_text(s.volume * e.per_mm3(), 2));
+    if (filament) lines.push_back(" filament used [mm] = " + fixed_text(material.units, 2));
     if (e.feeding == machine::Feeding::plunger)
-        lines.push_back(" plunger travel [mm] = " + fixed_text(s.volume * e.per_mm3(), 4));
+        lines.push_back(" plunger travel [mm] = " + fixed_text(material.units, 4));
     lines.push_back(std::string(filament ? " filament used" : " material") +
-                    " [cm3] = " + fixed_text(volume / 1000, 3));
+                    " [cm3] = " + fixed_text(material.volume / 1000, 3));
     lines.push_back(" layers = " + std::to_string(s.layers) + ", strokes = " + std::to_string(s.strokes));
     std::string path = " path [mm] = " + fixed_text(s.path_len, 1);
     const std::pair<Role, const char*> roles[] = {
@@ -123,8 +152,17 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
                  Facts& facts) {
     const auto& a = profile.axes;
-    if (!a.active() || a.chain.carrier == kinematics::Carrier::frame) return;
     const Efforts& e = survey.efforts;
+    facts.push_back({stage, "moves", static_cast<double>(survey.moves), ""});
+    facts.push_back({stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, survey.laying)), ""});
+    facts.push_back({stage, "largest-merge", e.off, "mm"});
+    facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
+    constexpr double told = 0.01; // degrees
+    if (!a.active() && geom::degrees(e.lean) > told)
+        notes.push_back({stage, "nozzle upright where the toolpath leans it", geom::degrees(e.lean), "deg", 1, -1,
+                         e.lean_at.x, e.lean_at.y});
+    if (a.chain.carrier == kinematics::Carrier::frame) return add_arm_efforts(profile, e.arm, stage, notes, facts);
+    if (!a.active()) return;
     const auto degrees = [](double rad) { return geom::degrees(rad); };
     facts.push_back({stage, "unwinds", static_cast<double>(e.unwinds), ""});
     facts.push_back({stage, "largest-lean", degrees(e.lean), "deg"});
@@ -134,7 +172,6 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
     if (e.unwinds_in_turns > 0)
         notes.push_back(
             {stage, "of these in a tight turn", static_cast<double>(e.unwinds_in_turns), "breaks", e.unwinds_in_turns});
-    constexpr double told = 0.01; // degrees
     if (degrees(e.clipped) > told)
         notes.push_back({stage, "tool leans to keep the limits of the tilt axis", degrees(e.clipped), "deg", 1, -1,
                          e.clipped_at.x, e.clipped_at.y});
@@ -148,6 +185,7 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
+    lines.push_back(merged(profile));
     if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
     pipeline(stages, lines);
     remarks(notes, lines);

@@ -1,5 +1,7 @@
 #include "postproc/digits.hpp"
 
+#include "base/printable.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,11 +11,8 @@ void append_comment(std::string& out, std::string_view text, machine::CommentSty
     const bool round = style == machine::CommentStyle::parentheses;
     const char begin[] = {';', '(', '!', '#'};
     out += begin[static_cast<std::size_t>(style)];
-    for (const char c : text) {
-        const auto u = static_cast<unsigned char>(c);
-        if (u < 0x20 || u == 0x7f)
-            out += '?';
-        else if (round && (c == '(' || c == ')'))
+    for (const char c : printable(text)) {
+        if (round && (c == '(' || c == ')'))
             out += c == '(' ? '[' : ']';
         else
             out += c;

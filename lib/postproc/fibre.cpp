@@ -83,6 +83,14 @@ bool any_omitted(const std::vector<Span>& travels) {
 
 } // namespace
 
+void check_tool(const machine::Profile& profile, const Span& span) {
+    if (span.tool == 0 || !machine::change_codes(profile, span.tool).empty()) return;
+    const std::string number = std::to_string(span.tool);
+    throw Error(Exit::bad_input, "cannot take tool " + number + " " + place(span) + ": '" + profile.name +
+                                     "' has no codes to change tools; add tools.change, or [tool." + number +
+                                     "] with change");
+}
+
 FibreWalk::FibreWalk(const machine::Profile& profile, std::unique_ptr<Walker> inner, Steps out)
     : profile_(&profile), inner_(std::move(inner)), out_(std::move(out)) {}
 
@@ -93,9 +101,7 @@ void FibreWalk::travel(const Span& span) {
 
 void FibreWalk::extrude(const Span& span) {
     if (span.tool != tool_) {
-        if (span.tool != 0 && profile_->tools.change.empty())
-            throw Error(Exit::bad_input, "cannot take tool " + std::to_string(span.tool) + " " + place(span) + ": '" +
-                                             profile_->name + "' has no codes to change tools; add tools.change");
+        check_tool(*profile_, span);
         finish();
         if (begun_ && travels_.empty()) {
             travels_.push_back(like(span));
@@ -183,12 +189,12 @@ void FibreWalk::end() {
     inner_->end();
 }
 
-std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out) {
+std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Steps out, const Joins* joins) {
     std::unique_ptr<Walker> inner;
     if (profile.axes.active())
         inner = std::make_unique<TiltedWalk>(profile, shift, out);
     else
-        inner = std::make_unique<Walk>(profile, out);
+        inner = std::make_unique<Walk>(profile, out, joins);
     return std::make_unique<FibreWalk>(profile, std::move(inner), std::move(out));
 }
 

@@ -16,8 +16,9 @@ struct Sum {
 };
 
 Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t) {
-    const double density = t.fibre ? p.fibre.density : p.extrusion.density;
-    const double volume = t.volume * (t.fibre ? 1 : p.extrusion.flow);
+    const auto& e = machine::of_tool(p, number).extrusion;
+    const double density = t.fibre ? p.fibre.density : e.density;
+    const double volume = t.volume * (t.fibre ? 1 : e.flow);
     return {"tool " + std::to_string(number) + (t.fibre ? " (fibre)" : ""), t, volume, volume / 1000 * density,
             density > 0 || volume == 0};
 }

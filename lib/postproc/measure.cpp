@@ -3,9 +3,11 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "postproc/fibre.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace filum::postproc {
 
@@ -13,16 +15,22 @@ namespace {
 
 double um(double v) { return std::round(v * 1000) / 1000; }
 
+// Beneath an upright nozzle the surface rises towards one side of its flat: by the flat's radius times the tangent of
+// the tilt.  Where that is more than the bead is high, the nozzle cuts into the surface.
+double upright_limit(const machine::Profile& p, double height) {
+    return p.head.flat_radius > 0 ? std::atan2(height, p.head.flat_radius) : std::numbers::pi / 2;
+}
+
 std::string degrees(double rad) { return fixed_text(geom::degrees(rad), 1); }
 
 } // namespace
 
-Measure::Measure(const machine::Profile& profile, Place place, const Orient& orient)
+Measure::Measure(const machine::Profile& profile, Place place, const Orient& orient, bool flatten)
     : profile_(&profile), place_(place), rotary_(profile.axes.active()), surveyor_(profile),
-      automatic_(orient.automatic), turning_(orient.turning), low_(kInfinity), turned_low_(kInfinity) {
+      automatic_(orient.automatic), turning_(orient.turning), low_(kInfinity), turned_low_(kInfinity),
+      flatten_(flatten) {
     if (!rotary_ && (automatic_ || !turning_.none()))
         throw Error(Exit::usage, "--orient is for machines with rotary axes; turn the part before it is sliced");
-    if (!rotary_) walk_ = walker(profile, {}, [this](auto steps) { surveyor_.add(steps); });
 }
 
 toolpath::Span Measure::turned(toolpath::Span span) const {
@@ -35,6 +43,12 @@ toolpath::Span Measure::turned(toolpath::Span span) const {
 
 void Measure::add(const toolpath::Span& span) {
     if (walk_) return turning_.none() ? walk_->add(span) : walk_->add(turned(span));
+    joins_.add(span);
+    if (toolpath::extrudes(span.role)) check_tool(*profile_, span);
+    if (!rotary_) {
+        if (!span.normals.empty() && toolpath::extrudes(span.role)) see_upright(span);
+        return;
+    }
     if (toolpath::extrudes(span.role)) see(span);
 }
 
@@ -50,6 +64,29 @@ void Measure::see(const toolpath::Span& span) {
         low_ = std::min(low_, span.points[i].z), turned_low_ = std::min(turned_low_, p.z);
         if (const double tilt = std::atan2(std::hypot(to.x, to.y), to.z); tilt > tilt_) tilt_ = tilt, tilt_at_ = p;
     }
+}
+
+void Measure::see_upright(const toolpath::Span& span) {
+    for (std::size_t i = 0; i < span.points.size(); ++i) {
+        const Vec3& n = span.normals[i];
+        const double tilt = std::atan2(std::hypot(n.x, n.y), n.z), height = span.height_at(i);
+        if (tilt > tilt_) tilt_ = tilt, tilt_at_ = span.points[i];
+        const double excess = tilt - upright_limit(*profile_, height);
+        if (excess > excess_)
+            excess_ = excess, excess_tilt_ = tilt, excess_height_ = height, excess_at_ = span.points[i];
+    }
+}
+
+void Measure::check_upright() const {
+    if (flatten_ || !(excess_ > 0)) return;
+    const Vec3& p = excess_at_;
+    throw Error(Exit::failure,
+                "cannot follow the toolpath on '" + profile_->name + "', which holds the nozzle upright: at x " +
+                    fixed_text(p.x, 3) + ", y " + fixed_text(p.y, 3) + ", z " + fixed_text(p.z, 3) +
+                    " of the toolpath the tool must tilt by " + degrees(excess_tilt_) + " degrees, and beyond " +
+                    degrees(excess_tilt_ - excess_) + " a flat of " + fixed_text(profile_->head.flat_radius, 3) +
+                    " mm radius cuts into the surface under a bead of " + fixed_text(excess_height_, 3) +
+                    " mm; use a machine with rotary axes, or --flatten to go there upright all the same");
 }
 
 // Before any axis is worked out, so that the message knows the whole job.
@@ -72,6 +109,12 @@ void Measure::check_tilts() const {
 
 bool Measure::again() {
     if (walk_) return false;
+    if (!rotary_) {
+        check_upright();
+        walk_ = walker(
+            *profile_, {}, [this](auto steps) { surveyor_.add(steps); }, &joins_);
+        return true;
+    }
     if (automatic_) {
         turning_ = upright(narrowest_cone(axes_).axis);
         axes_ = {};
@@ -97,6 +140,7 @@ Survey Measure::end() {
     walk_->end();
     Survey survey = surveyor_.end();
     survey.efforts = walk_->efforts();
+    if (!rotary_ && tilt_ > 0) survey.efforts.lean = tilt_, survey.efforts.lean_at = tilt_at_;
     survey.placed = placed();
     if (!rotary_) shift_ = placement(survey, profile_->bed, place_);
     check_limits(survey, *profile_, program_shift());

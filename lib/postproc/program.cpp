@@ -56,7 +56,12 @@ void Program::begin(const std::vector<std::string>& about) {
     text_ += "G90";
     end_line();
     begin_axes();
-    if (!counts()) return;
+    begin_counting();
+}
+
+// The first tool that counts says how.
+void Program::begin_counting() {
+    if (!counts() || std::exchange(counted_, true)) return;
     if (profile_->extrusion.letter == 'E') {
         text_ += profile_->extrusion.relative ? "M83" : "M82";
         end_line();
@@ -104,6 +109,9 @@ void Program::layer(const Step& step) {
         comment("HEIGHT:" + fixed_text(step.height, 3));
         height_ = step.height;
     }
+    const bool upper = step.layer > 0;
+    if (std::exchange(upper_, upper) != upper)
+        code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
     code(profile_->templates.layer);
     // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
     // offset could halt the stroke.
@@ -117,6 +125,7 @@ void Program::change_tool(const Step& step) {
     begin_axes();
     at_.fill(kUnknown);
     f_ = -1;
+    begin_counting();
     if (counts() && !profile_->extrusion.relative) reset_extruder();
 }
 
@@ -148,6 +157,26 @@ bool Program::words(const std::array<std::int64_t, 5>& to, std::string_view code
     return true;
 }
 
+// Of what lays material: an arc where it can be told from its chord.
+bool Program::bead_words(const Step& step, const std::array<std::int64_t, 5>& to) {
+    const std::int64_t i = units(step.centre.x + shift_.x, xyz_scale_) - at_[0],
+                       j = units(step.centre.y + shift_.y, xyz_scale_) - at_[1];
+    constexpr std::int64_t least = 10; // units of the last decimal
+    const auto far = [](std::int64_t a, std::int64_t b) { return std::abs(a) + std::abs(b) >= least; };
+    if (step.sweep == 0 || !far(i, j) || !far(to[0] - at_[0], to[1] - at_[1])) return words(to, "G1");
+    text_ += step.sweep > 0 ? "G3" : "G2";
+    const auto word = [&](char letter, std::int64_t value) {
+        text_ += ' ';
+        text_ += letter;
+        append_units(text_, value, profile_->format.xyz_decimals);
+    };
+    word('X', to[0]), word('Y', to[1]);
+    if (to[2] != at_[2]) word('Z', to[2]);
+    word('I', i), word('J', j);
+    at_ = to;
+    return true;
+}
+
 void Program::feed_units(double value) {
     const auto f = std::max<std::int64_t>(1, units(value, f_scale_));
     if (f == f_) return;
@@ -163,7 +192,10 @@ void Program::feed(const Step& step, double way) {
     constexpr double degrees = 180 / std::numbers::pi;
     const double turned = std::max(std::abs(step.tilt - tilt_), std::abs(step.turn - turn_)) * degrees;
     tilt_ = step.tilt, turn_ = step.turn;
-    if (!(step.seconds > 0)) return;
+    if (!(step.seconds > 0)) { // as fast as a travel; a feed that the start template left could be any
+        if (profile_->axes.feed_word == machine::FeedWord::per_minute) feed(step.feed);
+        return;
+    }
     switch (profile_->axes.feed_word) {
     case machine::FeedWord::per_minute:
         return feed_units(60 * (way > 0 ? way : turned) / step.seconds);
@@ -188,7 +220,7 @@ void Program::extruder_only(std::int64_t units, double speed) {
     if (units == 0 || !counts()) return;
     text_ += "G1";
     material(units);
-    const double seconds = static_cast<double>(std::abs(units)) / e_scale_ / speed;
+    const double seconds = std::max(static_cast<double>(std::abs(units)) / e_scale_ / speed, kLeastSeconds);
     if (profile_->axes.active() && profile_->axes.feed_word != machine::FeedWord::per_minute) {
         f_ = -1;
         feed_units(profile_->axes.feed_word == machine::FeedWord::inverse ? 60 / seconds : seconds);
@@ -200,20 +232,29 @@ void Program::extruder_only(std::int64_t units, double speed) {
 
 void Program::move(const Step& step) {
     const bool rotary = profile_->axes.active();
-    std::array<std::int64_t, 5> to{units(step.to.x + shift_.x, xyz_scale_), units(step.to.y + shift_.y, xyz_scale_),
-                                   units(step.to.z, xyz_scale_), at_[3], at_[4]};
+    const Vec3 at = rotary ? step.to : step.to - own(step).offset;
+    std::array<std::int64_t, 5> to{units(at.x + shift_.x, xyz_scale_), units(at.y + shift_.y, xyz_scale_),
+                                   units(at.z, xyz_scale_), at_[3], at_[4]};
     if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
     if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
-    const double way = known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : 0;
+    // Else as far as it is taken to be, from where the axes are taken to stand.
+    double way =
+        known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : distance(step.axes, stood_);
+    stood_ = step.axes;
+    const bool timed = rotary && profile_->axes.feed_word != machine::FeedWord::per_minute;
+    if (known && way < toolpath::kLeastMove * (1 - 1e-9)) to[0] = at_[0], to[1] = at_[1], to[2] = at_[2], way = 0;
     if (step.act == Act::climb) {
-        if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, "G1")) return; // x and y stay, known or not
+        const bool rapid = timed && !(step.seconds > 0); // from nobody knows where
+        if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, rapid ? profile_->format.travel_code : "G1"))
+            return; // x and y stay, known or not
+        if (rotary && !timed && !(step.seconds > 0)) feed(step.feed);
     } else if (step.act == Act::travel) {
         if (!words(to, rotary && step.seconds > 0 ? "G1" : profile_->format.travel_code)) return;
     } else {
         laid_ += feeds(step);
         bead_comments(step);
-        if (!words(to, "G1")) return; // too short to see: its material goes on with the next
+        if (!bead_words(step, to)) return; // too short to see: its material goes on with the next
         if (counts()) material(due());
     }
     if (rotary)
@@ -231,15 +272,15 @@ std::int64_t Program::due() {
 }
 
 void Program::close(const Step& step) {
-    extruder_only(due(), profile_->travel.retract_speed);
+    extruder_only(due(), own().travel.retract_speed);
     code(off(step));
     role_ = Role::travel;
 }
 
-void Program::retract() { extruder_only(-units(profile_->travel.retract, e_scale_), profile_->travel.retract_speed); }
+void Program::retract() { extruder_only(-units(own().travel.retract, e_scale_), own().travel.retract_speed); }
 
 void Program::prime() {
-    const auto& t = profile_->travel;
+    const auto& t = own().travel;
     extruder_only(units(t.retract, e_scale_) + units(t.extra, e_scale_), t.retract_speed);
 }
 

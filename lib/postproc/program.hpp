@@ -9,20 +9,12 @@
 
 namespace filum::postproc {
 
-struct Options {
-    std::string machine = "marlin";      // profile: name or file
-    std::string place = "center";        // center | as-is
-    std::string orient = "as-is";        // see parse_orient
-    std::string set;                     // changes to the profile: "feeds.bead=40,nozzle_temp=230"
-    std::string short_strokes = "error"; // of fibre: error | drop
-    std::string job;                     // file
-};
-
 // Writes the program of the steps that `survey` was made of, moved by `shift`.
 //
 // Coordinates are whole multiples of the last decimal; a word is written only if it changed, a move that changes
 // nothing is left out and its material goes into the next one.  The extruder word is the difference of rounded totals,
-// so rounding never adds up and never takes back.  No number has an exponent.  The last line says "end of program".
+// so rounding never adds up and never takes back.  No move is shorter than toolpath::kLeastMove.  No number has an
+// exponent.  The last line says "end of program".
 class Program final : public Writer {
   public:
     Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
@@ -38,7 +30,10 @@ class Program final : public Writer {
     void push() override;
     void cut() override;
     void move(const Step& step) override;
+    bool bead_words(const Step& step, const std::array<std::int64_t, 5>& to);
+    void stand(const Step&) override {} // of robots only
     bool words(const std::array<std::int64_t, 5>& to, std::string_view code);
+    void begin_counting();
     void begin_axes();
     void end_axes();
     std::int64_t due();
@@ -55,9 +50,12 @@ class Program final : public Writer {
     std::array<std::int64_t, 5> at_; // x, y, z, tilt, turn as last written, in units of the last decimal
     std::int64_t f_ = -1;            // likewise
     double tilt_ = 0, turn_ = 0;     // rad, of the step before
+    Vec3 stood_;                     // likewise, mm: its axes
     double laid_ = 0;                // extruder units of the bead so far, exact
     std::int64_t laid_units_ = 0;    // the same as written
+    bool counted_ = false;           // the controller was told how extruder words count
     std::int64_t e_ = 0;             // where the controller believes the extruder to be
+    bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;
     double width_ = 0, height_ = 0; // as last told to viewers
     std::uint64_t lines_ = 0;       // moves written

@@ -1,10 +1,10 @@
 #include "postproc/robot.hpp"
 
-#include "geom/angle.hpp"
-#include "postproc/digits.hpp"
+#include "base/error.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace filum::postproc {
 
@@ -12,179 +12,177 @@ namespace {
 
 using machine::Dialect;
 
-using geom::kDegree;
-constexpr double kAxisSpeed = 5000; // mm/s: the extruder keeps up with the path
+constexpr double kAxisSpeed = 5000;  // mm/s: the extruder keeps up with the path
+constexpr double kNeighbour = 3;     // a move flies by by a third of a neighbour at most
+constexpr double kLeastBlend = 1e-3; // mm: it halts rather
+constexpr double kLeastFeed = 0.01;  // mm/s
 
 } // namespace
 
-Orientation orientation(const Vec3& axis, const Vec3& heading) {
-    const Vec3 z = -1.0 * axis;
-    Vec3 x = heading - dot(heading, z) * z;
-    x = 1 / norm(x) * x;
-    return {x, cross(z, x), z};
-}
+geom::Rotation orientation(const Vec3& axis, const Vec3& heading) { return geom::rotation_of(-1.0 * axis, heading); }
 
-std::array<double, 3> euler_zyx(const Orientation& o) {
-    const double level = std::hypot(o.x.x, o.x.y);
-    const double b = std::atan2(-o.x.z, level);
-    if (level < 1e-9) return {std::atan2(-o.y.x, o.y.y), b, 0}; // only the sum of A and C counts
-    return {std::atan2(o.x.y, o.x.x), b, std::atan2(o.y.z, o.z.z)};
-}
-
-// By the largest of the four parts, so that no difference cancels (Shepperd 1978).
-std::array<double, 4> quaternion(const Orientation& o) {
-    const double t = o.x.x + o.y.y + o.z.z;
-    const std::array<double, 4> squares{1 + t, 1 + 2 * o.x.x - t, 1 + 2 * o.y.y - t, 1 + 2 * o.z.z - t};
-    const auto k = std::max_element(squares.begin(), squares.end()) - squares.begin();
-    const double yz = o.y.z - o.z.y, zx = o.z.x - o.x.z, xy = o.x.y - o.y.x;
-    const double a = o.x.y + o.y.x, b = o.z.x + o.x.z, c = o.y.z + o.z.y;
-    const std::array<std::array<double, 4>, 4> rows{
-        {{squares[0], yz, zx, xy}, {yz, squares[1], a, b}, {zx, a, squares[2], c}, {xy, b, c, squares[3]}}};
-    auto q = rows[static_cast<std::size_t>(k)];
-    const double size = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])) * (q[0] < 0 ? -1 : 1);
-    for (double& v : q) v /= size;
-    return q;
-}
-
-std::array<double, 3> rotation_vector(const Orientation& o) {
-    const auto q = quaternion(o);
-    const double s = std::sqrt(q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    const double f = s > 1e-12 ? 2 * std::atan2(s, q[0]) / s : 2;
-    return {f * q[1], f * q[2], f * q[3]};
-}
-
-RobotProgram::RobotProgram(const machine::Profile& profile, const Survey& survey, Text out)
-    : Writer(profile, placeholders(survey, profile, {}), std::move(out)), axis_speed_(kAxisSpeed) {}
-
-void RobotProgram::number(double value, int decimals) {
-    append_units(text_, std::llround(value * std::pow(10.0, decimals)), decimals);
-}
-
-void RobotProgram::list(std::span<const double> values, int decimals) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i > 0) text_ += ',';
-        number(values[i], decimals);
-    }
+RobotProgram::RobotProgram(const machine::Profile& profile, const Survey& survey, Text out, ModuleFile modules)
+    : Writer(profile, placeholders(survey, profile, {}), out), extruder_speed_(kAxisSpeed),
+      modules_(std::move(modules)), main_(std::move(out)) {
+    const int most = profile.robot.module_moves;
+    split_ = most > 0 && survey.moves > static_cast<std::uint64_t>(most);
+    if (split_ && !modules_)
+        throw Error(Exit::usage, "cannot write one module of " + std::to_string(survey.moves) + " moves: '" +
+                                     profile.name + "' takes " + std::to_string(most) +
+                                     "; give a folder for the others by --modules, or raise robot.module_moves");
 }
 
 void RobotProgram::begin(const std::vector<std::string>& about) {
     // A module's first line must be its own in some languages: what it is stands behind.
     code(profile_->templates.start);
     for (const auto& line : about) comment(line);
+    if (split_) begin_module();
 }
 
 void RobotProgram::end() {
+    settle(0);
+    if (split_) run_modules();
     comment("end of program, " + std::to_string(lines_) + " moves");
     code(profile_->templates.end);
     flush();
 }
 
-void RobotProgram::krl(const Step& step, const Orientation& o) {
-    if (std::abs(step.feed - speed_) > 1e-6) {
-        text_ += "$VEL.CP=";
-        number(step.feed / 1000, 6);
-        end_line();
-    }
-    const int d = profile_->format.xyz_decimals;
-    const auto angles = euler_zyx(o);
-    const char* names[] = {"A ", ",B ", ",C "};
-    text_ += "LIN {X ", number(step.to.x, d);
-    text_ += ",Y ", number(step.to.y, d);
-    text_ += ",Z ", number(step.to.z, d);
-    text_ += ',';
-    for (std::size_t k = 0; k < 3; ++k) text_ += names[k], number(angles[k] / kDegree, profile_->axes.angle_decimals);
-    if (counts()) text_ += ",E1 ", number(laid_, profile_->format.e_decimals);
-    text_ += step.halt ? "}" : "} C_DIS";
+void RobotProgram::begin_module() {
+    flush();
+    values_["module"] = ++module_;
+    in_module_ = 0;
+    redirect(modules_(machine::expand(profile_->robot.module_file, values_)));
+    code(profile_->robot.module_start);
+    said_ = {};
 }
 
-void RobotProgram::rapid(const Step& step, const Orientation& o) {
-    const double xyz[] = {step.to.x, step.to.y, step.to.z};
-    const double b = profile_->axes.blend;
-    text_ += "MoveL [[", list(xyz, profile_->format.xyz_decimals);
-    text_ += "],[", list(quaternion(o), 7);
-    text_ += "],[0,0,0,0],[";
-    if (counts())
-        number(laid_, profile_->format.e_decimals);
-    else
-        text_ += "9E9";
-    text_ += ",9E9,9E9,9E9,9E9,9E9]],[", number(step.feed, 3);
-    text_ += ",500,", number(axis_speed_, 3);
-    text_ += ",1000],";
-    if (step.halt) {
-        text_ += "fine";
-    } else {
-        const double zone[] = {b, 1.5 * b, 1.5 * b, 0.15 * b, 1.5 * b, 0.15 * b};
-        text_ += "[FALSE,", list(zone, 3);
-        text_ += ']';
-    }
-    text_ += ",tFilum\\WObj:=wFilum;";
+void RobotProgram::end_module() {
+    code(profile_->robot.module_end);
+    flush();
 }
 
-void RobotProgram::urscript(const Step& step, const Orientation& o) {
-    const double xyz[] = {step.to.x / 1000, step.to.y / 1000, step.to.z / 1000};
-    text_ += "movel(p[", list(xyz, profile_->format.xyz_decimals + 3);
-    text_ += ',', list(rotation_vector(o), 7);
-    text_ += "],a=", number(profile_->motion.acceleration / 1000, 4);
-    text_ += ",v=", number(step.feed / 1000, 6);
-    text_ += ",r=", number(step.halt ? 0 : profile_->axes.blend / 1000, 6);
-    text_ += ')';
+// In the main program: all are there before the robot moves, so that it does not stand between them.
+void RobotProgram::run_modules() {
+    end_module();
+    redirect(main_);
+    const auto& r = profile_->robot;
+    for (const std::string* text : {&r.module_load, &r.module_call, &r.module_unload})
+        for (int m = 1; m <= module_; ++m) {
+            values_["module"] = m;
+            code(*text);
+        }
+}
+
+double RobotProgram::blend(double shorter) const {
+    const double most = std::min(profile_->axes.blend, shorter / kNeighbour);
+    if (profile_->format.dialect != Dialect::krl) return most < kLeastBlend ? 0 : most;
+    double level = profile_->axes.blend;
+    while (level > most && level >= kLeastBlend) level /= 2;
+    return level < kLeastBlend ? 0 : level;
+}
+
+// Writes the move that waits; the one behind it is `next` mm long, 0 if it must halt.
+void RobotProgram::settle(double next) {
+    if (!pending_) return;
+    const Step step = *std::exchange(pending_, std::nullopt);
+    write(step, step.halt ? 0 : blend(std::min(step.length, next)));
+    trigger_.clear();
+}
+
+void RobotProgram::write(const Step& step, double blend) {
+    RobotLine line;
+    line.tip = {orientation(step.axis, step.heading), step.to};
+    line.joint = step.act == Act::stand;
+    line.posture = step.posture;
+    // Where the tool turns more than it goes, or an axis cannot follow, it goes slower than its feed.
+    line.feed = step.seconds > 0 && step.length > 0 ? std::max(step.length / step.seconds, kLeastFeed) : step.feed;
+    line.seconds = step.length > 0 ? 0 : step.seconds;
+    line.blend = blend;
+    if (counts()) line.extruder = fed_;
+    line.extruder_speed = extruder_speed_;
+    line.trigger = trigger_;
+    append_robot_line(text_, line, *profile_, profile_->format.crlf ? "\r\n" : "\n", said_);
+    last_ = step;
+    ++lines_, ++in_module_;
 }
 
 void RobotProgram::move(const Step& step) {
     laid_ += feeds(step);
     if (step.length == 0 && step.seconds == 0 && lines_ > 0) return;
-    // Where the tool turns more than it goes, it goes slower than its feed.
-    Step slow = step;
-    if (step.seconds > 0) slow.feed = std::max(step.length / step.seconds, 0.01);
-    write(slow);
+    const bool travels = step.act != Act::extrude;
+    settle(step.length);
+    const auto most = static_cast<std::uint64_t>(profile_->robot.module_moves);
+    if (split_ && (in_module_ >= most || (travels && in_module_ >= most / 2))) {
+        end_module();
+        begin_module();
+    }
+    pending_ = step;
+    fed_ = laid_;
 }
 
-void RobotProgram::write(const Step& step) {
-    const Orientation o = orientation(step.axis, step.heading);
-    switch (profile_->format.dialect) {
-    case Dialect::krl:
-        krl(step, o);
-        break;
-    case Dialect::rapid:
-        rapid(step, o);
-        break;
-    default:
-        urscript(step, o);
-    }
-    end_line();
-    speed_ = step.feed;
-    last_ = step;
-    ++lines_;
+void RobotProgram::stand(const Step& step) {
+    settle(0);
+    fed_ = laid_;
+    write(step, 0);
+}
+
+// Codes belong to the very place.
+void RobotProgram::codes(const std::string& text) {
+    if (text.empty()) return;
+    settle(0);
+    code(text);
 }
 
 // Pushes fibre where the tool is: the extruder moves alone.
 void RobotProgram::push() {
     if (!counts() || profile_->fibre.prime == 0) return;
+    settle(0);
     laid_ += profile_->fibre.prime;
-    axis_speed_ = profile_->fibre.prime_speed;
+    fed_ = laid_;
+    extruder_speed_ = profile_->fibre.prime_speed;
     Step still = last_;
-    still.feed = profile_->fibre.prime_speed;
-    still.halt = true;
-    write(still);
-    axis_speed_ = kAxisSpeed;
+    still.act = Act::travel;
+    still.length = still.seconds = 0, still.feed = profile_->fibre.prime_speed;
+    write(still, 0);
+    extruder_speed_ = kAxisSpeed;
 }
 
 void RobotProgram::layer(const Step& step) {
     values_["layer"] = step.layer, values_["z"] = step.to.z, values_["height"] = step.height;
-    code(profile_->templates.layer);
+    codes(profile_->templates.layer);
 }
 
-void RobotProgram::close(const Step& step) { code(off(step)); }
+void RobotProgram::open(const Step& step) {
+    trigger(on_trigger(step));
+    if (on_trigger(step).empty()) codes(on(step));
+}
+
+void RobotProgram::close(const Step& step) {
+    trigger(off_trigger(step));
+    if (off_trigger(step).empty()) codes(off(step));
+}
+
+// At the end of the move that waits, or where the tool is.
+void RobotProgram::trigger(const std::string& name) {
+    if (name.empty()) return;
+    if (!pending_) {
+        pending_ = last_;
+        pending_->act = Act::travel, pending_->length = pending_->seconds = 0, pending_->feed = kLeastFeed;
+    }
+    trigger_ = name;
+}
 
 // Taken back and given again on the way: with the next move.
-void RobotProgram::retract() { laid_ -= profile_->travel.retract; }
-void RobotProgram::prime() { laid_ += profile_->travel.retract + profile_->travel.extra; }
+void RobotProgram::retract() { laid_ -= own().travel.retract; }
+void RobotProgram::prime() { laid_ += own().travel.retract + own().travel.extra; }
 
 void RobotProgram::change_tool(const Step& step) {
+    settle(0);
     tool(step);
-    speed_ = -1;
+    said_ = {};
 }
 
-void RobotProgram::cut() { code(profile_->fibre.cut); }
+void RobotProgram::cut() { codes(profile_->fibre.cut); }
+void RobotProgram::tension() { codes(profile_->fibre.tension); }
 
 } // namespace filum::postproc

@@ -1,55 +1,62 @@
 // Programs of robots: a tool frame per move, in the robot's own language.
 #pragma once
 
+#include "geom/frame.hpp"
+#include "postproc/robot_lines.hpp"
 #include "postproc/survey.hpp"
 #include "postproc/writer.hpp"
 
-#include <array>
-
 namespace filum::postproc {
 
-// The orientation of a tool whose z axis leaves the nozzle: columns x, y, z, orthonormal, right-handed.
-struct Orientation {
-    Vec3 x, y, z;
-};
+// How a tool stands whose z axis leaves the nozzle: of a tool axis (which points up the tool) and the heading of its x
+// axis, which counts as far as it lies across.
+geom::Rotation orientation(const Vec3& axis, const Vec3& heading);
 
-// Of a tool axis (which points up the tool) and the heading of its x axis, which counts as far as it lies across.
-Orientation orientation(const Vec3& axis, const Vec3& heading);
-
-std::array<double, 3> euler_zyx(const Orientation& o);       // A, B, C of KRL: about z, the new y, the new x; rad
-std::array<double, 4> quaternion(const Orientation& o);      // w, x, y, z of RAPID; w >= 0
-std::array<double, 3> rotation_vector(const Orientation& o); // of URScript: axis times angle in [0, pi], rad
-
-// KUKA KRL:    LIN {X 1,Y 2,Z 3,A 0,B 0,C 180,E1 4} C_DIS      mm, degrees; speeds as $VEL.CP in m/s
-// ABB RAPID:   MoveL [[1,2,3],[0,1,0,0],[0,0,0,0],[4,9E9,...]],[20,500,5000,1000],zone,tool\WObj:=object;
-// URScript:    movel(p[0.001,0.002,0.003,3.14,0,0],a=1,v=0.02,r=0.0005)      m, rad
-// An extruder is the first external axis, counted absolutely; URScript has none: its extruder is a valve.
+// Lines as append_robot_line has them.  A move flies by its end by the profile's blend, by a third of the shorter one
+// of its neighbours at most (in KRL, where that is a line of its own, by the blend or a half, a quarter, ... of it); it
+// halts where a code follows, but for triggers, which switch at the very place.
+// An extruder is the first external axis, counted absolutely from 0 at the start; URScript has none: its extruder is a
+// valve.  A program of more moves than a module may have goes on in modules of its own, which the main one runs; a new
+// one begins between strokes if it is half full, else where it is full.
 class RobotProgram final : public Writer {
   public:
-    RobotProgram(const machine::Profile& profile, const Survey& survey, Text out);
+    RobotProgram(const machine::Profile& profile, const Survey& survey, Text out, ModuleFile modules);
     void begin(const std::vector<std::string>& about) override;
     void end() override;
 
   private:
     void layer(const Step& step) override;
+    void open(const Step& step) override;
     void close(const Step& step) override;
     void retract() override;
     void prime() override;
     void change_tool(const Step& step) override;
     void push() override;
     void cut() override;
+    void tension() override;
     void move(const Step& step) override;
-    void number(double value, int decimals);
-    void list(std::span<const double> values, int decimals);
-    void write(const Step& step);
-    void krl(const Step& step, const Orientation& o);
-    void rapid(const Step& step, const Orientation& o);
-    void urscript(const Step& step, const Orientation& o);
-    double laid_ = 0;   // extruder units
-    double speed_ = -1; // mm/s, as last said
-    double axis_speed_; // mm/s at most, of the extruder
-    Step last_;         // written
+    void stand(const Step& step) override;
+    void codes(const std::string& text);
+    void settle(double next);
+    void trigger(const std::string& name);
+    void write(const Step& step, double blend);
+    void begin_module();
+    void end_module();
+    void run_modules();
+    [[nodiscard]] double blend(double shorter) const;
+    double laid_ = 0; // extruder units
+    Said said_;
+    double extruder_speed_;       // mm/s at most
+    std::optional<Step> pending_; // not written yet: how it ends depends on what follows
+    double fed_ = 0;              // where the extruder stands at its end
+    std::string trigger_;         // at its end
+    Step last_;                   // written
     std::uint64_t lines_ = 0;
+    ModuleFile modules_;
+    bool split_ = false;          // in modules
+    std::uint64_t in_module_ = 0; // moves
+    int module_ = 0;
+    Text main_;
 };
 
 } // namespace filum::postproc

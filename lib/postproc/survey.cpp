@@ -2,14 +2,18 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/angle.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace filum::postproc {
 
 namespace {
+
+constexpr double kUnlimited = 1e6; // what templates are told where there is no limit
 
 std::array<double, 3> coordinates(Vec3 p) { return {p.x, p.y, p.z}; }
 
@@ -20,7 +24,7 @@ std::string place(std::uint32_t layer, Vec3 p) {
 
 } // namespace
 
-Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile.motion) {
+Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile) {
     for (auto& e : survey_.low) e.value = kInfinity;
     for (auto& e : survey_.high) e.value = -kInfinity;
     survey_.part_low.fill(kInfinity);
@@ -28,15 +32,38 @@ Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_
 }
 
 void Surveyor::check_section(const Step& step, double length) const {
-    const double section = step.volume / length * profile_->extrusion.flow;
-    if (section <= profile_->limits.section * (1 + 1e-9)) return;
+    const machine::Profile& own = machine::of_tool(*profile_, step.tool);
+    const machine::Limits& most = own.limits;
+    constexpr double slack = 1e-9;
+    if (step.width < most.narrowest * (1 - slack) || step.width > most.widest * (1 + slack))
+        throw Error(Exit::failure, "cannot print " + place(step.layer, step.to) + ": a bead " +
+                                       fixed_text(step.width, 4) + " mm wide, and tool " + std::to_string(step.tool) +
+                                       " of '" + profile_->name + "' lays " + fixed_text(most.narrowest, 4) + " to " +
+                                       fixed_text(most.widest, 4) + " mm; use another width or another tool");
+    const double section = step.volume / length * own.extrusion.flow;
+    if (section <= most.section * (1 + slack)) return;
     throw Error(Exit::failure, "cannot print " + place(step.layer, step.to) + ": a bead of " + fixed_text(section, 4) +
-                                   " mm2 is above the " + fixed_text(profile_->limits.section, 4) + " mm2 that '" +
-                                   profile_->name + "' allows; use narrower beads, thinner layers or a larger nozzle");
+                                   " mm2 is above the " + fixed_text(most.section, 4) + " mm2 that '" + profile_->name +
+                                   "' allows; use narrower beads, thinner layers or a larger nozzle");
+}
+
+// The point of an arc that lies farthest out in each direction that it passes.
+void Surveyor::visit_arc(const Step& step) {
+    const Vec2 arm = at_.xy() - step.centre;
+    const double radius = norm(arm), begin = std::atan2(arm.y, arm.x);
+    constexpr double quarter = std::numbers::pi / 2;
+    const double low = std::min(begin, begin + step.sweep), high = std::max(begin, begin + step.sweep);
+    for (double k = std::ceil(low / quarter); k * quarter < high; ++k) {
+        Step out = step;
+        out.to.x = step.centre.x + radius * std::cos(k * quarter);
+        out.to.y = step.centre.y + radius * std::sin(k * quarter);
+        visit(out, true);
+    }
 }
 
 void Surveyor::visit(const Step& step, bool extruding) {
-    const auto c = coordinates(step.to), axes = coordinates(profile_->axes.active() ? step.axes : step.to);
+    const Vec3 carried = profile_->axes.active() ? step.axes : step.to - machine::of_tool(*profile_, step.tool).offset;
+    const auto c = coordinates(step.to), axes = coordinates(carried);
     for (std::size_t k = 0; k < 3; ++k) {
         if (axes[k] < survey_.low[k].value) survey_.low[k] = {axes[k], step.to, step.layer};
         if (axes[k] > survey_.high[k].value) survey_.high[k] = {axes[k], step.to, step.layer};
@@ -54,16 +81,32 @@ void Surveyor::spend() {
     (open_ ? tool.print_seconds : tool.travel_seconds) += time;
 }
 
+// Of machines with rotary axes the program says how long a move is to take; robots are believed to do it.
+void Surveyor::spend_move(const Step& step, const Vec3& d) {
+    const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
+    if (profile_->axes.chain.carrier == kinematics::Carrier::frame) return clock_.pause(step.seconds);
+    machine::PlannedMove m{.step = d, .feed = step.feed, .extruding = step.act == Act::extrude};
+    m.extruded = fibre ? step.fed : step.volume * profile_->extrusion.per_mm3();
+    if (step.sweep != 0) m.sweep = step.sweep, m.arm = at_.xy() - step.centre;
+    if (rotary) {
+        if (!placed_ || !(step.seconds > 0)) return; // nobody knows whence it comes
+        m.tilt = step.tilt - tilt_, m.turn = step.turn - turn_;
+        const double way = norm(d);
+        m.feed = (way > 0 ? way : std::max(std::abs(m.tilt), std::abs(m.turn))) / step.seconds;
+    }
+    clock_.move(m);
+}
+
 void Surveyor::move(const Step& step) {
     const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
     const Vec3 d = placed_ ? step.to - at_ : Vec3{}; // whence the first comes, nobody knows
-    const double length = rotary ? step.length : geom::norm(d);
+    const double length = rotary            ? step.length
+                          : step.sweep != 0 ? std::abs(step.sweep) * geom::distance(at_.xy(), step.centre)
+                                            : geom::norm(d);
     const bool extruding = step.act == Act::extrude;
     if (extruding && step.volume > 0 && !fibre) check_section(step, length);
-    if (rotary)
-        clock_.pause(step.seconds);
-    else
-        clock_.move(d, step.feed, extruding);
+    spend_move(step, d);
+    if (step.sweep != 0) visit_arc(step);
     visit(step, extruding);
     auto& tool = survey_.tools[step.tool];
     (extruding ? survey_.path_len : survey_.travel_len) += length;
@@ -75,15 +118,16 @@ void Surveyor::move(const Step& step) {
     else
         survey_.volume += step.volume;
     survey_.moves += length > 0 ? 1 : 0;
-    at_ = step.to;
+    survey_.laying += extruding ? 1 : 0;
+    at_ = step.to, tilt_ = step.tilt, turn_ = step.turn;
     tool_ = step.tool;
     placed_ = true;
 }
 
 void Surveyor::add(std::span<const Step> steps) {
-    const auto& t = profile_->travel;
     const auto& f = profile_->fibre;
     for (const Step& step : steps) {
+        const auto& t = machine::of_tool(*profile_, step.tool).travel;
         switch (step.act) {
         case Act::layer:
             survey_.layers = std::max(survey_.layers, step.layer + 1);
@@ -100,10 +144,10 @@ void Surveyor::add(std::span<const Step> steps) {
             open_ = false;
             break;
         case Act::retract:
-            clock_.pause(t.retract / t.retract_speed);
+            clock_.pause(machine::stop_to_stop(t.retract, t.retract_speed, t.retract_acceleration));
             break;
         case Act::prime:
-            clock_.pause((t.retract + t.extra) / t.retract_speed);
+            clock_.pause(machine::stop_to_stop(t.retract + t.extra, t.retract_speed, t.retract_acceleration));
             break;
         case Act::tool:
             spend();
@@ -122,6 +166,10 @@ void Surveyor::add(std::span<const Step> steps) {
             break;
         case Act::omit:
             omit(step);
+            break;
+        case Act::stand: // nobody knows whence, nor how long it takes
+            visit(step, false);
+            at_ = step.to, placed_ = true;
             break;
         case Act::travel:
         case Act::climb:
@@ -167,6 +215,17 @@ Survey Surveyor::end() {
     return survey_;
 }
 
+Used used(const machine::Profile& profile, const Survey& survey) {
+    Used out;
+    for (const auto& [number, tool] : survey.tools) {
+        if (tool.fibre) continue;
+        const auto& e = machine::of_tool(profile, number).extrusion;
+        out.volume += tool.volume * e.flow;
+        out.units += e.feeding == machine::Feeding::valve ? 0 : tool.volume * e.per_mm3();
+    }
+    return out;
+}
+
 Place parse_place(const std::string& text) { return text == "center" ? Place::center : Place::as_is; }
 
 Vec2 placement(const Survey& survey, const machine::Bed& bed, Place where) {
@@ -194,9 +253,23 @@ void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 sh
         if (survey.low[k].value + moved[k] < lo[k] - 5e-4) refuse(survey.low[k], k);
         if (survey.high[k].value + moved[k] > hi[k] + 5e-4) refuse(survey.high[k], k);
     }
-    if (!(survey.volume * profile.extrusion.per_mm3() * std::pow(10.0, profile.format.e_decimals) < 4e18))
+    if (!(used(profile, survey).units * std::pow(10.0, profile.format.e_decimals) < 4e18))
         throw Error(Exit::failure, "cannot count the material: " + fixed_text(survey.volume, 0) +
                                        " mm3 is more than the extruder's numbers hold; are the bead widths right?");
+}
+
+geom::Segment purge_line(const machine::Bed& bed, Vec2 low, Vec2 high) {
+    constexpr double inset = 2, longest = 60, clear = 5; // mm
+    const Vec2 a{bed.x_min + inset, bed.y_min + inset}, c{bed.x_max - inset, bed.y_max - inset};
+    const double x = std::min(longest, c.x - a.x), y = std::min(longest, c.y - a.y);
+    const geom::Segment along[] = {
+        {a, {a.x + x, a.y}}, {a, {a.x, a.y + y}}, {{a.x, c.y}, {a.x + x, c.y}}, {{c.x, a.y}, {c.x, a.y + y}}};
+    for (const geom::Segment& s : along) {
+        const bool beside = s.b.x + clear < low.x || s.a.x - clear > high.x;
+        const bool before = s.b.y + clear < low.y || s.a.y - clear > high.y;
+        if (x > 0 && y > 0 && (beside || before)) return s;
+    }
+    return {{bed.x_min, bed.y_min}, {bed.x_min, bed.y_min}};
 }
 
 std::map<std::string, double> placeholders(const Survey& s, const machine::Profile& profile, Vec2 shift) {
@@ -215,14 +288,29 @@ std::map<std::string, double> placeholders(const Survey& s, const machine::Profi
     add("layer", 0), add("layers", s.layers), add("z", s.start.z), add("height", s.start.z);
     add("path_len", s.path_len), add("travel_len", s.travel_len), add("time", s.seconds);
     add("strokes", static_cast<double>(s.strokes));
-    add("material_mm3", s.volume * profile.extrusion.flow);
-    add("material_e",
-        profile.extrusion.feeding == machine::Feeding::valve ? 0 : s.volume * profile.extrusion.per_mm3());
+    const Used material = used(profile, s);
+    add("material_mm3", material.volume);
+    add("material_e", material.units);
+    if (profile.axes.chain.carrier == kinematics::Carrier::frame) machine::add_robot(profile.robot, out);
     add("travel_feed", profile.feeds.travel * 60), add("z_feed", profile.feeds.z * 60);
     const auto& f = profile.fibre;
     add("tool_no", profile.tools.first);
     add("cut_dwell", f.cut_dwell), add("cut_dwell_ms", f.cut_dwell * 1000);
     add("tension_dwell", f.tension_dwell), add("tension_dwell_ms", f.tension_dwell * 1000);
+    const auto purge = purge_line(bed, {s.part_low[0] + shift.x, s.part_low[1] + shift.y},
+                                  {s.part_high[0] + shift.x, s.part_high[1] + shift.y});
+    add("purge_x", purge.a.x);
+    add("purge_y", purge.a.y);
+    add("purge_x_end", purge.b.x);
+    add("purge_y_end", purge.b.y);
+    const auto& a = profile.axes; // where nothing limits an axis, a number that is as good as none
+    const auto degrees = [&](const char* name, double rad) { add(name, std::min(geom::degrees(rad), kUnlimited)); };
+    degrees("tilt_axis_speed", a.tilt_speed);
+    degrees("turn_axis_speed", a.turn_speed);
+    degrees("tilt_axis_acceleration", a.tilt_acceleration);
+    degrees("turn_axis_acceleration", a.turn_acceleration);
+    degrees("tilt_axis_jump", a.tilt_corner_speed);
+    degrees("turn_axis_jump", a.turn_corner_speed);
     return out;
 }
 

@@ -44,6 +44,7 @@ struct Survey {
     double volume = 0;                             // mm3 of bead but for fibre, as the toolpath says
     double seconds = 0;
     std::uint64_t moves = 0, strokes = 0;
+    std::uint64_t laying = 0;                        // moves that lay material
     std::uint32_t layers = 0;                        // highest index + 1
     Efforts efforts;                                 // of rotary axes
     std::string placed;                              // how the numbers' frame lies to the toolpath's; may be empty
@@ -53,7 +54,7 @@ struct Survey {
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is
-// above the profile's limit; of fibre, which that limit is not about, none is.
+// above the limit of its tool, or whose width is not of its nozzle; of fibre, which neither is about, none is.
 class Surveyor {
   public:
     explicit Surveyor(const machine::Profile& profile);
@@ -64,6 +65,8 @@ class Surveyor {
 
   private:
     void move(const Step& step);
+    void spend_move(const Step& step, const Vec3& way);
+    void visit_arc(const Step& step);
     void spend();
     void omit(const Step& step);
     void check_fibre() const;
@@ -73,10 +76,17 @@ class Surveyor {
     machine::Clock clock_;
     Survey survey_;
     Vec3 at_;
-    double spent_ = 0; // s of the clock that tools were charged with
+    double tilt_ = 0, turn_ = 0; // rad
+    double spent_ = 0;           // s of the clock that tools were charged with
     std::uint32_t tool_ = 0;
     bool placed_ = false, open_ = false;
 };
+
+// Material of all tools but fibre's, as it leaves them: mm3, and extruder units of those that count.
+struct Used {
+    double volume = 0, units = 0;
+};
+Used used(const machine::Profile& profile, const Survey& survey);
 
 enum class Place : std::uint8_t {
     center, // the middle of the visited box goes to the middle of the bed
@@ -91,6 +101,10 @@ Vec2 placement(const Survey& survey, const machine::Bed& bed, Place place);
 // Throws Error(failure): naming layer and place if anything visited, moved by `shift`, lies outside the bed; or if
 // there is more material than the extruder's numbers can count.
 void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift);
+
+// A line near an edge of the bed where a nozzle may be primed, 60 mm or as long as the bed: the first of front, left,
+// back and right that stays 5 mm off the box [low, high] of the part.  Where none does, no line: the bed's corner.
+geom::Segment purge_line(const machine::Bed& bed, Vec2 low, Vec2 high);
 
 // What templates may name, for a program placed by `shift`; {layer}, {z}, {height} are those of the first layer.
 std::map<std::string, double> placeholders(const Survey& survey, const machine::Profile& profile, Vec2 shift);

@@ -4,6 +4,9 @@
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "machine/feed.hpp"
+#include "postproc/approach.hpp"
+#include "postproc/poses.hpp"
+#include "postproc/throughput.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +21,7 @@ using geom::kDegree;
 using kinematics::Joints;
 using kinematics::Pose;
 
-constexpr int kSweeps = 30;            // over a stroke, until rotary axes can follow
-constexpr std::uint32_t kParts = 4096; // of a move, at most
+constexpr int kSweeps = 30; // over a stroke, until rotary axes can follow
 // rad that the tool's axis may change between two poses; near upright the profile's orientation, but for the last.
 constexpr double kAxisStep = 5 * kDegree, kFineAxisStep = 0.25 * kDegree;
 constexpr double kOpposite = 179 * kDegree; // beyond that no way from one axis to the other is the shortest
@@ -38,19 +40,10 @@ Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
     return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
 }
 
-// By how much the last decimals may move the tip, mm.
-double rounding(const machine::Profile& profile, const Joints& at) {
-    const double linear = std::pow(10.0, -profile.format.xyz_decimals) / 2;
-    const double angular = std::pow(10.0, -profile.axes.angle_decimals) / 2 * kDegree;
-    const auto& c = profile.axes.chain;
-    const double arm = norm(at.xyz) + norm(c.tip_to_tilt) + norm(c.tilt_to_turn);
-    return std::sqrt(3.0) * linear + 2 * angular * arm;
-}
-
 } // namespace
 
 TiltedWalk::TiltedWalk(const machine::Profile& profile, Vec2 shift, Steps out)
-    : profile_(&profile), tip_(profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)) {
+    : profile_(&profile), tip_(profile), shift_{shift.x, shift.y, 0}, out_(std::move(out)), carrier_(profile) {
     tip_.motion.max_speed_z = kInfinity;
 }
 
@@ -120,8 +113,8 @@ double TiltedWalk::over_axis(const Pose& pose) const {
 // The first stroke is sought along the tool axis, from wherever the start template left the tool.
 void TiltedWalk::approach(const toolpath::Span& first) {
     const Pose p = pose(first, 0, shift_);
-    const Leg leg{Act::travel, Role::travel, first.layer, profile_->feeds.travel, 0, 0, 0, first.tool};
-    go({p.tip + std::max(profile_->travel.lift, kApproach) * p.axis, p.axis}, leg);
+    const Leg leg{Act::travel, Role::travel, first.layer, own().feeds.travel, 0, 0, 0, first.tool};
+    go({p.tip + std::max(own().travel.lift, kApproach) * p.axis, p.axis}, leg);
     go(p, leg);
 }
 
@@ -130,24 +123,24 @@ void TiltedWalk::approach(const toolpath::Span& first) {
 void TiltedWalk::retreat() {
     const Pose last = stroke_.poses.back();
     const Leg& laid = stroke_.legs.back();
-    const Leg leg{Act::travel, Role::travel, laid.layer, profile_->feeds.travel, 0, 0, 0, laid.tool};
+    const Leg leg{Act::travel, Role::travel, laid.layer, own().feeds.travel, 0, 0, 0, laid.tool};
     finish_stroke();
     ended_ = true;
     go(last, leg);
-    go({last.tip + std::max(profile_->travel.lift, kApproach) * last.axis, last.axis}, leg);
+    go({last.tip + std::max(own().travel.lift, kApproach) * last.axis, last.axis}, leg);
 }
 
 void TiltedWalk::travel(const toolpath::Span& span) {
     if (!started()) return; // there is nothing to leave
     finish_stroke();
-    const Leg leg{Act::travel, Role::travel, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool};
+    const Leg leg{Act::travel, Role::travel, span.layer, own().feeds.travel, 0, 0, 0, span.tool};
     if (!span.normals.empty()) {
         for (std::size_t i = 0; i < span.points.size(); ++i) go(pose(span, i, shift_), leg);
         return;
     }
     double clear = top_;
     for (const Vec3& p : span.points) clear = std::max(clear, p.z + shift_.z);
-    clear += profile_->travel.lift;
+    clear += own().travel.lift;
     const Vec3 up{0, 0, 1};
     go(pose(span, 0, shift_), leg);
     for (const Vec3& p : span.points) go({{p.x + shift_.x, p.y + shift_.y, clear}, up}, leg);
@@ -159,16 +152,16 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
     if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
-        go(from,
-           {laid_ ? Act::extrude : Act::travel, span.role, span.layer, profile_->feeds.travel, 0, 0, 0, span.tool});
+        go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, own().feeds.travel, 0, 0, 0, span.tool, 0,
+                  false, Act::extrude, true, !span.normals.empty()});
     Act first = before();
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         if (distance(span.points[i], span.points[i + 1]) == 0) continue;
-        const Laying how = laying(tip_, span, i);
+        const Laying how = laying(tip_, span.tool, machine::laid(span, i), i + 2 == span.points.size());
         go(pose(span, i + 1, shift_),
            {Act::extrude, span.role, span.layer, how.feed, toolpath::volume(span, i),
             (span.width_at(i) + span.width_at(i + 1)) / 2, (span.height_at(i) + span.height_at(i + 1)) / 2, span.tool,
-            how.fed, how.halt, std::exchange(first, Act::extrude)});
+            how.fed, how.halt, std::exchange(first, Act::extrude), true, !span.normals.empty()});
         top_ = std::max(top_, stroke_.poses.back().tip.z);
     }
     laid_ = true;
@@ -206,15 +199,34 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
 
 void TiltedWalk::finish_stroke() {
     if (stroke_.poses.empty()) return;
-    const auto& a = profile_->axes;
+    const machine::Profile& next = machine::of_tool(*profile_, stroke_.legs.back().tool); // for what is laid
+    const auto& a = next.axes;
     const auto places = liftings(stroke_.legs, layer_ < 0);
     const auto track = kinematics::track(a.chain, stroke_.poses, at_, a.orientation, a.limits, places);
     check(track);
     if (a.chain.carrier != kinematics::Carrier::frame) note(track, places);
-    const double lift = profile_->travel.lift;
-    stroke_ = lifted(*profile_, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
-    head();
+    const double lift = own().travel.lift;
+    stroke_ = lifted(next, std::move(stroke_), track, places, std::max(lift, kApproach), top_ + lift);
+    // What comes before the change is the last tool's, whose tip is elsewhere.
+    const std::size_t change = exchange(), stay = change < stroke_.poses.size() ? change : 0;
+    for (std::size_t i = 0; i < stay; ++i)
+        stroke_.joints[i] =
+            kinematics::place(own().axes.chain, stroke_.poses[i].tip, stroke_.joints[i].tilt, stroke_.joints[i].turn);
+    for (const Leg& leg : stroke_.legs) efforts_.given += leg.act == Act::extrude ? 1 : 0;
+    stroke_ = fewer(next, refined(next, std::move(stroke_), stay, landing_), stay, landing_, efforts_.off);
+    if (layer_ < 0) {
+        std::size_t added = 0;
+        stroke_ = approached(next, std::move(stroke_), added);
+        landing_ += added;
+    }
     auto seconds = durations();
+    if (a.chain.carrier == kinematics::Carrier::frame) {
+        headings_ = carrier_.headings(stroke_);
+        carrier_.carry(stroke_, exchange(), seconds, headings_);
+        efforts_.arm = carrier_.efforts();
+    } else {
+        headings_.assign(stroke_.poses.size(), {1, 0, 0});
+    }
     if (const auto i = exchange(); i < seconds.size()) seconds[i] = 0; // nobody knows whence the tool comes
     emit(seconds);
     at_ = stroke_.joints.back();
@@ -222,42 +234,22 @@ void TiltedWalk::finish_stroke() {
     laid_ = false;
 }
 
-// Where a robot's tool points its x axis: along x of the part, or along the path, each as far as it lies across the
-// tool axis; where it hardly does, as before.
-void TiltedWalk::head() {
-    headings_.assign(stroke_.poses.size(), heading_);
-    if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return;
-    constexpr double least = 0.05; // of a unit vector's part across
-    for (std::size_t i = 0; i < stroke_.poses.size(); ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < stroke_.poses.size() ? i + 1 : i;
-        const Vec3 way = stroke_.poses[b].tip - stroke_.poses[a].tip;
-        const bool follow = profile_->axes.spin == machine::Spin::follow && norm(way) > 0;
-        Vec3 to = follow ? 1 / norm(way) * way : profile_->axes.spin == machine::Spin::fixed ? Vec3{1, 0, 0} : heading_;
-        const Vec3& axis = stroke_.poses[i].axis;
-        Vec3 across = to - dot(to, axis) * axis;
-        if (norm(across) < least) across = heading_ - dot(heading_, axis) * axis;
-        if (norm(across) < least)
-            across = std::abs(axis.x) < 0.9 ? Vec3{1, 0, 0} - axis.x * axis : Vec3{0, 1, 0} - axis.y * axis;
-        headings_[i] = heading_ = 1 / norm(across) * across;
-    }
-}
-
 // Per leg; the very first takes none: nobody knows whence it comes.
-std::vector<double> TiltedWalk::durations() const {
+std::vector<double> TiltedWalk::durations() {
     const auto& j = stroke_.joints;
     const auto& a = profile_->axes;
     const bool robot = a.chain.carrier == kinematics::Carrier::frame;
     std::vector<double> out(j.size(), 0);
     if (layer_ >= 0) // the axes stand where the last stroke left them
         out[0] =
-            std::max({distance(at_.xyz, j[0].xyz) / profile_->feeds.travel,
-                      std::abs(j[0].tilt - at_.tilt) / a.tilt_speed, std::abs(j[0].turn - at_.turn) / a.turn_speed});
+            std::max({distance(at_.xyz, j[0].xyz) / own().feeds.travel, std::abs(j[0].tilt - at_.tilt) / a.tilt_speed,
+                      std::abs(j[0].turn - at_.turn) / a.turn_speed});
     for (std::size_t i = 1; i < j.size(); ++i)
         out[i] = std::max({distance(stroke_.poses[i - 1].tip, stroke_.poses[i].tip) / stroke_.legs[i].feed,
                            distance(j[i - 1].xyz, j[i].xyz) / profile_->motion.max_speed,
                            robot ? 0 : std::abs(j[i].xyz.z - j[i - 1].xyz.z) / profile_->motion.max_speed_z,
                            std::abs(j[i].tilt - j[i - 1].tilt) / a.tilt_speed,
-                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i)});
+                           std::abs(j[i].turn - j[i - 1].turn) / a.turn_speed, swing(i), kLeastSeconds});
     // Where a rotary axis changes its speed too fast, the faster of both moves takes longer.
     bool eased = true;
     const auto ease = [&](std::size_t i, double before, double after, double acceleration) {
@@ -274,6 +266,7 @@ std::vector<double> TiltedWalk::durations() const {
             ease(i, j[i].tilt - j[i - 1].tilt, j[i + 1].tilt - j[i].tilt, a.tilt_acceleration);
             ease(i, j[i].turn - j[i - 1].turn, j[i + 1].turn - j[i].turn, a.turn_acceleration);
         }
+    efforts_.slowed += slow_down(out, pace(*profile_));
     return out;
 }
 
@@ -329,63 +322,32 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
     if (open) mark(Act::close, joints.size() - 1, joints.size() - 1);
 }
 
-// In how many parts the axes go straight to pose i, so that the tip keeps to its line.
-std::uint32_t TiltedWalk::parts(std::size_t i, double seconds) const {
-    const auto& a = profile_->axes;
-    if (a.numbers == machine::Numbers::tip || i == 0 || !(seconds > 0) || !stroke_.legs[i].straight) return 1;
-    const Joints &from = stroke_.joints[i - 1], &to = stroke_.joints[i];
-    const Vec3 &begin = stroke_.poses[i - 1].tip, &tip = stroke_.poses[i].tip;
-    const auto at = [&](double f) { return kinematics::between(a.chain, begin, from, tip, to, f); };
-    const double chord = std::max(a.chord - rounding(*profile_, to), a.chord / 2);
-    std::uint32_t parts = 1;
-    // The tip strays most in the middle of a part; by a quarter when parts are halved.
-    for (; parts < kParts; parts *= 2) {
-        double off = 0;
-        Joints l = at(0);
-        for (std::uint32_t k = 0; k < parts; ++k) {
-            const Joints r = at((k + 1.0) / parts);
-            const double middle = (k + 0.5) / parts;
-            const Joints m{0.5 * (l.xyz + r.xyz), (l.tilt + r.tilt) / 2, (l.turn + r.turn) / 2};
-            off = std::max(off, distance(kinematics::forward(a.chain, m).tip, begin + middle * (tip - begin)));
-            l = r;
-        }
-        if (off <= chord) break;
-    }
-    return parts;
-}
-
 void TiltedWalk::move(std::size_t i, double seconds) {
-    const auto& a = profile_->axes;
+    const auto& a = own().axes;
     const Leg& leg = stroke_.legs[i];
-    const Joints &to = stroke_.joints[i], &from = i > 0 ? stroke_.joints[i - 1] : to;
+    const Joints& to = stroke_.joints[i];
     const Vec3 &tip = stroke_.poses[i].tip, &begin = i > 0 ? stroke_.poses[i - 1].tip : tip;
-    const std::uint32_t n = parts(i, seconds);
-    Joints last = from;
-    for (std::uint32_t k = 1; k <= n; ++k) {
-        const double f = k == n ? 1 : k / static_cast<double>(n);
-        const Joints here = k == n ? to : kinematics::between(a.chain, begin, from, tip, to, f);
-        // A polar machine turns most where it passes the axis.
-        const double turning = seconds > 0 ? std::abs(here.turn - last.turn) / a.turn_speed : 0;
-        put({.act = leg.act,
-             .role = leg.role,
-             .layer = leg.layer,
-             .to = a.numbers == machine::Numbers::tip ? begin + f * (tip - begin) : here.xyz,
-             .feed = leg.feed,
-             .volume = leg.volume / n,
-             .width = leg.width,
-             .height = leg.height,
-             .tilt = here.tilt,
-             .turn = here.turn,
-             .length = distance(begin, tip) / n,
-             .seconds = a.chain.carrier == kinematics::Carrier::polar ? std::max(seconds / n, turning) : seconds / n,
-             .axes = here.xyz,
-             .axis = stroke_.poses[i].axis,
-             .heading = headings_[i],
-             .tool = tool_,
-             .fed = leg.fed / n,
-             .halt = leg.halt && k == n});
-        last = here;
-    }
+    const Vec3 off = own().offset; // the axes count where tool 0's tip is
+    const bool jointly = a.chain.carrier == kinematics::Carrier::frame && carrier_.jointly(i);
+    put({.act = jointly ? Act::stand : leg.act,
+         .role = leg.role,
+         .layer = leg.layer,
+         .to = a.numbers == machine::Numbers::tip ? tip : to.xyz - off,
+         .feed = leg.feed,
+         .volume = leg.volume,
+         .width = leg.width,
+         .height = leg.height,
+         .tilt = to.tilt,
+         .turn = to.turn,
+         .length = distance(begin, tip),
+         .seconds = seconds,
+         .axes = to.xyz - off,
+         .axis = stroke_.poses[i].axis,
+         .heading = headings_[i],
+         .tool = tool_,
+         .fed = leg.fed,
+         .halt = leg.halt,
+         .posture = jointly ? carrier_.posture(i) : nullptr});
 }
 
 } // namespace filum::postproc

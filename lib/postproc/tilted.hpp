@@ -1,6 +1,7 @@
 // From the spans of a toolpath to the steps of a machine with rotary axes.
 #pragma once
 
+#include "postproc/carry.hpp"
 #include "postproc/lifts.hpp"
 
 #include <set>
@@ -9,12 +10,13 @@ namespace filum::postproc {
 
 // Stroke by stroke, with the travel that leads to it: poses along the spans (their normals; upright without), joints
 // that follow them (kinematics::track), and steps whose numbers are the tip's or the joints'.  Between two steps of
-// joints the axes move straight, so they are cut in equal parts until the tip is off its line by no more than the
-// profile's chord, its last decimals included.
+// joints the axes move straight; as many are written as keep the tip to its line, and no more than the profile's
+// Merging needs (poses.hpp).
 //
 // A travel of spans with normals goes as they say.  One without rises first above all printed so far, as a Walk's.
 // How long a move takes: by the tip's feed and the speed of each axis; longer where a rotary axis would have to change
-// its speed faster than it can, so the path slows down, never the reverse.
+// its speed faster than it can, so the path slows down, never the reverse; and where the controller takes no more moves
+// at a time (throughput.hpp).
 // Where an axis would leave its limits the stroke is broken and the axes turned back in the air (see lifts.hpp), which
 // the efforts count.  Throws Error(failure) naming the place that the axes cannot reach, or where the tool would lean
 // off its axis by more than the profile's orientation.
@@ -34,14 +36,14 @@ class TiltedWalk final : public Walker {
     void note(const kinematics::Track& track, std::span<const kinematics::Lifting> places);
     void emit(const std::vector<double>& seconds);
     void move(std::size_t to, double seconds);
-    [[nodiscard]] std::vector<double> durations() const;
+    [[nodiscard]] std::vector<double> durations();
     [[nodiscard]] std::size_t exchange() const;
     void put(const Step& step);
-    void head();
     [[nodiscard]] double swing(std::size_t i) const;
     [[nodiscard]] std::vector<double> cuts(const kinematics::Pose& pose) const;
     [[nodiscard]] double over_axis(const kinematics::Pose& pose) const;
-    [[nodiscard]] std::uint32_t parts(std::size_t i, double seconds) const;
+
+    [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); } // for the tool
 
     const machine::Profile* profile_;
     machine::Profile tip_; // the same without a limit on z: what rises in the part is no axis of the machine
@@ -50,7 +52,7 @@ class TiltedWalk final : public Walker {
     std::vector<Step> buffer_;
     Motion stroke_;              // being read; its joints only when it is finished
     std::vector<Vec3> headings_; // of robots, per pose: where the tool's x axis points
-    Vec3 heading_{1, 0, 0};      // the last one
+    Carrier carrier_;            // likewise: its axes
     kinematics::Joints at_;      // after the last stroke
     double top_ = 0;
     std::int64_t layer_ = -1;

@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "machine/feed.hpp"
+#include "postproc/throughput.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,6 @@
 namespace filum::postproc {
 
 namespace {
-
-constexpr std::size_t kBatch = 1024;
 
 double highest(const toolpath::Span& span) {
     double z = span.points.front().z;
@@ -28,24 +26,40 @@ double length(const toolpath::Span& span) {
 
 } // namespace
 
-Walk::Walk(const machine::Profile& profile, Steps out) : profile_(&profile), out_(std::move(out)) {
-    buffer_.reserve(kBatch);
+void Joins::add(const toolpath::Span& span) {
+    if (!toolpath::extrudes(span.role) || toolpath::fills(span.role)) return;
+    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
+        const geom::Segment s{span.points[i].xy(), span.points[i + 1].xy()};
+        if (s.a == s.b) continue;
+        for (std::uint32_t layer = std::max(span.layer, 1U) - 1; layer <= span.layer + 1; ++layer)
+            of_layer[layer].push_back(s);
+    }
 }
 
-void Walk::put(const Step& step) {
-    buffer_.push_back(step);
-    if (buffer_.size() == kBatch) flush();
+std::span<const geom::Segment> Joins::near(std::uint32_t layer) const {
+    const auto found = of_layer.find(layer);
+    return found == of_layer.end() ? std::span<const geom::Segment>{} : found->second;
 }
 
-void Walk::flush() {
-    if (!buffer_.empty()) out_(buffer_);
-    buffer_.clear();
+Walk::Walk(const machine::Profile& profile, Steps out, const Joins* joins)
+    : profile_(&profile), steps_(std::make_unique<Throughput>(profile, std::move(out))), joins_(joins) {}
+
+Walk::~Walk() = default;
+
+void Walk::put(const Step& step) { steps_->add(step); }
+
+Walker::Laying Walker::laying(const machine::Profile& profile, std::uint32_t tool, const machine::Laid& move,
+                              bool last) const {
+    if (!profile.fibre.lays(tool)) return {machine::bead_feed(machine::of_tool(profile, tool), move), 0, false};
+    return {machine::fibre_feed(profile, move, how_.feed), how_.fed * move.length, halt_ && last};
 }
 
-Walker::Laying Walker::laying(const machine::Profile& profile, const toolpath::Span& span, std::size_t i) const {
-    if (!profile.fibre.lays(span.tool)) return {machine::bead_feed(profile, span, i), 0, false};
-    const double fed = how_.fed * distance(span.points[i], span.points[i + 1]);
-    return {machine::fibre_feed(profile, span, i, how_.feed), fed, halt_ && i + 2 == span.points.size()};
+toolpath::Tolerance tolerance(const machine::Profile& p, const toolpath::Span& span) {
+    toolpath::Tolerance out;
+    out.path = span.normals.empty() ? p.merging.planar : p.merging.surface;
+    out.grid = std::pow(10.0, -p.format.xyz_decimals);
+    out.arcs = p.format.arcs && !p.axes.active();
+    return out;
 }
 
 Act Walker::before() const {
@@ -73,7 +87,8 @@ void Walker::add(const toolpath::Span& span, const machine::Stretch& how, bool h
 void Walk::end() {
     if (open_) put({.act = Act::close, .layer = static_cast<std::uint32_t>(layer_), .to = at_, .tool = tool_});
     open_ = false;
-    flush();
+    steps_->end();
+    efforts_.slowed = steps_->slowed();
 }
 
 // Ends the stroke, takes back, rises unless the travel has normals and the tool stays, and changes the tool.
@@ -88,14 +103,14 @@ void Walk::leave(const toolpath::Span& span) {
     risen_ = true;
     const bool follows = !span.normals.empty() && span.tool == tool_;
     const double clear =
-        follows ? at_.z : std::min(std::max(top_, highest(span)) + profile_->travel.lift, profile_->bed.z_max);
+        follows ? at_.z : std::min(std::max(top_, highest(span)) + own().travel.lift, profile_->bed.z_max);
     if (clear > at_.z) {
         at_.z = clear;
         put({.act = Act::climb,
              .role = Role::travel,
              .layer = span.layer,
              .to = at_,
-             .feed = profile_->feeds.z,
+             .feed = own().feeds.z,
              .tool = tool_});
     }
     if (span.tool == tool_) return;
@@ -108,7 +123,7 @@ void Walk::travel(const toolpath::Span& span) {
     if (open_) put({.act = Act::close, .layer = span.layer, .to = at_, .tool = tool_});
     open_ = false;
     const bool other = span.tool != tool_, changes = other || profile_->fibre.lays(tool_);
-    const bool plain = length(span) < profile_->travel.min_length && !risen_ && !changes;
+    const bool plain = length(span) < own().travel.min_length && !risen_ && !changes;
     if (!plain) leave(span);
     const bool follows = !span.normals.empty();
     for (std::size_t i = 1; i < span.points.size(); ++i) {
@@ -122,7 +137,7 @@ void Walk::travel(const toolpath::Span& span) {
 // Straight to a place; along a way with normals up and down no faster than the z axis can do.
 void Walk::go(const Vec3& to, const toolpath::Span& travel) {
     const Vec3 way = to - at_;
-    const double rise = std::abs(way.z), most = profile_->feeds.travel, slow = profile_->feeds.z;
+    const double rise = std::abs(way.z), most = own().feeds.travel, slow = own().feeds.z;
     const bool slows = !travel.normals.empty() && rise * most > slow * norm(way);
     put({.act = slows && way.xy() == geom::Vec2{} ? Act::climb : Act::travel,
          .role = Role::travel,
@@ -140,13 +155,13 @@ void Walk::begin_stroke(const toolpath::Span& span) {
     };
     if (layer_ < 0) { // the first of all: from above, wherever the start template left the nozzle
         if (std::exchange(tool_, span.tool) != span.tool) go(Act::tool, to, 0);
-        const double clear = std::min(to.z + std::max(profile_->travel.lift, kApproach), profile_->bed.z_max);
-        go(Act::climb, {to.x, to.y, clear}, profile_->feeds.z);
-        go(Act::travel, {to.x, to.y, clear}, profile_->feeds.travel);
+        const double clear = std::min(to.z + std::max(own().travel.lift, kApproach), profile_->bed.z_max);
+        go(Act::climb, {to.x, to.y, clear}, own().feeds.z);
+        go(Act::travel, {to.x, to.y, clear}, own().feeds.travel);
     }
     at_ = to;
     if (profile_->fibre.lays(tool_)) go(Act::push, to, 0); // in the air
-    go(Act::climb, to, profile_->feeds.z);
+    go(Act::climb, to, own().feeds.z);
     if (retracted_.erase(tool_) > 0) go(Act::prime, to, 0);
     put({.act = Act::open, .role = span.role, .layer = span.layer, .to = to, .tool = tool_});
     risen_ = false;
@@ -155,34 +170,42 @@ void Walk::begin_stroke(const toolpath::Span& span) {
 
 void Walk::extrude(const toolpath::Span& span) {
     const bool other_layer = static_cast<std::int64_t>(span.layer) != layer_;
-    const double z = other_layer ? highest(span) : 0;
+    const double highest_z = other_layer ? highest(span) : 0;
     if (other_layer)
         put({.act = Act::layer,
              .role = span.role,
              .layer = span.layer,
-             .to = {at_.x, at_.y, z},
+             .to = {at_.x, at_.y, highest_z},
              .height = span.height_at(0),
              .tool = tool_});
     if (!open_) begin_stroke(span);
     if (before() != Act::extrude) put({.act = before(), .layer = span.layer, .to = at_, .tool = tool_});
     layer_ = span.layer;
-    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
-        const Vec3 a = span.points[i], b = span.points[i + 1];
-        if (distance(a, b) == 0) continue;
-        const double volume = toolpath::volume(span, i);
-        const Laying how = laying(*profile_, span, i);
+    const auto others = joins_ != nullptr ? joins_->near(span.layer) : std::span<const geom::Segment>{};
+    const auto merged = toolpath::merge(span, tolerance(*profile_, span), others);
+    efforts_.given += span.points.size() - 1, efforts_.off = std::max(efforts_.off, merged.off);
+    double z = span.points.front().z;
+    for (const toolpath::Move& m : merged.moves) {
+        if (m.length == 0) continue;
+        const bool last = &m == &merged.moves.back();
+        const Laying how =
+            laying(*profile_, tool_, {span.role, span.layer, m.length, std::abs(m.to.z - z), m.volume}, last);
         put({.act = Act::extrude,
              .role = span.role,
              .layer = span.layer,
-             .to = b,
+             .to = m.to,
              .feed = how.feed,
-             .volume = volume,
-             .width = (span.width_at(i) + span.width_at(i + 1)) / 2,
-             .height = (span.height_at(i) + span.height_at(i + 1)) / 2,
+             .volume = m.volume,
+             .width = m.width,
+             .height = m.height,
+             .length = m.length,
              .tool = tool_,
              .fed = how.fed,
-             .halt = how.halt});
-        top_ = std::max(top_, b.z);
+             .halt = how.halt,
+             .sweep = m.sweep,
+             .centre = m.centre});
+        z = m.to.z;
+        top_ = std::max(top_, z);
     }
     at_ = span.points.back();
     top_ = std::max(top_, span.points.front().z);

@@ -13,7 +13,7 @@ constexpr std::size_t kBlock = std::size_t{64} << 10;
 } // namespace
 
 Writer::Writer(const machine::Profile& profile, machine::Values values, Text out)
-    : profile_(&profile), values_(std::move(values)), per_mm3_(profile.extrusion.per_mm3()), out_(std::move(out)) {
+    : profile_(&profile), values_(std::move(values)), out_(std::move(out)) {
     text_.reserve(kBlock + 1024);
 }
 
@@ -24,7 +24,7 @@ void Writer::add(std::span<const Step> steps) {
             layer(step);
             break;
         case Act::open:
-            code(on(step));
+            open(step);
             break;
         case Act::close:
             close(step);
@@ -42,10 +42,13 @@ void Writer::add(std::span<const Step> steps) {
             push();
             break;
         case Act::tension:
-            code(profile_->fibre.tension);
+            tension();
             break;
         case Act::cut:
             cut();
+            break;
+        case Act::stand:
+            stand(step);
             break;
         case Act::omit:
             break;
@@ -66,7 +69,9 @@ void Writer::comment(std::string_view text) {
 
 void Writer::code(const std::string& text) {
     if (text.empty()) return;
-    for (const char c : machine::expand(text, values_)) {
+    // A turn in a robot's frame needs more decimals than places do.
+    const int decimals = profile_->format.dialect == machine::Dialect::gcode ? 5 : 9;
+    for (const char c : machine::expand(text, values_, decimals)) {
         if (c == '\n')
             end_line();
         else
@@ -76,16 +81,18 @@ void Writer::code(const std::string& text) {
 }
 
 void Writer::tool(const Step& step) {
+    tool_ = step.tool;
     values_["tool_no"] = profile_->tools.first + static_cast<double>(step.tool);
-    code(profile_->tools.change);
+    if (profile_->format.dialect != machine::Dialect::gcode) machine::add_frame("tool", own().robot.tool, values_);
+    code(machine::change_codes(*profile_, step.tool));
 }
 
 const std::string& Writer::on(const Step& step) const {
-    return lays_fibre(step) ? profile_->fibre.on : profile_->extrusion.on;
+    return lays_fibre(step) ? profile_->fibre.on : own(step).extrusion.on;
 }
 
 const std::string& Writer::off(const Step& step) const {
-    return lays_fibre(step) ? profile_->fibre.off : profile_->extrusion.off;
+    return lays_fibre(step) ? profile_->fibre.off : own(step).extrusion.off;
 }
 
 void Writer::spill() {
@@ -97,9 +104,10 @@ void Writer::flush() {
     text_.clear();
 }
 
-std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out) {
+std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out,
+                               ModuleFile modules) {
     if (profile.format.dialect != machine::Dialect::gcode)
-        return std::make_unique<RobotProgram>(profile, survey, std::move(out));
+        return std::make_unique<RobotProgram>(profile, survey, std::move(out), std::move(modules));
     return std::make_unique<Program>(profile, survey, shift, std::move(out));
 }
 

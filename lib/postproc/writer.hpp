@@ -13,6 +13,8 @@
 namespace filum::postproc {
 
 using Text = std::function<void(std::string_view)>;
+// Where to write a module of a program that is a file of its own, by the file's name.
+using ModuleFile = std::function<Text(const std::string& name)>;
 
 class Writer {
   public:
@@ -24,13 +26,16 @@ class Writer {
   protected:
     // What a step becomes, where languages differ.
     virtual void layer(const Step& step) = 0;
+    virtual void open(const Step& step) { code(on(step)); }
     virtual void close(const Step& step) = 0;
     virtual void retract() = 0;
     virtual void prime() = 0;
     virtual void change_tool(const Step& step) = 0;
     virtual void push() = 0;
     virtual void cut() = 0;
+    virtual void tension() { code(profile_->fibre.tension); }
     virtual void move(const Step& step) = 0;
+    virtual void stand(const Step& step) = 0;
 
     Writer(const machine::Profile& profile, machine::Values values, Text out);
     void end_line() { text_ += profile_->format.crlf ? "\r\n" : "\n"; }
@@ -38,25 +43,40 @@ class Writer {
     void code(const std::string& text); // of the profile, its placeholders filled in
     void spill();                       // hands the text on when it has grown to a block
     void flush();
-    void tool(const Step& step); // the codes that change to it
+    void redirect(Text out) { out_ = std::move(out); } // from here on; flush() first
+    void tool(const Step& step);                       // the codes that change to it
     [[nodiscard]] bool lays_fibre(const Step& step) const { return profile_->fibre.lays(step.tool); }
     // Codes before and after a stroke.
     [[nodiscard]] const std::string& on(const Step& step) const;
     [[nodiscard]] const std::string& off(const Step& step) const;
+    // The triggers that do the same, if there are any.
+    [[nodiscard]] std::string on_trigger(const Step& step) const {
+        return lays_fibre(step) ? "" : own(step).extrusion.on_trigger;
+    }
+    [[nodiscard]] std::string off_trigger(const Step& step) const {
+        return lays_fibre(step) ? "" : own(step).extrusion.off_trigger;
+    }
     // What a step feeds, in units of its tool's extruder.
-    [[nodiscard]] double feeds(const Step& step) const { return lays_fibre(step) ? step.fed : step.volume * per_mm3_; }
-    [[nodiscard]] bool counts() const { return profile_->extrusion.feeding != machine::Feeding::valve; }
+    [[nodiscard]] double feeds(const Step& step) const {
+        return lays_fibre(step) ? step.fed : step.volume * own(step).extrusion.per_mm3();
+    }
+    // The profile as it is for the step's tool, and for the one in use.
+    [[nodiscard]] const machine::Profile& own(const Step& step) const { return machine::of_tool(*profile_, step.tool); }
+    [[nodiscard]] const machine::Profile& own() const { return machine::of_tool(*profile_, tool_); }
+    [[nodiscard]] bool counts() const { return own().extrusion.feeding != machine::Feeding::valve; }
 
     const machine::Profile* profile_;
     std::string text_;
     machine::Values values_; // of the placeholders
 
   private:
-    double per_mm3_;
+    std::uint32_t tool_ = 0; // in use
     Text out_;
 };
 
 // Of the profile's dialect, for the steps that `survey` was made of, moved by `shift` (robots: placed already).
-std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
+// Throws Error(usage) for a robot's program that needs more than one module, if there is nowhere to write them.
+std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out,
+                               ModuleFile modules = {});
 
 } // namespace filum::postproc

@@ -2,6 +2,7 @@
 
 #include "polygon/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -20,10 +21,9 @@ double inradius_bound(const polygon::Loops& area, double enough, double least) {
     if (a <= 0) return 0;
     const double sure = 2 * a / (p + std::sqrt(p * p + 4 * std::numbers::pi * holes * a));
     if (sure >= enough) return sure;
-    for (double r = enough; r > sure; r /= 2) {
-        if (r < least) r = least;
+    for (double r = enough; r > sure || sure < least; r = std::max(r / 2, least)) {
         if (!polygon::offset(area, -r - kSlack, kArc).empty()) return r;
-        if (r == least) return sure >= least ? sure : 0;
+        if (r <= least) return 0;
     }
     return sure;
 }

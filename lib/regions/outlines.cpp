@@ -1,6 +1,9 @@
 #include "regions/outlines.hpp"
 
 #include "geom/segment_grid.hpp"
+#include "polygon/simple.hpp"
+#include "regions/gaps.hpp"
+#include "regions/inradius.hpp"
 #include "regions/nesting.hpp"
 
 #include <algorithm>
@@ -125,10 +128,44 @@ Parts mended(const Loops& loops, Notes& notes) {
     return out;
 }
 
+// Holes into which no circle of diameter `hairline` fits are filled, but only those that `before` does not have.
+Loops without_remnants(const Loops& loops, const Loops& before, double hairline) {
+    std::vector<Vec2> known(before.points);
+    const auto less = [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    std::sort(known.begin(), known.end(), less);
+    Loops out;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        const bool old = std::all_of(loops[l].begin(), loops[l].end(),
+                                     [&](Vec2 p) { return std::binary_search(known.begin(), known.end(), p, less); });
+        if (!old && polygon::signed_area(loops[l]) < 0) {
+            std::vector<Vec2> turned(loops[l].rbegin(), loops[l].rend());
+            Loops hole;
+            hole.add(turned);
+            if (inradius_bound(hole, hairline / 2, hairline / 2) == 0) continue;
+        }
+        out.add(loops[l]);
+    }
+    return out;
+}
+
+// Closes the gaps of simple loops that are narrower than `hairline`, and notes it.
+void close_gaps(Loops& loops, double tolerance, double hairline, Notes& notes) {
+    const Loops patches = bridges(loops, hairline);
+    if (patches.empty()) return;
+    const double before = polygon::signed_area(loops);
+    Loops closed = without_remnants(polygon::unite(loops, patches), loops, hairline);
+    const Vec2 at = geom::lerp(patches[0][0], patches[0][patches[0].size() / 2], 0.5);
+    loops = on_grid(polygon::simplify(closed, tolerance));
+    notes.push_back(
+        {"", "hairline gap closed", std::max(0.0, polygon::signed_area(loops) - before), "mm2", 1, -1, at.x, at.y});
+}
+
 } // namespace
 
-Parts outlines(const Loops& contours, double tolerance, Notes& notes) {
+Parts outlines(const Loops& contours, double tolerance, double hairline, Notes& notes) {
     Loops loops = on_grid(polygon::simplify(contours, tolerance));
+    if (!polygon::is_simple(loops)) loops = polygon::unite(loops);
+    if (hairline > 0) close_gaps(loops, tolerance, hairline, notes);
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (const auto parent = nesting(loops))
             if (auto parts = assemble(loops, *parent)) return std::move(*parts);

@@ -15,16 +15,9 @@ using geom::Vec2;
 using polygon::Loops;
 using polygon::Region;
 
-constexpr double kLeastArea = 1e-6; // mm2; below is rounding
-constexpr double kLeastRadius = 0.005;
-
 struct Pair {
     std::uint32_t upper, lower;
 };
-
-bool meet(const geom::Box2& a, const geom::Box2& b) {
-    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
-}
 
 std::vector<std::uint32_t> by_left_end(std::span<const Region> r) {
     std::vector<std::uint32_t> order(r.size());
@@ -177,30 +170,30 @@ bool same(const Region& a, const Region& b) {
 
 void add(Region& u, const Region& l, double area, double inradius, double w) {
     const double wanted = std::min(w / 4, std::min(u.inradius, l.inradius) / 2);
-    u.below.push_back({l.id, area, inradius, inradius > 0 && inradius >= wanted});
+    u.below.push_back({l.id, area, inradius, inradius >= wanted});
 }
 
 } // namespace
 
-void overlap(std::span<Region> upper, std::span<const Region> lower, double w) {
+std::vector<double> overlap(std::span<Region> upper, std::span<const Region> lower, double w, double hairline) {
+    std::vector<double> covered(upper.size(), 0);
     for (const auto& group : groups(candidates(upper, lower), upper.size(), lower.size())) {
         if (group.size() == 1 && same(upper[group[0].upper], lower[group[0].lower])) {
             Region& u = upper[group[0].upper];
+            covered[group[0].upper] = u.area;
             add(u, lower[group[0].lower], u.area, u.inradius, w);
             continue;
         }
         for (const Common& c : intersections(upper, lower, group)) {
             const double area = polygon::signed_area(c.loops);
-            if (area < kLeastArea) continue;
-            add(upper[c.upper], lower[c.lower], area, inradius_bound(c.loops, w / 2, kLeastRadius), w);
+            covered[c.upper] += area;
+            const double inradius = inradius_bound(c.loops, w / 2, hairline / 2);
+            if (inradius > 0) add(upper[c.upper], lower[c.lower], area, inradius, w);
         }
     }
-    for (Region& u : upper) {
+    for (Region& u : upper)
         std::sort(u.below.begin(), u.below.end(), [](const auto& a, const auto& b) { return a.below < b.below; });
-        double covered = 0;
-        for (const auto& o : u.below) covered += o.area;
-        u.unsupported = std::max(0.0, u.area - covered);
-    }
+    return covered;
 }
 
 } // namespace filum::regions

@@ -8,10 +8,11 @@
 
 namespace filum::regions {
 
-std::vector<polygon::Region> regions(const polygon::Layer& layer, const std::vector<polygon::Region>& below,
-                                     std::uint32_t first_id, const Options& options, Notes& notes) {
+std::vector<polygon::Region> regions(const polygon::Layer& layer, const Ground& below, std::uint32_t first_id,
+                                     const Options& options, Air& air, Notes& notes) {
     const std::size_t said = notes.size();
-    auto parts = outlines(layer.contours, options.tolerance, notes);
+    const double thin = hairline(options);
+    auto parts = outlines(layer.contours, options.tolerance, thin, notes);
     std::vector<polygon::Region> out;
     std::vector<std::int64_t> id(parts.part.size(), -1);
     std::vector<std::size_t> part_of;
@@ -19,7 +20,7 @@ std::vector<polygon::Region> regions(const polygon::Layer& layer, const std::vec
         polygon::Region r;
         r.loops = std::move(parts.part[i]);
         r.area = polygon::signed_area(r.loops);
-        r.inradius = inradius_bound(r.loops, options.bead_width / 2, options.least_width / 2);
+        r.inradius = inradius_bound(r.loops, options.bead_width / 2, thin / 2);
         if (r.inradius <= 0) {
             const auto at = r.loops.points.front();
             notes.push_back({"", "sliver left out", r.area, "mm2", 1, -1, at.x, at.y});
@@ -40,7 +41,8 @@ std::vector<polygon::Region> regions(const polygon::Layer& layer, const std::vec
             around = parts.parent[static_cast<std::size_t>(around)];
         out[k].parent = around < 0 ? -1 : id[static_cast<std::size_t>(around)];
     }
-    overlap(out, below, options.bead_width);
+    const auto covered = overlap(out, below.regions, options.bead_width, thin);
+    if (!below.bed) hang(out, below.regions, covered, {options.bead_width, thin}, air);
     for (std::size_t k = said; k < notes.size(); ++k) notes[k].layer = layer.index;
     return out;
 }

@@ -3,20 +3,34 @@
 
 #include "base/note.hpp"
 #include "polygon/region.hpp"
+#include "regions/air.hpp"
 
+#include <numbers>
 #include <vector>
 
 namespace filum::regions {
 
 struct Options {
-    double bead_width = 0.4;   // mm; decides which overlaps a stroke can climb
-    double tolerance = 0.001;  // mm; how far a removed contour point may lie from the outline
-    double least_width = 0.01; // mm; a region into which no circle of this diameter fits is left out, with a note
+    double bead_width = 0.4;  // mm; decides which overlaps a stroke can climb
+    double tolerance = 0.001; // mm; how far a removed contour point may lie from the outline
+    double hairline = 0;      // mm; what is narrower is no gap, no wall and no contact; 0: kHairline of the bead width
 };
 
-// The connected regions of `layer`, ids from `first_id`, in the order of polygon::split, with their overlaps with
-// `below`, the regions of the layer below (pass none if that layer is missing).  Notes carry the layer.
-std::vector<polygon::Region> regions(const polygon::Layer& layer, const std::vector<polygon::Region>& below,
-                                     std::uint32_t first_id, const Options& options, Notes& notes);
+// A bead of height h is round at its sides and reaches (1 - pi / 4) h / 2 farther than its width says, so two side by
+// side close a gap of twice that; as a share of the width of a bead half as high as wide: 0.107.
+inline constexpr double kHairline = (1 - std::numbers::pi / 4) / 2;
+inline double hairline(const Options& o) { return o.hairline > 0 ? o.hairline : kHairline * o.bead_width; }
+
+// What a layer is to lie on: the bed, or the regions of the layer below (none if that layer is missing).
+struct Ground {
+    bool bed = true;
+    std::vector<polygon::Region> regions;
+};
+
+// The connected regions of `layer`, ids from `first_id`, in the order of polygon::split, with their overlaps with those
+// below.  Gaps narrower than a hairline are closed, and regions nowhere as wide left out, both with a note, which
+// carries the layer.  Adds what hangs in the air to `air`.
+std::vector<polygon::Region> regions(const polygon::Layer& layer, const Ground& below, std::uint32_t first_id,
+                                     const Options& options, Air& air, Notes& notes);
 
 } // namespace filum::regions

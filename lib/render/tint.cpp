@@ -22,7 +22,7 @@ double length(const toolpath::Span& s) {
 
 // What a segment's colour stands for, where that is an amount of its own.
 double amount(const Tint& tint, const toolpath::Span& s, std::size_t i) {
-    if (tint.by == By::speed) return machine::bead_feed(*tint.profile, s, i);
+    if (tint.by == By::speed) return machine::bead_feed(*tint.profile, machine::laid(s, i));
     return (s.width_at(i) + s.width_at(i + 1)) / 2;
 }
 

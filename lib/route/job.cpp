@@ -41,7 +41,7 @@ struct Gap {
 class Router {
   public:
     Router(std::vector<Span> spans, Things things, const Options& o, int threads)
-        : o_(o), shape_(o.machine.head), threads_(threads), spans_(std::move(spans)) {
+        : o_(o), shapes_(o.machine.head), threads_(threads), spans_(std::move(spans)) {
         const collision::Walk walk = walked();
         job_.before = travelled(walk.growth.moves);
         if (o.bed) things[static_cast<std::size_t>(collision::Against::bed)] = collision::bed(walk.growth.moves);
@@ -87,7 +87,8 @@ class Router {
         parallel::for_chunks(gaps.size(), 1, threads_, [&](std::size_t begin, std::size_t) {
             const Gap& gap = gaps[begin];
             const auto [from, to] = ends(gap);
-            ways[begin] = travel(collision::Room(scene_, shape_, clear), from, to, gap.before, o_.travel);
+            ways[begin] = travel(collision::Room(scene_, shapes_.of(spans_[gap.last - 1].tool), clear), from, to,
+                                 gap.before, o_.travel);
         });
         replace(gaps, ways);
     }
@@ -126,22 +127,22 @@ class Router {
     // Strokes whose head meets something lean; again while that leaves moves blocked.
     void tilt() {
         Tilting all(spans_, o_.machine.rotary);
-        const collision::Room room(scene_, shape_, o_.check);
+        const collision::Rooms rooms{scene_, shapes_, o_.check};
         for (std::size_t round = 0;; ++round) {
             collision::Walk walk = walked(); // where the tool leans, beads lie a little elsewhere
             set_beads(walk);
             const auto& moves = walk.growth.moves;
             const auto found = collision::check(scene_, o_.machine.head, moves, o_.check, threads_);
-            if (!all.judge(moves, found, spans_, room) || round == kRounds.size()) break;
+            if (!all.judge(moves, found, spans_, rooms) || round == kRounds.size()) break;
             const auto& [pace, more] = kRounds[round];
-            all.lean({scene_, shape_, o_.check, more}, o_.tilt, pace, threads_, spans_);
+            all.lean({scene_, shapes_, o_.check, more}, o_.tilt, pace, threads_, spans_);
             if (more > 0) all.hope();
         }
         job_.leaning = all.best(spans_);
     }
 
     const Options& o_;
-    const collision::Shape shape_;
+    const collision::Shapes shapes_;
     int threads_;
     std::vector<Span> spans_;
     collision::Scene scene_{collision::Tree({}), collision::Tree({}), collision::Tree({}), collision::Tree({})};

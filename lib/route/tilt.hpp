@@ -1,4 +1,4 @@
-// How a tool has to lean along a stroke so that the head meets nothing.
+// How a tool has to lean along a stroke so that the head meets nothing (docs/algorithms/routing.md#leaning).
 #pragma once
 
 #include "collision/room.hpp"

@@ -37,7 +37,7 @@ collision::Stance Tilting::stance(const Span& span, std::size_t i) const {
 }
 
 bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::Found& found,
-                    const std::vector<Span>& spans, const collision::Room& room) {
+                    const std::vector<Span>& spans, const collision::Rooms& rooms) {
     std::vector<std::uint32_t> begin{0}; // points before each span
     for (const Span& s : spans) begin.push_back(begin.back() + static_cast<std::uint32_t>(s.points.size()));
     // Calls f(attempt, span within it, segment as given) for the stroke that the move belongs to, if any.
@@ -59,6 +59,7 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
     for (Attempt& a : strokes_) {
         const Span &first = spans[a.first], &last = spans[a.last - 1];
         const std::size_t n = a.last - a.first - 1, end = segments(given_[a.last - 1]) - 1;
+        const collision::Room room = rooms.of(first.tool);
         if (!room.at(stance(first, 0), a.stroke.before[0][0])) block(a, 0, 0);
         if (!room.at(stance(last, segments(last)), a.stroke.before[n][end]))
             block(a, n, static_cast<std::uint32_t>(end));
@@ -74,11 +75,11 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
     return again;
 }
 
-void Tilting::lean(const collision::Room& room, const TiltOptions& options, const Pace& pace, int threads,
+void Tilting::lean(const collision::Rooms& rooms, const TiltOptions& options, const Pace& pace, int threads,
                    std::vector<Span>& spans) {
     for (Attempt& a : strokes_) {
         if (a.hopeful == 0) continue;
-        a.now = route::lean(room, a.stroke, options, pace, threads);
+        a.now = route::lean(rooms.of(given_[a.first].tool), a.stroke, options, pace, threads);
         std::copy(a.now.spans.begin(), a.now.spans.end(), spans.begin() + static_cast<std::ptrdiff_t>(a.first));
     }
 }

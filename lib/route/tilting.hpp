@@ -15,10 +15,10 @@ class Tilting {
     // begin and end, which is between two places that check() looks at; keeps the attempt at each stroke if it has
     // fewer than all before.  True if another attempt at some stroke makes sense.
     bool judge(const std::vector<collision::Move>& moves, const collision::Found& found,
-               const std::vector<toolpath::Span>& spans, const collision::Room& room);
+               const std::vector<toolpath::Span>& spans, const collision::Rooms& rooms);
 
     // Another attempt at each stroke whose head meets something it need not: changes `spans`.
-    void lean(const collision::Room& room, const TiltOptions& options, const Pace& pace, int threads,
+    void lean(const collision::Rooms& rooms, const TiltOptions& options, const Pace& pace, int threads,
               std::vector<toolpath::Span>& spans);
 
     // What is stuck after the last attempt may not be after the next: it asked for more room than is needed.

@@ -1,4 +1,4 @@
-// One way of the head from where a stroke ends to where the next one begins.
+// One way of the head from where a stroke ends to where the next one begins (docs/algorithms/routing.md#travels).
 #pragma once
 
 #include "route/fan.hpp"

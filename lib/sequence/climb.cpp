@@ -1,49 +1,51 @@
 #include "sequence/climb.hpp"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace filum::sequence {
 
 namespace {
 
-// What a stroke started at a region would do.
-struct Run {
-    Index length = 0;
-    Index end = kNone;
-    Index blocker = kNone; // what must be printed before it can go on; kNone: nothing lies ahead
-    bool known = false;
-};
+// Where a stroke may start, the best first: whether something lies ahead where it would end, what the choice says, and
+// the region.
+using Start = std::tuple<bool, std::int64_t, Index>;
 
 // What is printed so far and what may follow.
 struct Progress {
     const Graph& g;
+    Choice choice;
     std::vector<Index> waiting; // how many of its predecessors a region still waits for
     std::vector<char> printed;
-    std::vector<Index> height; // regions on the longest way up by links
-    std::vector<Index> ready;  // unprinted, waiting for none
-    std::vector<Run> run;      // cached, of ready regions
+    std::vector<Index> height;                // regions on the longest way up by links
+    std::vector<Index> since;                 // strokes printed when a region became ready
+    std::set<Start> starts;                   // of the regions that are ready
+    std::vector<Start> start;                 // likewise, by region
+    std::vector<std::vector<Index>> blocking; // starts whose stroke ends where it waits for this region
+    Index strokes = 0;
     Order order;
 
-    explicit Progress(const Graph& graph);
+    Progress(const Graph& graph, Choice c);
     void print(Index v);
     [[nodiscard]] Index next(Index u) const;
-    Run look(Index s);
+    void look(Index s);
     void go(Index s);
 };
 
-Progress::Progress(const Graph& graph)
-    : g(graph), waiting(g.size()), printed(g.size(), 0), height(g.size(), 1), run(g.size()) {
+Progress::Progress(const Graph& graph, Choice c)
+    : g(graph), choice(c), waiting(g.size()), printed(g.size(), 0), height(g.size(), 1), since(g.size(), 0),
+      start(g.size(), {false, 0, kNone}), blocking(g.size()) {
     for (Index v = g.size(); v-- > 0;) {
         for (const Index w : g.up[v]) height[v] = std::max(height[v], height[w] + 1);
         waiting[v] = static_cast<Index>(g.before[v].size());
     }
-    for (Index v = 0; v < g.size(); ++v)
-        if (waiting[v] == 0) ready.push_back(v);
     order.reserve(g.size());
+    for (Index v = 0; v < g.size(); ++v)
+        if (waiting[v] == 0) look(v);
 }
 
-// Where the stroke goes from u: the ready region with the longest way ahead, ties to the lower id; kNone if none.
+// Where the stroke goes from u: the ready region with the longest way ahead, ties to the lower number; kNone if none.
 Index Progress::next(Index u) const {
     Index best = kNone;
     for (const Index v : g.up[u])
@@ -57,65 +59,59 @@ void Progress::print(Index v) {
     for (const Index w : g.after[v]) --waiting[w];
 }
 
-// Prints ahead, notes how far it came, and takes it back.
-Run Progress::look(Index s) {
-    Run r;
-    r.known = true;
+// Prints ahead from a ready region, notes how far that comes and what it waits for there, and takes it back.
+void Progress::look(Index s) {
     const std::size_t mark = order.size();
     for (Index v = s; v != kNone; v = next(v)) print(v);
-    r.length = static_cast<Index>(order.size() - mark);
-    r.end = order.back();
-    for (const Index v : g.up[r.end]) {
-        if (printed[v] != 0) continue;
+    const auto length = static_cast<std::int64_t>(order.size() - mark);
+    Index blocker = kNone;
+    for (const Index v : g.up[order.back()]) {
+        if (printed[v] != 0 || blocker != kNone) continue;
         for (const Index p : g.before[v])
             if (printed[p] == 0) {
-                r.blocker = p;
+                blocker = p;
                 break;
             }
-        if (r.blocker != kNone) break;
     }
     while (order.size() > mark) {
         for (const Index w : g.after[order.back()]) ++waiting[w];
         printed[order.back()] = 0;
         order.pop_back();
     }
-    return r;
+    const std::int64_t first = choice == Choice::longest  ? -length
+                               : choice == Choice::lowest ? std::int64_t{g.node[s].layer}
+                                                          : -std::int64_t{since[s]};
+    start[s] = {blocker != kNone, first, s};
+    starts.insert(start[s]);
+    if (blocker != kNone) blocking[blocker].push_back(s);
 }
 
+// Prints the stroke from s, and looks again from where that changes something.
 void Progress::go(Index s) {
     const std::size_t mark = order.size();
     for (Index v = s; v != kNone; v = next(v)) print(v);
-    std::vector<Index> freed;
-    for (std::size_t i = mark; i < order.size(); ++i)
+    ++strokes;
+    std::vector<Index> again;
+    for (std::size_t i = mark; i < order.size(); ++i) {
+        starts.erase(start[order[i]]);
+        again.insert(again.end(), blocking[order[i]].begin(), blocking[order[i]].end());
         for (const Index w : g.after[order[i]])
-            if (waiting[w] == 0 && printed[w] == 0) freed.push_back(w);
-    std::sort(freed.begin(), freed.end());
-    freed.erase(std::unique(freed.begin(), freed.end()), freed.end());
-    std::erase_if(ready, [&](Index v) { return printed[v] != 0; });
-    ready.insert(ready.end(), freed.begin(), freed.end());
-    for (const Index v : ready)
-        if (run[v].blocker != kNone && printed[run[v].blocker] != 0) run[v].known = false;
+            if (waiting[w] == 0 && printed[w] == 0 && since[w] == 0) since[w] = strokes, again.push_back(w);
+    }
+    std::sort(again.begin(), again.end());
+    again.erase(std::unique(again.begin(), again.end()), again.end());
+    for (const Index v : again) {
+        if (printed[v] != 0) continue;
+        starts.erase(start[v]);
+        look(v);
+    }
 }
 
 } // namespace
 
 Order climb(const Graph& g, Choice choice) {
-    Progress s(g);
-    while (!s.ready.empty()) {
-        Index best = kNone;
-        std::tuple<bool, double, double, Index> least;
-        for (const Index v : s.ready) {
-            if (!s.run[v].known) s.run[v] = s.look(v);
-            const Run& r = s.run[v];
-            const double away = s.order.empty() ? 0 : geom::distance(g.node[s.order.back()].centre, g.node[v].centre);
-            const double first = choice == Choice::longest  ? -static_cast<double>(r.length)
-                                 : choice == Choice::lowest ? static_cast<double>(g.node[v].layer)
-                                                            : 0.0;
-            const std::tuple key{r.blocker != kNone, first, away, v};
-            if (best == kNone || key < least) best = v, least = key;
-        }
-        s.go(best);
-    }
+    Progress s(g, choice);
+    while (!s.starts.empty()) s.go(std::get<Index>(*s.starts.begin()));
     return std::move(s.order);
 }
 

@@ -1,6 +1,9 @@
 #include "sequence/collision.hpp"
 
+#include "geom/box_tree.hpp"
+
 #include <algorithm>
+#include <optional>
 
 namespace filum::sequence {
 
@@ -28,6 +31,9 @@ struct PairSearch {
     const machine::Head& head;
     std::vector<std::vector<Box2>> block; // per column, of every kBlock regions
     std::vector<Box2> box;                // per column
+    std::optional<geom::BoxTree> tree;    // over those
+    double top = 0;                       // mm, of all
+    std::vector<std::size_t> limit;       // per column: places from there on wait for the column at hand
     std::vector<Pair> found;
 
     [[nodiscard]] const Box2& box_of(Index v) const { return outlines[v].box[0]; }
@@ -39,7 +45,12 @@ struct PairSearch {
             box.emplace_back();
             for (std::size_t i = 0; i < member.size(); ++i) add(block.back()[i / kBlock], box_of(member[i]));
             for (const auto& b : block.back()) add(box.back(), b);
+            limit.push_back(member.size());
+            top = std::max(top, g.node[member.back()].z);
         }
+        std::vector<geom::Box3> flat;
+        for (const Box2& b : box) flat.push_back({{b.lo.x, b.lo.y, 0}, {b.hi.x, b.hi.y, 0}});
+        tree.emplace(std::move(flat));
     }
 
     // The first place of column c, below `limit`, whose region stands in the way of v, of column a; `limit` if none.
@@ -68,7 +79,7 @@ struct PairSearch {
     }
 
     // A column whose lowest region rests on one that must wait for v waits as a whole.
-    [[nodiscard]] bool implied(Index c, const std::vector<std::size_t>& limit) const {
+    [[nodiscard]] bool implied(Index c) const {
         for (const Index p : g.before[columns.member[c][0]]) {
             const Index d = columns.of[p];
             if (g.node[p].layer - g.node[columns.member[d][0]].layer >= limit[d]) return true;
@@ -76,22 +87,35 @@ struct PairSearch {
         return false;
     }
 
+    // The columns that the head can touch while it prints column a, ascending.
+    [[nodiscard]] std::vector<Index> others(Index a) const {
+        const double lowest = g.node[columns.member[a][0]].z;
+        const Reach most = reach(head, top - lowest);
+        std::vector<Index> out;
+        const auto ask = [&](Index c) {
+            const double dz = g.node[columns.member[c].back()].z - lowest;
+            if (c != a && dz > 0 && may_collide(box[a], box[c], reach(head, dz))) out.push_back(c);
+        };
+        if (most.everywhere) {
+            for (Index c = 0; c < columns.member.size(); ++c) ask(c);
+            return out;
+        }
+        const double far = most.farthest();
+        const Box2& own = box[a];
+        tree->visit({{own.lo.x - far, own.lo.y - far, 0}, {own.hi.x + far, own.hi.y + far, 0}}, ask);
+        std::sort(out.begin(), out.end());
+        return out;
+    }
+
     void column(Index a) {
         const auto& own = columns.member[a];
-        std::vector<Index> others;
-        std::vector<std::size_t> limit(columns.member.size());
-        for (Index c = 0; c < columns.member.size(); ++c) {
-            const auto& member = columns.member[c];
-            limit[c] = member.size();
-            const double dz = g.node[member.back()].z - g.node[own[0]].z;
-            if (c != a && dz > 0 && may_collide(box[a], box[c], reach(head, dz))) others.push_back(c);
-        }
+        const auto near = others(a);
         for (std::size_t i = own.size(); i-- > 0;) {
             const Index v = own[i];
             limit[a] = i; // what rests on v or higher waits for it by support
-            for (const Index c : others) {
+            for (const Index c : near) {
                 if (limit[c] == 0) continue;
-                if (implied(c, limit)) {
+                if (implied(c)) {
                     limit[c] = 0;
                     continue;
                 }
@@ -100,6 +124,8 @@ struct PairSearch {
                 limit[c] = at;
             }
         }
+        limit[a] = own.size();
+        for (const Index c : near) limit[c] = columns.member[c].size();
     }
 };
 
@@ -108,7 +134,7 @@ struct PairSearch {
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
                              const machine::Head& head) {
     if (head.none) return {};
-    PairSearch s{g, columns, outlines, head, {}, {}, {}};
+    PairSearch s{g, columns, outlines, head, {}, {}, {}, 0, {}, {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a) s.column(a);
     return std::move(s.found);

@@ -1,4 +1,4 @@
-// Inequalities that the strokes of every order satisfy.
+// Inequalities that the strokes of every order satisfy (docs/algorithms/sequence.md#bounds).
 #pragma once
 
 #include "sequence/following.hpp"

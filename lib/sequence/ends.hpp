@@ -41,7 +41,7 @@ std::vector<End> ends(const Graph& g, std::span<const Index> order, const Arcs& 
 std::vector<Index> tally(const std::vector<End>& ends);
 
 // The ends as a table: a line of names, then a line per end, separated by tabs.
-// stroke, region, layer, z, x, y (mm, centre of the region's box), cause, ahead, awaited, rise (mm from awaited to
+// stroke, region, layer, z, x, y (mm, centre of the region's area), cause, ahead, awaited, rise (mm from awaited to
 // ahead), distance (mm); "-" where there is none.
 std::string table(const Graph& g, const std::vector<End>& ends);
 

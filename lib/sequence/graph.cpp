@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 namespace filum::sequence {
 
@@ -41,7 +43,7 @@ namespace {
 
 } // namespace
 
-Graph support_graph(std::span<const polygon::Region> regions, double least_area) {
+Graph support_graph(std::span<const polygon::Region> regions) {
     Graph g;
     std::vector<Pair> links, support;
     for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -54,12 +56,12 @@ Graph support_graph(std::span<const polygon::Region> regions, double least_area)
                 bad(r, "its layer is out of order");
             layer = g.node.back().layer + (r.layer > p.layer ? 1 : 0);
         }
-        g.node.push_back({layer, r.z, geom::lerp(r.box.lo, r.box.hi, 0.5)});
+        g.node.push_back({layer, r.z, polygon::centroid(r.loops)});
         for (const auto& o : r.below) {
             if (o.below >= i || regions[o.below].layer + 1 != r.layer)
                 bad(r, "it overlaps no region of the layer below");
             if (o.link) links.emplace_back(o.below, r.id);
-            if (o.link || o.area >= least_area) support.emplace_back(o.below, r.id);
+            support.emplace_back(o.below, r.id);
         }
     }
     g.up = arcs(g.size(), std::move(links));
@@ -69,17 +71,49 @@ Graph support_graph(std::span<const polygon::Region> regions, double least_area)
     return g;
 }
 
-Columns columns(std::span<const polygon::Region> regions, double least_area) {
-    const auto n = static_cast<Index>(regions.size());
+namespace {
+
+// Regions on the longest way from each region along the arcs, in the given order of regions.
+template <class Range>
+std::vector<Index> longest(const Arcs& arcs, const Range& order) {
+    std::vector<Index> out(arcs.start.size() - 1, 1);
+    for (const Index v : order)
+        for (const Index w : arcs[v]) out[v] = std::max(out[v], out[w] + 1);
+    return out;
+}
+
+// The one of least key; kNone if there are two.
+template <class Key>
+Index only_least(std::span<const Index> among, Key&& key) {
+    if (among.empty()) return kNone;
+    const auto less = [&](Index a, Index b) { return key(a) < key(b); };
+    const Index best = *std::min_element(among.begin(), among.end(), less);
+    const auto as_good = [&](Index v) { return v != best && key(v) == key(best); };
+    return std::any_of(among.begin(), among.end(), as_good) ? kNone : best;
+}
+
+} // namespace
+
+Columns columns(const Graph& g, std::span<const std::uint64_t> colour) {
+    const Index n = g.size();
+    std::vector<Index> up(n);
+    std::iota(up.begin(), up.end(), 0U);
+    const std::vector<Index> depth = longest(g.before, up);
+    const std::vector<Index> height = longest(g.after, std::vector<Index>(up.rbegin(), up.rend()));
+    const auto linked = [](const Arcs& links, Index u, Index v) {
+        return std::binary_search(links[u].begin(), links[u].end(), v);
+    };
     std::vector<Index> below(n, kNone), above(n, kNone);
-    std::vector<double> share(n, 0);
-    for (Index v = 0; v < n; ++v) {
-        double most = 0;
-        for (const auto& o : regions[v].below)
-            if ((o.link || o.area >= least_area) && o.area > most) most = o.area, below[v] = o.below;
-        const Index u = below[v];
-        if (u == kNone) continue;
-        if (most > share[u]) share[u] = most, above[u] = v;
+    for (Index v = 0; v < n; ++v)
+        below[v] =
+            only_least(g.before[v], [&](Index u) { return std::tuple(!linked(g.up, u, v), n - depth[u], colour[u]); });
+    std::vector<Index> carried;
+    for (Index u = 0; u < n; ++u) {
+        carried.clear();
+        for (const Index v : g.after[u])
+            if (below[v] == u) carried.push_back(v);
+        above[u] =
+            only_least(carried, [&](Index v) { return std::tuple(!linked(g.up, u, v), n - height[v], colour[v]); });
     }
     Columns out;
     out.of.assign(n, kNone);

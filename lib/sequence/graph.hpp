@@ -30,9 +30,9 @@ Arcs arcs(std::size_t n, std::vector<Pair> pairs);
 Arcs reversed(const Arcs& a);
 
 struct Node {
-    Index layer = 0; // counts the layers that hold regions, from 0
-    double z = 0;    // mm, top of the region
-    geom::Vec2 centre;
+    Index layer = 0;   // counts the layers that hold regions, from 0
+    double z = 0;      // mm, top of the region
+    geom::Vec2 centre; // of its area
 };
 
 // Every arc leads to a higher layer, so layer order is always feasible.
@@ -50,13 +50,15 @@ struct Columns {
 };
 
 // What support alone says about `regions`, which come layer by layer, ids without gaps: links where the regions say so,
-// support where the common area is at least `least_area` mm2.
+// support where they share area at all.
 // Throws Error(bad_input) if ids or layers do not ascend or an overlap names no region of the layer below.
-Graph support_graph(std::span<const polygon::Region> regions, double least_area);
+Graph support_graph(std::span<const polygon::Region> regions);
 
-// Each region continues the column of the region below that supports it with most area, if it is also that one's
-// largest; ties to the lower id.  `least_area` as above.
-Columns columns(std::span<const polygon::Region> regions, double least_area);
+// Each region continues the column of one that carries it: one that a link leads from, if there is any, then one with
+// the longest way down, then that of the least `colour` (by region); if that one, likewise, is continued by it.  Of
+// regions of the same colour none is chosen: there is nothing to choose them by but their number.  Nor have areas a
+// say, so that rounding has none.  For a graph with no other precedence than support.
+Columns columns(const Graph& g, std::span<const std::uint64_t> colour);
 
 // `g` with more precedence.
 void add_precedence(Graph& g, std::vector<Pair> more);

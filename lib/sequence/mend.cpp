@@ -41,15 +41,15 @@ struct Mender {
         return most;
     }
 
-    // Tries to print v right after u.
-    bool join(Index u, Index v) {
+    // Tries to print v right after u; the strokes that this saves.
+    Index join(Index u, Index v) {
         const Index at = place[u], to = place[v];
-        if (to - at > kMostMoved) return false;
+        if (to - at > kMostMoved) return 0;
         Index lo = at;
         while (linked(lo) && at - lo < kMostMoved) --lo;
         for (Index i = at + 1; i < to; ++i) held[order[i]] = holds(order[i], lo, at, true);
         const Index cut = holds(v, lo, at, false); // this much of the first stroke cannot come along
-        if (cut > at - lo) return false;
+        if (cut > at - lo) return 0;
         before.clear();
         behind.clear();
         for (Index i = at + 1; i < to; ++i) (held[order[i]] > cut ? behind : before).push_back(order[i]);
@@ -63,7 +63,7 @@ struct Mender {
     }
 
     // Orders from .. end anew: what goes before, the first stroke's from .. at, the second's to .. end, the rest.
-    bool change(Index from, Index at, Index to, Index end) {
+    Index change(Index from, Index at, Index to, Index end) {
         fresh.assign(before.begin(), before.end());
         fresh.insert(fresh.end(), order.begin() + from, order.begin() + at + 1);
         fresh.insert(fresh.end(), order.begin() + to, order.begin() + end);
@@ -76,10 +76,10 @@ struct Mender {
             gain += continues(g, u, i == end ? order[i] : fresh[i - from]) ? 1 : 0;
         }
         work += 2 * (end - from);
-        if (gain < 0) return false;
+        if (gain < 0) return 0;
         std::copy(fresh.begin(), fresh.end(), order.begin() + from);
         for (Index i = from; i < end; ++i) place[order[i]] = i;
-        return gain > 0;
+        return static_cast<Index>(gain);
     }
 
     // A link that is not used, of a region that starts a stroke or, every other time, ends one.
@@ -101,7 +101,7 @@ void mend(const Graph& g, Order& order, Index target, std::uint64_t budget, std:
     while (strokes > target && m.work < budget) {
         m.work += 10; // of drawing
         const auto [u, v] = m.draw();
-        if (u != kNone && m.join(u, v)) strokes = cost(g, order).strokes;
+        if (u != kNone) strokes -= m.join(u, v);
     }
     steps += m.work;
 }

@@ -1,6 +1,7 @@
 #include "sequence/order.hpp"
 
 #include "base/error.hpp"
+#include "geom/nearest_points.hpp"
 
 #include <algorithm>
 
@@ -81,30 +82,33 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
     return out;
 }
 
+// Appends the regions of a layer: the first, then the nearest next, the last one last.
+void append_nearest(const Graph& g, const std::vector<Index>& layer, const Ends& ends, Order& out) {
+    std::vector<geom::Vec2> centre;
+    for (const Index v : layer) centre.push_back(g.node[v].centre);
+    geom::NearestPoints left(centre);
+    for (std::uint32_t i = 0; i < layer.size(); ++i)
+        if (layer[i] != ends.first && layer[i] != ends.last) left.insert(i);
+    out.push_back(ends.first);
+    while (!left.empty()) {
+        const std::uint32_t i = *left.nearest(g.node[out.back()].centre);
+        left.remove(i);
+        out.push_back(layer[i]);
+    }
+    if (ends.last != ends.first) out.push_back(ends.last);
+}
+
 } // namespace
 
 Order layer_order(const Graph& g) {
     std::vector<std::vector<Index>> layers;
     for (Index v = 0; v < g.size(); ++v) {
-        if (g.node[v].layer >= layers.size()) layers.resize(g.node[v].layer + 1);
-        layers[g.node[v].layer].push_back(v);
+        if (layers.empty() || g.node[v].layer != g.node[layers.back().back()].layer) layers.emplace_back();
+        layers.back().push_back(v);
     }
     const auto ends = layer_ends(g, layers);
     Order out;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        auto& rest = layers[i];
-        out.push_back(ends[i].first);
-        std::erase_if(rest, [&](Index v) { return v == ends[i].first || v == ends[i].last; });
-        while (!rest.empty()) {
-            const auto at = g.node[out.back()].centre;
-            const auto next = std::min_element(rest.begin(), rest.end(), [&](Index a, Index b) {
-                return geom::norm2(g.node[a].centre - at) < geom::norm2(g.node[b].centre - at);
-            });
-            out.push_back(*next);
-            rest.erase(next);
-        }
-        if (ends[i].last != ends[i].first) out.push_back(ends[i].last);
-    }
+    for (std::size_t i = 0; i < layers.size(); ++i) append_nearest(g, layers[i], ends[i], out);
     return out;
 }
 

@@ -12,7 +12,7 @@ bool continues(const Graph& g, Index u, Index v);
 
 struct Cost {
     Index strokes = 0;
-    double travel = 0; // mm between box centres, summed over the starts of strokes but the first
+    double travel = 0; // mm between centres of area, summed over the starts of strokes but the first
     friend bool operator==(const Cost&, const Cost&) = default;
     friend auto operator<=>(const Cost&, const Cost&) = default;
 };

@@ -1,5 +1,7 @@
 #include "sequence/plan.hpp"
 
+#include "sequence/arrange.hpp"
+#include "sequence/canon.hpp"
 #include "sequence/climb.hpp"
 #include "sequence/matching.hpp"
 #include "sequence/mend.hpp"
@@ -23,7 +25,7 @@ struct Planner {
 
     void offer(Order o) {
         const Cost c = cost(g, o);
-        if (best.order.empty() || c < best.cost) best.order = std::move(o), best.cost = c;
+        if (best.order.empty() || c.strokes < best.cost.strokes) best.order = std::move(o), best.cost = c;
     }
     void prove(Index strokes) { best.bound = std::max(best.bound, strokes); }
     [[nodiscard]] bool proven() const { return best.cost.strokes == best.bound; }
@@ -31,6 +33,7 @@ struct Planner {
     // Searches of growing width, by each of the weights, until one proves its order best or the budget is used up.
     void widen(const std::vector<std::vector<double>>& weights, std::uint64_t budget) {
         std::uint64_t left = budget;
+        if (columns.member.size() * std::uint64_t{best.bound} > budget) return; // one state per stroke takes as much
         for (std::size_t width = 1; width * g.size() <= kMostKept || width == 1;) {
             std::uint64_t most = 1;
             for (const auto& weight : weights) {
@@ -80,9 +83,12 @@ Plan layer_plan(const Graph& g) {
     return p;
 }
 
-Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
+namespace {
+
+Plan plan_part(const Graph& g, const Columns& columns, std::uint64_t budget) {
     Planner p{g, columns, layer_plan(g)};
-    for (const Choice c : {Choice::longest, Choice::lowest, Choice::nearest}) p.offer(climb(g, c));
+    for (const Choice c : {Choice::longest, Choice::lowest, Choice::latest})
+        if (!p.proven()) p.offer(climb(g, c));
     if (p.proven()) return std::move(p.best);
     Relaxation r(g, columns);
     p.tighten(r, budget / 10);
@@ -93,6 +99,36 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
     if (!p.proven()) p.mend(p.best.order, budget / 10);
     p.tighten(r, budget - std::min(budget, p.best.steps));
     return std::move(p.best);
+}
+
+} // namespace
+
+Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
+    auto all = parts(g, columns);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Part& a, const Part& b) { return a.node.size() < b.node.size(); });
+    Plan out;
+    std::uint64_t regions = g.size();
+    bool searched = false, complete = true, relaxed = false;
+    for (const Part& part : all) {
+        const auto share = static_cast<std::uint64_t>(static_cast<double>(budget) / static_cast<double>(regions) *
+                                                      static_cast<double>(part.node.size()));
+        const Plan p = plan_part(part.g, part.columns, std::min(share, budget));
+        for (const Index v : p.order) out.order.push_back(part.node[v]);
+        out.path_cover += p.path_cover;
+        out.relaxation += std::max(p.relaxation, p.path_cover);
+        out.bound += p.bound;
+        out.steps += p.steps;
+        relaxed = relaxed || p.relaxation > 0;
+        if (p.complete || p.cost.strokes > p.bound) searched = true, complete = complete && p.complete;
+        budget -= std::min(budget, p.steps);
+        regions -= static_cast<std::uint64_t>(part.node.size());
+    }
+    if (!relaxed) out.relaxation = 0;
+    out.complete = searched && complete;
+    out.order = arranged(g, std::move(out.order));
+    out.cost = cost(g, out.order);
+    return out;
 }
 
 } // namespace filum::sequence

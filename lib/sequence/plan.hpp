@@ -14,7 +14,9 @@ struct Plan {
     std::uint64_t steps = 0;              // taken of the budget
 };
 
-// Layer order, the greedy ones, then in turns searches and bounds until they meet or `budget` steps are taken.
+// Part by connected part: layer order, the greedy ones, then in turns searches and bounds until they meet or the part's
+// share of `budget` steps is taken (by regions; what a part leaves goes to the larger ones).  The strokes depend on the
+// graph alone, not on how its nodes are numbered or where they lie; their order is by arranged().
 Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget);
 
 // Layer order and what bounds it without a head.

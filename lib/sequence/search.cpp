@@ -21,10 +21,9 @@ struct Step {
 };
 
 struct BeamState {
-    double score = 0, travel = 0;
+    double score = 0;
     std::uint64_t hash = 0;
     Index step = kNone;
-    Index last = kNone; // region
 };
 
 struct Candidate {
@@ -92,12 +91,10 @@ struct BeamSearch {
             reached_top = true;
         }
         Candidate c{from, parent, static_cast<Index>(tried.size()), static_cast<Index>(path.size())};
-        if (from.last != kNone) c.state.travel += geom::distance(g.node[from.last].centre, g.node[path[0]].centre);
         for (const Index v : path) {
             c.state.score += weight[v];
             c.state.hash ^= mixed(v);
         }
-        c.state.last = path.back();
         tried.insert(tried.end(), path.begin(), path.end());
         candidates.push_back(c);
     }
@@ -128,9 +125,8 @@ struct BeamSearch {
 
     // The next level from the candidates; true if none had to be dropped for want of width.
     bool select(std::size_t width) {
-        std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-            return a.state.score > b.state.score || (a.state.score == b.state.score && a.state.travel < b.state.travel);
-        });
+        std::stable_sort(candidates.begin(), candidates.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.state.score > b.state.score; });
         std::vector<BeamState> next;
         std::vector<Index> kept;
         std::unordered_set<std::uint64_t> seen;

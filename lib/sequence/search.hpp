@@ -17,8 +17,8 @@ struct Found {
 // - whatever is ready where a stroke ends can only begin a stroke later, so to go on now costs nothing;
 // - taking a closed set off an order shortens its strokes from below and breaks none;
 // - a stroke that reaches a region with no link upwards may be taken at once, alone: it removes a stroke from any
-// order. After every stroke the `width` states with the most printed `weight` stay; ties by travel, then by first
-// found. Stops without an order when `budget` is used up.
+// order. After every stroke the `width` states with the most printed `weight` stay; ties by first found. Stops without
+// an order when `budget` is used up.
 Found search(const Graph& g, const Columns& columns, std::span<const double> weight, std::size_t width,
              std::uint64_t budget);
 

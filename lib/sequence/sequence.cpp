@@ -1,6 +1,7 @@
 #include "sequence/sequence.hpp"
 
 #include "base/error.hpp"
+#include "sequence/canon.hpp"
 #include "sequence/collision.hpp"
 #include "sequence/plan.hpp"
 
@@ -31,7 +32,7 @@ Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collis
     add("path-cover", p.path_cover, "strokes");
     if (p.relaxation > 0) add("relaxation-bound", p.relaxation, "strokes");
     add("lower-bound", p.bound, "strokes");
-    add("strokes", strokes, "strokes");
+    add("planned-strokes", strokes, "strokes");
     add("gap", 100 * (strokes - p.bound) / strokes, "%");
     const auto counts = tally(r.ends);
     for (std::size_t i = 0; i < kCauses; ++i)
@@ -50,10 +51,10 @@ std::string bound_by(const Plan& p) {
 
 Result sequence(std::vector<polygon::Region> regions, const Options& options) {
     Result out;
-    out.graph = support_graph(regions, options.support_area);
+    out.graph = support_graph(regions);
     Graph& g = out.graph;
     if (g.size() == 0) return out;
-    const Columns c = columns(regions, options.support_area);
+    const Columns c = columns(g, colours(g));
     const Arcs support = g.after;
     std::vector<Outline> outlines;
     std::vector<Pair> hits;

@@ -1,4 +1,5 @@
-// The processing order over all layers (paper 3.1, notes 3b): few strokes that the head can print, and a proven bound.
+// The processing order over all layers (docs/algorithms/sequence.md; Sun et al. 2019, 3.1): few strokes that the head
+// can print, and a proven bound.
 #pragma once
 
 #include "base/fact.hpp"
@@ -14,7 +15,6 @@ struct Options {
     // if so: an order to take as it is, for comparison; none: the one with the fewest strokes
     std::function<Order(std::span<const polygon::Region>)> layers = {};
     machine::Head head;
-    double support_area = 0.001;        // mm2; a region waits for those below with which it shares this much
     std::uint64_t budget = 600'000'000; // steps that searches and bounds may take
 };
 
@@ -29,7 +29,7 @@ struct Result {
     // path-cover, relaxation-bound, lower-bound: no order that the head allows has fewer strokes than any
     // of these (path-cover: nor without a head); lower-bound is the best of them, or the strokes if the search proved
     // its order best;
-    // strokes; gap (% of the strokes that lower-bound leaves open);
+    // planned-strokes; gap (% of the strokes that lower-bound leaves open);
     // ends-...: strokes by the cause of their end, see ends.hpp;
     // steps (millions) taken by search and bounds; search-complete (1 if the search left nothing out, so that nothing
     // has fewer strokes)

@@ -192,8 +192,9 @@ Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& g
     return out;
 }
 
-Loops unite_bodies(const Loops& loops, polygon::Fill rule, double hairline, std::int64_t layer, Notes& notes) {
-    if (!(hairline > 0) || rule == polygon::Fill::even_odd) return polygon::unite(loops, rule);
+Loops heal_hairlines(Loops loops, bool united, double hairline, std::int64_t layer, Notes& notes) {
+    if (!(hairline > 0)) return loops;
+    if (united) loops = without_slivers(loops, hairline, layer, notes);
     double area = 0;
     std::size_t gaps = 0;
     const Loops between = bridges(loops, hairline, area, gaps);
@@ -204,7 +205,9 @@ Loops unite_bodies(const Loops& loops, polygon::Fill rule, double hairline, std:
                          .unit = "mm2",
                          .count = gaps,
                          .layer = layer});
-    return without_slivers(polygon::unite(loops, between, rule), hairline, layer, notes);
+    if (between.empty()) return loops;
+    for (std::size_t l = 0; l < between.size(); ++l) loops.add(between[l]);
+    return without_slivers(polygon::unite_exactly(loops), hairline, layer, notes);
 }
 
 } // namespace filum::slice

@@ -12,6 +12,7 @@ namespace {
 
 // End 2c is the start of chain c, 2c + 1 its end.
 constexpr std::uint32_t kFree = ~std::uint32_t{0};
+constexpr double kSeam = 2e-4; // mm: two steps of the grid; less is no gap but rounding
 
 // Which end is joined to which.
 using Mates = std::vector<std::uint32_t>;
@@ -93,6 +94,27 @@ bool marry_round(Mates& mates, const Partner& partner) {
 
 constexpr int kRounds = 32; // each settles at least the nearest pair, in practice most pairs
 
+// Where the chain of `end` is after `along` mm from there.
+Vec2 point_along(const std::vector<Chain>& chains, std::uint32_t end, double along) {
+    const auto& p = chains[end / 2].points;
+    const auto at = [&](std::size_t i) { return is_start(end) ? p[i] : p[p.size() - 1 - i]; };
+    for (std::size_t i = 1; i < p.size(); ++i) {
+        const double step = geom::distance(at(i - 1), at(i));
+        if (step >= along && step > 0) return geom::lerp(at(i - 1), at(i), along / step);
+        along -= step;
+    }
+    return at(p.size() - 1);
+}
+
+// True if the chains of two ends, `gap` mm apart, leave them the same way: they are copies, neither goes on in the
+// other.
+bool leave_alike(const std::vector<Chain>& chains, std::uint32_t e, std::uint32_t f, double gap) {
+    if (e / 2 == f / 2) return false;
+    constexpr double kApart = 0.5; // of the way along them, how far they come apart: an angle of 29 degrees
+    const double way = std::min(length(chains[e / 2]), length(chains[f / 2])) / 2;
+    return geom::distance(point_along(chains, e, way), point_along(chains, f, way)) <= gap + kApart * way;
+}
+
 // Ends at most `radius` apart; `directed`: only an end to a start.
 void marry_near(const std::vector<Chain>& chains, double radius, bool directed, Mates& mates) {
     for (int round = 0; round < kRounds; ++round) {
@@ -102,7 +124,8 @@ void marry_near(const std::vector<Chain>& chains, double radius, bool directed, 
             cells.around(place(chains, e), [&](std::uint32_t f) {
                 if (f == e || mates[f] != kFree || (directed && is_start(e) == is_start(f))) return;
                 const double d = geom::distance(place(chains, e), place(chains, f));
-                if (d < best.distance || (d == best.distance && f < best.b)) best = {d, e, f};
+                if (d > best.distance || (d == best.distance && f >= best.b)) return;
+                if (is_start(e) != is_start(f) || !leave_alike(chains, e, f, d)) best = {d, e, f};
             });
             return best;
         });
@@ -158,7 +181,9 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
         const std::uint32_t other = end ^ 1U;
         out.tail = is_start(other) ? c.head : c.tail;
         end = mates[other];
-        if (end != kFree) out.jumped += geom::distance(place(chains, other), place(chains, end));
+        if (end != kFree)
+            if (const double gap = geom::distance(place(chains, other), place(chains, end)); gap > kSeam)
+                out.jumped += gap;
         closed = end == from;
         if (closed || end == kFree) break;
     }
@@ -170,18 +195,8 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
     return out;
 }
 
-// What closing contours came across, mm.
-struct Found {
-    double turned = 0, lid = 0; // of the closed ones
-    double filled = 0;          // length of the contours of cavities that were left out
-    Vec2 where;                 // on one of these
-};
-
-// The contour of a cavity of which more than a tenth is made up says more than the surface does.
-bool guessed_cavity(const Chain& c) { return c.lid + c.jumped > 0.1 * length(c) && polygon::signed_area(c.points) < 0; }
-
-// Joins what `mates` says; closed ones go to `out`, the others are returned.
-std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Loops& out, Found& found) {
+// Joins what `mates` says; closed ones go to `out`, the others are returned.  `lid` gets the length led over lids, mm.
+std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Closed& out, double& lid) {
     std::vector<Chain> open;
     std::vector<char> done(chains.size(), 0);
     const auto take = [&](std::uint32_t end) {
@@ -192,12 +207,9 @@ std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Lo
             return;
         }
         if (c.points.size() > 1 && c.points.front() == c.points.back()) c.points.pop_back();
-        if (guessed_cavity(c)) {
-            found.filled += length(c) - c.lid - c.jumped, found.where = c.points.front();
-            return;
-        }
-        found.turned += c.turned, found.lid += c.lid;
-        if (c.points.size() > 2) out.add(c.points);
+        out.turned += c.turned;
+        lid += c.lid;
+        if (c.points.size() > 2) (c.lid + c.jumped > 0 ? out.guessed : out.whole).add(c.points);
     };
     for (std::uint32_t e = 0; e < mates.size(); ++e) // from free ends first, then round what is left: circles
         if (mates[e] == kFree && done[e / 2] == 0) take(e);
@@ -205,8 +217,6 @@ std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Lo
         if (done[c] == 0) take(2 * c);
     return open;
 }
-
-constexpr double kSeam = 2e-4; // mm: two steps of the grid; less is no gap but rounding
 
 // One note for all joints of `mates` that are wider than rounding.
 void note_joints(const std::vector<Chain>& chains, const Mates& mates, const char* what, std::int64_t layer,
@@ -233,14 +243,15 @@ double length(const Chain& chain) {
     return sum;
 }
 
-double close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& o,
-                    std::int64_t layer, Loops& out, Notes& notes) {
-    Found found;
+Closed close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& o,
+                    std::int64_t layer, Notes& notes) {
+    Closed out;
+    double lid = 0;
     const auto tell = [&](const char* what, double amount, Vec2 at) {
         notes.push_back(
             {.stage = "", .what = what, .amount = amount, .unit = "mm", .layer = layer, .x = at.x, .y = at.y});
     };
-    chains = join(chains, mates_on_edges(chains), out, found);
+    chains = join(chains, mates_on_edges(chains), out, lid);
 
     Mates mates(2 * chains.size(), kFree);
     const double widest = std::max(o.close_gaps, kSeam);
@@ -251,30 +262,29 @@ double close_chains(std::vector<Chain> chains, const std::function<std::vector<C
             if (radius >= widest) break;
         }
     note_joints(chains, mates, "gap in a contour closed", layer, notes);
-    chains = join(chains, mates, out, found);
+    chains = join(chains, mates, out, lid);
 
     if (!chains.empty() && o.close_openings > 0) {
         const Vec2 at = chains.front().points.front();
         for (Chain& c : lids()) chains.push_back(std::move(c));
-        chains = join(chains, mates_on_edges(chains), out, found);
+        chains = join(chains, mates_on_edges(chains), out, lid);
         std::erase_if(chains, [](const Chain& c) { return c.lid >= length(c); }); // no contour came to these
-        if (found.lid > 0) tell("contour led across a hole in the surface", found.lid, at);
+        if (lid > 0) tell("contour led across a hole in the surface", lid, at);
     }
     for (std::size_t before = 0; before != chains.size();) { // what is joined is longer, and may bear wider openings
         before = chains.size();
         mates.assign(2 * chains.size(), kFree);
         marry_far(chains, o.close_openings, mates);
         note_joints(chains, mates, "wide opening in a contour closed straight", layer, notes);
-        chains = join(chains, mates, out, found);
+        chains = join(chains, mates, out, lid);
     }
 
     for (const Chain& c : chains)
         if (length(c) > kSeam) tell("open contour left out", length(c), c.points[c.points.size() / 2]);
-    if (found.filled > 0) tell("cavity filled whose contour the surface leaves open", found.filled, found.where);
-    if (found.turned > 0)
-        tell("piece of contour turned round: its triangles face the wrong way", found.turned,
+    if (out.turned > 0)
+        tell("piece of contour turned round: its triangles face the wrong way", out.turned,
              {std::nan(""), std::nan("")});
-    return found.turned;
+    return out;
 }
 
 } // namespace filum::slice

@@ -28,14 +28,20 @@ struct Chain {
 
 double length(const Chain& chain);
 
+// Closed contours: of surface all along, and those that are led over gaps, holes and openings in part.
+struct Closed {
+    Loops whole, guessed;
+    double turned = 0; // mm of them that run against their triangles' orientation
+};
+
 // Closes what can be closed of `chains`, in this order: pieces that meet on the same edge, whichever way they run (a
 // triangle between them is flipped); ends no farther apart than options.close_gaps, nearest first, one's end to the
 // other's start before anything else; ends on the rim of a hole that has a lid, along `lids`, the lids' own chains at
 // this height; wider openings, end to start, up to options.close_openings of the length of what is joined.
-// A cavity whose contour would be made up to more than a tenth is left out: what the surface leaves open there is
-// filled. Appends the closed ones to `out`, running as most of their length does, and notes what was closed, turned
-// round and left open on `layer`.  Ties: by position in `chains`.  Returns the length that was turned round, mm.
-double close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& options,
-                    std::int64_t layer, Loops& out, Notes& notes);
+// Two ends that are near because the contours run beside each other are not joined: copies, not continuations.
+// Contours run as most of their length does.  Notes what was closed, turned round and left open on `layer`.
+// Ties: by position in `chains`.
+Closed close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& options,
+                    std::int64_t layer, Notes& notes);
 
 } // namespace filum::slice

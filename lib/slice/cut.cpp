@@ -1,125 +1,16 @@
-// One chunk of layers: triangles to pieces of contour, pieces to loops, loops to simple contours.
+// One chunk of layers: sections of the mesh to the solid of each layer.
 #include "polygon/simple.hpp"
 #include "slice/bodies.hpp"
-#include "slice/chains.hpp"
+#include "slice/section.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace filum::slice {
 
 namespace {
 
-constexpr double kGrid = 1e4;         // steps per mm, as in polygon/clip.hpp
 constexpr double kTurnedShare = 0.05; // of all contours; above, orientation says nothing and parity must do
-
-// Where one triangle meets the plane: from one of its edges to another, solid on the left.
-struct Piece {
-    EdgeKey from, to;
-};
-
-EdgeKey key(std::uint32_t a, std::uint32_t b) { return a < b ? EdgeKey{a} << 32 | b : EdgeKey{b} << 32 | a; }
-
-// Precondition: the plane is between the triangle's lowest and highest vertex.
-Piece piece(const mesh::Triangle& t, bool a, bool b, bool c) {
-    // k: the vertex that is alone on its side; its edges are k-1 -> k and k -> k+1
-    const unsigned above = (a ? 1U : 0U) | (b ? 2U : 0U) | (c ? 4U : 0U);
-    const bool alone_above = above == 1 || above == 2 || above == 4;
-    const auto k = static_cast<unsigned>(std::countr_zero(alone_above ? above : ~above));
-    const std::uint32_t self = t[k], next = t[(k + 1) % 3], before = t[(k + 2) % 3];
-    if (alone_above) return {key(self, next), key(before, self)};
-    return {key(before, self), key(self, next)};
-}
-
-double snap(double v) {
-    return static_cast<double>(static_cast<std::int64_t>(v * kGrid + (v < 0 ? -0.5 : 0.5))) / kGrid;
-}
-
-// Both triangles of an edge get the same point, bit by bit: the vertex with the lower number comes first.
-Vec2 crossing(const mesh::Mesh& mesh, EdgeKey edge, double plane) {
-    const auto &p = mesh.vertices[edge >> 32], &q = mesh.vertices[edge & 0xffffffff];
-    const double t = (plane - p.z) / (q.z - p.z);
-    return {snap(p.x + t * (q.x - p.x)), snap(p.y + t * (q.y - p.y))};
-}
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-// For every piece the one that goes on where it ends, kNone if there is none; and whether anything comes before it.
-// At an edge of more than two triangles the first that is left is taken: winding does not depend on it.
-struct Order {
-    std::vector<std::uint32_t> next;
-    std::vector<char> continues;
-};
-Order put_in_order(const std::vector<Piece>& pieces) {
-    const std::size_t size = std::bit_ceil(2 * pieces.size() + 1), mask = size - 1;
-    std::vector<std::uint32_t> slot(size, kNone);
-    const auto hash = [](EdgeKey k) { return static_cast<std::size_t>((k * 0x9e3779b97f4a7c15ULL) >> 32); };
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-        std::size_t h = hash(pieces[i].from) & mask;
-        while (slot[h] != kNone) h = (h + 1) & mask;
-        slot[h] = i;
-    }
-    Order out{std::vector<std::uint32_t>(pieces.size(), kNone), std::vector<char>(pieces.size(), 0)};
-    for (std::uint32_t i = 0; i < pieces.size(); ++i)
-        for (std::size_t h = hash(pieces[i].to) & mask; slot[h] != kNone; h = (h + 1) & mask) {
-            const std::uint32_t j = slot[h];
-            if (pieces[j].from != pieces[i].to || out.continues[j] != 0) continue;
-            out.next[i] = j;
-            out.continues[j] = 1;
-            break;
-        }
-    return out;
-}
-
-void append(std::vector<Vec2>& points, std::size_t first, Vec2 p) {
-    if (points.size() == first || !(points.back() == p)) points.push_back(p);
-}
-
-// Chains from pieces that nothing comes before, and loops of the rest; both in the order of their first pieces.
-std::vector<Chain> link(const mesh::Mesh& mesh, double plane, const std::vector<Piece>& pieces, Loops& loops) {
-    const Order order = put_in_order(pieces);
-    std::vector<char> done(pieces.size(), 0);
-    std::vector<Chain> chains;
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-        if (order.continues[i] != 0) continue;
-        Chain& c = chains.emplace_back();
-        c.head = pieces[i].from;
-        for (std::uint32_t j = i; j != kNone; j = order.next[j]) {
-            done[j] = 1;
-            append(c.points, 0, crossing(mesh, pieces[j].from, plane));
-            c.tail = pieces[j].to;
-        }
-        append(c.points, 0, crossing(mesh, c.tail, plane));
-    }
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-        if (done[i] != 0) continue;
-        const std::size_t first = loops.points.size();
-        for (std::uint32_t j = i; done[j] == 0; j = order.next[j]) {
-            done[j] = 1;
-            append(loops.points, first, crossing(mesh, pieces[j].from, plane));
-        }
-        while (loops.points.size() > first + 1 && loops.points.back() == loops.points[first]) loops.points.pop_back();
-        if (loops.points.size() < first + 3)
-            loops.points.resize(first); // smaller than the grid
-        else
-            loops.close();
-    }
-    return chains;
-}
-
-// The chains of the lids' triangles at this layer; all of their length is lid.
-std::vector<Chain> lid_chains(const Sweep& sweep, std::size_t layer) {
-    std::vector<Piece> pieces;
-    for (const auto& t : sweep.lids) {
-        const bool a = sweep.rank[t[0]] > layer, b = sweep.rank[t[1]] > layer, c = sweep.rank[t[2]] > layer;
-        if (a != b || b != c) pieces.push_back(piece(t, a, b, c));
-    }
-    Loops unused;
-    auto out = link(*sweep.mesh, sweep.levels[layer].plane + kLift, pieces, unused);
-    for (Chain& c : out) c.lid = length(c);
-    return out;
-}
 
 double perimeter(const Loops& loops) {
     double sum = 0;
@@ -127,52 +18,58 @@ double perimeter(const Loops& loops) {
     return sum;
 }
 
-Loops contours(const Sweep& sweep, std::size_t layer, const std::vector<Piece>& pieces, Notes& notes) {
-    Loops loops;
-    auto chains = link(*sweep.mesh, sweep.levels[layer].plane + kLift, pieces, loops);
+void add_walls(const Loops& loops, bool marked, std::vector<polygon::Wall>& out) {
+    for (polygon::Wall w : polygon::walls(loops)) {
+        w.marked = marked;
+        w.weight = marked ? 1 : 0;
+        out.push_back(w);
+    }
+}
+
+// The solid of a layer some of whose contours had to be closed: as the surface winds round, whatever was guessed.
+Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector<Chain> chains, Notes& notes) {
+    std::vector<polygon::Wall> walls;
+    add_walls(loops, true, walls);
+    for (const Chain& c : chains)
+        for (std::size_t i = 1; i < c.points.size(); ++i) walls.push_back({c.points[i - 1], c.points[i], 1, true});
     const auto number = static_cast<std::int64_t>(layer);
-    auto rule = polygon::Fill::nonzero;
-    if (!chains.empty()) {
-        const double turned = close_chains(
-            std::move(chains), [&] { return lid_chains(sweep, layer); }, sweep.options, number, loops, notes);
-        const double all = perimeter(loops);
-        if (turned > kTurnedShare * all) {
-            rule = polygon::Fill::even_odd;
-            notes.push_back({.stage = "",
-                             .what = "layer with triangles facing every way: inside told by parity",
-                             .amount = all,
-                             .unit = "mm",
-                             .layer = number});
-        }
+    const Closed closed = close_chains(
+        std::move(chains), [&] { return lid_chains(sweep, layer); }, sweep.options, number, notes);
+    add_walls(closed.guessed, false, walls);
+    for (const Loops* more : {&closed.whole, &closed.guessed})
+        for (std::size_t l = 0; l < more->size(); ++l) loops.add((*more)[l]);
+    const double all = perimeter(loops);
+    if (closed.turned > kTurnedShare * all) {
+        notes.push_back({.stage = "",
+                         .what = "layer with triangles facing every way: inside told by parity",
+                         .amount = all,
+                         .unit = "mm",
+                         .layer = number});
+        return polygon::unite_exactly(loops, polygon::Fill::even_odd);
     }
-    const bool simple = polygon::is_simple(loops);
-    if (simple && !sweep.several_bodies) return loops;
-    if (simple) { // bodies that stay clear of each other need nothing
-        double area = 0;
-        std::size_t gaps = 0;
-        if (polygon::Loops between = bridges(loops, sweep.options.hairline, area, gaps); between.empty()) return loops;
-    }
-    return unite_bodies(loops, rule, sweep.options.hairline, number, notes);
+    if (closed.guessed.empty()) return polygon::unite_exactly(loops);
+    return solid_within(walls, *sweep.part->winding, sweep.levels[layer].plane + kLift);
+}
+
+Loops contours(const Sweep& sweep, std::size_t layer, Section section, Notes& notes) {
+    const mesh::Bodies& bodies = sweep.part->bodies;
+    const bool closed = section.open.empty(), simple = closed && polygon::is_simple(section.loops);
+    if (simple && bodies.shells == 1) return std::move(section.loops);
+    Loops solid = closed ? unite_bodies(section.loops, section.body, bodies.hollow)
+                         : open_solid(sweep, layer, std::move(section.loops), std::move(section.open), notes);
+    return heal_hairlines(std::move(solid), !simple, sweep.options.hairline, static_cast<std::int64_t>(layer), notes);
 }
 
 } // namespace
 
 Cut cut(const Sweep& sweep, std::size_t chunk) {
-    const std::size_t first = chunk * kChunk, last = std::min(first + kChunk, sweep.levels.size());
-    std::vector<std::vector<Piece>> pieces(last - first);
-    for (std::uint64_t k = sweep.chunk_start[chunk]; k < sweep.chunk_start[chunk + 1]; ++k) {
-        const auto& t = sweep.mesh->triangles[sweep.triangles[k]];
-        const std::uint32_t a = sweep.rank[t[0]], b = sweep.rank[t[1]], c = sweep.rank[t[2]];
-        const auto [low, high] = std::minmax({a, b, c});
-        for (std::size_t i = std::max<std::size_t>(low, first); i < std::min<std::size_t>(high, last); ++i)
-            pieces[i - first].push_back(piece(t, a > i, b > i, c > i));
-    }
     Cut out;
-    for (std::size_t i = first; i < last; ++i) {
+    std::size_t i = chunk * kChunk;
+    for (Section& section : sections(sweep, chunk)) {
         const Level& level = sweep.levels[i];
         out.layers.push_back({static_cast<std::uint32_t>(i), level.z, level.height, level.plane,
-                              contours(sweep, i, pieces[i - first], out.notes)});
-        pieces[i - first] = {};
+                              contours(sweep, i, std::move(section), out.notes)});
+        ++i;
     }
     return out;
 }

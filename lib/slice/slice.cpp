@@ -3,7 +3,9 @@
 #include "base/error.hpp"
 #include "mesh/holes.hpp"
 #include "mesh/place.hpp"
+#include "mesh/sheets.hpp"
 #include "parallel/parallel.hpp"
+#include "slice/volume.hpp"
 
 #include <algorithm>
 
@@ -32,8 +34,8 @@ void fill_chunks(Sweep& s) {
     s.chunk_start.assign(chunks + 1, 0);
     std::uint64_t points = 0;
     const auto each = [&](const auto& visit) {
-        for (std::uint32_t t = 0; t < s.mesh->triangles.size(); ++t) {
-            const auto& tri = s.mesh->triangles[t];
+        for (std::uint32_t t = 0; t < s.part->mesh.triangles.size(); ++t) {
+            const auto& tri = s.part->mesh.triangles[t];
             const auto [low, high] = std::minmax({s.rank[tri[0]], s.rank[tri[1]], s.rank[tri[2]]});
             if (low < high) visit(t, low, high);
         }
@@ -56,29 +58,44 @@ void fill_chunks(Sweep& s) {
 
 } // namespace
 
-Part make_part(mesh::Mesh mesh, Notes& notes) {
+Part make_part(mesh::Mesh mesh, Notes& notes, double least_wall) {
     Part out;
-    mesh::face_one_way(mesh, notes);
-    out.shells = mesh::face_outwards(mesh, notes);
-    out.lids = mesh::lids(mesh).triangles;
+    const bool two_sided = mesh::part_sheets(mesh, notes);
+    mesh::face_one_way(mesh, true, notes);
+    // with lids on its holes the mesh says more about what is inside
+    mesh::Lids found = mesh::lids(mesh);
+    const auto& lids = found.triangles;
+    mesh.triangles.insert(mesh.triangles.end(), lids.begin(), lids.end());
+    out.bodies = mesh::face_outwards(mesh, two_sided, least_wall, notes);
+    const auto first_lid = mesh.triangles.end() - static_cast<std::ptrdiff_t>(lids.size());
+    out.lids.assign(first_lid, mesh.triangles.end());
+    out.holes = std::move(found.holes);
+    mesh.triangles.erase(first_lid, mesh.triangles.end());
+    if (!out.lids.empty())
+        out.bodies = {std::vector<std::uint32_t>(mesh.vertices.size(), 0), {0}, out.bodies.shells, false};
+    if (!out.bodies.closed) out.winding = std::make_shared<const mesh::Winding>(mesh, out.lids);
     out.mesh = std::move(mesh);
     return out;
 }
 
-Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes) {
+Sweep sweep_over(const Part& part, const Options& options, std::vector<Level> levels, int threads) {
     Sweep s;
-    s.mesh = &part.mesh;
-    s.lids = part.lids;
+    s.part = &part;
     s.options = options;
-    s.several_bodies = part.shells > 1;
-    s.levels = levels(part.mesh, options, notes);
+    s.levels = std::move(levels);
+    s.top = mesh::bounds(part.mesh).hi.z;
     s.rank = ranks(part.mesh, s.levels, threads);
     fill_chunks(s);
     return s;
 }
 
+Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes) {
+    return sweep_over(part, options, levels(part.mesh, options, notes), threads);
+}
+
 std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads) {
     const Sweep s = prepare(part, options, threads, notes);
+    const auto measured = judge(s, threads, notes);
     std::vector<Cut> cuts(s.chunks());
     parallel::for_chunks(cuts.size(), 1, threads, [&](std::size_t from, std::size_t to) {
         for (std::size_t c = from; c < to; ++c) cuts[c] = cut(s, c);
@@ -88,6 +105,9 @@ std::vector<polygon::Layer> slice(const Part& part, const Options& options, Note
         std::move(c.layers.begin(), c.layers.end(), std::back_inserter(out));
         std::move(c.notes.begin(), c.notes.end(), std::back_inserter(notes));
     }
+    std::vector<double> area;
+    for (const polygon::Layer& l : out) area.push_back(polygon::signed_area(l.contours));
+    compare(s, measured, area, threads, notes);
     return out;
 }
 

@@ -7,10 +7,14 @@
 #pragma once
 
 #include "base/note.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/holes.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/winding.hpp"
 #include "polygon/region.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace filum::slice {
@@ -34,8 +38,8 @@ struct Level {
     double plane = 0;  // mid-height
 };
 
-// Planes are cut this much higher: more than what single precision leaves of a height below 100 mm.
-inline constexpr double kLift = 1e-5; // mm
+// Planes are cut this much higher: more than a mesh is rounded or jittered by (1 um at each end), less than shows.
+inline constexpr double kLift = 2.5e-3; // mm
 
 // The levels of a part that reaches from z = bottom to z = top, lowest first.  Without `adaptive` there are
 // round(height / layer_height) of them, half a layer rounded down, the first as high as asked for.  A part lower than
@@ -49,31 +53,36 @@ std::vector<Level> levels(const mesh::Mesh& mesh, const Options& options, Notes&
 // Layers that are cut together.
 inline constexpr std::size_t kChunk = 8;
 
+// A mesh made ready: in sheets that face one way and outwards, with lids for its holes; what was turned round or left
+// out is noted.
+struct Part {
+    mesh::Mesh mesh;
+    mesh::Bodies bodies;
+    std::vector<mesh::Triangle> lids;               // used where a contour ends at a hole
+    std::vector<mesh::Hole> holes;                  // that have a lid
+    std::shared_ptr<const mesh::Winding> winding{}; // of the mesh and its lids; none if it is closed
+};
+// A shell within another that leaves no wall of `least_wall` mm, taken over all, is a copy of it and no cavity.
+// Precondition: `mesh` is as mesh::read and mesh::place leave it.
+Part make_part(mesh::Mesh mesh, Notes& notes, double least_wall = Options{}.hairline);
+
 // Everything that cutting needs to know of a mesh, made once; refers to the part.
 struct Sweep {
-    const mesh::Mesh* mesh = nullptr;
-    std::vector<mesh::Triangle> lids; // of holes, used where a contour ends at one
+    const Part* part = nullptr;
     Options options;
     std::vector<Level> levels;
+    double top = 0;                         // of the part, mm
     std::vector<std::uint32_t> rank;        // per vertex: the number of planes it is above
     std::vector<std::uint64_t> chunk_start; // per chunk of layers: where its triangles begin in `triangles`
     std::vector<std::uint32_t> triangles;   // met by a plane of the chunk, by ascending number
-    bool several_bodies = false;
 
     [[nodiscard]] std::size_t chunks() const { return chunk_start.size() - 1; }
 };
 
-// A mesh made ready: facing one way and outwards, with lids for its holes; what was turned round is noted.
-struct Part {
-    mesh::Mesh mesh;
-    std::vector<mesh::Triangle> lids;
-    std::size_t shells = 0;
-};
-// Precondition: `mesh` is as mesh::read and mesh::place leave it.
-Part make_part(mesh::Mesh mesh, Notes& notes);
-
 // Throws Error as levels(), and if the contours of all layers together would have more than 2^32 points.
 Sweep prepare(const Part& part, const Options& options, int threads, Notes& notes);
+// The same for levels of any kind, lowest first.
+Sweep sweep_over(const Part& part, const Options& options, std::vector<Level> levels, int threads);
 
 // The layers of one chunk, lowest first, each with what was repaired in it.  Chunks are independent of each other, and
 // their contours do not depend on the chunking.  Contours are simple, on a grid of 0.1 um, solid on the left.
@@ -83,7 +92,7 @@ struct Cut {
 };
 Cut cut(const Sweep& sweep, std::size_t chunk);
 
-// All of it: the layers of `part`, lowest first.
+// All of it: the layers of `part`, lowest first, judged and compared (see volume.hpp).
 std::vector<polygon::Layer> slice(const Part& part, const Options& options, Notes& notes, int threads = 1);
 
 } // namespace filum::slice

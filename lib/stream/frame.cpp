@@ -62,7 +62,9 @@ Note parse_note(std::string_view body) {
     proto::Note m;
     if (!m.ParseFromArray(body.data(), static_cast<int>(body.size())))
         throw Error(Exit::bad_input, "cannot read a note frame: malformed");
-    return {m.stage(), m.what(), m.amount(), m.unit(), m.count(), m.layer(), m.x(), m.y(), m.has_z() ? m.z() : std::nan("")};
+    return {m.stage(), m.what(),  m.amount(),
+            m.unit(),  m.count(), m.layer(),
+            m.x(),     m.y(),     m.has_z() ? m.z() : std::nan("")};
 }
 
 std::string serialise(const Fact& f) {

@@ -54,7 +54,8 @@ struct Reader::State {
             throw Error(Exit::truncated,
                         "cannot read " + input.name() + ": it is empty; did the stage before it fail?");
         const std::size_t magic = std::min(head.size(), kMagicSize);
-        if (head.substr(0, magic) != std::string_view(wanted).substr(0, magic)) bad("it is no Filum stream");
+        if (head.substr(0, magic) != std::string_view(wanted).substr(0, magic))
+            bad("it is no Filum stream; meshes are read by 'slice' and 'geodesic'");
         if (head.size() < kPreambleSize) cut("inside its preamble");
         if (head != wanted) bad("its format version is not " + std::to_string(kVersion));
         crc = crc32c(0, head.data(), head.size());
@@ -105,6 +106,24 @@ Reader::Reader(std::string_view bytes, std::string name, Payload expected)
     open(expected);
 }
 
+namespace {
+
+// What to run on a stream of `here` to get `wanted`.
+std::string next_move(Payload here, Payload wanted) {
+    constexpr const char* kStages[] = {"", "slice", "regions | sequence", "fill", "link3d", "geodesic"};
+    const auto at = static_cast<int>(here), to = static_cast<int>(wanted);
+    const int last = static_cast<int>(Payload::toolpath);
+    if (here == Payload::surface && wanted == Payload::toolpath) return "; run 'surfpath' on it first";
+    if (here == Payload::unknown || at > last || to > last)
+        return "; give what '" + std::string(kStages[to]) + "' writes";
+    if (at > to) return "; give what '" + std::string(kStages[to]) + "' writes, this is further on";
+    std::string chain;
+    for (int k = at + 1; k <= to; ++k) chain += (chain.empty() ? "" : " | ") + std::string(kStages[k]);
+    return "; run '" + chain + "' on it first";
+}
+
+} // namespace
+
 void Reader::open(Payload expected) {
     State& s = *state_;
     s.check_preamble();
@@ -113,7 +132,7 @@ void Reader::open(Payload expected) {
     s.header = parse_header(first.body);
     if (expected != Payload::unknown && s.header.payload != expected)
         s.bad("it carries " + std::string(stream::name(s.header.payload)) + ", not " +
-              std::string(stream::name(expected)) + "; is a stage missing?");
+              std::string(stream::name(expected)) + next_move(s.header.payload, expected));
 }
 
 Reader::~Reader() = default;

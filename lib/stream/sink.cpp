@@ -28,13 +28,31 @@ std::string folder_of(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A link to a file is written through, not replaced.
-std::string without_links(const std::string& path) {
-    char* real = ::realpath(path.c_str(), nullptr);
-    if (real == nullptr) return path;
-    std::string out = real;
-    std::free(real); // NOLINT: realpath's contract
-    return out;
+// A link is written through, not replaced: the name it leads to at last, whether that exists or not.
+std::string without_links(std::string path) {
+    constexpr int kMost = 40; // as the kernel follows; what is left then fails by itself
+    char target[PATH_MAX];
+    for (int i = 0; i < kMost; ++i) {
+        const ssize_t n = ::readlink(path.c_str(), target, sizeof target);
+        if (n <= 0 || n == sizeof target) break;
+        const std::string next(target, static_cast<std::size_t>(n));
+        path = next.front() == '/' ? next : folder_of(path) + "/" + next;
+    }
+    return path;
+}
+
+// The open file that names such as /dev/stdout and /dev/fd/3 stand for; -1 for other names.
+int open_file_named(const std::string& path) {
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+        if (!path.starts_with(folder)) continue;
+        const std::string number = path.substr(folder.size());
+        const bool whole =
+            !number.empty() && number.size() < 7 && number.find_first_not_of("0123456789") == std::string::npos;
+        if (whole) return std::atoi(number.c_str());
+    }
+    return -1;
 }
 
 } // namespace
@@ -58,12 +76,26 @@ struct Sink::State {
     void open(const std::string& wanted) {
         struct stat info {};
         owned = true;
-        if (::stat(wanted.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
+        if (const int open = open_file_named(wanted); open >= 0) { // whoever opened it has said how
+            fd = ::fcntl(open, F_DUPFD_CLOEXEC, 0);
+            if (fd < 0) fail("create", name, errno);
+            return;
+        }
+        const bool exists = ::stat(wanted.c_str(), &info) == 0;
+        if (!exists && errno == ELOOP) fail("create", name, errno); // links that lead to themselves
+        if (exists && !S_ISREG(info.st_mode)) {
             fd = ::open(wanted.c_str(), O_WRONLY | O_CLOEXEC);
             if (fd < 0) fail("create", name, errno);
             return;
         }
         path = without_links(wanted);
+        begin();
+        // what nobody else may read stays so
+        if (exists && ::fchmod(fd, info.st_mode & 0777) != 0) fail("create", name, errno);
+    }
+
+    // A new file in the folder of `path`, without a name where the file system can do so.
+    void begin() {
         fd = ::open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
         if (fd >= 0) return;
         temporary = temporary_name();

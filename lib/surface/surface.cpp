@@ -116,7 +116,7 @@ Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces
     remove_copies(mesh, notes);
     remove_flat(mesh, notes);
     if (mesh.triangles.empty()) throw Error(Exit::bad_input, "cannot use the surface: no triangle of it has an area");
-    mesh::face_one_way(mesh, notes);
+    mesh::face_one_way(mesh, false, notes);
     std::vector<std::uint32_t> twin = join_sides(mesh, notes);
     split_fans(mesh, twin, notes);
     if (faces != nullptr) *faces = std::move(mesh.faces);

@@ -1,4 +1,4 @@
-// The whole job of `surfpath`: an algorithm, a surface, a plan of strokes.
+// The whole job of `surfpath`: an algorithm, a surface, a plan of strokes (docs/algorithms/surfaces.md).
 #pragma once
 
 #include "surface/sheet.hpp"

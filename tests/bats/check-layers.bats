@@ -189,9 +189,44 @@ nest() {
 
 @test "a link that leads nowhere" {
     printf '[a](b.md) [c](../lib/LAYERS) [d](https://example.org/e)\n' >"$tree/docs/a.md"
-    finds "docs/a.md:1: links to 'b.md'"
+    finds "docs/a.md:1: links to 'docs/b.md'"
     echo x >"$tree/docs/b.md"
     "$check" "$tree"
+}
+
+@test "a link to a heading that is not there" {
+    printf '# One word\n\n## Two: `words`, and [more](a.md)\n\n## One word\n\n```\n# no heading\n```\n' >"$tree/docs/a.md"
+    printf '[1](a.md#one-word) [2](a.md#two-words-and-more) [3](a.md#one-word-1) [4](#top)\n# Top\n' >"$tree/docs/b.md"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    echo '[5](a.md#no-heading)' >"$tree/docs/c.md"
+    finds "docs/c.md:1: links to 'docs/a.md#no-heading', a heading that is not there"
+    echo '[6](#bottom)' >"$tree/docs/c.md"
+    finds "docs/c.md:1: links to 'docs/c.md#bottom', a heading that is not there"
+}
+
+@test "a picture that no page shows" {
+    mkdir "$tree/docs/pictures"
+    echo x >"$tree/docs/pictures/a.png"
+    echo '![a](pictures/a.png)' >"$tree/docs/a.md"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    echo x >"$tree/docs/pictures/b.png"
+    finds 'docs/pictures/b.png: is in no page'
+}
+
+@test "a page named in a comment that is not there, or a heading of it" {
+    printf '# Why\n' >"$tree/docs/a.md"
+    printf '// Right, see docs/a.md#why; as docs/NAME.md.\n#include "base/error.hpp"\nnamespace filum::cli {\n}\n' >"$tree/lib/cli/more.cpp"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    sed -i 's/#why/#how/' "$tree/lib/cli/more.cpp"
+    finds "lib/cli/more.cpp:1: links to 'docs/a.md#how', a heading that is not there"
+    sed -i 's/a.md#how/b.md/' "$tree/lib/cli/more.cpp"
+    finds "lib/cli/more.cpp:1: links to 'docs/b.md', which is not there"
 }
 
 @test "a folder that the page on architecture does not name" {

@@ -77,7 +77,7 @@ chain() {
 @test "F12: layer by layer, every island of every layer is a stroke" {
     slice towers.stl | regions >all.regions
     strokes() { sequence "$@" --report all.regions 2>&1 >out.sequence | sed -n "s/^sequence: $fact //p"; }
-    fact=strokes
+    fact=planned-strokes
     baseline=$(strokes --order sun2019)
     default=$(strokes)
     [ "$baseline" = 61 ]

@@ -86,3 +86,99 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     out=$(env -i HOME=/ PATH=/usr/bin:/bin bash -c 'eval "$("$1" env)" && slice part.stl | peek --check && echo fine' - "$front")
     [[ $out == fine ]]
 }
+
+@test "filum print takes a file behind --" {
+    cp part.stl ./-part.stl
+    expect 0 filum print -o dashes.gcode -- -part.stl
+    [[ -s dashes.gcode ]]
+    expect 0 filum print -o plain.gcode -- part.stl
+    cmp dashes.gcode plain.gcode
+}
+
+@test "filum print tells of a wrong profile once, and what was meant" {
+    expect 2 filum print part.stl --machine marln
+    complaint filum
+    [[ $err == *"did you mean 'marlin'?"* ]]
+    expect 2 filum print part.stl --set nozzle_tmp=250
+    complaint filum
+    [[ $err == *"did you mean 'nozzle_temp'?"* ]]
+    expect 2 filum print part.stl --head marln
+    complaint filum
+    printf 'name = "x"\nabuot = "y"\n' > wrong.toml
+    expect 3 filum print part.stl --machine ./wrong.toml
+    complaint filum
+}
+
+@test "filum print writes no program to a terminal, and ends quietly if its reader leaves" {
+    command -v script > /dev/null || skip "no script(1)"
+    code=0
+    script -qec "filum print part.stl" /dev/null > tty.out < /dev/null || code=$?
+    [[ $code == 2 && $(cat tty.out) == *"-o part.gcode"* && $(wc -c < tty.out) -lt 200 ]]
+    boxes big.stl 0,0,0,60,60,6
+    filum print big.stl 2> err | head -n 1 > first
+    [[ -s first && ! -s err ]] || { cat err; false; }
+}
+
+@test "an option that does nothing in any stage is refused by the stage that has it" {
+    expect 2 filum print part.stl --spacing 1.2
+    [[ $err == *"fill: cannot use --spacing: it does nothing without --pattern scaffold"* ]]
+    expect 0 filum print part.stl --start-shift 1 --method sun2019 --dry-run
+    [[ $out == *"fill --start-shift=1"* && $out != *"link3d --start-shift"* ]]
+}
+
+@test "control codes of names and files are shown, not sent" {
+    cp part.stl $'odd\033[31m\nname.stl'
+    expect 5 slice $'no\033[31m\nsuch.stl'
+    complaint slice
+    [[ $err != *$'\033'* && $err == *'\x1b[31m\nsuch'* ]]
+    head -c 30 part.stl > $'odd\033[31m\nname.stl'
+    expect '3|4' slice $'odd\033[31m\nname.stl'
+    complaint slice
+    [[ $err != *$'\033'* ]]
+    geodesic part.stl | partition --names $'a\033[31mb' 2> /dev/null > named.patches || true
+    if [[ -s named.patches ]]; then
+        peek --text named.patches > text
+        ! grep -q $'\033' text
+    fi
+}
+
+@test "an output keeps the mode of the file it replaces, follows links, and goes to what is open" {
+    echo old > mine
+    chmod 600 mine
+    slice part.stl -o mine
+    [[ $(stat -c %a mine) == 600 ]]
+    peek --check mine
+    ln -s later.layers dangling
+    slice part.stl -o dangling
+    [[ -L dangling ]]
+    peek --check later.layers
+    echo kept > appended
+    slice part.stl | peek -o /dev/stdout >> appended
+    [[ $(head -n 1 appended) == kept && $(wc -l < appended) -gt 3 ]]
+    mkfifo tube
+    cat tube > through &
+    slice part.stl -o tube
+    wait
+    cmp through mine
+}
+
+@test "ten typical mistakes are answered in one line that says what to type" {
+    slice part.stl -o part.layers
+    said() { # PATTERN COMMAND...: one line that holds it
+        local pattern=$1
+        shift
+        expect '2|3' "$@"
+        [[ $(wc -l <<< "$err") -eq 1 && $err == *"$pattern"* ]] || { echo "$*: $err"; false; }
+    }
+    said "did you mean '--layer-height'?" slice --layerheight 0.3 part.stl
+    said "did you mean '--layer-height'?" slice -layer-height 0.3 part.stl
+    said "did you mean 'spiral'?" fill --pattern spirl part.layers
+    said "run 'regions | sequence' on it first" fill part.layers
+    said "'slice'" regions part.stl
+    said "did you mean 'marlin'?" postproc --machine marln part.layers
+    said "did you mean 'feeds.bead'?" filum print part.stl --set feeds.baed=40
+    said "--pattern scaffold" filum fill --spacing 1 part.layers
+    said "did you mean 'slice'?" filum slcie part.stl
+    said "at least" slice --layer-height 0 part.stl
+    said "see 'slice --help'" slice part.stl other.stl
+}

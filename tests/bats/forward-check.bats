@@ -29,7 +29,7 @@ check() { "$BATS_TEST_DIRNAME/../../scripts/forward-check" --out "$BATS_TEST_TMP
     cd "$BATS_TEST_TMPDIR/out"
     run "$BATS_TEST_DIRNAME/../../scripts/forward-check" klipper-xyzac-joints-cone.txt cone.toolpath klipper-xyzac
     [ "$status" -eq 0 ]
-    awk '/^G1 .*E/ && ++n == 300 { sub(/ E/, " Z1 E") } { print }' klipper-xyzac-joints-cone.txt > off.txt
+    awk '/^G1 .*E/ && ++n == 60 { sub(/ E/, " Z1 E") } { print }' klipper-xyzac-joints-cone.txt > off.txt
     run "$BATS_TEST_DIRNAME/../../scripts/forward-check" off.txt cone.toolpath klipper-xyzac
     [ "$status" -eq 1 ]
     run "$BATS_TEST_DIRNAME/../../scripts/forward-check" --nonsense

@@ -32,7 +32,7 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
         postproc --machine $m part.toolpath -o $m.txt 2> $m.err
         [ ! -s $m.err ]
         grep -q "filum program for '$m'" $m.txt
-        tail -n 4 $m.txt | grep -q 'end of program, [1-9][0-9]* moves'
+        tail -n 6 $m.txt | grep -q 'end of program, [1-9][0-9]* moves'
         absent -E '[0-9]e[-+]?[0-9]' <(grep -E '^(LIN|MoveL|movel)' $m.txt)
     done
     [ "$(grep -c '^LIN' kuka-krl.txt)" -eq "$(grep -c '^movel' ur.txt)" ]
@@ -61,7 +61,7 @@ machines="marlin klipper reprapfirmware linuxcnc cellink-inkredible bio-x syring
     postproc part.toolpath > a.gcode
     grep -q '^;TIME:[1-9]' a.gcode
     used=$(sed -n 's/^; filament used \[mm\] = //p' a.gcode)
-    laid=$(sed -e 's/;.*//' a.gcode | awk '/^G1 X60|^M106/ { on = 1 } on && match($0, /E-?[0-9.]+/) { s += substr($0, RSTART + 1, RLENGTH - 1) } END { print s }')
+    laid=$(sed -e 's/;.*//' a.gcode | awk '/^M83/ && ++n == 2 { on = 1 } on && match($0, /E-?[0-9.]+/) { s += substr($0, RSTART + 1, RLENGTH - 1) } END { print s }')
     # all but the last retraction of 2 mm
     awk -v a="$used" -v b="$laid" 'BEGIN { d = a - (b + 2); exit !(d < 0.006 && d > -0.006) }'
 }

@@ -42,7 +42,7 @@ box() { # lower and upper x
 }
 
 strokes() { # options of sequence
-    slice towers.stl | regions | sequence "$@" --report 2>&1 > out.regions | sed -n 's/^sequence: strokes //p'
+    slice towers.stl | regions | sequence "$@" --report 2>&1 > out.regions | sed -n 's/^sequence: planned-strokes //p'
 }
 
 @test "two towers: a stroke each without a head, in turns with one, layer by layer on demand" {

@@ -14,7 +14,7 @@ namespace {
 using collision::Against;
 using geom::Vec3;
 
-collision::Found check(Things& t, std::vector<collision::Solid> beads, const machine::Head& head,
+collision::Found check(Things& t, std::vector<collision::Solid> beads, const collision::Heads& head,
                        const std::vector<collision::Move>& moves, const Options& o, int threads) {
     if (o.bed) t.solids[static_cast<std::size_t>(Against::bed)] = collision::bed(moves);
     const collision::Scene scene{collision::Tree(std::move(beads)), collision::Tree(std::move(t.solids[1])),
@@ -31,7 +31,7 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
     if (read.moves.empty())
         throw Error(Exit::bad_input, "cannot find a move in the program " + mesh::spoken_name(o.program));
     Things t(o.part, o.fixture);
-    const auto found = check(t, std::move(read.beads), profile.head, read.moves, o, io.threads);
+    const auto found = check(t, std::move(read.beads), heads_of(profile), read.moves, o, io.threads);
     const collision::Answer answer{read.moves, found, o.check, collision::Source::line};
     write_places(o.places, answer);
     auto figures = collision::summary(answer);
@@ -49,7 +49,7 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
 
 void toolpath(const Options& o, const collision::Machine& machine, const cli::Io& given) {
     cli::Io io = given;
-    add_settings(machine.head, io);
+    add_settings(machine.head.common, io);
     stream::Reader reader(io.input, stream::Payload::toolpath);
     stream::Spool spool;
     collision::Walk walk(machine);

@@ -10,16 +10,16 @@ std::vector<cli::Option> options(Surroundings& to) {
     return cli::with(
         {Option{"part", &to.part, "FILE,...", "meshes that are there before, as a core or a mould"}.not_a_setting(),
          Option{"fixture", &to.fixture, "FILE,...", "meshes of what holds the part"}.not_a_setting(),
-         {"bed", &to.bed, "", "the plane z = 0 is there, too"},
+         Option{"bed", &to.bed, "", "the plane z = 0 is there, too"}.a_limit(),
          Option{"machine", &to.machine, "NAME|FILE", "machine profile: its head, unless --head names another"}
              .not_a_setting(),
-         {"set", &to.set, "KEY=VALUE,...", "change keys of the profile, as travel.lift=2"},
+         Option{"set", &to.set, "KEY=VALUE,...", "change keys of the profile, as travel.lift=2"}.when("machine"),
          length("step", &to.check.step, "how far a point of the head moves between two checks")
-             .at_least(0.001)
-             .at_most(1000),
-         length("press", &to.check.press, "what rises less above the tip does not count").at_least(0).at_most(10),
-         length("margin", &to.check.margin, "how far the head is to stay away").at_least(0).at_most(1e4),
-         {"strict", &to.strict, "", "a collision is an error (the default; =false for a note)"},
+             .within(0.001, 1000)
+             .a_limit(),
+         length("press", &to.check.press, "what rises less above the tip does not count").within(0, 10).a_limit(),
+         length("margin", &to.check.margin, "how far the head is to stay away").within(0, 1e4).a_limit(),
+         Option{"strict", &to.strict, "", "a collision is an error (the default; =false for a note)"}.a_limit(),
          Option{"places", &to.places, "FILE", "list of collisions, as TSV"}.not_a_setting()},
         cli::head_options(to.head));
 }

@@ -49,12 +49,24 @@ machine::Profile profile_of(const std::string& name, const std::string& set, con
     machine::Profile profile;
     if (!name.empty()) profile = machine::load_profile(name, set);
     const bool own = !name.empty() && head.name == "ordinary";
-    profile.head = own ? machine::altered(profile.head, head) : machine::head(head);
+    const auto chosen = [&](const machine::Head& of) { return own ? machine::altered(of, head) : machine::head(head); };
+    profile.head = chosen(profile.head);
+    for (auto& [tool, with] : profile.own) {
+        machine::Profile changed = *with;
+        changed.head = chosen(with->head);
+        with = std::make_shared<const machine::Profile>(std::move(changed));
+    }
     return profile;
 }
 
+collision::Heads heads_of(const machine::Profile& profile) {
+    collision::Heads out = profile.head;
+    for (const auto& [tool, own] : profile.own) out.own.emplace(tool, own->head);
+    return out;
+}
+
 collision::Machine machine_of(const machine::Profile& profile) {
-    return {profile.head, profile.travel.lift, profile.travel.min_length, profile.axes.active()};
+    return {heads_of(profile), profile.travel.lift, profile.travel.min_length, profile.axes.active()};
 }
 
 void add_settings(const machine::Head& head, cli::Io& io) {

@@ -32,6 +32,7 @@ void check_place(const geom::Vec3& p, const std::string& what);
 // Throws Error(usage) for changes without a profile.
 machine::Profile profile_of(const std::string& name, const std::string& set, const machine::HeadChoice& head);
 
+collision::Heads heads_of(const machine::Profile& profile); // of all tools
 collision::Machine machine_of(const machine::Profile& profile);
 
 // The head, as settings for the history.

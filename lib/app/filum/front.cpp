@@ -5,11 +5,15 @@
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
 #include "base/shell.hpp"
+#include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
+#include <unistd.h>
 
 namespace filum::app::filum {
 
@@ -72,11 +76,38 @@ std::string print_help(const std::vector<Stage>& stages) {
     return out + "\nfilum help STAGE explains them.\n";
 }
 
+// What --NAME= says in the words of a stage, the last time; else `otherwise`.
+std::string value_in(const std::vector<std::string>& words, const std::string& name, const std::string& otherwise) {
+    const std::string start = "--" + name + "=";
+    std::string out = otherwise;
+    for (const std::string& word : words)
+        if (word.starts_with(start)) out = word.substr(start.size());
+    return out;
+}
+
+// Reads the profiles that stages will read, so that what is wrong with one is told once, before any work.
+void check_profiles(const Request& request, const std::vector<Stage>& stages) {
+    std::set<std::pair<std::string, std::string>> seen; // name, --set
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+        const auto& words = request.arguments[s];
+        std::string usual;
+        for (const StageOption& o : stages[s].options)
+            if (o.name == "machine") usual = o.value;
+        const std::string set = value_in(words, "set", "");
+        const std::string machine = value_in(words, "machine", set.empty() ? "" : usual);
+        const std::string head = value_in(words, "head", "");
+        if (!machine.empty() && seen.insert({machine, set}).second) machine::load_profile(machine, set);
+        if (head.empty() || head == "ordinary" || head == "none" || head == machine) continue;
+        if (seen.insert({head, ""}).second) machine::load_profile(head);
+    }
+}
+
 int print_part(const std::vector<std::string>& words) {
     std::vector<Stage> stages;
     for (const char* name : kPlanar) stages.push_back(ask(name));
     if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return print(print_help(stages)), 0;
     const Request request = route(words, stages);
+    check_profiles(request, stages);
     std::vector<Command> commands;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         Command command{stages[i].program};
@@ -94,10 +125,14 @@ int print_part(const std::vector<std::string>& words) {
         }
         return print(line + "\n"), 0;
     }
+    if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
+        throw Error(Exit::usage,
+                    "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");
     const auto ended = run_piped(commands);
     std::size_t who = 0;
     const int code = verdict(ended, who);
     if (code == 0) return 0;
+    if (code == 128 + SIGPIPE) return code; // whoever read the program had enough
     if (ended[who].by_signal)
         throw Error(Exit::failure,
                     "stage '" + stages[who].name + "' was killed by signal " + std::to_string(code - 128));

@@ -1,6 +1,8 @@
 #include "app/filum/route.hpp"
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "cli/needs.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -84,12 +86,63 @@ void hand_on_machine(const std::vector<Stage>& stages, std::vector<Given>& to) {
             to[s].all.push_back("--head=" + name);
 }
 
+// How an option of the stage stands after the words that it is given.
+cli::Lookup lookup(const Stage& stage, const Given& given) {
+    return [&](const std::string& name) -> cli::Standing {
+        const StageOption* option = find(stage, name);
+        if (option == nullptr) return {};
+        const std::string* word = last(given, "--" + name + "=");
+        const bool flag = !option->takes_value && last(given, "--" + name) != nullptr;
+        const std::string value = word != nullptr ? word->substr(name.size() + 3) : flag ? "true" : option->value;
+        return {value, value != option->value};
+    };
+}
+
+std::string name_in(const std::string& word) { return split(word).name; }
+
+bool idle(const Stage& stage, const Given& given, const std::string& name) {
+    const StageOption* option = find(stage, name);
+    return option != nullptr && cli::fault(name, option->needs, lookup(stage, given)).has_value();
+}
+
+// An option that was given for all stages goes only to those where it does something.  Where it does nothing in any,
+// all get it, and say what it needs.
+void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
+    const std::vector<Given> before = to;
+    const auto works = [&](const std::string& name) {
+        for (std::size_t s = 0; s < stages.size(); ++s)
+            if (find(stages[s], name) != nullptr && !idle(stages[s], before[s], name)) return true;
+        return false;
+    };
+    for (std::size_t s = 0; s < stages.size(); ++s)
+        std::erase_if(to[s].all, [&](const std::string& word) {
+            const std::string name = name_in(word);
+            return idle(stages[s], before[s], name) && works(name);
+        });
+}
+
+[[noreturn]] void unknown(const Word& word, const std::string& typed, const std::vector<Stage>& stages) {
+    std::vector<std::string> names, folders;
+    for (const Stage& s : stages) {
+        folders.push_back(s.name);
+        if (word.stage.empty() || word.stage == s.name)
+            for (const StageOption& o : s.options) names.push_back(o.name);
+    }
+    const bool stage = !word.stage.empty() && names.empty();
+    const std::string meant = stage
+                                  ? did_you_mean(word.stage, folders, "--")
+                                  : did_you_mean(word.name, names, word.stage.empty() ? "--" : "--" + word.stage + ".");
+    throw Error(Exit::usage, "unknown option '" + typed +
+                                 "': " + (stage ? "the chain has no such stage" : "no stage of the chain has it") +
+                                 (meant.empty() ? kSee : meant));
+}
+
 } // namespace
 
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Request out;
     std::vector<Given> given(stages.size());
-    bool has_input = false;
+    bool has_input = false, names_only = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         const auto next = [&]() -> const std::string& {
@@ -97,19 +150,22 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
                 throw Error(Exit::usage, "cannot use '" + word + "' without a file name" + kSee);
             return words[i];
         };
-        if (word == "-o" || word == "--output")
+        const bool option = !names_only && word.starts_with("-") && word != "-";
+        if (option && word == "--")
+            names_only = true;
+        else if (option && (word == "-o" || word == "--output"))
             out.output = next();
-        else if (word.starts_with("--output="))
+        else if (option && word.starts_with("--output="))
             out.output = word.substr(9);
-        else if (word == "--dry-run")
+        else if (option && word == "--dry-run")
             out.dry_run = true;
-        else if (word == "-q") {
+        else if (option && word == "-q") {
             for (auto& g : given) g.all.emplace_back("--quiet");
-        } else if (word.starts_with("--") && word.size() > 2) {
-            if (!give(split(word), stages, given, i, words))
-                throw Error(Exit::usage, "unknown option '" + word + "': no stage of the chain has it" + kSee);
-        } else if (word.starts_with("-") && word != "-") {
-            throw Error(Exit::usage, "unknown option '" + word + "'" + kSee);
+        } else if (option && word.starts_with("--")) {
+            const std::string typed = word;
+            if (!give(split(typed), stages, given, i, words)) unknown(split(typed), typed, stages);
+        } else if (option) {
+            unknown({"", word.substr(1), {}}, word, stages);
         } else if (has_input || word.empty()) {
             throw Error(Exit::usage, "unexpected argument '" + word + "'" + kSee);
         } else {
@@ -118,6 +174,7 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
         }
     }
     hand_on_machine(stages, given);
+    keep_effective(stages, given);
     for (Given& g : given) {
         g.all.insert(g.all.end(), g.own.begin(), g.own.end());
         out.arguments.push_back(std::move(g.all));

@@ -16,9 +16,11 @@ struct Request {
 };
 
 // Gives every option to each stage that has it, so that one --bead-width serves all; --fill.bead-width goes to `fill`
-// alone and wins there.  --machine also names the head of each stage that has a --head and is not given one.  Options
-// take their value behind a space or a '='. Throws Error(usage) for options that no stage has, values that are missing,
-// and a second input.
+// alone and wins there.  Where it would do nothing, an option for all is left out, if it does something in another
+// stage.
+// --machine also names the head of each stage that has a --head and is not given one.  Options
+// take their value behind a space or a '='; behind "--" all are names.  Throws Error(usage) for options that no stage
+// has, values that are missing, and a second input.
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

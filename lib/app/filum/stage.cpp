@@ -2,6 +2,7 @@
 
 #include "app/filum/process.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -38,8 +39,12 @@ std::string stage_folder() {
 
 std::string stage_program(const std::string& name) {
     const fs::path file = fs::path(stage_folder()) / name;
-    if (name.empty() || name == "filum" || name.find('/') != std::string::npos || !is_program(file))
-        throw Error(Exit::usage, "unknown command '" + name + "'; see 'filum list'");
+    if (name.empty() || name == "filum" || name.find('/') != std::string::npos || !is_program(file)) {
+        std::vector<std::string> names = stage_names();
+        for (const char* own : {"print", "list", "env", "help"}) names.emplace_back(own);
+        const std::string meant = did_you_mean(name, names);
+        throw Error(Exit::usage, "unknown command '" + name + "'" + (meant.empty() ? "; see 'filum list'" : meant));
+    }
     return file.string();
 }
 
@@ -50,6 +55,23 @@ std::vector<std::string> stage_names() {
     std::sort(out.begin(), out.end());
     return out;
 }
+
+namespace {
+
+// "NAME REST" for the option of that name.
+void add_to_option(Stage& stage, const std::string& key, const std::string& line) {
+    const auto space = std::min(line.find(' '), line.size());
+    const std::string rest = line.substr(std::min(space + 1, line.size()));
+    for (StageOption& o : stage.options) {
+        if (o.name != line.substr(0, space)) continue;
+        if (key == "default")
+            o.value = rest;
+        else
+            o.needs = rest;
+    }
+}
+
+} // namespace
 
 Stage ask(const std::string& name) {
     Stage out{name, stage_program(name), "", "", "", {}};
@@ -67,6 +89,8 @@ Stage ask(const std::string& name) {
             out.options.push_back({rest, false});
         else if (key == "option")
             out.options.push_back({rest.substr(0, rest.find(' ')), true});
+        else if (key == "default" || key == "needs")
+            add_to_option(out, key, rest);
     }
     if (out.in.empty())
         throw Error(Exit::failure, "cannot use '" + out.program + "' as a stage: it says nothing about itself");

@@ -9,6 +9,8 @@ namespace filum::app::filum {
 struct StageOption {
     std::string name;
     bool takes_value = false;
+    std::string value = {}; // its default
+    std::string needs = {}; // as cli::Option::when
 };
 
 // What a stage answers to --print-contract.

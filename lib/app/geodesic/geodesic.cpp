@@ -1,6 +1,7 @@
 #include "app/geodesic/geodesic.hpp"
 
 #include "base/error.hpp"
+#include "cli/step_options.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/lines.hpp"
 
@@ -28,6 +29,7 @@ filum::geodesic::Sources sources(const Options& o, const surface::Surface& s, cl
 void run(const Options& o, const cli::Io& io) {
     cli::Io self = io; // with what identifies the input
     Model m = read(o.place, self, o.step);
+    if (o.mesh.empty()) cli::step_idle(io, m.step);
     shape(m, o.shape, o.place, self);
     Facts facts = surface::facts(m.sheet.surface);
     const auto from = sources(o, m.sheet.surface, self, m.notes, facts);

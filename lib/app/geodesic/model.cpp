@@ -20,9 +20,10 @@ void identify(const mesh::Bytes& bytes, const char* setting, cli::Io& self) {
 }
 
 mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Placement place, Notes& notes,
-                  const mesh::step::Tessellation& how) {
+                  const mesh::step::Tessellation& how, bool* step = nullptr) {
     mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), how);
     notes.insert(notes.end(), file.notes.begin(), file.notes.end());
+    if (step != nullptr) *step = file.kind == mesh::Kind::step;
     place.on_bed = false;
     mesh::place(file.mesh, place, mesh::states_unit(file.kind), notes);
     return std::move(file.mesh);
@@ -61,7 +62,7 @@ Model read(const mesh::Placement& place, cli::Io& self, const mesh::step::Tessel
     if (stream::is_stream(bytes.view())) return of_stream(bytes, place, self.input);
     identify(bytes, "input_crc32c", self);
     Model out;
-    mesh::Mesh mesh = placed(bytes, self.input, place, out.notes, how);
+    mesh::Mesh mesh = placed(bytes, self.input, place, out.notes, how, &out.step);
     out.sheet.surface = surface::connect(std::move(mesh), out.notes, &out.sheet.faces);
     return out;
 }

@@ -11,6 +11,7 @@ namespace filum::app::geodesic {
 struct Model {
     surface::Sheet sheet;
     Notes notes;       // to be written: what was repaired, left out or moved
+    bool step = false; // it comes from a STEP file
     cli::Whole before; // of the stream it came by: its header, notes and facts; of a mesh file none
 };
 

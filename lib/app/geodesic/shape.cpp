@@ -8,11 +8,15 @@ namespace filum::app::geodesic {
 using cli::Option;
 
 std::vector<Option> options(Shaping& to) {
-    return {Option{"cut", &to.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4),
+    return {Option{"cut", &to.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
+                                                                                                                   1e7),
             Option{"cut-mesh", &to.cut_mesh, "FILE", "cut by a closed mesh, in a file as the input's"}.not_a_setting(),
-            Option{"keep", &to.keep, "", "what of the surface --cut-mesh leaves"}.one_of({"outside", "inside"}),
+            Option{"keep", &to.keep, "", "what of the surface --cut-mesh leaves"}
+                .one_of({"outside", "inside"})
+                .when("cut-mesh"),
             Option{"remesh", &to.remesh, "MM", "make all sides about this long, rims and sharp edges kept; 0: do not"}
-                .at_least(0)};
+                .zero_or_at_least(0.001)
+                .at_most(1e6)};
 }
 
 void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {

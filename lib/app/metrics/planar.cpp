@@ -35,6 +35,7 @@ filum::metrics::figures::Figures planar(const filum::metrics::planar::Options& g
                                          std::string(stream::name(payload)) + ", not Toolpath or Paths");
     filum::metrics::planar::Pace pace(profile);
     input.whole_program = payload == stream::Payload::toolpath;
+    bool level = true; // no bead lies on a curved surface
     while (auto f = reader.next()) {
         if (f->tag == stream::Tag::note) input.notes.push_back(stream::parse_note(f->body));
         if (f->tag == stream::Tag::fact) input.facts.push_back(stream::parse_fact(f->body));
@@ -44,14 +45,18 @@ filum::metrics::figures::Figures planar(const filum::metrics::planar::Options& g
             filum::metrics::planar::add(beads, paths);
         } else if (f->tag == stream::Tag::span) {
             const auto span = wire::span(*f);
+            if (!span.normals.empty()) level = false;
             filum::metrics::planar::add(beads, span);
             filum::metrics::planar::follow(input.course, span);
             pace.add(span);
         }
     }
     input.seconds = pace.seconds();
+    if (!pace.why().empty())
+        input.notes.push_back({io.program, "print time not known: " + pace.why(), 0, "", 1, -1, NAN, NAN});
     input.tools = pace.tools();
     const auto layers = filum::metrics::planar::measure_layers(beads, regions, options.pixel, io.threads);
+    if (level) input.air = filum::metrics::planar::measure_air(beads, options.pixel, io.threads);
     if (options.pores) input.pores = filum::metrics::planar::measure_pores(beads, regions, layers, io.threads);
     auto measured = filum::metrics::planar::report(input, beads, regions, layers, options, io.threads);
     if (!options.per_region.empty()) cli::write_text(options.per_region, filum::metrics::planar::region_table(layers));

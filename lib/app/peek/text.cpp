@@ -1,6 +1,7 @@
 #include "app/peek/text.hpp"
 
 #include "base/number.hpp"
+#include "base/printable.hpp"
 
 #include <cmath>
 
@@ -36,8 +37,9 @@ void append_record(std::string& out, const Record& record, const std::string& in
         } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
             out += " " + name + " " + std::to_string(*whole);
         } else if (const auto* word = std::get_if<Word>(&value)) {
-            const bool plain = word->text.find(' ') == std::string::npos && !word->text.empty();
-            out += " " + name + " " + (plain ? word->text : "'" + word->text + "'");
+            const std::string text = printable(word->text);
+            const bool plain = text.find(' ') == std::string::npos && !text.empty();
+            out += " " + name + " " + (plain ? text : "'" + text + "'");
         } else if (const auto* table = std::get_if<Table>(&value)) {
             out += " " + name;
             for (const auto& column : *table) out += (&column == table->data() ? " " : ",") + column.name;
@@ -55,9 +57,9 @@ void append_record(std::string& out, const Record& record, const std::string& in
 }
 
 std::string line(const std::string& name, const std::string& value) {
-    std::string out = name;
+    std::string out = printable(name);
     out.resize(std::max<std::size_t>(out.size() + 1, 14), ' ');
-    return out + value + "\n";
+    return out + printable(value) + "\n";
 }
 
 } // namespace
@@ -71,7 +73,8 @@ std::string text(const stream::Header& header) {
         for (const auto parent : run.parents) what += " " + std::to_string(parent);
         out += line("run " + std::to_string(i), what);
         for (const auto& s : run.settings)
-            out += std::string(14, ' ') + s.name + " = " + s.value + (s.changed ? "  (not the default)" : "") + "\n";
+            out += std::string(14, ' ') + printable(s.name + " = " + s.value) +
+                   (s.changed ? "  (not the default)" : "") + "\n";
     }
     return out;
 }

@@ -31,7 +31,15 @@ double length(std::span<const Vec3> points, bool closed) {
 }
 
 Note lines_note(const char* what, double mm, const Vec3& at) {
-    return {.stage = "", .what = what, .amount = mm, .unit = "mm", .count = 1, .layer = -1, .x = at.x, .y = at.y, .z = at.z};
+    return {.stage = "",
+            .what = what,
+            .amount = mm,
+            .unit = "mm",
+            .count = 1,
+            .layer = -1,
+            .x = at.x,
+            .y = at.y,
+            .z = at.z};
 }
 
 std::vector<std::vector<Contour>> contours(const Surface& s, std::span<const double> values, double step, double least,

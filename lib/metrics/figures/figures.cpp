@@ -1,5 +1,7 @@
 #include "metrics/figures/figures.hpp"
 
+#include "base/printable.hpp"
+
 #include "base/number.hpp"
 
 #include <algorithm>
@@ -25,12 +27,6 @@ std::string value(const Figure& f) {
     if (const auto* n = std::get_if<std::uint64_t>(&f.value)) return std::to_string(*n);
     if (const auto* d = std::get_if<double>(&f.value)) return fixed(*d, f.decimals);
     return std::get<std::string>(f.value);
-}
-
-std::string one_line(std::string s) {
-    for (char& c : s)
-        if (c == '\t' || c == '\n' || c == '\r') c = ' ';
-    return s;
 }
 
 std::string quoted(const std::string& s) {
@@ -69,7 +65,7 @@ std::string table(const Figures& figures) {
         const bool number = !std::holds_alternative<std::string>(f.value);
         out += "  " + f.name + std::string(left - f.name.size() + 2, ' ');
         if (number) out += std::string(right - v.size(), ' ');
-        out += one_line(v) + (f.unit.empty() ? "" : " " + f.unit) + "\n";
+        out += printable(v) + (f.unit.empty() ? "" : " " + f.unit) + "\n";
     }
     return out;
 }
@@ -77,7 +73,7 @@ std::string table(const Figures& figures) {
 std::string tsv(const Figures& figures) {
     std::string out = "group\tname\tvalue\tunit\n";
     for (const Figure& f : figures)
-        out += one_line(f.group) + "\t" + one_line(f.name) + "\t" + one_line(value(f)) + "\t" + f.unit + "\n";
+        out += printable(f.group) + "\t" + printable(f.name) + "\t" + printable(value(f)) + "\t" + f.unit + "\n";
     return out;
 }
 

@@ -1,12 +1,13 @@
 // How long a machine takes for a toolpath, and what each of its tools does.
 #pragma once
 
-#include "machine/motion.hpp"
 #include "machine/profile.hpp"
+#include "postproc/survey.hpp"
 #include "toolpath/path.hpp"
 
 #include <map>
-#include <set>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace filum::metrics::planar {
@@ -19,41 +20,37 @@ struct ToolShare {
     double print_seconds = 0;    // with the pauses of its strokes
     double travel_seconds = 0;   // on the way to its strokes, with what is pushed or given before they begin
     std::size_t strokes = 0, cuts = 0;
-    std::size_t too_short = 0; // strokes of fibre below the profile's least_path: no machine lays them
+    std::size_t too_short = 0; // strokes of fibre below the profile's least_path: no machine lays them, nor takes time
 };
 
-// Time of the moves from the first extruding one to the last, by trapezoidal speed profiles with look-ahead
-// (machine/motion.hpp). A travel of at least travel.min_length takes back material, rises above all printed so far,
-// moves, comes down and primes; one that is shorter only moves, as does a jump between spans.  One from or to fibre, or
-// to another tool, always rises.  Fibre is laid as machine::stretches says; codes of a tool change take no time.
+// Lengths, volumes and strokes as the toolpath has them; times of the program that postproc would write of it, by the
+// planner of the profile's controller (machine/motion.hpp), from above the first stroke on.  Codes of templates and of
+// a tool change take no time.  With rotary axes the toolpath is kept until it ends.
 class Pace {
   public:
-    explicit Pace(const machine::Profile& profile) : profile_(profile), clock_(profile.motion) {}
+    explicit Pace(const machine::Profile& profile);
     void add(const toolpath::Span& span);
-    double seconds(); // so far; ends the stroke
+    // Ends the toolpath; only once.  Below 0 where the machine cannot do it: `why` then says what postproc would.
+    double seconds();
+    [[nodiscard]] const std::string& why() const { return why_; }
 
-    // By number, after seconds(); its parts add up to the whole.
+    // By number, after seconds(); their times add up to the whole.
     [[nodiscard]] const std::map<std::uint32_t, ToolShare>& tools() const { return tools_; }
 
   private:
-    void travel(const toolpath::Span& span);
-    void extrude(const toolpath::Span& span);
-    void begin(const toolpath::Span& span);
-    void lay_fibre();
-    void go(geom::Vec3 to, double feed);
-    void charge();
-    [[nodiscard]] bool lays_fibre() const { return profile_.fibre.lays(tool_); }
+    void count(const toolpath::Span& span);
+    [[nodiscard]] postproc::Survey survey();
 
     machine::Profile profile_;
-    machine::Clock clock_;
-    geom::Vec3 at_;  // of the nozzle
-    double top_ = 0; // highest point printed so far
-    bool begun_ = false, open_ = false, risen_ = false;
-    std::uint32_t tool_ = 0;
-    std::set<std::uint32_t> retracted_; // tools
-    std::vector<toolpath::Span> fibre_; // of the stroke that is still open
+    postproc::Surveyor surveyor_;
+    std::unique_ptr<postproc::Walker> walker_; // with three axes
+    std::vector<toolpath::Span> kept_;         // with more
     std::map<std::uint32_t, ToolShare> tools_;
-    double charged_ = 0; // s of the clock
+    std::string why_;
+    bool begun_ = false, open_ = false; // a bead; a stroke
+    std::uint32_t tool_ = 0;
+    double fibre_ = 0; // mm of the stroke of fibre that is open
+    void close();
 };
 
 } // namespace filum::metrics::planar

@@ -141,6 +141,17 @@ void areas(const std::vector<LayerFigures>& layers, double claimed, Figures& out
     out.push_back({g, "layers below 0.90", count(static_cast<std::size_t>(below))});
 }
 
+void air_figures(const Air& a, Figures& out) {
+    const std::string g = "in the air";
+    out.push_back({g, "area in the air", a.area, 2, "mm2"});
+    out.push_back({g, "length in the air", a.length, 1, "mm"});
+    out.push_back({g, "layers with any", count(a.layers)});
+    if (a.longest <= 0) return;
+    out.push_back({g, "longest stretch", a.longest, 2, "mm"});
+    out.push_back({g, "where it begins",
+                   "layer " + std::to_string(a.layer) + " at " + fixed_text(a.at.x, 2) + "," + fixed_text(a.at.y, 2)});
+}
+
 void crossing_figures(const std::vector<LayerFigures>& layers, Figures& out) {
     std::size_t crossed = 0, on = 0;
     const LayerFigures* first = nullptr;
@@ -243,6 +254,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
     areas(layers, input.claimed_unplaced, out);
     crossing_figures(layers, out);
     region_figures(layers, out);
+    if (input.air) air_figures(*input.air, out);
     if (input.pores) pore_figures(*input.pores, out);
     shape(beads, regions, w, options, threads, out);
     if (input.whole_program) {

@@ -4,6 +4,7 @@
 #include "base/fact.hpp"
 #include "base/note.hpp"
 #include "metrics/figures/figures.hpp"
+#include "metrics/planar/air.hpp"
 #include "metrics/planar/course.hpp"
 #include "metrics/planar/layers.hpp"
 #include "metrics/planar/pace.hpp"
@@ -37,6 +38,7 @@ struct Input {
     Notes notes;                 // what the stages before dropped or repaired
     Facts facts;                 // and what they found out
     double claimed_unplaced = 0; // mm2, by the fill's own account
+    std::optional<Air> air;      // where beads are known to lie on each other
     std::optional<Pores> pores;  // if asked for
 };
 

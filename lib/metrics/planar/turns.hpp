@@ -7,7 +7,7 @@
 
 namespace filum::metrics::planar {
 
-// The measure of the Connected Fermat Spirals authors (Zhao et al. 2016; notes A10): at samples spread evenly along the
+// The measure of the Connected Fermat Spirals authors (Zhao et al. 2016): at samples spread evenly along the
 // path a disc of radius `w` is laid on the path, which cuts it in two; the turn is sharp where the smaller part (the
 // inner side) is less than 0.3 of the disc.  A straight line gives 0.5, a corner of 90 degrees 0.25 at its tip. Only
 // the stretch of path that passes through the centre counts; samples nearer than that to an end of the path are left

@@ -1,5 +1,6 @@
 #include "cli/output.hpp"
 
+#include "cli/agree.hpp"
 #include "stream/reader.hpp"
 
 #include <gtest/gtest.h>
@@ -105,6 +106,44 @@ TEST(output, is_quiet_if_asked) {
     output.close();
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(frames(file.path), std::vector<std::string>{"stage noted left out"});
+}
+
+stream::Header after(const std::string& before, const std::string& own, bool changed = true) {
+    stream::Header h;
+    h.history.push_back({"regions", "1", {{"width", before, changed}}, {}});
+    h.history.push_back({"sequence", "1", {}, {0}});
+    h.history.push_back({"fill", "1", {{"width", own, changed}}, {1}});
+    return h;
+}
+
+TEST(agree, a_stage_told_otherwise_is_noted) {
+    Io io;
+    io.program = "fill";
+    io.same = {{"width", {"regions.width"}}};
+    EXPECT_TRUE(disagreements(io, after("0.4", "0.4")).empty());
+    io.same = {{"width", {"regions.width", "sequence.width"}}};
+    const Notes notes = disagreements(io, after("0.4", "0.8"));
+    ASSERT_EQ(notes.size(), 2U); // sequence has none at all, and here it is given
+    EXPECT_EQ(notes[0].what, "--width is 0.8, but 'regions' had --width 0.4; give both the same");
+    EXPECT_EQ(disagreements(io, after("0.4", "0.8", false)).size(), 1U);
+    io.same = {{"width", {"slice.width"}}};
+    EXPECT_TRUE(disagreements(io, after("0.4", "0.8")).empty()); // slice did not run
+}
+
+TEST(agree, stands_in_the_stream) {
+    const File file;
+    Io io = stage(file);
+    io.quiet = true;
+    io.same = {{"width", {"regions.width"}}};
+    stream::Header h = after("0.4", "0.8");
+    h.history.back().program = "stage";
+    h.payload = Payload::layers;
+    Output output(io, h);
+    output.close();
+    stream::Reader reader(file.path, Payload::layers);
+    const auto frame = reader.next();
+    ASSERT_TRUE(frame && frame->tag == Tag::note);
+    EXPECT_NE(stream::parse_note(frame->body).what.find("give both the same"), std::string::npos);
 }
 
 } // namespace

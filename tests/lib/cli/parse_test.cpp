@@ -117,6 +117,79 @@ TEST(parse, refuses_what_does_not_fit_and_says_why) {
     EXPECT_NE(refusal({"--output", ""}), "");
 }
 
+// A stage whose options depend on each other.
+struct Dependent {
+    std::string pattern = "spiral";
+    double spacing = 0, angle = 0, stagger = 0;
+    bool fast = false;
+    std::string surface;
+};
+
+Spec dependent(Dependent& o) {
+    return {.name = "stage",
+            .synopsis = "",
+            .description = "",
+            .in = nothing(),
+            .out = nothing(),
+            .memory = "",
+            .options = {Option{"pattern", &o.pattern, "", "how"}.one_of({"spiral", "rows", "lattice"}),
+                        Option{"spacing", &o.spacing, "MM", "apart"}.zero_or_at_least(0.1).at_most(9).when(
+                            "pattern=lattice"),
+                        Option{"angle", &o.angle, "DEG", "turned"}.within(-360, 360).when("!pattern=spiral"),
+                        Option{"stagger", &o.stagger, "MM", "shift"}.within(0, 1).when("spacing/fast !surface"),
+                        {"fast", &o.fast, "", "quick"},
+                        Option{"surface", &o.surface, "FILE", "on it"}.not_a_setting()},
+            .examples = {}};
+}
+
+std::string dependent_refusal(std::vector<std::string> words) {
+    words.insert(words.begin(), "stage");
+    std::vector<char*> argv;
+    for (auto& w : words) argv.push_back(w.data());
+    Dependent o;
+    Io io;
+    try {
+        parse(static_cast<int>(argv.size()), argv.data(), dependent(o), io);
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::usage);
+        return e.what();
+    }
+    return "";
+}
+
+TEST(needs, an_option_without_effect_is_refused_with_what_it_needs) {
+    EXPECT_EQ(dependent_refusal({"--spacing=1"}),
+              "cannot use --spacing: it does nothing without --pattern lattice; add that, or leave out --spacing");
+    EXPECT_EQ(dependent_refusal({"--spacing=1", "--pattern=lattice"}), "");
+    EXPECT_EQ(dependent_refusal({"--angle=5"}),
+              "cannot use --angle: it does nothing with --pattern spiral; leave one out");
+    EXPECT_EQ(dependent_refusal({"--angle=5", "--pattern=rows"}), "");
+    EXPECT_NE(dependent_refusal({"--stagger=1"}).find("without --spacing or --fast"), std::string::npos);
+    EXPECT_EQ(dependent_refusal({"--stagger=1", "--fast"}), "");
+    EXPECT_EQ(dependent_refusal({"--stagger=1", "--spacing=2", "--pattern=lattice"}), "");
+    EXPECT_NE(dependent_refusal({"--stagger=1", "--fast", "--surface=x"}).find("with --surface"), std::string::npos);
+}
+
+TEST(needs, a_default_asks_for_nothing) {
+    EXPECT_EQ(dependent_refusal({"--spacing=0", "--angle=0", "--stagger=0"}), "");
+    EXPECT_NE(dependent_refusal({"--spacing=0.05", "--pattern=lattice"}).find("0, or at least 0.1 and at most 9"),
+              std::string::npos);
+}
+
+TEST(needs, stand_in_help_and_contract) {
+    Dependent o;
+    EXPECT_NE(help(dependent(o)).find("(with --spacing or --fast, not with --surface)"), std::string::npos);
+    EXPECT_NE(contract(dependent(o)).find("needs stagger spacing/fast !surface\n"), std::string::npos);
+    EXPECT_NE(contract(dependent(o)).find("range spacing 0.1 9 zero\n"), std::string::npos);
+}
+
+TEST(parse, suggests_what_was_meant) {
+    EXPECT_NE(refusal({"--witdh=1"}).find("did you mean '--width'?"), std::string::npos);
+    EXPECT_NE(refusal({"-width", "1"}).find("'-width'"), std::string::npos);
+    EXPECT_NE(refusal({"--order=gredy"}).find("did you mean 'greedy'?"), std::string::npos);
+    EXPECT_NE(refusal({"--zzzzzzz"}).find("see 'stage --help'"), std::string::npos);
+}
+
 TEST(parse, random_words_are_refused_or_taken_never_worse) {
     std::mt19937 random(3);
     const std::vector<std::string> words{"--width",      "--width=1",    "=",       "--",  "-",   "-1",

@@ -123,3 +123,23 @@ TEST(Bead, IsAsWideAndHighAsItSays) {
 }
 
 } // namespace
+
+// Tool 1 has a carriage that hangs lower: what tool 0 passes over it meets.
+TEST(Growth, EachToolHasItsOwnHead) {
+    machine::Head slim, low;
+    slim.cone_height = 30, slim.carriage_x = slim.carriage_y = 20;
+    low = slim;
+    low.cone_height = 2;
+    Heads heads(slim);
+    heads.own.emplace(1, low);
+    for (const std::uint32_t tool : {0U, 1U}) {
+        Walk walk(Machine{heads});
+        walk.add({toolpath::Role::bead, 0, 0, 0, {{0, 0, 5}, {20, 0, 5}}, {1}, {5}, {}}); // a wall 5 mm high
+        walk.add({toolpath::Role::travel, 1, 0, 0, {{20, 0, 5}, {20, 8, 0.2}}, {}, {}, {}, tool});
+        walk.add({toolpath::Role::bead, 1, 0, 0, {{20, 8, 0.2}, {0, 8, 0.2}}, {1}, {0.2}, {}, tool});
+        const Scene scene{Tree(walk.growth.beads), Tree({}), Tree({}), Tree({})};
+        const Found found = check(scene, heads, walk.growth.moves, {}, 1);
+        EXPECT_EQ(found.collisions.empty(), tool == 0);
+        for (const Place& p : found.collisions) EXPECT_EQ(p.piece, Piece::carriage);
+    }
+}

@@ -160,7 +160,7 @@ TEST(Check, ManyMovesAgreeWithEachAlone) {
             const Vec3 a = random.place(25) + Vec3{0, 0, 22};
             part.push_back(triangle(a, a + random.place(2), a + random.place(2)));
         }
-        Growth growth(head.flat_radius);
+        Growth growth(head);
         const bool turned = trial % 2 == 1, known = trial >= 4;
         const double tight = random(0.05, 0.3);
         Stance here{random.place(8), {0, 0, 1}, known ? Vec3{1, 0, 0} : Vec3{}};

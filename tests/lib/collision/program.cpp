@@ -46,6 +46,33 @@ std::string refusal(const std::string& text, ProgramOptions o = {0.4, 0.2, {}}) 
     return "";
 }
 
+TEST(Program, ToolsHaveTheirOwnCodesAndPlaces) {
+    for (const std::string axes : {"", "[kinematics]\ncarrier = \"head-table\"\ntip_to_tilt_z = 50\n"}) {
+        const auto p =
+            machine::parse_profile("name = \"two\"\n[bed]\nx = [-9, 9]\ny = [-9, 9]\nz = [0, 9]\n[extrusion]\nkind = "
+                                   "\"valve\"\non = \"M760\"\n"
+                                   "off = \"M761\"\n" +
+                                       axes +
+                                       "[tools]\nfirst = 1\n[tool.0]\nchange = \"M751\"\n[tool.1]\n"
+                                       "change = \"G0 Z{z_park}\\nM106 S0\\nT{tool_no}\"\noffset = [30, 0, 1]\n"
+                                       "extrusion.on = \"M762\\nG4 P100\"\nextrusion.off = \"M763\"\n",
+                                   "two.toml");
+        const Program r =
+            read("G90\nG0 X0 Y0 Z1 \nM760\nG1 X5\nM761\nG0 Z5\nM106 S0\nT2\nG0 X0 Y0 Z4\nM760\nG1 X1\nM762\n"
+                 "G4 P100\nG1 X5\nM763\nM751\nG0 X0 Y0 Z1\nM762\nG1 X9\n",
+                 p);
+        ASSERT_EQ(r.moves.size(), 5U);
+        EXPECT_EQ(r.unknown, 3U); // the first, and those behind changes of the tool
+        const bool lays[] = {true, false, false, true, false};
+        const std::uint32_t tools[] = {0, 0, 1, 1, 0};
+        for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_EQ(r.moves[i].travel, !lays[i]) << i;
+            EXPECT_EQ(r.moves[i].tool, tools[i]) << i;
+        }
+        EXPECT_LT(distance(r.moves[3].to.tip, {35, 0, 5}), 1e-9);
+    }
+}
+
 TEST(Program, ModalMovesAndBeads) {
     const Program p =
         read("%\n(a comment)\nN10 G21 G90 ; another\nG0 Z5\nG0X0Y0\nG1 Z.2\nX10 E1\n\nG1 Y10 (in between) E+1\n"

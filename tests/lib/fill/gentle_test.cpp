@@ -125,7 +125,7 @@ double sharpest(const std::vector<Vec2>& points) { // rad, at any vertex
 }
 
 TEST(Rounded, TurnsCornersIntoArcsOfTheSameMaterial) {
-    const BeadLine line = square(10), round = rounded(line, 0.4 * kWidth, anywhere);
+    const BeadLine line = square(10), round = rounded(line, kWidth, 0.4 * kWidth, anywhere);
     EXPECT_LT(sharpest(round.points), 0.4);
     EXPECT_NEAR(laid({{true, round.points, round.width}}), laid({{true, line.points, line.width}}), 1e-2);
     EXPECT_LT(length_of({true, round.points, round.width}), 40 - 4 * 0.1 * kWidth);
@@ -139,7 +139,7 @@ TEST(Rounded, TurnsCornersIntoArcsOfTheSameMaterial) {
 
 TEST(Rounded, KeepsBeadsInsideTheOutline) {
     const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
-    const BeadLine round = rounded(square(10), 0.4 * kWidth, room);
+    const BeadLine round = rounded(square(10), kWidth, 0.4 * kWidth, room);
     for (std::size_t i = 0; i < round.points.size(); ++i)
         EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
 }
@@ -148,17 +148,17 @@ TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or n
     BeadLine shifted = square(10);
     shifted.points.insert(shifted.points.begin(), {5, 0}), shifted.width.push_back(kWidth);
     shifted.points.erase(shifted.points.begin() + 1), shifted.points.push_back({0, 0});
-    const double a = length_of({true, rounded(shifted, 0.16, anywhere).points, {kWidth}});
-    const double b = length_of({true, rounded(square(10), 0.16, anywhere).points, {kWidth}});
+    const double a = length_of({true, rounded(shifted, kWidth, 0.16, anywhere).points, {kWidth}});
+    const double b = length_of({true, rounded(square(10), kWidth, 0.16, anywhere).points, {kWidth}});
     EXPECT_NEAR(a, b, 1e-9);
 }
 
 TEST(Rounded, LeavesStraightLinesAndSpecksAlone) {
-    EXPECT_EQ(rounded(square(0.5), 0.16, anywhere).points, square(0.5).points);
+    EXPECT_EQ(rounded(square(0.5), kWidth, 0.16, anywhere).points, square(0.5).points);
     BeadLine circle;
     const Loops outline = disc({0, 0}, 5, 200);
     for (const Vec2 p : outline[0]) circle.add(p, kWidth);
-    EXPECT_EQ(rounded(circle, 0.16, anywhere).points, circle.points);
+    EXPECT_EQ(rounded(circle, kWidth, 0.16, anywhere).points, circle.points);
 }
 
 BeadLine hairpin() { // two lanes of 8 mm, a width apart, closed at both ends

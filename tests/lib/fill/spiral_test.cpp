@@ -81,16 +81,6 @@ TEST_P(RandomRegion, IsFilledByOneClosedCurveThatDoesNotCrossItself) {
 
 INSTANTIATE_TEST_SUITE_P(Spiral, RandomRegion, testing::Range(1U, 60U));
 
-// A8: noses never take away, and lay little twice.
-TEST_P(RandomRegion, IsCoveredBetterWithVoidsAbsorbed) {
-    const Loops region = test::random_region(GetParam());
-    Notes notes;
-    const Spiral with = fill_it(region), without = fill::spiral(region, {.bead_width = kWidth, .absorb = false}, notes);
-    EXPECT_GE(coverage(region, with, 8000), coverage(region, without, 8000) - 0.0005);
-    const double area = polygon::signed_area(region);
-    EXPECT_LE(deposited(with), std::max(deposited(without), area) + 0.06 * area);
-}
-
 TEST(Spiral, FillsTheBarOfThePaperAlmostWholly) {
     const Loops bar = test::rectangle(0, 0, 100, 25);
     const Spiral s = fill_it(bar);

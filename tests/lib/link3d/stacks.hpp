@@ -73,6 +73,11 @@ inline int crossings(const std::vector<Span>& spans) {
 
 // What holds for every toolpath.
 inline void check(const std::vector<RegionPaths>& regions, const Result& r) {
+    std::uint64_t reasons = 0; // every stroke more than planned has one that is told
+    for (const Note& n : r.notes)
+        if (n.what.find("broken") != std::string::npos || n.what.find("stop within") == 0) reasons += n.count;
+    EXPECT_EQ(reasons, r.counts.broken + r.counts.parted);
+    EXPECT_LE(r.counts.strokes, r.counts.planned + reasons);
     std::uint64_t breaks = 0;
     std::map<Role, std::uint64_t> spans;
     for (std::size_t i = 0; i < r.spans.size(); ++i) {

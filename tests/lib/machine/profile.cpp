@@ -142,20 +142,34 @@ TEST(Profile, EveryPrefixOfAProfileIsAProfileOrAnError) {
 }
 
 TEST(Profile, KeysCanBeSet) {
-    const auto p = machine::parse_profile(kLeast + "[values]\ntemp = 200\n", "m.toml",
-                                          "feeds.bead=41.5,temp=230,fan=9,extrusion.mode=absolute,head.none=true");
+    const std::string templates = "[templates]\nstart = \"M104 S{temp}\"\nend = \"M106 S{fan}\"\n";
+    const std::string text = kLeast + "[values]\ntemp = 200\nfan = 1\n" + templates;
+    const auto p =
+        machine::parse_profile(text, "m.toml", "feeds.bead=41.5,temp=230,fan=9,extrusion.mode=absolute,head.none=true");
     EXPECT_EQ(p.feeds.bead, 41.5);
     EXPECT_EQ(p.values.at("temp"), 230);
     EXPECT_EQ(p.values.at("fan"), 9);
     EXPECT_FALSE(p.extrusion.relative);
     EXPECT_TRUE(p.head.none);
-    EXPECT_EQ(p.fingerprint, machine::parse_profile(kLeast + "[values]\ntemp = 200\n", "m.toml").fingerprint);
+    EXPECT_EQ(p.fingerprint, machine::parse_profile(text, "m.toml").fingerprint);
     EXPECT_NE(error_of(kLeast, Exit::usage, "feeds.baed=4").find("cannot set 'feeds.baed': there is no such key"),
               std::string::npos);
     EXPECT_NE(error_of(kLeast, Exit::usage, "feeds.bead=fast").find("it must be a number"), std::string::npos);
     EXPECT_NE(error_of(kLeast, Exit::usage, "feeds.bead=400").find("above motion.max_speed"), std::string::npos);
     for (const char* wrong : {"feeds", "=3", ".x=3", "a.=3", "a.b.c=3", "name.x=3", ",", "feeds.bead=1e999"})
         EXPECT_NE(error_of(kLeast, Exit::usage, wrong), "") << wrong;
+}
+
+TEST(Profile, ValuesThatNoTemplateNamesAreErrors) {
+    const std::string text = kLeast + "[values]\nnozzle_temp = 200\n[templates]\nstart = \"M104 S{nozzle_temp}\"\n";
+    EXPECT_EQ(machine::parse_profile(text, "m.toml").values.size(), 1U);
+    EXPECT_NE(error_of(text, Exit::usage, "nozle_temp=230").find("did you mean 'nozzle_temp'?"), std::string::npos);
+    EXPECT_NE(error_of(text, Exit::usage, "bead=40").find("did you mean 'feeds.bead'?"), std::string::npos);
+    EXPECT_NE(error_of(text, Exit::usage, "feeds.baed=40").find("did you mean 'feeds.bead'?"), std::string::npos);
+    const std::string idle = kLeast + "[values]\nfan = 200\n";
+    EXPECT_NE(error_of(idle, Exit::bad_input).find("key 'values.fan': no template names it"), std::string::npos);
+    EXPECT_NE(error_of(kLeast + "[tempaltes]\nstart = \"x\"\n", Exit::bad_input).find("no such key"),
+              std::string::npos);
 }
 
 TEST(Profile, AnUnknownNameListsTheKnown) {

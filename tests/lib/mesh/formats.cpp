@@ -20,6 +20,15 @@ Exit exit_of(const std::string& bytes) {
     return Exit::ok;
 }
 
+std::string what_of(const std::string& bytes) {
+    try {
+        read(bytes, "it");
+    } catch (const Error& e) {
+        return e.what();
+    }
+    return "";
+}
+
 // Through memory: g++ 12 -O2 drops double -> float -> double where it vectorises.
 double as_float(double v) {
     const volatile float f = static_cast<float>(v);
@@ -158,15 +167,22 @@ TEST(ThreeMf, circles_and_too_many_copies_end) {
                                       "objectid=\"1\"/></components></object></resources>"
                                       "<build><item objectid=\"1\"/></build></model>")),
               Exit::bad_input);
-    std::string nested =
-        "<model><resources><object id=\"0\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {1, 1, 1})) + "</object>";
-    for (int i = 1; i <= 30; ++i) { // 2^30 boxes
-        nested += "<object id=\"" + std::to_string(i) + "\"><components>";
-        for (int k = 0; k < 2; ++k) nested += "<component objectid=\"" + std::to_string(i - 1) + "\"/>";
-        nested += "</components></object>";
-    }
-    const std::string heavy = shapes::archive(nested + "</resources><build><item objectid=\"22\"/></build></model>");
-    EXPECT_EQ(exit_of(heavy), Exit::bad_input);
+    const auto nested = [](int copies, bool apart) {
+        std::string out =
+            "<model><resources><object id=\"0\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {1, 1, 1})) + "</object>";
+        for (int i = 1; i <= copies; ++i) // 2^copies boxes
+            out += "<object id=\"" + std::to_string(i) + "\"><components><component objectid=\"" +
+                   std::to_string(i - 1) + "\"/><component objectid=\"" + std::to_string(i - 1) + "\"" +
+                   (apart ? " transform=\"1 0 0 0 1 0 0 0 1 " + std::to_string(1 << i) + " 0 0\"" : "") +
+                   "/></components></object>";
+        return shapes::archive(out + "</resources><build><item objectid=\"" + std::to_string(copies) +
+                               "\"/></build></model>");
+    };
+    EXPECT_EQ(exit_of(nested(22, true)), Exit::bad_input);
+    const File same = read(nested(22, false), "it"); // all in one place
+    EXPECT_EQ(same.mesh.triangles.size(), 12U);
+    ASSERT_EQ(same.notes.size(), 1U);
+    EXPECT_EQ(same.notes[0].count, 22U);
     EXPECT_EQ(exit_of("PK\x03\x04 no zip at all, but long enough for one to be looked for in here"), Exit::bad_input);
 }
 
@@ -209,6 +225,57 @@ TEST(Read, corners_that_are_no_number_are_left_out_and_said) {
         for (const Vec3& v : f.mesh.vertices)
             EXPECT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
     }
+}
+
+TEST(ThreeMf, what_would_unfold_to_too_much_is_refused_before_it_is_made) {
+    std::string model = "<model><resources><object id=\"0\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex "
+                        "x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"2\"/></vertices><triangles>";
+    for (int t = 0; t < 1000; ++t) model += "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>";
+    model += "</triangles></mesh></object></resources><build>";
+    for (int i = 0; i < 17000; ++i)
+        model += "<item objectid=\"0\" transform=\"1 0 0 0 1 0 0 0 1 " + std::to_string(i) + " 0 0\"/>";
+    EXPECT_NE(what_of(shapes::archive(model + "</build></model>")).find("17000000 triangles"), std::string::npos);
+}
+
+TEST(Read, several_stl_files_in_one_are_read_or_refused) {
+    const Mesh m = shapes::box({0, 0, 0}, {1, 2, 3}), n = shapes::box({5, 0, 0}, {6, 2, 3});
+    const auto binary = [](const Mesh& mesh) { return shapes::stl_binary(mesh); };
+    const auto ascii = [](const Mesh& mesh) { return shapes::stl_ascii(mesh); };
+    const File both = read(binary(m) + binary(n), "it");
+    EXPECT_NEAR(volume(both.mesh), 12, 1e-6);
+    ASSERT_EQ(both.notes.size(), 1U);
+    EXPECT_EQ(both.notes[0].amount, 12);
+    EXPECT_NEAR(volume(read(binary(m) + binary(n) + binary(shapes::moved(m, {20, 0, 0})), "it").mesh), 18, 1e-6);
+    EXPECT_NEAR(volume(read(ascii(m) + ascii(n), "it").mesh), 12, 1e-6);
+    EXPECT_NE(what_of(binary(m) + ascii(n)).find("give the files one by one"), std::string::npos);
+    EXPECT_NE(what_of(ascii(m) + binary(n)), "");
+    for (const auto& [kind, one] : all_formats(m)) {
+        if (kind != Kind::ply && kind != Kind::off && kind != Kind::obj) continue;
+        EXPECT_EQ(read(one, "it").notes.size(), 0U) << one.substr(0, 30);
+        EXPECT_GE(read(one + one, "it").notes.size(), 1U) << one.substr(0, 30);
+    }
+}
+
+TEST(Read, foreign_files_are_named) {
+    const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                            "endloop\nendfacet\nendsolid\n";
+    std::string wide = "\xff\xfe", big;
+    for (const char c : stl) {
+        wide += std::string{c, '\0'};
+        big += std::string{'\0', c};
+    }
+    const std::pair<std::string, const char*> kinds[] = {{wide, "UTF-16"},
+                                                         {big, "UTF-16"},
+                                                         {"glTF" + std::string(300, '\2'), "GLB"},
+                                                         {"; made by hand\n" + stl, "1 line before 'solid'"},
+                                                         {"// made\n// by hand\n" + stl, "2 lines before 'solid'"},
+                                                         {"<?xml version=\"1.0\"?>\n<amf unit=\"mm\">", "AMF"},
+                                                         {"{\"asset\": {\"version\": \"2.0\"}}", "glTF"},
+                                                         {"\x1f\x8b\x08" + std::string(300, '\1'), "gzip"},
+                                                         {"PK\x05\x06" + std::string(18, '\0'), "holds no mesh"},
+                                                         {"ISO-10303-21;\n", "STEP"}};
+    for (const auto& [bytes, name] : kinds) EXPECT_NE(what_of(bytes).find(name), std::string::npos) << what_of(bytes);
+    EXPECT_EQ(read("# made by hand\n" + stl, "it").mesh.triangles.size(), 1U);
 }
 
 TEST(Read, what_is_no_mesh) {

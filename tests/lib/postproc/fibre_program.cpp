@@ -85,8 +85,7 @@ TEST(fibre, a_toolpath_of_more_tools_than_the_machine_has_is_refused) {
     const auto p = machine::parse_profile("name = \"t\"\n[bed]\nx = [0, 400]\ny = [0, 400]\nz = [0, 400]\n"
                                           "[extrusion]\nkind = \"filament\"\ndiameter = 1.75\n",
                                           "t.toml");
-    Measure m(p, Place::as_is);
-    EXPECT_THROW(m.add(fibre({{0, 0, 0}, {60, 0, 0}})), Error);
+    EXPECT_THROW((void)measured(p, {fibre({{0, 0, 0}, {60, 0, 0}})}), Error);
 }
 
 // On a dome, the tool upright to it: the arc length counts along the tip's path, in both forms of numbers.
@@ -152,7 +151,9 @@ TEST(fibre, tools_change_above_the_part_and_outside_of_its_frame) {
 }
 
 TEST(fibre, robots_stand_still_where_they_cut) {
-    const std::string frame = "[kinematics]\ncarrier = \"frame\"\n[format]\ndialect = \"";
+    const std::string frame =
+        "[kinematics]\ncarrier = \"frame\"\n[robot]\nbase = [800, 0, 400, 0, 0, 0]\ntool = [0, 0, 100, 0, 0, "
+        "0]\nstart = [0, -90, 90, 0, 90, 0]\n[format]\ndialect = \"";
     const std::pair<std::string, std::string> halts[] = {{"krl", "}"}, {"rapid", "fine,tFilum\\WObj:=wFilum;"}};
     for (const auto& [dialect, end] : halts) {
         const auto text = lines(program(profile("prime_speed = 2\n" + frame + dialect + "\"\n",
@@ -172,9 +173,7 @@ TEST(fibre, robots_stand_still_where_they_cut) {
 TEST(fibre, the_job_is_told_tool_by_tool) {
     auto p = profile("density = 1.5\n");
     Span plastic{Role::bead, 0, 0, 0, {{0, 0, 0}, {20, 0, 0}}, {0.5}, {0.2}, {}};
-    Measure m(p, Place::as_is);
-    m.add(plastic), m.add(travel({20, 0, 0}, {0, 5, 0})), m.add(fibre({{0, 5, 0}, {100, 5, 0}}));
-    const Survey s = m.end();
+    const Survey s = measured(p, {plastic, travel({20, 0, 0}, {0, 5, 0}), fibre({{0, 5, 0}, {100, 5, 0}})});
     const auto figures = job(p, s);
     const auto of = [&](const std::string& group, const std::string& name) {
         for (const auto& f : figures)

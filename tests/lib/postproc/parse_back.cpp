@@ -4,6 +4,7 @@
 
 #include "toolpath/path.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -22,10 +23,37 @@ long um(double v) { return std::lround(v * 1000); }
 using Place = std::array<long, 3>;
 using Strokes = std::vector<std::vector<Place>>;
 
+// um: that a place is off which is not moved to, and the rounding of both.
+constexpr double kNear = 3;
+double apart(const Place& a, const Place& b) {
+    return std::hypot(static_cast<double>(a[0] - b[0]), static_cast<double>(a[1] - b[1]),
+                      static_cast<double>(a[2] - b[2]));
+}
+
 // A stroke too short to be seen has one place, or none that shows.
 Strokes visible(Strokes strokes) {
-    std::erase_if(strokes, [](const auto& s) { return s.size() < 2; });
+    const auto seen = [](const auto& s) {
+        return std::any_of(s.begin(), s.end(), [&](const Place& p) { return apart(p, s.front()) > kNear; });
+    };
+    std::erase_if(strokes, [&](const auto& s) { return !seen(s); });
     return strokes;
+}
+
+// The same strokes, but that places nearer to each other than any move may be need not be among those moved to.
+bool alike(const Strokes& given, const Strokes& moved) {
+    if (given.size() != moved.size()) return false;
+    for (std::size_t s = 0; s < given.size(); ++s) {
+        std::size_t k = 0;
+        if (given[s].front() != moved[s].front() || given[s].back() != moved[s].back()) return false;
+        for (const Place& p : given[s]) {
+            if (k + 1 < moved[s].size() && p == moved[s][k + 1]) ++k;
+            const bool near =
+                apart(p, moved[s][k]) <= kNear || (k + 1 < moved[s].size() && apart(p, moved[s][k + 1]) <= kNear);
+            if (!near) return false;
+        }
+        if (k + 1 != moved[s].size()) return false; // a place that was not given
+    }
+    return true;
 }
 
 // The places of a toolpath's strokes as the last decimal shows them, equal neighbours once.
@@ -73,7 +101,7 @@ TEST(ParseBack, PlacesAreTheToolpathsRounded) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const auto spans = sample::random_toolpath(seed);
         const auto w = sample::write(sample::profile(kMarked), spans);
-        EXPECT_TRUE(places(spans, w.shift) == places(interpreter::read(w.text))) << "seed " << seed;
+        EXPECT_TRUE(alike(places(spans, w.shift), places(interpreter::read(w.text)))) << "seed " << seed;
     }
 }
 
@@ -125,8 +153,9 @@ TEST(ParseBack, ManyTinyMovesLoseNothing) {
     for (int i = 0; i <= 100000; ++i) spans[0].points.push_back({0.0003 * i, 0, 0.2});
     const auto program = interpreter::read(sample::write(sample::profile(sample::kFilament), spans).text);
     EXPECT_NEAR(laid(program), 30 * 0.08 / kFilamentArea, 0.51e-5);
-    EXPECT_GT(program.moves.size(), 29000u);
-    EXPECT_LT(program.moves.size(), 30010u);
+    EXPECT_GT(program.moves.size(), 24000u); // four of them to a move
+    EXPECT_LT(program.moves.size(), 25010u);
+    for (const auto& m : program.moves) EXPECT_FALSE(m.de > 0 && m.xy() > 0 && m.xy() < 0.001 - 1e-9) << m.line;
 }
 
 TEST(ParseBack, NothingWithoutMaterialAndNothingTakenBackWithinAStroke) {
@@ -186,5 +215,5 @@ TEST(ParseBack, ThePartIsCentredByWholeMicrometres) {
         for (auto& q : s.points) q.x += 100, q.y += 100;
     const auto kept = sample::write(p, moved, postproc::Place::as_is);
     EXPECT_EQ(kept.shift, (geom::Vec2{0, 0}));
-    EXPECT_TRUE(places(interpreter::read(kept.text)) == places(moved, {0, 0}));
+    EXPECT_TRUE(alike(places(moved, {0, 0}), places(interpreter::read(kept.text))));
 }

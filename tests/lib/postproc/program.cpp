@@ -206,10 +206,10 @@ TEST(Digits, UnitsHaveNoTrailingZerosAndNoExponent) {
 TEST(Digits, CommentsCannotBecomeCode) {
     std::string out;
     postproc::append_comment(out, "a\nG28\r)(x", machine::CommentStyle::parentheses);
-    EXPECT_EQ(out, "(a?G28?][x)");
+    EXPECT_EQ(out, "(a\\nG28\\r][x)");
     out.clear();
     postproc::append_comment(out, "a\nG28 (x)", machine::CommentStyle::semicolon);
-    EXPECT_EQ(out, ";a?G28 (x)");
+    EXPECT_EQ(out, ";a\\nG28 (x)");
 }
 
 TEST(Digits, LongLinesAreWrapped) {

@@ -2,29 +2,30 @@
 #include "postproc/robot.hpp"
 
 #include "base/error.hpp"
-#include "postproc/about.hpp"
-#include "postproc/measure.hpp"
+#include "robots.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 #include <regex>
 
 using namespace filum;
 using geom::Vec3;
-using postproc::Orientation;
+using Orientation = geom::Rotation;
+using namespace robots;
 
 namespace {
 
 using std::numbers::pi;
 
-Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+Vec3 spun_by(const Vec3& v, const Vec3& axis, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     return c * v + s * cross(axis, v) + (1 - c) * dot(axis, v) * axis;
 }
 
-struct Random {
+struct RobotRandom {
     std::mt19937 engine{11};
     double operator()(double lo, double hi) { return lo + (hi - lo) * static_cast<double>(engine()) / 4294967296.0; }
     Vec3 unit() {
@@ -50,8 +51,8 @@ Orientation from_quaternion(const std::array<double, 4>& q) {
 
 Orientation from_euler(double a, double b, double c) {
     const Vec3 x0{1, 0, 0}, y0{0, 1, 0}, z0{0, 0, 1};
-    const Vec3 y1 = turned(y0, z0, a), x2 = turned(turned(x0, z0, a), y1, b);
-    const auto all = [&](const Vec3& v) { return turned(turned(turned(v, z0, a), y1, b), x2, c); };
+    const Vec3 y1 = spun_by(y0, z0, a), x2 = spun_by(spun_by(x0, z0, a), y1, b);
+    const auto all = [&](const Vec3& v) { return spun_by(spun_by(spun_by(v, z0, a), y1, b), x2, c); };
     return {all(x0), all(y0), all(z0)};
 }
 
@@ -59,39 +60,7 @@ Orientation from_vector(const std::array<double, 3>& v) {
     const Vec3 r{v[0], v[1], v[2]};
     const double angle = norm(r);
     const Vec3 axis = angle > 0 ? 1 / angle * r : Vec3{0, 0, 1};
-    return {turned({1, 0, 0}, axis, angle), turned({0, 1, 0}, axis, angle), turned({0, 0, 1}, axis, angle)};
-}
-
-std::vector<toolpath::Span> arc() {
-    toolpath::Span s{toolpath::Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
-    for (int i = 0; i <= 40; ++i) {
-        const double a = pi * (i / 40.0 - 0.5) * 0.8;
-        s.points.push_back({30 * std::sin(a), 0.2 * i, 30 * std::cos(a)});
-        s.normals.push_back({std::sin(a), 0, std::cos(a)});
-    }
-    return {s};
-}
-
-std::string program(const std::string& dialect, const std::string& comments, const std::string& extrusion) {
-    const auto p = machine::parse_profile(
-        "name = \"robot\"\n[bed]\nx = [-500, 500]\ny = [-500, 500]\nz = [-500, 500]\n[extrusion]\n" + extrusion +
-            "[feeds]\nbead = 20\nfirst_layer = 20\n[kinematics]\ncarrier = \"frame\"\nangle_decimals = 6\n[format]\n"
-            "dialect = \"" +
-            dialect + "\"\ncomments = \"" + comments + "\"\nxyz_decimals = 5\n",
-        "robot.toml");
-    postproc::Measure measure(p, postproc::Place::as_is);
-    do
-        for (const auto& s : arc()) measure.add(s);
-    while (measure.again());
-    const auto survey = measure.end();
-    std::string out;
-    const auto writer = postproc::writer(p, survey, {}, [&](std::string_view text) { out += text; });
-    writer->begin(postproc::about(p, survey, {}, {}, {}));
-    const auto walk = postproc::walker(p, {}, [&](auto steps) { writer->add(steps); });
-    for (const auto& s : arc()) walk->add(s);
-    walk->end();
-    writer->end();
-    return out;
+    return {spun_by({1, 0, 0}, axis, angle), spun_by({0, 1, 0}, axis, angle), spun_by({0, 0, 1}, axis, angle)};
 }
 
 // All numbers of every line that begins with `word`.
@@ -109,23 +78,28 @@ std::vector<std::vector<double>> numbers(const std::string& text, const std::str
     return out;
 }
 
-// Two frames to approach, 40 of the beads, one to leave.
-void expect_arc(const std::vector<std::pair<Vec3, Orientation>>& frames) {
+// One frame to approach along the tool, 40 of the beads, one to leave.
+void expect_arc(const std::vector<std::pair<Vec3, Orientation>>& frames, bool fixed = true) {
     const auto want = arc()[0];
-    ASSERT_EQ(frames.size(), 43U);
+    ASSERT_EQ(frames.size(), 42U);
+    EXPECT_LT(distance(frames[0].first, want.points[0]), 1e-4);
     for (std::size_t i = 0; i < 40; ++i) {
-        const auto& [tip, o] = frames[2 + i];
+        const auto& [tip, o] = frames[1 + i];
         EXPECT_LT(distance(tip, want.points[1 + i]), 1e-4);
         EXPECT_LT(distance(o.z, -1.0 * want.normals[1 + i]), 1e-5); // z out of the nozzle
+        if (!fixed) continue;
         EXPECT_GT(o.x.x, 0);
         EXPECT_NEAR(o.x.y, 0, 1e-5);
     }
+    const Vec3 off = frames[41].first - want.points.back();
+    EXPECT_LT(norm(cross(off, want.normals.back())), 1e-4);
+    EXPECT_GT(dot(off, want.normals.back()), 1);
 }
 
 } // namespace
 
 TEST(robot, orientations_come_back_from_every_form) {
-    Random random;
+    RobotRandom random;
     for (int i = 0; i < 500; ++i) {
         Vec3 axis = random.unit(), heading = random.unit();
         if (i % 10 == 0) axis = i % 20 == 0 ? Vec3{0, 0, 1} : Vec3{0, 0, -1};
@@ -135,16 +109,16 @@ TEST(robot, orientations_come_back_from_every_form) {
         EXPECT_LT(distance(cross(o.x, o.y), o.z), 1e-12);
         EXPECT_LT(distance(o.z, -1.0 * axis), 1e-12);
         EXPECT_GT(dot(o.x, heading), 0);
-        expect_same(from_quaternion(postproc::quaternion(o)), o);
-        EXPECT_GE(postproc::quaternion(o)[0], 0);
-        const auto [a, b, c] = postproc::euler_zyx(o);
+        expect_same(from_quaternion(geom::quaternion(o)), o);
+        EXPECT_GE(geom::quaternion(o)[0], 0);
+        const auto [a, b, c] = geom::euler_zyx(o);
         expect_same(from_euler(a, b, c), o);
-        expect_same(from_vector(postproc::rotation_vector(o)), o, 1e-6);
+        expect_same(from_vector(geom::rotation_vector(o)), o, 1e-6);
     }
 }
 
 TEST(robot, krl_says_places_angles_and_the_extruder) {
-    const auto text = program("krl", "semicolon", "kind = \"filament\"\ndiameter = 1.75\nmode = \"absolute\"\n");
+    const auto text = robot_program({});
     EXPECT_NE(text.find("$VEL.CP=0.02\n"), std::string::npos);
     std::vector<std::pair<Vec3, Orientation>> frames;
     double fed = 0;
@@ -156,32 +130,172 @@ TEST(robot, krl_says_places_angles_and_the_extruder) {
         fed = n[6];
     }
     expect_arc(frames);
+    EXPECT_EQ(numbers(text, "LIN {")[0][6], 0); // the extruder does not turn back on the way to the part
     double length = 0;
     const auto want = arc()[0].points;
     for (std::size_t i = 1; i < want.size(); ++i) length += distance(want[i - 1], want[i]);
     EXPECT_NEAR(fed, length * 0.2 / (pi * 1.75 * 1.75 / 4), 1e-4);
 }
 
-TEST(robot, rapid_says_places_and_quaternions) {
-    const auto text = program("rapid", "exclamation", "kind = \"valve\"\non = \"SetDO d,1;\"\noff = \"SetDO d,0;\"\n");
+TEST(robot, krl_begins_with_a_posture_that_says_its_way_to_stand) {
+    const auto text = robot_program({});
+    const auto begin = numbers(text, "PTP {X");
+    ASSERT_EQ(begin.size(), 1U);
+    const auto& n = begin[0];
+    ASSERT_EQ(n.size(), 9U) << text; // X Y Z A B C S T E1
+    const double d = pi / 180;
+    const Orientation o = from_euler(n[3] * d, n[4] * d, n[5] * d);
+    const Vec3 off = Vec3{n[0], n[1], n[2]} - arc()[0].points[0];
+    EXPECT_LT(norm(cross(off, o.z)), 1e-4);
+    EXPECT_LT(dot(off, o.z), -1); // before the place, along the tool
+    EXPECT_LT(text.find("PTP {X"), text.find("LIN {X"));
+    EXPECT_EQ(n[6], 2); // KUKA's Status: the wrist in front, axis 3 below, axis 5 positive
+    // The same, of all ways to stand there: the axes of one have the signs that Turn says.
+    const auto p = robot_profile({});
+    const geom::Frame flange = p.robot.base * geom::Frame{o, {n[0], n[1], n[2]}} * geom::inverse(p.robot.tool);
+    int fits = 0;
+    for (const auto& q : kinematics::inverse(*p.robot.arm, flange, p.robot.start))
+        fits += postproc::krl_status(*p.robot.arm, q) == 2 && postproc::krl_turn(q) == static_cast<int>(n[7]) ? 1 : 0;
+    EXPECT_EQ(fits, 1);
+}
+
+TEST(robot, krl_flies_by_at_most_a_third_of_the_shorter_neighbour) {
+    auto spans = arc();
+    for (std::size_t i = 0; i < spans[0].points.size(); ++i)
+        spans[0].points[i].y += i > 20 ? 3 * static_cast<double>(i - 20) : i > 10 ? 0.0 : -2.0; // of many lengths
+    for (const double most : {0.1, 0.5, 5.0}) {
+        Asked asked;
+        asked.kinematics = "blend = " + std::to_string(most) + "\n";
+        double blend = 0;
+        std::vector<Vec3> at;
+        std::vector<double> blends; // at the end of each line; 0 where it halts
+        for (const auto& line : lines_of(written(asked, spans).text)) {
+            if (line.starts_with("$APO.CDIS=")) blend = std::stod(line.substr(10));
+            if (!line.starts_with("LIN {")) continue;
+            const auto n = numbers(line, "LIN {")[0];
+            at.push_back({n[0], n[1], n[2]});
+            blends.push_back(line.ends_with("C_DIS") ? blend : 0);
+        }
+        std::size_t flown = 0;
+        for (std::size_t i = 1; i + 1 < at.size(); ++i) {
+            const double shorter = std::min(distance(at[i - 1], at[i]), distance(at[i], at[i + 1]));
+            EXPECT_LE(blends[i], shorter / 3 + 1e-3);
+            EXPECT_LE(blends[i], most);
+            if (blends[i] == 0) continue;
+            EXPECT_GT(blends[i], std::min(shorter / 3, most) / 2 - 1e-3); // no less than needed
+            ++flown;
+        }
+        EXPECT_GE(flown, 38U);
+        EXPECT_EQ(blends.back(), 0);
+    }
+}
+
+const Asked kRapid{"rapid", "kind = \"valve\"\non_trigger = \"trOn\"\noff_trigger = \"trOff\"\n"};
+
+TEST(robot, rapid_says_places_and_quaternions_and_switches_at_the_very_place) {
+    const auto text = robot_program(kRapid);
     std::vector<std::pair<Vec3, Orientation>> frames;
-    for (const auto& n : numbers(text, "MoveL [[")) {
-        ASSERT_GE(n.size(), 7U);
+    std::vector<std::size_t> on, off;
+    for (const auto& line : lines_of(text)) {
+        if (!line.starts_with("MoveL [[") && !line.starts_with("TriggL [[")) continue;
+        if (line.find(",trOn,") != std::string::npos) on.push_back(frames.size());
+        if (line.find(",trOff,") != std::string::npos) off.push_back(frames.size());
+        const auto n = numbers(line, line.substr(0, 5))[0];
         frames.push_back({{n[0], n[1], n[2]}, from_quaternion({n[3], n[4], n[5], n[6]})});
     }
     expect_arc(frames);
-    EXPECT_LT(text.find("SetDO d,1;"), text.find("SetDO d,0;"));
+    EXPECT_EQ(on, (std::vector<std::size_t>{0}));   // where the stroke begins
+    EXPECT_EQ(off, (std::vector<std::size_t>{40})); // where it ends
 }
 
-TEST(robot, urscript_says_metres_and_rotation_vectors) {
-    const auto text = program("urscript", "hash", "kind = \"valve\"\non = \"a()\"\noff = \"b()\"\n");
+TEST(robot, rapid_halts_for_lines_and_flies_by_with_triggers) {
+    const Asked halts{"rapid", "kind = \"valve\"\non = \"SetDO d,1;\"\noff = \"SetDO d,0;\"\n"};
+    const auto text = lines_of(robot_program(halts));
+    const auto on = std::find(text.begin(), text.end(), "SetDO d,1;");
+    const auto off = std::find(text.begin(), text.end(), "SetDO d,0;");
+    ASSERT_LT(on, off);
+    ASSERT_NE(off, text.end());
+    EXPECT_NE((on - 1)->find(",fine,"), std::string::npos);
+    EXPECT_NE((off - 1)->find(",fine,"), std::string::npos);
+    EXPECT_EQ((on + 1)->find(",fine,"), std::string::npos);
+    for (const auto& line : lines_of(robot_program(kRapid)))
+        EXPECT_FALSE(line.starts_with("TriggL") && line.find(",fine,") != std::string::npos) << line;
+}
+
+TEST(robot, rapid_and_urscript_begin_with_the_axes_of_the_first_place) {
+    const std::string angles = "MoveAbsJ [[", joints = "movej([";
+    for (const auto& [dialect, word] : {std::pair<std::string, std::string>{"rapid", angles}, {"urscript", joints}}) {
+        Asked asked = kRapid;
+        asked.dialect = dialect;
+        if (dialect == "urscript") asked.extrusion = "kind = \"valve\"\non = \"a()\"\noff = \"b()\"\n";
+        const auto p = robot_profile(asked);
+        const auto text = robot_program(asked);
+        const auto found = numbers(text, word);
+        ASSERT_EQ(found.size(), 1U) << text;
+        kinematics::Posture q{};
+        for (std::size_t k = 0; k < q.size(); ++k) q[k] = dialect == "rapid" ? found[0][k] * pi / 180 : found[0][k];
+        const geom::Frame tip = geom::inverse(p.robot.base) * kinematics::forward(*p.robot.arm, q) * p.robot.tool;
+        const auto want = arc()[0];
+        EXPECT_LT(distance(tip.turn.z, -1.0 * want.normals[0]), 1e-5);
+        const Vec3 off = tip.origin - want.points[0];
+        EXPECT_LT(norm(cross(off, want.normals[0])), 1e-2);
+        EXPECT_GT(dot(off, want.normals[0]), 1);
+        EXPECT_LT(text.find(word), text.find("ove", text.find(word) + 5)); // before all others
+    }
+}
+
+TEST(robot, urscript_says_metres_and_rotation_vectors_in_the_part) {
+    const Asked asked{"urscript", "kind = \"valve\"\non = \"a()\"\noff = \"b()\"\n"};
     std::vector<std::pair<Vec3, Orientation>> frames;
-    for (const auto& n : numbers(text, "movel(p[")) {
+    const auto found = numbers(robot_program(asked), "movel(pose_trans(filum_part,p[");
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto& n = found[i];
         ASSERT_EQ(n.size(), 9U);
         frames.push_back({1000.0 * Vec3{n[0], n[1], n[2]}, from_vector({n[3], n[4], n[5]})});
-        EXPECT_NEAR(n[7], frames.size() <= 2 || frames.size() == 43 ? 0.15 : 0.02, 1e-3); // m/s: travels and beads
+        EXPECT_NEAR(n[7], i == 0 || i == 41 ? 0.15 : 0.02, 1e-3); // m/s: travels and beads
+        if (i == 0 || i + 1 == found.size()) continue;
+        const double next = distance(1000.0 * Vec3{found[i + 1][0], found[i + 1][1], found[i + 1][2]}, frames[i].first);
+        const double shorter = std::min(next, distance(frames[i].first, frames[i - 1].first));
+        EXPECT_LE(n[8] * 1000, shorter / 3 + 1e-3); // the blend
     }
     expect_arc(frames);
-    EXPECT_THROW(program("urscript", "hash", "kind = \"filament\"\ndiameter = 1.75\n"), Error);
-    EXPECT_THROW(program("gcode", "hash", "kind = \"filament\"\ndiameter = 1.75\n"), Error);
+    Asked wrong = asked;
+    wrong.extrusion = "kind = \"filament\"\ndiameter = 1.75\n";
+    EXPECT_THROW(robot_program(wrong), Error);
+    wrong.dialect = "gcode";
+    EXPECT_THROW(robot_program(wrong), Error);
+}
+
+TEST(robot, a_long_program_goes_on_in_modules) {
+    Asked asked = kRapid;
+    auto spans = arc();
+    spans[0].points.clear(), spans[0].normals.clear();
+    for (int i = 0; i <= 500; ++i)
+        spans[0].points.push_back({0.2 * i - 50, 5 * std::sin(i * 0.1), 0}), spans[0].normals.push_back({0, 0, 1});
+    const auto moves = [](const std::string& text) {
+        std::vector<std::string> out;
+        for (const auto& line : lines_of(text))
+            if (line.starts_with("MoveL") || line.starts_with("TriggL") || line.starts_with("MoveAbsJ"))
+                out.push_back(line);
+        return out;
+    };
+    const auto whole = written(asked, spans);
+    EXPECT_TRUE(whole.modules.empty());
+    asked.robot = "module_moves = 100\nmodule_file = \"m{module}.mod\"\nmodule_start = \"BEGIN {module}\"\n"
+                  "module_end = \"END\"\nmodule_load = \"LOAD {module}\"\nmodule_call = \"CALL {module}\"\n";
+    const auto parts = written(asked, spans);
+    std::vector<std::string> together;
+    EXPECT_EQ(parts.modules.size(), 6U); // of 503 moves
+    for (std::size_t m = 1; m <= parts.modules.size(); ++m) {
+        const std::string& text = parts.modules.at("m" + std::to_string(m) + ".mod");
+        EXPECT_TRUE(text.starts_with("BEGIN " + std::to_string(m) + "\n"));
+        EXPECT_TRUE(text.ends_with("END\n"));
+        const auto some = moves(text);
+        EXPECT_LE(some.size(), 100U);
+        together.insert(together.end(), some.begin(), some.end());
+        EXPECT_NE(parts.text.find("CALL " + std::to_string(m) + "\n"), std::string::npos);
+        EXPECT_LT(parts.text.find("LOAD " + std::to_string(m)), parts.text.find("CALL 1\n"));
+    }
+    EXPECT_EQ(together, moves(whole.text));
+    EXPECT_TRUE(moves(parts.text).empty());
 }

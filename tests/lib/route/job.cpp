@@ -45,7 +45,7 @@ std::vector<Span> both_sides(std::uint32_t layers) {
 
 Options options() {
     Options o;
-    o.machine.head.cone_height = 20, o.machine.head.carriage_x = o.machine.head.carriage_y = 4;
+    o.machine.head.common.cone_height = 20, o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 4;
     o.travel.lift = 0.6;
     return o;
 }
@@ -83,7 +83,7 @@ TEST(Job, ACarriageThatIsKnownStaysKnown) {
                             line(1, {0, 30, kLayer}, {0, 40, kLayer})};
     const Solid wall{{Vec3{22, -50, 0}, {22, 90, 0}, {22, 90, 60}, {22, -50, 60}}, 0, 0};
     Options o;
-    o.machine.head.cone_angle = 0.3;
+    o.machine.head.common.cone_angle = 0.3;
     const Job job = route::route(spans, {{{}, {wall}, {}, {}}}, o, 1);
     EXPECT_TRUE(job.found.collisions.empty());
     EXPECT_EQ(job.kinds[0], 1U);
@@ -98,8 +98,8 @@ TEST(Job, TheToolLeansAwayFromAWall) {
                             line(1, {-30, 30, kLayer}, {-30, 0, kLayer})};
     const Solid wall{{Vec3{3, -9, 0}, {3, 60, 0}, {3, 60, 20}, {3, -9, 20}}, 0, 0};
     Options o;
-    o.machine.head.cone_angle = 0.5, o.machine.head.cone_height = 60;
-    o.machine.head.carriage_x = o.machine.head.carriage_y = 0;
+    o.machine.head.common.cone_angle = 0.5, o.machine.head.common.cone_height = 60;
+    o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 0;
     EXPECT_FALSE(route::route(spans, {{{}, {wall}, {}, {}}}, o, 1).found.collisions.empty());
     o.tilt = {0.4, 0.1};
     const Job job = route::route(spans, {{{}, {wall}, {}, {}}}, o, 1);

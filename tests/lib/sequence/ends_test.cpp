@@ -58,7 +58,7 @@ TEST(Ends, OfStrokesThatMeetOrRestOnTwo) {
     const Result r = sequence(rest, none);
     EXPECT_EQ(ended(r, Cause::top), 2);
     // by hand: the first leg, the second, the bar; the first could go on but for the second
-    const Graph g = support_graph(rest, 0.001);
+    const Graph g = support_graph(rest);
     const std::vector<Index> order{0, 1, 2};
     const auto by_hand = ends(g, order, g.after, {}, none.head);
     ASSERT_EQ(by_hand.size(), 3);

@@ -45,7 +45,7 @@ inline std::vector<polygon::Region> world(const std::vector<Outlined>& outlined)
         for (const auto& u : out) {
             if (u.layer + 1 != r.layer) continue;
             const double a = polygon::signed_area(polygon::intersect(u.loops, r.loops));
-            if (a > 1e-6) r.below.push_back({u.id, a, 0.2, a > 0.05});
+            if (a > 1e-3) r.below.push_back({u.id, a, 0.2, a > 0.05});
         }
         out.push_back(std::move(r));
     }

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "mesh/holes.hpp"
 #include "mesh/place.hpp"
+#include "mutate.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/simple.hpp"
 
@@ -245,33 +246,42 @@ TEST(Broken, triangles_that_share_no_vertex_are_joined_across_their_gaps) {
     EXPECT_LT(noted(r, "left out"), 0.01 * 180 * 60);
 }
 
-TEST(Broken, a_sheet_is_left_out_with_its_length) {
-    Mesh m;
-    m.vertices = {{0, 0, 0}, {5, 0, 0}, {5, 0, 2}, {0, 0, 2}};
-    m.triangles = {{0, 1, 2}, {0, 2, 3}};
-    const Result r = cut(m);
-    EXPECT_EQ(volume(r), 0);
-    EXPECT_EQ(r.layers.size(), 10U);
-    EXPECT_NEAR(noted(r, "open contour left out"), 50, 1e-6);
-}
-
-TEST(Broken, triangles_facing_every_way_are_told_by_parity) {
-    Mesh soup; // no shared vertices, every other one flipped: nothing to learn from neighbours
-    const Mesh m =
-        shapes::together(shapes::box({0, 0, 0}, {10, 10, 4}), shapes::inverted(shapes::box({3, 3, -1}, {6, 6, 5})));
-    for (std::size_t t = 0; t < m.triangles.size(); ++t) {
-        auto c = m.triangles[t];
-        if (t % 2 == 0) std::swap(c[0], c[1]);
-        const auto i = static_cast<std::uint32_t>(soup.vertices.size());
-        for (const auto v : c)
-            soup.vertices.push_back(m.vertices[v] +
-                                    1e-6 * mesh::Vec3{static_cast<double>(t % 3), static_cast<double>(t % 5), 0});
+TEST(Broken, what_holds_nothing_is_refused) {
+    const auto said = [](const Mesh& m) {
+        try {
+            cut(m);
+        } catch (const Error& e) {
+            EXPECT_EQ(e.exit(), Exit::bad_input);
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    Mesh sheet;
+    sheet.vertices = {{0, 0, 0}, {5, 0, 0}, {5, 0, 2}, {0, 0, 2}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    EXPECT_NE(said(sheet).find("nothing lies within it"), std::string::npos);
+    EXPECT_NE(said(turned(sheet, 20, 30, 40)).find("its surface is open"), std::string::npos);
+    Mesh soup;
+    mutate::Dice dice;
+    for (std::uint32_t i = 0; i < 900; i += 3) {
+        const mesh::Vec3 at = dice.shift(10);
+        for (int k = 0; k < 3; ++k) soup.vertices.push_back(at + dice.shift(5) + mesh::Vec3{0, 0, 15});
         soup.triangles.push_back({i, i + 1, i + 2});
     }
-    const Result r = cut(soup, {.layer_height = 1});
+    EXPECT_NE(said(soup).find("mm3 undecided, more than the"), std::string::npos);
+}
+
+TEST(Broken, torn_triangles_are_turned_round_as_their_neighbours_say) {
+    const Mesh m =
+        shapes::together(shapes::box({0, 0, 0}, {10, 10, 4}), shapes::inverted(shapes::box({3, 3, -1}, {6, 6, 5})));
+    Mesh torn = mutate::soup(mutate::split(m, *std::make_unique<mutate::Dice>(), 1));
+    mutate::Dice dice;
+    for (auto& v : torn.vertices) v = v + dice.shift(0.01);
+    for (std::size_t t = 0; t < torn.triangles.size(); t += 3) std::swap(torn.triangles[t][0], torn.triangles[t][1]);
+    const Result r = cut(torn, {.layer_height = 1});
     ASSERT_EQ(r.layers.size(), 6U);
-    EXPECT_NEAR(std::abs(polygon::signed_area(r.layers[3].contours)), 100 - 9, 0.01);
-    EXPECT_GT(noted(r, "parity"), 0);
+    EXPECT_NEAR(polygon::signed_area(r.layers[3].contours), 100 - 9, 1);
+    EXPECT_GT(noted(r, "turned round to face as its neighbours do"), 0);
 }
 
 TEST(Broken, far_from_the_origin) {

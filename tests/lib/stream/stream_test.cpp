@@ -6,11 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace filum::stream {
@@ -242,6 +244,63 @@ TEST(sink, a_link_is_written_through) {
     sink.commit();
     EXPECT_TRUE(std::filesystem::is_symlink(link));
     EXPECT_EQ(bytes_of(path), "new");
+}
+
+void write(const std::string& path, const std::string& text) {
+    Sink sink(path, Sink::Content::text);
+    sink.write(text);
+    sink.commit();
+}
+
+TEST(sink, a_link_to_nothing_yet_is_followed) {
+    const std::string path = temporary("later"), link = temporary("dangling"), second = temporary("dangling2");
+    for (const auto& name : {path, link, second}) std::filesystem::remove(name);
+    std::filesystem::create_symlink(std::filesystem::path(path).filename(), link); // relative to its own folder
+    std::filesystem::create_symlink(link, second);
+    write(second, "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_TRUE(std::filesystem::is_symlink(second));
+    EXPECT_EQ(bytes_of(path), "new");
+}
+
+TEST(sink, links_in_a_circle_are_an_error) {
+    const std::string link = temporary("circle");
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(link, link);
+    EXPECT_THROW(write(link, "x"), Error);
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+}
+
+TEST(sink, a_file_that_is_replaced_keeps_who_may_read_it) {
+    const std::string path = temporary("secret");
+    for (const int mode : {0600, 0640, 0644, 0755}) {
+        put(path, "old");
+        ASSERT_EQ(::chmod(path.c_str(), mode), 0);
+        write(path, "new");
+        struct stat info {};
+        ASSERT_EQ(::stat(path.c_str(), &info), 0);
+        EXPECT_EQ(info.st_mode & 0777, static_cast<mode_t>(mode));
+        EXPECT_EQ(bytes_of(path), "new");
+    }
+    std::filesystem::remove(path);
+    const mode_t before = ::umask(027);
+    write(path, "new");
+    ::umask(before);
+    struct stat info {};
+    ASSERT_EQ(::stat(path.c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777, static_cast<mode_t>(0640));
+}
+
+TEST(sink, what_is_open_already_is_written_to_and_not_replaced) {
+    const std::string path = temporary("open");
+    put(path, "first ");
+    const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND);
+    ASSERT_GE(fd, 0);
+    write("/dev/fd/" + std::to_string(fd), "second ");
+    write("/proc/self/fd/" + std::to_string(fd), "third");
+    ::close(fd);
+    EXPECT_EQ(bytes_of(path), "first second third");
+    EXPECT_THROW(write("/dev/fd/" + std::to_string(fd), "x"), Error);
 }
 
 } // namespace

@@ -35,6 +35,40 @@ TEST(route, machine_is_the_head_to_keep_clear_of_unless_another_is_given) {
               (Lists{{"--head=none"}, {"--head=bio"}, {"--machine=bio"}}));
 }
 
+TEST(route, an_option_for_all_goes_where_it_does_something) {
+    const std::vector<Stage> stages{
+        {"fill", "", "", "", "", {{"method", true, "cyc", ""}, {"shift", true, "1", "method=paper"}}},
+        {"link", "", "", "", "", {{"links", true, "free", ""}, {"shift", true, "1", "links=paper"}}}};
+    const auto given = [&](const std::vector<std::string>& words) { return route(words, stages).arguments; };
+    EXPECT_EQ(given({"--shift=2", "--method=paper"}), (Lists{{"--shift=2", "--method=paper"}, {}}));
+    EXPECT_EQ(given({"--shift=2", "--links=paper"}), (Lists{{}, {"--shift=2", "--links=paper"}}));
+    EXPECT_EQ(given({"--shift=2", "--links=paper", "--method=paper"}),
+              (Lists{{"--shift=2", "--method=paper"}, {"--shift=2", "--links=paper"}}));
+    EXPECT_EQ(given({"--shift=2"}), (Lists{{"--shift=2"}, {"--shift=2"}})); // both will say what it needs
+    EXPECT_EQ(given({"--fill.shift=2"}), (Lists{{"--shift=2"}, {}}));
+}
+
+TEST(route, behind_two_dashes_all_are_names) {
+    EXPECT_EQ(route({"--", "--fast"}, kStages).input, "--fast");
+    EXPECT_EQ(route({"--fast", "--", "-o"}, kStages).input, "-o");
+    EXPECT_THROW(route({"--", "a", "b"}, kStages), Error);
+}
+
+TEST(route, suggests_what_was_meant) {
+    const auto why = [](const std::vector<std::string>& words) -> std::string {
+        try {
+            route(words, kStages);
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    };
+    EXPECT_NE(why({"--heigth=1"}).find("did you mean '--height'?"), std::string::npos);
+    EXPECT_NE(why({"--fil.width=1"}).find("did you mean '--fill'?"), std::string::npos);
+    EXPECT_NE(why({"--fill.widht=1"}).find("did you mean '--fill.width'?"), std::string::npos);
+    EXPECT_NE(why({"-height"}).find("did you mean '--height'?"), std::string::npos);
+}
+
 TEST(route, refuses_what_is_nobodys) {
     for (const auto& words : std::vector<std::vector<std::string>>{{"--nothing"},
                                                                    {"--slice.width=1"},

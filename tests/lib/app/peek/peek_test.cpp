@@ -111,8 +111,9 @@ TEST(peek, a_surface_tells_what_follows_from_it) {
 TEST(peek, json_escapes_words_and_has_no_bare_nan) {
     const stream::RawFrame raw{stream::Tag::note,
                                stream::serialise(Note{"a", "said \"no\\\n\x01\"", 0.1, "mm", 1, -1, NAN, 1e-3})};
-    EXPECT_EQ(json(record(raw)), "{\"kind\":\"note\",\"stage\":\"a\",\"what\":\"said \\\"no\\\\\\u000a\\u0001\\\"\","
-                                 "\"amount\":0.1,\"unit\":\"mm\",\"count\":1,\"layer\":-1,\"x\":null,\"y\":0.001}");
+    EXPECT_EQ(json(record(raw)),
+              "{\"kind\":\"note\",\"stage\":\"a\",\"what\":\"said \\\"no\\\\\\u000a\\u0001\\\"\","
+              "\"amount\":0.1,\"unit\":\"mm\",\"count\":1,\"layer\":-1,\"x\":null,\"y\":0.001,\"z\":0}");
 }
 
 TEST(peek, of_a_cut_stream_it_prints_what_comes_before) {

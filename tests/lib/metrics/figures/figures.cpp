@@ -15,10 +15,10 @@ TEST(Figures, AreWrittenThreeWays) {
                     {"two", "text", std::string("say \"hi\"\tthere")},
                     {"two", "zero", -1e-12, 1}};
     EXPECT_EQ(text(f, Format::table), "one\n  a count      7\n  a length  1.50 mm\n\ntwo\n  none         -\n  text     "
-                                      " say \"hi\" there\n  zero       0.0\n");
+                                      " say \"hi\"\\tthere\n  zero       0.0\n");
     EXPECT_EQ(text(f, Format::tsv),
               "group\tname\tvalue\tunit\none\ta count\t7\t\none\ta length\t1.50\tmm\ntwo\tnone\t-\t\ntwo\ttext\tsay "
-              "\"hi\" there\t\ntwo\tzero\t0.0\t\n");
+              "\"hi\"\\tthere\t\ntwo\tzero\t0.0\t\n");
     EXPECT_EQ(text(f, Format::json),
               "{\n  \"one\": {\n    \"a_count\": 7,\n    \"a_length_mm\": 1.50\n  },\n  \"two\": {\n    \"none\": "
               "null,\n    \"text\": \"say \\\"hi\\\"\\u0009there\",\n    \"zero\": 0.0\n  }\n}\n");

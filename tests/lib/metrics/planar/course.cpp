@@ -67,34 +67,50 @@ machine::Profile profile() {
     return p;
 }
 
+// From above the first stroke, mm, at feeds.z.
+double approach(const machine::Profile& p) { return machine::stop_to_stop(5, p.feeds.z, p.motion.travel_acceleration); }
+
+double seconds(const machine::Profile& p, const std::vector<toolpath::Span>& spans) {
+    Pace pace(p);
+    for (const auto& span : spans) pace.add(span);
+    return pace.seconds();
+}
+
 TEST(Pace, OfOneMoveIsATrapezoid) {
-    Pace pace(profile());
-    pace.add(bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1));
     // 1.5 mm each for speeding up and slowing down, 0.05 s each, and 27 mm at 60 mm/s.
-    EXPECT_NEAR(pace.seconds(), 27.0 / 60 + 2 * 60.0 / 1200, 1e-9);
+    EXPECT_NEAR(seconds(profile(), {bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1)}),
+                approach(profile()) + 27.0 / 60 + 2 * 60.0 / 1200, 1e-9);
 }
 
 TEST(Pace, StraightPiecesTakeAsLongAsTheWhole) {
-    Pace pace(profile());
     std::vector<geom::Vec3> points;
     for (int k = 0; k <= 300; ++k) points.push_back({0.1 * k, 0, 0.2});
-    pace.add(bead(points, 0.4, 0.2, 1));
-    EXPECT_NEAR(pace.seconds(), 27.0 / 60 + 2 * 60.0 / 1200, 1e-6);
+    EXPECT_NEAR(seconds(profile(), {bead(points, 0.4, 0.2, 1)}), approach(profile()) + 27.0 / 60 + 2 * 60.0 / 1200,
+                1e-6);
 }
 
 TEST(Pace, ATravelRetractsRisesAndComesBack) {
     auto p = profile();
     p.travel.lift = 1, p.travel.retract = 2, p.travel.retract_speed = 20, p.travel.extra = 0, p.travel.min_length = 0;
     p.feeds.z = p.motion.max_speed_z = 10;
-    Pace plain(p), broken(p);
-    plain.add(bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1));
-    broken.add(bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1));
-    broken.add(travel({30, 0, 0.2}, {30, 40, 0.2}));
-    broken.add(bead({{30, 40, 0.2}, {0, 40, 0.2}}, 0.4, 0.2, 1));
+    const auto first = bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1);
+    const double plain = seconds(p, {first});
+    const double broken =
+        seconds(p, {first, travel({30, 0, 0.2}, {30, 40, 0.2}), bead({{30, 40, 0.2}, {0, 40, 0.2}}, 0.4, 0.2, 1)});
     const double z = 1.0 / 10 + 10.0 / 1000, xy = 40.0 / 100 + 100.0 / 1000;
-    const double standing = 2 * plain.seconds() + 2 * 2.0 / 20 + 2 * z + xy; // with a full stop between all of them
-    EXPECT_LE(broken.seconds(), standing + 1e-9);
-    EXPECT_GE(broken.seconds(), standing - 0.05); // corners are passed a little faster
+    // with a full stop between all of them
+    const double standing = plain + (plain - approach(p)) + 2 * 2.0 / 20 + 2 * z + xy;
+    EXPECT_LE(broken, standing + 1e-9);
+    EXPECT_GE(broken, standing - 0.05); // corners are passed a little faster
+}
+
+TEST(Pace, WhatNoMachineCanDoHasNoTime) {
+    Pace pace(profile());
+    pace.add(bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1));
+    pace.add(bead({{40, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1)); // they do not meet
+    EXPECT_LT(pace.seconds(), 0);
+    EXPECT_NE(pace.why().find("from where the one before ended"), std::string::npos);
+    EXPECT_NEAR(pace.tools().at(0).laid, 40, 1e-9);
 }
 
 // A stroke of plastic, then two of fibre: 100 mm of it, and 20 mm that no head of 45 mm can lay.
@@ -130,11 +146,11 @@ TEST(Pace, ChargesEachToolWithWhatItDoes) {
     EXPECT_NEAR(fibre.laid, 120, 1e-9);
     EXPECT_NEAR(fibre.volume, 24, 1e-9);
     EXPECT_NEAR(fibre.travel, std::hypot(60, 20), 1e-9);
-    // anchor, pause, 49 mm pulled, cut, tail; the short one at its feed, cut as it begins
-    const double laid = 6 / 0.5 + 2 + 4.9 + 3 + 9 + 2 + 3;
+    // anchor, pause, 49 mm pulled, cut, tail; the short one takes no time
+    const double laid = 6 / 0.5 + 2 + 4.9 + 3 + 9;
     EXPECT_NEAR(fibre.print_seconds, laid, 0.1);
     EXPECT_GE(fibre.print_seconds, laid);
-    EXPECT_GT(fibre.travel_seconds, 4); // twice 7 mm into the air
+    EXPECT_GT(fibre.travel_seconds, 2); // 7 mm into the air
     EXPECT_NEAR(plastic.print_seconds + plastic.travel_seconds + fibre.print_seconds + fibre.travel_seconds, all, 1e-9);
 }
 

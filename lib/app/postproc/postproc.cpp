@@ -1,0 +1,98 @@
+#include "app/postproc/postproc.hpp"
+
+#include "cli/output.hpp"
+#include "postproc/about.hpp"
+#include "postproc/job.hpp"
+#include "postproc/measure.hpp"
+#include "postproc/program.hpp"
+#include "stream/spool.hpp"
+#include "wire/planar.hpp"
+
+#include <deque>
+
+namespace filum::app::postproc {
+
+namespace {
+
+// The files of a program's modules, in a folder.
+class Modules {
+  public:
+    explicit Modules(std::string folder) : folder_(std::move(folder)) {}
+
+    // None without a folder.  Good as long as this lives.
+    filum::postproc::ModuleFile file() {
+        if (folder_.empty()) return {};
+        return [this](const std::string& name) {
+            stream::Sink& to = files_.emplace_back(folder_ + "/" + name, stream::Sink::Content::text);
+            return [&to](std::string_view text) { to.write(text); };
+        };
+    }
+
+    void commit() {
+        for (stream::Sink& file : files_) file.commit();
+    }
+
+  private:
+    std::string folder_;
+    std::deque<stream::Sink> files_;
+};
+
+std::vector<filum::postproc::Stage> stages(const stream::Header& before, const cli::Io& io,
+                                           const machine::Profile& profile) {
+    std::vector<filum::postproc::Stage> out;
+    for (const auto& run : cli::header(io, stream::Payload::unknown, {&before}).history) {
+        out.push_back({run.program, {}});
+        for (const auto& s : run.settings) out.back().settings.emplace_back(s.name, s.value);
+    }
+    auto& own = out.back().settings;
+    own.insert(own.begin(), {"machine", profile.name + " (profile " + profile.fingerprint + ")"});
+    return out;
+}
+
+} // namespace
+
+void run(const filum::postproc::Options& o, const cli::Io& io) {
+    const auto profile = filum::postproc::profile_for(o);
+    if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
+    if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
+    stream::Reader reader(io.input, stream::Payload::toolpath);
+    stream::Sink sink(io.output, stream::Sink::Content::text);
+    stream::Spool spool;
+    cli::Progress progress(io, reader.header().expected);
+    Notes notes;
+    Facts facts;
+    filum::postproc::Measure measure(profile, filum::postproc::parse_place(o.place),
+                                     filum::postproc::parse_orient(o.orient), o.flatten);
+    while (auto frame = reader.next()) {
+        if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
+        if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
+        if (frame->tag != stream::Tag::span) continue;
+        measure.add(wire::span(*frame));
+        spool.add(std::move(*frame));
+        progress.step();
+    }
+    for (; measure.again(); spool.rewind())
+        while (const auto frame = spool.next()) measure.add(wire::span(*frame));
+    const auto survey = measure.end();
+    cli::Report said(io);
+    for (const Note& n : filum::postproc::omissions(survey, io.program)) notes.push_back(n);
+    filum::postproc::add_efforts(profile, survey, io.program, notes, facts);
+    for (const Note& n : notes) said.add(n);
+    said.say();
+    if (!o.job.empty())
+        cli::write_text(o.job, filum::metrics::figures::text(filum::postproc::job(profile, survey),
+                                                             filum::metrics::figures::Format::tsv));
+    Modules modules(o.modules);
+    const auto program = filum::postproc::writer(
+        profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
+    program->begin(filum::postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
+    const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
+    const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
+    while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
+    written->end();
+    program->end();
+    modules.commit();
+    sink.commit();
+}
+
+} // namespace filum::app::postproc

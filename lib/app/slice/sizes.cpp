@@ -1,0 +1,82 @@
+#include "app/slice/sizes.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "machine/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace filum::app::slice {
+
+namespace {
+
+constexpr double kInch = 4, kTiny = 1; // mm: parts whose longest side is less are likely to be in inches; to be wrong
+constexpr double kHuge = 1000;         // mm: beyond what common machines reach
+constexpr double kTold = 0.02;         // of the volume
+constexpr double kRounding = 1e-6;     // mm
+
+Note unlikely(std::string what, double longest) {
+    return {.stage = "", .what = std::move(what), .amount = longest, .unit = "mm"};
+}
+
+std::string spoken(const geom::Vec3& size) {
+    return fixed_text(size.x, 2) + " x " + fixed_text(size.y, 2) + " x " + fixed_text(size.z, 2) + " mm";
+}
+
+// The distance of neighbouring numbers in single precision.
+double spacing(double at) {
+    const auto f = static_cast<float>(std::abs(at));
+    return std::nextafter(f, std::numeric_limits<float>::infinity()) - f;
+}
+
+bool fits(double x, double y, double z, const geom::Vec3& room) {
+    return x <= room.x + kRounding && y <= room.y + kRounding && z <= room.z + kRounding;
+}
+
+} // namespace
+
+void check_size(const mesh::Box3& box, bool unit_known, Notes& notes) {
+    const geom::Vec3 size = box.hi - box.lo;
+    const double longest = std::max({size.x, size.y, size.z});
+    if (longest < (unit_known ? kTiny : kInch))
+        notes.push_back(unlikely("part is very small; is its file in inches or metres? See --unit", longest));
+    if (longest > kHuge)
+        notes.push_back(unlikely("part is larger than most machines; is its unit right? See --unit", longest));
+}
+
+void check_precision(const mesh::Mesh& mesh, Notes& notes) {
+    const mesh::Box3 box = mesh::bounds(mesh);
+    double step = 0;
+    for (const geom::Vec3& p : {box.lo, box.hi})
+        for (const double c : {p.x, p.y, p.z}) step = std::max(step, spacing(c));
+    const auto single = [](double c) { return c == static_cast<double>(static_cast<float>(c)); };
+    for (const geom::Vec3& v : mesh.vertices)
+        if (!single(v.x) || !single(v.y) || !single(v.z)) return;
+    double area = 0;
+    for (const auto& t : mesh.triangles)
+        area += norm(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]])) / 2;
+    const double moved = area * step / 2, volume = std::abs(mesh::volume(mesh)); // half a step, all outwards
+    if (!(moved > kTold * volume)) return;
+    notes.push_back({.stage = "",
+                     .what = "coordinates so far from the origin are rounded to " + shortest_text(step) +
+                             " units of the file; export the part near the origin, or volume may be wrong",
+                     .amount = moved,
+                     .unit = "mm3",
+                     .count = 1});
+}
+
+void check_bed(const mesh::Box3& box, const std::string& machine) {
+    const machine::Profile profile = machine::load_profile(machine);
+    if (profile.axes.active()) return;
+    const machine::Bed& bed = profile.bed;
+    const geom::Vec3 size = box.hi - box.lo, room{bed.x_max - bed.x_min, bed.y_max - bed.y_min, bed.z_max - bed.z_min};
+    if (fits(size.x, size.y, size.z, room)) return;
+    throw Error(Exit::bad_input, "cannot make the part with '" + profile.name + "': it is " + spoken(size) +
+                                     ", and the machine reaches " + spoken(room) +
+                                     (fits(size.y, size.x, size.z, room) ? "; turn it by --rotate 0,0,90"
+                                                                         : "; check --unit and --scale"));
+}
+
+} // namespace filum::app::slice

@@ -1,0 +1,24 @@
+// The whole job of `surfpath`: surfaces in, a toolpath out.
+#pragma once
+
+#include "baselines/kipping2022/kipping2022.hpp"
+#include "cli/command.hpp"
+#include "surfpath/patches.hpp"
+#include "surfpath/surfpath.hpp"
+
+namespace filum::app::surfpath {
+
+struct Options {
+    filum::surfpath::Options plan{.algorithm = "planned"};
+    filum::surfpath::Laying laying;
+    std::int64_t ply = 0;
+    std::vector<double>
+        plane; // normal and distance, mm, beside which rows of the paper lie; empty: that of the sources
+    baselines::kipping2022::Options paper;
+};
+
+// Reads surfaces, plans each, and writes one toolpath.  Warns of given options that no surface's algorithm uses.
+// Throws Error as the planners do.
+void run(const Options& options, const cli::Io& io);
+
+} // namespace filum::app::surfpath

@@ -1,0 +1,52 @@
+#include "cli/agree.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace filum::cli {
+
+namespace {
+
+const stream::Run* last_run(const std::vector<stream::Run>& history, const std::string& program) {
+    for (std::size_t i = history.size(); i-- > 1;) // but for this run
+        if (history[i - 1].program == program) return &history[i - 1];
+    return nullptr;
+}
+
+const stream::Setting* find(const stream::Run& run, const std::string& name) {
+    const auto at =
+        std::find_if(run.settings.begin(), run.settings.end(), [&](const auto& s) { return s.name == name; });
+    return at == run.settings.end() ? nullptr : &*at;
+}
+
+std::string spoken(const stream::Setting* s) { return s == nullptr ? "not given" : s->value; }
+
+bool differ(const stream::Setting* a, const stream::Setting* b) {
+    if (a != nullptr && b != nullptr) return a->value != b->value;
+    return (a != nullptr && a->changed) || (b != nullptr && b->changed);
+}
+
+} // namespace
+
+Notes disagreements(const Io& io, const stream::Header& header) {
+    Notes out;
+    if (header.history.empty()) return out;
+    for (const Io::Same& same : io.same) {
+        const stream::Setting* own = find(header.history.back(), same.name);
+        for (const std::string& as : same.as) {
+            const auto dot = as.find('.');
+            const std::string program = as.substr(0, dot), name = as.substr(dot + 1);
+            const stream::Run* run = last_run(header.history, program);
+            if (run == nullptr || !differ(own, find(*run, name))) continue;
+            out.push_back({.stage = io.program,
+                           .what = "--" + same.name + " is " + spoken(own) + ", but '" + program + "' had --" + name +
+                                   " " + spoken(find(*run, name)) + "; give both the same",
+                           .amount = 1,
+                           .unit = "",
+                           .count = 1});
+        }
+    }
+    return out;
+}
+
+} // namespace filum::cli

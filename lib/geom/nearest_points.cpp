@@ -1,0 +1,92 @@
+#include "geom/nearest_points.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace filum::geom {
+
+namespace {
+
+constexpr std::uint32_t kLeafPoints = 8;
+
+double distance2(const Box2& box, Vec2 p) {
+    const double x = std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
+                 y = std::max({0.0, box.lo.y - p.y, p.y - box.hi.y});
+    return x * x + y * y;
+}
+
+} // namespace
+
+NearestPoints::NearestPoints(std::vector<Vec2> points)
+    : points_(std::move(points)), order_(points_.size()), leaf_(points_.size()), present_(points_.size(), 0) {
+    if (points_.empty()) return;
+    std::iota(order_.begin(), order_.end(), 0U);
+    nodes_.push_back({{}, 0, static_cast<std::uint32_t>(points_.size())});
+    for (std::uint32_t k = 0; k < nodes_.size(); ++k) split(k);
+}
+
+// Halves a node across its longer side until it is a leaf.
+void NearestPoints::split(std::uint32_t node) {
+    Node n = nodes_[node];
+    for (std::uint32_t k = n.first; k < n.last; ++k) n.box.add(points_[order_[k]]);
+    if (n.last - n.first <= kLeafPoints) {
+        for (std::uint32_t k = n.first; k < n.last; ++k) leaf_[order_[k]] = node;
+        nodes_[node] = n;
+        return;
+    }
+    const bool by_x = n.box.hi.x - n.box.lo.x >= n.box.hi.y - n.box.lo.y;
+    const std::uint32_t middle = n.first + (n.last - n.first) / 2;
+    std::nth_element(order_.begin() + n.first, order_.begin() + middle, order_.begin() + n.last,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                         const double p = by_x ? points_[a].x : points_[a].y, q = by_x ? points_[b].x : points_[b].y;
+                         return p < q || (p == q && a < b);
+                     });
+    n.below = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[node] = n;
+    nodes_.push_back({{}, n.first, middle, 0, node});
+    nodes_.push_back({{}, middle, n.last, 0, node});
+}
+
+void NearestPoints::count(std::uint32_t i, std::uint32_t change) {
+    for (std::uint32_t n = leaf_[i];; n = nodes_[n].above) {
+        nodes_[n].present += change;
+        if (n == 0) return;
+    }
+}
+
+void NearestPoints::insert(std::uint32_t i) {
+    present_[i] = 1;
+    count(i, 1);
+}
+
+void NearestPoints::remove(std::uint32_t i) {
+    present_[i] = 0;
+    count(i, ~0U); // one less
+}
+
+std::optional<std::uint32_t> NearestPoints::nearest(Vec2 p) const {
+    if (empty()) return std::nullopt;
+    double best = std::numeric_limits<double>::infinity();
+    std::uint32_t found = 0;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+        const Node& n = nodes_[open.back()];
+        open.pop_back();
+        if (n.present == 0 || distance2(n.box, p) > best) continue;
+        if (n.below == 0) {
+            for (std::uint32_t k = n.first; k < n.last; ++k) {
+                const std::uint32_t i = order_[k];
+                if (present_[i] == 0) continue;
+                const double d = norm2(points_[i] - p);
+                if (d < best || (d == best && i < found)) best = d, found = i;
+            }
+            continue;
+        }
+        const bool left = distance2(nodes_[n.below].box, p) <= distance2(nodes_[n.below + 1].box, p);
+        open.push_back(n.below + (left ? 1 : 0));
+        open.push_back(n.below + (left ? 0 : 1)); // the nearer one first
+    }
+    return found;
+}
+
+} // namespace filum::geom

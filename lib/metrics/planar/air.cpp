@@ -1,0 +1,197 @@
+#include "metrics/planar/air.hpp"
+
+#include "geom/segment_grid.hpp"
+#include "metrics/planar/lanes.hpp"
+#include "parallel/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::metrics::planar {
+
+namespace {
+
+constexpr double kRowsPerBead = 4;
+constexpr double kFaint = 1e-3; // mm of bead, or mm2: less is rounding
+
+// The beads of a layer one after the other.
+struct Track {
+    std::vector<Bead> beads;
+    std::vector<char> follows; // goes on, without a stop, where the bead before it ended
+    double mean = 0;           // mm, of their widths
+};
+
+Track track(const LayerBeads* from) {
+    Track out;
+    double length = 0, area = 0;
+    for (std::size_t k = 0; from != nullptr && k < from->pieces.size(); ++k) {
+        const Piece& p = from->pieces[k];
+        if (p.role == toolpath::Role::connector) continue;
+        for (std::size_t i = p.first; i + 1 < from->end(k); ++i) {
+            const Bead b{from->points[i], from->points[i + 1], from->width[i], 0, 0};
+            const bool after_bead = k > 0 && from->pieces[k - 1].role != toolpath::Role::connector;
+            out.follows.push_back(i > p.first || (p.continues && after_bead) ? 1 : 0);
+            const double l = geom::distance(b.a, b.b);
+            length += l, area += l * b.width;
+            out.beads.push_back(b);
+        }
+    }
+    out.mean = length > 0 ? area / length : 0;
+    return out;
+}
+
+// What carries: the beads of the layer below, wider by half a bead on each side.
+std::vector<Bead> carriers(const Track& below, double half) {
+    std::vector<Bead> out = below.beads;
+    for (Bead& b : out) b.width += 2 * half;
+    return out;
+}
+
+// The lanes of a sweep that a row meets, joined.
+struct Sweep {
+    const std::vector<Lane>& lane;
+    std::size_t next = 0;
+    std::vector<std::uint32_t> live;
+
+    void row(double y, std::vector<Interval>& out) {
+        for (; next < lane.size() && lane[next].lo < y; ++next) live.push_back(static_cast<std::uint32_t>(next));
+        std::erase_if(live, [&](std::uint32_t i) { return lane[i].hi <= y; });
+        out.clear();
+        for (const auto i : live)
+            if (Interval s; section(lane[i], y, s)) out.push_back(s);
+        unite(out);
+    }
+};
+
+double shared_length(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    double sum = 0;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); ++(a[i].hi < b[j].hi ? i : j))
+        sum += std::max(0.0, std::min(a[i].hi, b[j].hi) - std::max(a[i].lo, b[j].lo));
+    return sum;
+}
+
+// The area under `beads` and not under `below`, mm2.
+double uncovered(std::span<const Bead> beads, std::span<const Bead> below, double spacing) {
+    const auto upper = lanes(beads), lower = lanes(below);
+    double top = upper.front().hi, sum = 0;
+    for (const Lane& l : upper) top = std::max(top, l.hi);
+    Sweep laid{upper, 0, {}}, under{lower, 0, {}};
+    std::vector<Interval> up, low;
+    const double rows = std::ceil((top - upper.front().lo) / spacing);
+    for (double k = 0; k < rows; ++k) {
+        const double y = upper.front().lo + (k + 0.5) * spacing;
+        laid.row(y, up), under.row(y, low);
+        for (const Interval& i : up) sum += (i.hi - i.lo) * spacing;
+        sum -= shared_length(up, low) * spacing;
+    }
+    return sum;
+}
+
+// The parts of beads that no carrier holds.
+class Carried {
+  public:
+    explicit Carried(const std::vector<Bead>& carriers)
+        : carrier_(carriers), reach_(reach(carriers)), grid_(segments(carriers), reach_) {}
+
+    // The free intervals of the axis a -> b, mm from a.
+    const std::vector<Interval>& free(Vec2 a, Vec2 b) {
+        const double l = geom::distance(a, b);
+        const Vec2 u = (1 / l) * (b - a);
+        held_.clear();
+        bool all = false;
+        const double r = reach_;
+        grid_.near({std::min(a.x, b.x) - r, std::min(a.y, b.y) - r}, {std::max(a.x, b.x) + r, std::max(a.y, b.y) + r},
+                   [&](std::uint32_t i) {
+                       if (all) return;
+                       const Bead& c = carrier_[i];
+                       const auto turned = [&](Vec2 p) { return Vec2{geom::dot(p - a, u), geom::cross(u, p - a)}; };
+                       Lane lane{turned(c.a), turned(c.b), {1, 0}, c.width / 2, geom::distance(c.a, c.b), 0, 0, 0};
+                       if (lane.length > 0) lane.u = (1 / lane.length) * (lane.b - lane.a);
+                       Interval s;
+                       if (!section(lane, 0, s) || s.hi <= 0 || s.lo >= l) return;
+                       all = s.lo <= 0 && s.hi >= l;
+                       held_.push_back(s);
+                   });
+        free_.clear();
+        if (all) return free_;
+        unite(held_);
+        double from = 0;
+        for (const Interval& h : held_) {
+            if (h.lo > from) free_.push_back({from, h.lo, 0});
+            from = std::max(from, h.hi);
+        }
+        if (from < l) free_.push_back({from, l, 0});
+        return free_;
+    }
+
+  private:
+    static double reach(const std::vector<Bead>& carriers) {
+        double out = kFaint;
+        for (const Bead& b : carriers) out = std::max(out, b.width / 2);
+        return out;
+    }
+    static std::vector<geom::Segment> segments(const std::vector<Bead>& carriers) {
+        std::vector<geom::Segment> out;
+        for (const Bead& b : carriers) out.push_back({b.a, b.b});
+        return out;
+    }
+
+    const std::vector<Bead>& carrier_;
+    double reach_; // mm
+    geom::SegmentGrid grid_;
+    std::vector<Interval> held_, free_;
+};
+
+void stretches(const Track& upper, const std::vector<Bead>& carriers, Air& air) {
+    Carried carried(carriers);
+    double now = 0; // of the stretch that goes on
+    Vec2 begin;
+    for (std::size_t i = 0; i < upper.beads.size(); ++i) {
+        const Bead& b = upper.beads[i];
+        const double l = geom::distance(b.a, b.b);
+        if (upper.follows[i] == 0) now = 0;
+        double end = 0; // of the last free interval
+        for (const Interval& f : carried.free(b.a, b.b)) {
+            if (f.lo > 0) now = 0;
+            if (now == 0) begin = geom::lerp(b.a, b.b, f.lo / l);
+            now += f.hi - f.lo, air.length += f.hi - f.lo, end = f.hi;
+            if (now > air.longest) air.longest = now, air.at = begin;
+        }
+        if (end < l) now = 0;
+    }
+}
+
+Air hanging(const LayerBeads& layer, const LayerBeads* below, double pixel) {
+    Air air;
+    const Track upper = track(&layer);
+    if (upper.beads.empty()) return air;
+    const std::vector<Bead> held = carriers(track(below), upper.mean / 2);
+    air.area = uncovered(upper.beads, held, pixel > 0 ? pixel : upper.mean / kRowsPerBead);
+    stretches(upper, held, air);
+    if (air.area < kFaint) air.area = 0;
+    if (air.length < kFaint) air.length = air.longest = 0;
+    return air;
+}
+
+} // namespace
+
+Air measure_air(const Beads& beads, double pixel, int threads) {
+    std::vector<std::uint32_t> index;
+    for (const auto& [layer, b] : beads.layer) index.push_back(layer);
+    std::vector<Air> each(index.size());
+    parallel::for_chunks(index.size(), 1, threads, [&](std::size_t i, std::size_t) {
+        if (i == 0) return; // on the bed
+        const bool next = index[i - 1] + 1 == index[i];
+        each[i] = hanging(beads.layer.at(index[i]), next ? &beads.layer.at(index[i - 1]) : nullptr, pixel);
+    });
+    Air out;
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        const Air& a = each[i];
+        out.area += a.area, out.length += a.length;
+        out.layers += a.area > 0 || a.length > 0 ? 1 : 0;
+        if (a.longest > out.longest) out.longest = a.longest, out.layer = index[i], out.at = a.at;
+    }
+    return out;
+}
+
+} // namespace filum::metrics::planar

@@ -1,0 +1,32 @@
+// Beads as rows cut them: sets of intervals with exact ends.
+#pragma once
+
+#include "metrics/planar/cover.hpp"
+
+#include <span>
+#include <vector>
+
+namespace filum::metrics::planar {
+
+struct Interval {
+    double lo = 0, hi = 0;
+    std::uint32_t slot = 0;
+};
+
+// A bead with what its rows need.  It lies within lo <= y <= hi.
+struct Lane {
+    Vec2 a, b, u; // ends, direction
+    double half = 0, length = 0, lo = 0, hi = 0;
+    std::uint32_t slot = 0;
+};
+
+// By ascending lo.
+std::vector<Lane> lanes(std::span<const Bead> beads);
+
+// The lane on the row at y: one interval, as it is convex; false if there is none.
+bool section(const Lane& lane, double y, Interval& out);
+
+// Sorts by slot and place, and joins what overlaps within a slot.
+void unite(std::vector<Interval>& intervals);
+
+} // namespace filum::metrics::planar

@@ -1,0 +1,165 @@
+#include "regions/air.hpp"
+
+#include "base/number.hpp"
+#include "geom/segment.hpp"
+#include "polygon/clip.hpp"
+#include "regions/inradius.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace filum::regions {
+
+namespace {
+
+using geom::Box2;
+using geom::Vec2;
+using polygon::Loops;
+using polygon::Region;
+
+constexpr double kArc = 1.0 / 32; // of the bead width: how far the arcs around corners of the layer below may be off
+constexpr int kWays = 36;         // directions in which a bridge is looked for: every 5 degrees
+
+void append(Loops& to, const Loops& from) {
+    for (std::size_t l = 0; l < from.size(); ++l) to.add(from[l]);
+}
+
+Box2 grown(Box2 box, double by) {
+    box.lo = box.lo - Vec2{by, by}, box.hi = box.hi + Vec2{by, by};
+    return box;
+}
+
+// What of the lower regions lies in the box.
+Loops within(std::span<const Region> lower, const Box2& box) {
+    Loops out, frame;
+    for (const Region& l : lower)
+        if (meet(l.box, box)) append(out, l.loops);
+    const Box2 all = polygon::bounds(out);
+    if (out.empty() || (all.lo.x >= box.lo.x && all.lo.y >= box.lo.y && all.hi.x <= box.hi.x && all.hi.y <= box.hi.y))
+        return out;
+    frame.add(std::vector<Vec2>{box.lo, {box.hi.x, box.lo.y}, box.hi, {box.lo.x, box.hi.y}});
+    return polygon::intersect(out, frame);
+}
+
+// The part of `area` that is farther than `r` from `lower`.
+Loops farther(const Loops& area, const Loops& lower, double r, double arc) {
+    return polygon::subtract(area, polygon::offset(lower, r, arc));
+}
+
+// The point of `area` farthest from `lower`, to `tolerance`; nothing unless it is farther than `least`, infinitely far
+// if there is nothing.  No point is farther than `most`.
+struct Farthest {
+    double reach = 0;
+    Vec2 at;
+};
+Farthest farthest(const Loops& area, std::span<const Region> lower, double least, double most, double tolerance,
+                  double arc) {
+    Loops left = area;
+    const Box2 box = polygon::bounds(area);
+    const auto reaches = [&](double r) {
+        Loops rest = farther(left, within(lower, grown(box, r + tolerance)), r, arc);
+        if (rest.empty()) return false;
+        left = std::move(rest);
+        return true;
+    };
+    if (!reaches(least)) return {};
+    double lo = std::numeric_limits<double>::infinity();
+    if (!lower.empty()) {
+        double step = tolerance;
+        for (lo = least; lo + step < most && reaches(lo + step); step *= 2) lo += step;
+        for (; step > tolerance; lo += reaches(lo + step) ? step : 0) step /= 2;
+    }
+    const Box2 rest = polygon::bounds(left);
+    return {lo, geom::lerp(rest.lo, rest.hi, 0.5)};
+}
+
+// The shortest straight way through p from the layer below to the layer below; 0 if there is none.
+double bridge_over(Vec2 p, std::span<const Region> lower) {
+    double best = 0;
+    for (int k = 0; k < kWays; ++k) {
+        const double a = std::numbers::pi * k / kWays;
+        double way = 0;
+        for (const double sign : {1.0, -1.0}) {
+            const Vec2 d{sign * std::cos(a), sign * std::sin(a)};
+            double hit = std::numeric_limits<double>::infinity();
+            for (const Region& r : lower)
+                for (std::size_t l = 0; l < r.loops.size(); ++l)
+                    for (std::size_t i = 0, n = r.loops[l].size(); i < n; ++i)
+                        if (const auto h = geom::ray_parameters(p, d, r.loops[l][i], r.loops[l][(i + 1) % n]))
+                            hit = std::min(hit, h->t);
+            way += hit;
+        }
+        if (std::isfinite(way) && (best == 0 || way < best)) best = way;
+    }
+    return best;
+}
+
+// The region that a piece lies in: the one whose outline holds its first point, else the nearest box (the point may be
+// on the outline).
+std::size_t owner(std::span<const Region> upper, const std::vector<std::size_t>& among, const Loops& piece) {
+    const Box2 box = polygon::bounds(piece);
+    for (const std::size_t i : among)
+        if (meet(upper[i].box, box))
+            for (std::size_t k = 0; k < piece[0].size(); ++k)
+                if (polygon::contains(upper[i].loops, piece[0][k])) return i;
+    const Vec2 p = piece[0][0];
+    const auto far = [&](std::size_t i) { return geom::distance(upper[i].box, Box2{p, p}); };
+    return *std::min_element(among.begin(), among.end(), [&](std::size_t a, std::size_t b) { return far(a) < far(b); });
+}
+
+} // namespace
+
+void hang(std::span<Region> upper, std::span<const Region> lower, std::span<const double> covered, const Carried& how,
+          Air& air) {
+    const double allowed = how.bead_width / 2, arc = kArc * how.bead_width;
+    const double dot = std::numbers::pi * allowed * allowed; // the least that a bead covers: corners and tips have less
+    Loops free;
+    std::vector<std::size_t> among;
+    Box2 box;
+    for (std::size_t i = 0; i < upper.size(); ++i) {
+        upper[i].unsupported = 0;
+        if (upper[i].area - covered[i] < dot) continue;
+        append(free, upper[i].loops);
+        among.push_back(i);
+        box.add(upper[i].box.lo), box.add(upper[i].box.hi);
+    }
+    if (among.empty()) return;
+    bool any = false;
+    const Loops under = within(lower, grown(box, 2 * allowed));
+    for (const Loops& piece : polygon::split(farther(free, under, allowed, arc)).part) {
+        const double area = polygon::signed_area(piece);
+        const std::size_t of = owner(upper, among, piece);
+        const bool island = covered[of] == 0;
+        if (!island && area < dot) continue;
+        if (inradius_bound(piece, how.hairline / 2, how.hairline / 2) == 0) continue;
+        upper[of].unsupported += area;
+        air.area += area;
+        any = true;
+        // a piece that hangs on something is no farther from it than it is long
+        const Box2 around = polygon::bounds(piece);
+        const double most = island ? std::numeric_limits<double>::infinity()
+                                   : allowed + geom::distance(around.lo, around.hi) + how.hairline;
+        if (most <= air.reach) continue;
+        const Farthest f = farthest(piece, lower, std::max(air.reach, allowed), most, how.hairline, arc);
+        if (f.reach <= air.reach) continue;
+        air.reach = f.reach, air.at = f.at, air.layer = upper[of].layer;
+        air.bridge = bridge_over(f.at, lower);
+    }
+    air.layers += any ? 1 : 0;
+}
+
+std::optional<Note> note(const Air& air) {
+    if (air.layers == 0) return std::nullopt;
+    std::string what = "material in mid-air";
+    if (!std::isfinite(air.reach))
+        what += ", some with no layer below it";
+    else if (air.bridge > 0)
+        what += ", longest bridge " + fixed_text(air.bridge, 1) + " mm";
+    else
+        what += ", up to " + fixed_text(air.reach, 1) + " mm from the layer below";
+    return Note{"", what, air.area, "mm2", air.layers, air.layer, air.at.x, air.at.y};
+}
+
+} // namespace filum::regions

@@ -1,0 +1,166 @@
+#include "regions/gaps.hpp"
+
+#include "geom/segment_grid.hpp"
+#include "polygon/segments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace filum::regions {
+
+namespace {
+
+using geom::Segment;
+using geom::Vec2;
+using polygon::Loops;
+
+constexpr double kReachIn = 0.001; // mm that a patch reaches into the solid, so that rounding leaves no seam
+
+// Where the edges are along their loops.
+struct Course {
+    std::vector<std::uint32_t> loop; // of each edge
+    std::vector<double> at;          // mm from the loop's first point to the edge's first
+    std::vector<double> around;      // mm, of each loop
+};
+
+Course course(const Loops& loops) {
+    Course out;
+    for (std::uint32_t l = 0; l < loops.size(); ++l) {
+        const auto loop = loops[l];
+        double s = 0;
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            out.loop.push_back(l);
+            out.at.push_back(s);
+            s += geom::distance(loop[i], loop[(i + 1) % loop.size()]);
+        }
+        out.around.push_back(s);
+    }
+    return out;
+}
+
+// The shorter way along the outline between points of two edges; infinite if that is not one outline.
+double way(const Course& c, std::uint32_t e, double on_e, std::uint32_t f, double on_f) {
+    if (c.loop[e] != c.loop[f]) return std::numeric_limits<double>::infinity();
+    const double d = std::abs(c.at[e] + on_e - c.at[f] - on_f);
+    return std::min(d, c.around[c.loop[e]] - d);
+}
+
+// A nearest pair of points of two edges that do not cross.
+struct Nearest {
+    Vec2 p, q;
+    double d = std::numeric_limits<double>::infinity();
+};
+Nearest nearest(const Segment& e, const Segment& f) {
+    Nearest out;
+    const auto take = [&](Vec2 p, Vec2 q) {
+        if (const double d = geom::distance(p, q); d < out.d) out = {p, q, d};
+    };
+    for (const Vec2 p : {e.a, e.b}) take(p, geom::nearest_point(f.a, f.b, p));
+    for (const Vec2 q : {f.a, f.b}) take(geom::nearest_point(e.a, e.b, q), q);
+    return out;
+}
+
+// True if neither point lies on the solid's side of the other's edge.
+bool face_each_other(const Segment& e, const Segment& f, const Nearest& n) {
+    const auto outside = [](const Segment& s, Vec2 p) { return geom::cross(s.b - s.a, p - s.a) <= 0; };
+    return outside(e, n.q) && outside(f, n.p);
+}
+
+// The part of e that is nearer than `width` to f: an interval, as both are convex.
+std::optional<Segment> part_near(const Segment& e, const Segment& f, const Nearest& n, double width) {
+    const double l = geom::distance(e.a, e.b);
+    if (l == 0) return std::nullopt;
+    const double middle = std::clamp(geom::dot(n.p - e.a, e.b - e.a) / (l * l), 0.0, 1.0);
+    const auto near = [&](double t) {
+        const Vec2 p = geom::lerp(e.a, e.b, t);
+        return geom::point_segment_distance(f.a, f.b, p) < width;
+    };
+    const auto end = [&](double from, double to) { // the farthest near place, to a thousandth of the width
+        if (near(to)) return to;
+        while (std::abs(to - from) * l > width / 1000) {
+            const double t = (from + to) / 2;
+            (near(t) ? from : to) = t;
+        }
+        return from;
+    };
+    return Segment{geom::lerp(e.a, e.b, end(middle, 0)), geom::lerp(e.a, e.b, end(middle, 1))};
+}
+
+// The convex hull of a few points, counter-clockwise (Andrew 1979); fewer than three if they lie on a line.
+std::vector<Vec2> hull(std::vector<Vec2> p) {
+    std::sort(p.begin(), p.end(), [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    p.erase(std::unique(p.begin(), p.end()), p.end());
+    std::vector<Vec2> out;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t first = out.size();
+        for (const Vec2 q : p) {
+            while (out.size() >= first + 2 && geom::orient(out[out.size() - 2], out.back(), q) <= 0) out.pop_back();
+            out.push_back(q);
+        }
+        out.pop_back();
+        std::reverse(p.begin(), p.end());
+    }
+    return out;
+}
+
+// Both parts and what lies between them, and a little of the solid behind.
+std::vector<Vec2> patch(const Segment& e, const Segment& f) {
+    std::vector<Vec2> points;
+    for (const Segment& s : {e, f}) {
+        const double l = geom::distance(s.a, s.b);
+        const Vec2 in = l > 0 ? (kReachIn / l) * geom::left_of(s.b - s.a) : Vec2{};
+        for (const Vec2 p : {s.a, s.b}) points.push_back(p), points.push_back(p + in);
+    }
+    return hull(std::move(points));
+}
+
+// Calls f(j) for the edges near edge i, piece by piece, so that a long slanting one does not ask for all in its box.
+template <class F>
+void each_near(const geom::SegmentGrid& grid, const Segment& s, double cell, double width, F&& f) {
+    const int pieces = std::max(1, static_cast<int>(std::ceil(geom::distance(s.a, s.b) / cell)));
+    for (int k = 0; k < pieces; ++k) {
+        geom::Box2 box;
+        box.add(geom::lerp(s.a, s.b, static_cast<double>(k) / pieces));
+        box.add(geom::lerp(s.a, s.b, static_cast<double>(k + 1) / pieces));
+        grid.near(box.lo - Vec2{width, width}, box.hi + Vec2{width, width}, f);
+    }
+}
+
+} // namespace
+
+Loops bridges(const Loops& loops, double width) {
+    Loops out;
+    const auto edges = polygon::segments(loops);
+    if (edges.empty()) return out;
+    const Course along = course(loops);
+    double length = 0;
+    for (const double l : along.around) length += l;
+    const double cell = std::max(2 * width, length / static_cast<double>(edges.size()));
+    const geom::SegmentGrid grid(edges, cell);
+    std::vector<std::uint32_t> others;
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+        others.clear();
+        each_near(grid, edges[i], cell, width, [&](std::uint32_t j) {
+            if (j > i) others.push_back(j);
+        });
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        for (const std::uint32_t j : others) {
+            const Segment &e = edges[i], &f = edges[j];
+            const Nearest n = nearest(e, f);
+            if (n.d >= width || !face_each_other(e, f, n)) continue;
+            const double between = way(along, i, geom::distance(e.a, n.p), j, geom::distance(f.a, n.q));
+            if (between <= std::numbers::pi * width) continue;
+            const auto on_e = part_near(e, f, n, width), on_f = part_near(f, e, {n.q, n.p, n.d}, width);
+            if (!on_e || !on_f) continue;
+            const auto points = patch(*on_e, *on_f);
+            if (points.size() >= 3) out.add(points);
+        }
+    }
+    return out;
+}
+
+} // namespace filum::regions

@@ -1,0 +1,253 @@
+#include "rings/axis.hpp"
+
+#include "base/error.hpp"
+#include "geom/segment.hpp"
+
+#include <boost/polygon/voronoi.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::rings {
+
+namespace {
+
+using Diagram = boost::polygon::voronoi_diagram<double>;
+using Edge = Diagram::edge_type;
+using Cell = Diagram::cell_type;
+
+constexpr std::uint32_t kNoNode = 0xffffffff;
+constexpr double kNoHeight = 1e-2; // grid units: a focus nearer to its line makes no parabola
+
+Vec2 position(const Diagram::vertex_type& v) { return {v.x(), v.y()}; }
+
+// The vertex of the outline that a point cell belongs to.
+std::uint32_t vertex_of(const Sites& sites, const Cell& cell) {
+    const auto i = static_cast<std::uint32_t>(cell.source_index());
+    return cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT ? i : sites.next[i];
+}
+
+// The point of the cell's part of the outline nearest to p, grid units.
+Vec2 foot_in(const Sites& sites, const Cell& cell, Vec2 p) {
+    if (cell.contains_point()) return sites.at(vertex_of(sites, cell));
+    const std::size_t i = cell.source_index();
+    return geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
+}
+
+// Whether an edge of the cell lies inside: left of a segment, or about a vertex that points inwards.
+bool is_inside(const Sites& sites, const Edge& e) {
+    if (!e.is_primary() || !e.is_finite()) return false;
+    const Cell& cell = *e.cell();
+    if (cell.contains_point()) {
+        const std::uint32_t i = vertex_of(sites, cell);
+        return geom::orient(sites.at(sites.prev[i]), sites.at(i), sites.at(sites.next[i])) < 0;
+    }
+    const std::size_t i = cell.source_index();
+    const Vec2 a = sites.at(i), b = sites.at(sites.next[i]);
+    const double u = geom::orient(a, b, position(*e.vertex0())), v = geom::orient(a, b, position(*e.vertex1()));
+    return std::abs(u) > std::abs(v) ? u > 0 : v > 0;
+}
+
+// A curved edge: the place x along its line has radius and slope by the height h alone.  Of a vertex and a segment: a
+// parabola, x along the segment from the focus' foot, h the focus' height.  Of two vertices: a straight line, x from
+// the middle between them, h half their distance; the radius is what is curved.
+struct Curved {
+    Vec2 origin, along; // unit
+    double h = 0, from = 0, to = 0;
+    bool parabola = false;
+
+    [[nodiscard]] Vec2 at(double x) const {
+        if (!parabola) return origin + x * along;
+        return origin + x * along + ((x * x + h * h) / (2 * h)) * geom::left_of(along);
+    }
+    // How far from x the next node may be: the sagitta of radius and position is `tolerance` there.
+    [[nodiscard]] double step(double x, double tolerance) const {
+        const double u = 1 + (x / h) * (x / h);
+        return std::sqrt(8 * tolerance * h) * (parabola ? std::sqrt(std::sqrt(u)) : std::sqrt(u * std::sqrt(u)));
+    }
+};
+
+Curved curve_of(const Sites& sites, const Edge& e) {
+    const Cell *c = e.cell(), *d = e.twin()->cell();
+    const Vec2 a = position(*e.vertex0()), b = position(*e.vertex1());
+    Curved out;
+    if (c->contains_point() && d->contains_point()) {
+        const Vec2 p = sites.at(vertex_of(sites, *c)), q = sites.at(vertex_of(sites, *d));
+        out.origin = geom::lerp(p, q, 0.5), out.h = geom::distance(p, q) / 2;
+        out.along = (1 / std::max(1.0, 2 * out.h)) * geom::left_of(q - p);
+    } else if (c->contains_point() || d->contains_point()) {
+        const Cell& point = c->contains_point() ? *c : *d;
+        const std::size_t i = (c->contains_point() ? d : c)->source_index();
+        const Vec2 focus = sites.at(vertex_of(sites, point)), begin = sites.at(i);
+        const Vec2 along = sites.at(sites.next[i]) - begin;
+        out.along = (1 / geom::norm(along)) * along;
+        out.h = cross(out.along, focus - begin);
+        out.origin = begin + dot(focus - begin, out.along) * out.along;
+        out.parabola = true;
+    }
+    out.from = dot(a - out.origin, out.along), out.to = dot(b - out.origin, out.along);
+    return out;
+}
+
+// Adds the places strictly between x0 and x1 > x0: halved until the steps are small enough.
+void add_steps(const Curved& c, double x0, double x1, double tolerance, std::vector<double>& out) {
+    const double nearest = x0 * x1 < 0 ? 0 : std::min(std::abs(x0), std::abs(x1));
+    if (x1 - x0 <= c.step(nearest, tolerance)) return;
+    const double mid = (x0 + x1) / 2;
+    add_steps(c, x0, mid, tolerance, out);
+    out.push_back(mid);
+    add_steps(c, mid, x1, tolerance, out);
+}
+
+// Places of the nodes between the edge's two vertices, from vertex0 to vertex1.
+std::vector<double> places(const Curved& c, double tolerance, double slope) {
+    std::vector<double> out;
+    if (c.h < kNoHeight) return out;
+    const double lo = std::min(c.from, c.to), hi = std::max(c.from, c.to);
+    const double steep = c.h * slope / std::sqrt(1 - slope * slope); // where the slope passes the one given
+    double last = lo;
+    for (const double x : {-steep, 0.0, steep, hi}) {
+        if (x <= last || x > hi) continue;
+        add_steps(c, last, x, tolerance, out);
+        if (x < hi) out.push_back(x);
+        last = x;
+    }
+    if (c.from > c.to) std::reverse(out.begin(), out.end());
+    return out;
+}
+
+class Builder {
+  public:
+    Builder(const Sites& sites, double tolerance, double slope)
+        : sites_(&sites), tolerance_(tolerance * kSitesPerMm), slope_(slope) {}
+
+    Axis run() {
+        boost::polygon::default_voronoi_builder builder;
+        for (std::size_t i = 0; i < sites_->size(); ++i)
+            builder.insert_segment(sites_->x[i], sites_->y[i], sites_->x[sites_->next[i]], sites_->y[sites_->next[i]]);
+        builder.construct(&diagram_);
+        find_inside();
+        vertex_node_.assign(diagram_.num_vertices(), kNoNode);
+        first_.assign(inside_.size(), kNoNode);
+        for (std::size_t i = 0; i < inside_.size(); ++i)
+            if (inside_[i] && index(edge(i).twin()) > i) add(edge(i));
+        for (std::size_t i = 0; i < inside_.size(); ++i)
+            if (inside_[i]) out_.next[last_[i]] = first_[following(edge(i))];
+        for (Vec2& p : out_.node) p = sites_->origin + (1 / kSitesPerMm) * p;
+        for (Vec2& p : out_.foot) p = sites_->origin + (1 / kSitesPerMm) * p;
+        for (double& r : out_.radius) r /= kSitesPerMm;
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] const Edge& edge(std::size_t i) const { return diagram_.edges()[i]; }
+    [[nodiscard]] std::size_t index(const Edge* e) const {
+        return static_cast<std::size_t>(e - diagram_.edges().data());
+    }
+
+    void find_inside() {
+        inside_.resize(diagram_.num_edges());
+        for (std::size_t i = 0; i < inside_.size(); ++i) inside_[i] = is_inside(*sites_, edge(i)) ? 1 : 0;
+        for (std::size_t i = 0; i < inside_.size(); ++i)
+            if (inside_[i] != inside_[index(edge(i).twin())])
+                throw Error(Exit::failure, "internal error: the medial axis of a region is not sound");
+    }
+
+    std::uint32_t add_node(Vec2 p, double radius) {
+        out_.node.push_back(p);
+        out_.radius.push_back(radius);
+        return out_.nodes() - 1;
+    }
+    std::uint32_t node_of(const Diagram::vertex_type& v, const Cell& cell) {
+        std::uint32_t& known = vertex_node_[static_cast<std::size_t>(&v - diagram_.vertices().data())];
+        if (known != kNoNode) return known;
+        constexpr double kOnOutline = 1e-3; // grid units
+        const Vec2 p = position(v);
+        const double r = geom::distance(p, foot_in(*sites_, cell, p));
+        return known = add_node(p, r < kOnOutline ? 0 : r);
+    }
+
+    // The pieces of an edge, from its second vertex to its first: that is along the outline, as cells lie to the left.
+    void add(const Edge& e) {
+        const Cell &cell = *e.cell(), &other = *e.twin()->cell();
+        std::vector<std::uint32_t> nodes{node_of(*e.vertex0(), cell)};
+        if (cell.contains_point() || other.contains_point()) {
+            const Curved curved = curve_of(*sites_, e);
+            for (const double x : places(curved, tolerance_, slope_)) {
+                const Vec2 p = curved.at(x);
+                nodes.push_back(add_node(p, geom::distance(p, foot_in(*sites_, cell, p))));
+            }
+        }
+        nodes.push_back(node_of(*e.vertex1(), cell));
+        const auto pieces = static_cast<std::uint32_t>(nodes.size() - 1), base = out_.half_edges();
+        for (std::uint32_t j = 0; j < pieces; ++j) {
+            out_.from.insert(out_.from.end(), {nodes[j + 1], nodes[j]});
+            out_.foot.push_back(foot_in(*sites_, cell, out_.node[nodes[j + 1]]));
+            out_.foot.push_back(foot_in(*sites_, other, out_.node[nodes[j]]));
+            out_.next.insert(out_.next.end(), {base + 2 * j - 2, base + 2 * j + 3}); // those at the ends come later
+        }
+        const std::size_t i = index(&e), t = index(e.twin());
+        first_[i] = base + 2 * (pieces - 1), first_[t] = base + 1;
+        last_.resize(inside_.size());
+        last_[i] = base, last_[t] = base + 2 * (pieces - 1) + 1;
+    }
+
+    // The next edge along the outline: the one before in the same cell, or beyond the borders between cells.
+    [[nodiscard]] std::size_t following(const Edge& e) const {
+        const Edge* at = e.prev();
+        while (!inside_[index(at)]) at = at->twin()->prev();
+        return index(at);
+    }
+
+    const Sites* sites_;
+    double tolerance_, slope_;
+    Diagram diagram_;
+    std::vector<char> inside_;                // per edge of the diagram
+    std::vector<std::uint32_t> first_, last_; // per edge inside: half-edges
+    std::vector<std::uint32_t> vertex_node_;
+    Axis out_;
+};
+
+} // namespace
+
+double Axis::slope(std::uint32_t h) const {
+    const double l = length(h), rise = std::abs(radius[from[h]] - radius[to(h)]);
+    return l > 0 ? std::min(1.0, rise / l) : 0.0;
+}
+
+Axis medial_axis(const Sites& sites, double tolerance, double slope) {
+    if (sites.size() == 0) return {};
+    return Builder(sites, tolerance, slope).run();
+}
+
+Axis refined(const Axis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start) {
+    if (cuts.empty()) return axis;
+    Axis out;
+    out.node = axis.node, out.radius = axis.radius;
+    const std::uint32_t pieces = axis.half_edges() / 2;
+    const auto base = [&](std::uint32_t e) { return e + start[e]; }; // piece e becomes these and those that follow
+    const auto first = [&](std::uint32_t h) {
+        const std::uint32_t e = h / 2;
+        return h % 2 == 0 ? 2 * base(e) : 2 * (base(e + 1) - 1) + 1;
+    };
+    for (std::uint32_t e = 0; e < pieces; ++e) {
+        const std::uint32_t h = 2 * e, a = axis.from[h], b = axis.from[h + 1];
+        const std::uint32_t n = start[e + 1] - start[e];
+        for (std::uint32_t j = 0; j <= n; ++j) {
+            const std::uint32_t p = j == 0 ? a : axis.nodes() + start[e] + j - 1;
+            const std::uint32_t q = j == n ? b : axis.nodes() + start[e] + j;
+            const double t = j == 0 ? 0 : cuts[start[e] + j - 1], u = j == n ? 1 : cuts[start[e] + j];
+            out.from.insert(out.from.end(), {p, q});
+            out.foot.push_back(geom::lerp(axis.foot[h], axis.last_foot(h), t));
+            out.foot.push_back(geom::lerp(axis.last_foot(h + 1), axis.foot[h + 1], u));
+            out.next.push_back(j == n ? first(axis.next[h]) : 2 * (base(e) + j + 1));
+            out.next.push_back(j == 0 ? first(axis.next[h + 1]) : 2 * (base(e) + j - 1) + 1);
+            if (j == n) continue;
+            out.node.push_back(geom::lerp(axis.node[a], axis.node[b], u));
+            out.radius.push_back(axis.radius[a] + u * (axis.radius[b] - axis.radius[a]));
+        }
+    }
+    return out;
+}
+
+} // namespace filum::rings

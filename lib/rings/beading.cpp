@@ -1,0 +1,192 @@
+#include "rings/beading.hpp"
+
+#include "rings/wall_lanes.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <queue>
+
+namespace filum::rings {
+
+namespace {
+
+constexpr double kSharing = 2;       // the inmost lanes on each side that share what a wall's thickness leaves over
+constexpr double kWidest = 1.75;     // widths: what a lane may have to spare a change of their number
+constexpr double kRamp = 3;          // widths of wall along which the number of lanes changes by one
+constexpr double kLeastLane = 0.25;  // widths: no lane begins narrower
+constexpr double kAppear = 1.0 / 16; // of a ramp: in this stretch a lane goes from nothing to its least width
+constexpr double kBlend = 2;         // widths: over this length a corner's profile goes over into a thinner wall's
+constexpr double kParallel = 1e-9;   // slope of a wall that has no tip
+
+constexpr double kNone = -1; // of `last`: no lane
+
+// Radius of the disc that touches both sides of a corner and leaves a tip of `area` beyond it.
+double tip_radius(double slope, double area) {
+    const double a = std::asin(std::max(slope, kParallel));
+    return std::sqrt(area / std::max(kParallel, 1 / std::tan(a) - std::numbers::pi / 2 + a));
+}
+
+// What of the axis the profiles are told by.
+struct Relief {
+    std::vector<std::uint32_t> falling; // nodes by falling radius; ties by number
+    std::vector<std::uint32_t> up;      // per node: the half-edge to its highest neighbour
+    std::vector<char> dead_end;         // per node: all ways down from it lead to corners
+};
+
+Relief relief(const Axis& axis) {
+    Relief out;
+    out.falling.resize(axis.nodes());
+    std::iota(out.falling.begin(), out.falling.end(), 0U);
+    std::sort(out.falling.begin(), out.falling.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return axis.radius[a] != axis.radius[b] ? axis.radius[a] > axis.radius[b] : a < b;
+    });
+    out.up.assign(axis.nodes(), axis.half_edges());
+    for (std::uint32_t h = 0; h < axis.half_edges(); ++h) {
+        std::uint32_t& up = out.up[axis.from[h]];
+        if (up == axis.half_edges() || axis.radius[axis.to(h)] > axis.radius[axis.to(up)]) up = h;
+    }
+    out.dead_end.assign(axis.nodes(), 0);
+    for (std::size_t k = axis.nodes(); k-- > 0;) {
+        const std::uint32_t i = out.falling[k];
+        bool lower = false, dead = true;
+        std::uint32_t h = out.up[i];
+        do {
+            const std::uint32_t j = axis.to(h);
+            if (axis.radius[j] < axis.radius[i]) lower = true, dead = dead && out.dead_end[j];
+            h = axis.next[h ^ 1];
+        } while (h != out.up[i]);
+        out.dead_end[i] = axis.radius[i] == 0 || (lower && dead) ? 1 : 0;
+    }
+    return out;
+}
+
+// The number of lanes with the first part of each ramp passed quickly: where the bit of a wall's middle that the next
+// lane will cover is no wider than the least lane.
+double quickened(double lanes) {
+    const double k = std::floor(lanes + 1e-9), t = std::max(0.0, lanes - k);
+    return k + (t < kAppear ? t * kLeastLane / kAppear : kLeastLane + (t - kAppear) * (1 - kLeastLane) / (1 - kAppear));
+}
+
+class Profiles {
+  public:
+    Profiles(WallLanes walls, double width, double least_void)
+        : walls_(std::move(walls)), relief_(relief(walls_.axis)), least_void_(least_void) {
+        const std::size_t n = walls_.axis.nodes();
+        out_.width = width;
+        for (auto* v : {&out_.lanes, &out_.full, &out_.inner, &out_.top, &out_.last}) v->assign(n, 0);
+    }
+
+    Beading run() {
+        for (const std::uint32_t i : relief_.falling) walls_.set[i] ? of_wall(i) : of_corner(i);
+        blend();
+        for (std::uint32_t i = 0; i < axis().nodes(); ++i) {
+            const double rest = axis().radius[i] - out_.width * out_.full[i];
+            if (!walls_.set[i])
+                out_.lanes[i] = rest <= 0 ? axis().radius[i] / out_.width : out_.full[i] + rest / out_.inner[i];
+            out_.top[i] = std::max(out_.top[i], out_.lanes[i]);
+        }
+        find_ends();
+        out_.axis = std::move(walls_.axis), out_.wall = std::move(walls_.wall);
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] const Axis& axis() const { return walls_.axis; }
+
+    void of_wall(std::uint32_t i) {
+        const double f = quickened(walls_.lanes[i]);
+        out_.lanes[i] = out_.top[i] = f;
+        out_.full[i] = std::max(0.0, f - kSharing);
+        out_.inner[i] = (axis().radius[i] - out_.width * out_.full[i]) / (f - out_.full[i]);
+    }
+    void of_corner(std::uint32_t i) {
+        const std::uint32_t u = axis().to(relief_.up[i]);
+        out_.full[i] = out_.full[u], out_.inner[i] = out_.inner[u], out_.top[i] = out_.top[u];
+    }
+
+    struct Visit {
+        double along;
+        std::uint32_t node, source;
+        friend bool operator<(const Visit& a, const Visit& b) {
+            return a.along != b.along ? a.along > b.along : a.node > b.node;
+        }
+    };
+
+    // Where a corner rises out of a wall, the wall's profile goes over into the corner's.  The wall's lanes first grow
+    // with the radius up to a full width, or a thin wall's many narrow lanes would go on.
+    void blend() {
+        const double reach = kBlend * out_.width;
+        std::vector<double> along(axis().nodes(), reach);
+        std::vector<std::uint32_t> source(axis().nodes());
+        std::priority_queue<Visit> queue;
+        const auto go_on = [&](const Visit& v) {
+            std::uint32_t h = relief_.up[v.node];
+            do {
+                const std::uint32_t j = axis().to(h);
+                const double far = v.along + axis().length(h);
+                if (!walls_.set[j] && axis().radius[j] > axis().radius[v.node] && far < along[j]) {
+                    along[j] = far, source[j] = v.source;
+                    queue.push({far, j, v.source});
+                }
+                h = axis().next[h ^ 1];
+            } while (h != relief_.up[v.node]);
+        };
+        for (std::uint32_t i = 0; i < axis().nodes(); ++i)
+            if (walls_.set[i]) go_on({0, i, i});
+        while (!queue.empty()) {
+            const Visit v = queue.top();
+            queue.pop();
+            if (v.along == along[v.node]) go_on(v);
+        }
+        for (const std::uint32_t i : relief_.falling) {
+            if (along[i] >= reach) continue;
+            const std::uint32_t s = source[i];
+            const double t = along[i] / reach;
+            const double grown = (axis().radius[i] - out_.width * out_.full[s]) / (out_.top[s] - out_.full[s]);
+            const double inner = std::max(out_.inner[s], std::min(out_.width, grown));
+            out_.full[i] = std::lerp(out_.full[s], out_.full[i], t);
+            out_.inner[i] = std::lerp(inner, out_.inner[i], t);
+            out_.top[i] = std::lerp(out_.top[s], out_.top[i], t);
+        }
+    }
+
+    // `reach` and `last`: from the top down, so that no lane begins again in a tip below where it has ended.
+    void find_ends() {
+        out_.reach.assign(walls_.wall.size(), 0.5), out_.tip.assign(walls_.wall.size(), 0);
+        for (std::uint32_t e = 0; e < walls_.wall.size(); ++e) {
+            const bool rises = axis().radius[axis().from[2 * e]] < axis().radius[axis().to(2 * e)];
+            const std::uint32_t low = rises ? axis().from[2 * e] : axis().to(2 * e);
+            if (!relief_.dead_end[low]) continue;
+            const double radius = tip_radius(axis().slope(2 * e), least_void_);
+            if (walls_.wall[e])
+                out_.tip[e] = radius;
+            else
+                out_.reach[e] = std::clamp(radius / std::min(out_.width, out_.inner[low]), kLeastLane / 2, 0.5);
+        }
+        for (const std::uint32_t i : relief_.falling) {
+            const std::uint32_t up = relief_.up[i], u = axis().to(up);
+            out_.last[i] = out_.top[i] - kLeastLane;
+            if (!walls_.set[i]) out_.last[i] = std::min(out_.last[i], out_.lanes[i] - out_.reach[up / 2]);
+            if (!relief_.dead_end[i] || axis().radius[u] <= axis().radius[i]) continue;
+            if (axis().radius[i] < out_.tip[up / 2]) out_.last[i] = kNone;
+            if (!walls_.set[i] || out_.last[u] < 0) out_.last[i] = std::min(out_.last[i], out_.last[u]);
+        }
+    }
+
+    WallLanes walls_;
+    Relief relief_;
+    double least_void_;
+    Beading out_;
+};
+
+} // namespace
+
+Beading beading(const Axis& axis, double width, double least_void) {
+    WallLaneOptions o;
+    o.width = width, o.sharing = kSharing, o.widest = kWidest, o.ramp = kRamp * width, o.appear = kAppear;
+    o.slope = kWallSlope, o.blend = kBlend * width;
+    return Profiles(wall_lanes(axis, o), width, least_void).run();
+}
+
+} // namespace filum::rings

@@ -1,0 +1,32 @@
+// The rings of a region, all that a fill needs of this folder.
+#pragma once
+
+#include "rings/rings.hpp"
+#include "toolpath/path.hpp"
+
+namespace filum::rings {
+
+// What the edge of a bead flows over, of its width squared: smaller voids are not worth a detour.
+inline constexpr double kLeastVoid = 0.1;
+
+struct LaneOptions {
+    double width = 0.4;      // mm, of a bead where nothing asks for another
+    int most = 0;            // lanes from the outline; 0: until the region is full
+    double tolerance = 0.01; // mm: how far the edges of beads may be off
+};
+
+// Rings along the lanes of the region (outer loop, then holes): closed, none crossing another or itself, each point
+// with the width of its lane there.  They share the region: their beads leave nothing out but tips and corners smaller
+// than what the edge of a bead flows over, and than the 2000th part of the region.
+Rings lanes(const Loops& region, const LaneOptions& options);
+
+// What the beads of rings lay, mm2.
+double laid_area(const Rings& rings);
+
+// The closed bead with few points, taken greedily from the first, such that its edges are off by at most `tolerance`
+// mm, and an eighth of its width (which is off by a 16th), and by as much to one side as to the other.  Where its width
+// changes over a longer way, points divide that: a machine lays each segment with one width, and no more than
+// `least_void` mm2 aside by that.
+toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void);
+
+} // namespace filum::rings

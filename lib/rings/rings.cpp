@@ -1,0 +1,183 @@
+#include "rings/rings.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace filum::rings {
+
+namespace {
+
+constexpr double kNarrowest = 1.0 / 16; // widths: thinner walls are laid with a bead that is wider than they are
+constexpr double kSameFoot = 1e-6;      // mm
+
+// The ray to the share t of half-edge h, from its first node, in h's part of the outline.
+struct Ray {
+    const Beading* b;
+    std::uint32_t i, j; // nodes at both ends of h
+    double t, radius;
+    Vec2 foot, top;
+
+    Ray(const Beading& beading, std::uint32_t h, double share) : b(&beading), t(share) {
+        const Axis& axis = beading.axis;
+        i = axis.from[h], j = axis.to(h);
+        foot = t == 0 ? axis.foot[h] : geom::lerp(axis.foot[h], axis.last_foot(h), t);
+        top = t == 0 ? axis.node[i] : geom::lerp(axis.node[i], axis.node[j], t);
+        radius = t == 0 ? axis.radius[i] : geom::distance(foot, top);
+    }
+    [[nodiscard]] double depth(double f) const {
+        return t == 0 ? b->depth(i, f) : std::lerp(b->depth(i, f), b->depth(j, f), t);
+    }
+    [[nodiscard]] Vec2 point(double f) const {
+        return radius > 0 ? foot + std::min(1.0, depth(f) / radius) * (top - foot) : top;
+    }
+};
+
+class Walk {
+  public:
+    Walk(const Beading& beading, double least_void, double tolerance)
+        : b_(&beading), least_void_(least_void), tolerance_(tolerance) {
+        for (std::uint32_t h = 0; h < axis().half_edges(); ++h) {
+            const double last = beading.last[axis().from[h]];
+            lanes_.push_back(last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9));
+        }
+    }
+
+    Rings run(int most) {
+        std::vector<std::uint32_t> live;
+        for (std::uint32_t h = 0; h < axis().half_edges(); ++h)
+            if (lanes_[h] > 0) live.push_back(h);
+        seen_.assign(axis().half_edges(), 0);
+        for (lane_ = 1; !live.empty() && (most <= 0 || lane_ <= most); ++lane_) {
+            for (const std::uint32_t h : live)
+                if (seen_[h] != lane_) ring(h);
+            std::erase_if(live, [&](std::uint32_t h) { return lanes_[h] <= lane_; });
+        }
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] const Axis& axis() const { return b_->axis; }
+    [[nodiscard]] bool laid(std::uint32_t h) const { return lanes_[h] >= lane_; }
+
+    void ring(std::uint32_t h0) {
+        const std::size_t first = out_.points.size();
+        for (std::uint32_t h = h0; seen_[h] != lane_;) {
+            seen_[h] = lane_;
+            ray_point(h, 0, b_->end(axis().from[h], lane_));
+            if (laid(axis().next[h])) {
+                narrow(h);
+                const std::uint32_t after = axis().next[h];
+                arc_to(h, Ray(*b_, after, 0).point(middle(axis().from[after])));
+                h = after;
+            } else {
+                turn(h);
+                h = axis().next[h ^ 1];
+            }
+        }
+        close(first);
+    }
+
+    // Ends the ring whose points were laid from `first` on, or takes it back.
+    void close(std::size_t first) {
+        double area = 0;
+        const std::size_t n = out_.points.size();
+        for (std::size_t i = first; i < n; ++i)
+            area += out_.width[i] * geom::distance(out_.points[i], out_.points[i + 1 == n ? first : i + 1]);
+        if (n - first < 3 || (lane_ > 1 && area < least_void_)) {
+            out_.points.resize(first), out_.width.resize(first);
+            return;
+        }
+        out_.start.push_back(static_cast<std::uint32_t>(n));
+        out_.lane.push_back(lane_);
+    }
+
+    // Lane coordinate of the middle of the strip on the ray to node i.
+    [[nodiscard]] double middle(std::uint32_t i) const { return (lane_ - 1 + b_->end(i, lane_)) / 2; }
+
+    void put(Vec2 p, double width) {
+        out_.points.push_back(p);
+        out_.width.push_back(std::max(width, kNarrowest * b_->width));
+    }
+
+    // Adds the point on the ray to the share t of h, where the strip ends at lane coordinate `end`.
+    void ray_point(std::uint32_t h, double t, double end) {
+        const Ray ray(*b_, h, t);
+        put(ray.point((lane_ - 1 + end) / 2), ray.depth(end) - ray.depth(lane_ - 1));
+    }
+
+    // The share of h at which the axis has the lane coordinate f; nothing if it does not pass it.
+    [[nodiscard]] std::optional<double> share_at(std::uint32_t h, double f) const {
+        const std::uint32_t i = axis().from[h], j = axis().to(h);
+        const double a = axis().radius[i] - b_->depth(i, f), b = axis().radius[j] - b_->depth(j, f);
+        if (a == b || (a > 0) == (b > 0)) return std::nullopt;
+        return a / (a - b);
+    }
+
+    // In an acute corner the strip narrows from where the axis is `reach` before its end: a point on that ray.
+    bool narrow(std::uint32_t h) {
+        const double reach = b_->reach[h / 2];
+        if (b_->wall[h / 2] || reach >= 0.5) return false;
+        const double end = std::min<double>(lane_, std::min(b_->top[axis().from[h]], b_->top[axis().to(h)]));
+        const auto t = end > lane_ - 1 + 2 * reach ? share_at(h, end - reach) : std::nullopt;
+        if (t) ray_point(h, *t, end);
+        return t.has_value();
+    }
+
+    // From the ray to h's first node, where the lane is laid, to the one on the other side: over the end of the lane.
+    void turn(std::uint32_t h) {
+        const std::uint32_t i = axis().from[h], j = axis().to(h), back = h ^ 1, after = axis().next[back];
+        const double ri = axis().radius[i], rj = axis().radius[j], reach = b_->reach[h / 2], end = b_->end(i, lane_);
+        if (b_->wall[h / 2]) {
+            if (lane_ > 1 || b_->tip[h / 2] == 0 || ri <= rj) return; // straight across
+            const double t = std::clamp((ri - b_->tip[h / 2]) / (ri - rj), 0.0, 1.0);
+            ray_point(h, t, end);
+            ray_point(back, 1 - t, end);
+            return;
+        }
+        narrow(h);
+        const double f = std::min(lane_ - 1 + reach, (lane_ - 1 + std::min<double>(lane_, b_->top[i])) / 2);
+        double t = 0;
+        if (ri > b_->depth(i, f)) {
+            const auto share = share_at(h, f);
+            if (!share) return;
+            t = *share;
+        }
+        const Vec2 tip = geom::lerp(axis().node[i], axis().node[j], t);
+        arc_to(h, tip);
+        put(tip, 2 * (std::lerp(ri, rj, t) - Ray(*b_, h, t).depth(lane_ - 1)));
+        narrow(back);
+        arc_to(back, Ray(*b_, after, 0).point(middle(i)));
+    }
+
+    // If h is seen from a vertex of the outline: points on the arc about that from the last point to p.
+    void arc_to(std::uint32_t h, Vec2 p) {
+        const Vec2 foot = axis().foot[h];
+        if (geom::norm2(axis().last_foot(h) - foot) > kSameFoot * kSameFoot) return;
+        const Vec2 a = out_.points.back() - foot, b = p - foot;
+        const double ra = geom::norm(a), rb = geom::norm(b), angle = std::atan2(cross(a, b), dot(a, b));
+        const double step = 2 * std::acos(std::max(0.0, 1 - tolerance_ / std::max(ra, rb)));
+        if (std::abs(angle) <= step) return;
+        const int n = static_cast<int>(std::ceil(std::abs(angle) / step));
+        const double w = out_.width.back();
+        for (int k = 1; k < n; ++k) {
+            const double t = static_cast<double>(k) / n, r = std::lerp(ra, rb, t) / ra;
+            const double c = std::cos(t * angle), s = std::sin(t * angle);
+            put(foot + r * Vec2{c * a.x - s * a.y, s * a.x + c * a.y}, w);
+        }
+    }
+
+    const Beading* b_;
+    double least_void_, tolerance_;
+    int lane_ = 0;
+    std::vector<int> lanes_; // per half-edge: laid on the ray to its first node
+    std::vector<int> seen_;  // per half-edge: the last lane that has passed it
+    Rings out_;
+};
+
+} // namespace
+
+Rings rings(const Beading& beading, int most, double least_void, double tolerance) {
+    return Walk(beading, least_void, tolerance).run(most);
+}
+
+} // namespace filum::rings

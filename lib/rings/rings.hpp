@@ -1,0 +1,25 @@
+// Rings: the lanes of a region as closed lines, each along the middle of its strip.
+#pragma once
+
+#include "rings/beading.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace filum::rings {
+
+// Ring i has the points start[i] .. start[i + 1]; closed, solid on the left, none crossing another or itself.
+struct Rings {
+    std::vector<Vec2> points;
+    std::vector<double> width; // mm, per point: of the strip there
+    std::vector<std::uint32_t> start{0};
+    std::vector<int> lane; // per ring, counted from 1 along the outline; ascending
+
+    [[nodiscard]] std::size_t size() const { return lane.size(); }
+};
+
+// The rings of lanes 1 to `most` (all: 0), lane by lane.  Arcs are off by at most `tolerance` mm.  Rings inside others
+// that would lay no more than `least_void` mm2 are left out.
+Rings rings(const Beading& beading, int most, double least_void, double tolerance);
+
+} // namespace filum::rings

@@ -1,0 +1,89 @@
+#include "rings/sites.hpp"
+
+#include "base/error.hpp"
+#include "polygon/clip.hpp"
+#include "polygon/simple.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace filum::rings {
+
+namespace {
+
+constexpr double kWidestRegion = 4e5; // mm: half of it must fit a 32-bit integer on the grid
+constexpr double kGrowBy = 0.001;     // mm: far below any bead, ten grid units
+
+using GridPoint = std::pair<std::int64_t, std::int64_t>;
+
+// The loop on the grid about `origin`, without doubled vertices and straight angles, but with those that turn back.
+std::vector<GridPoint> on_grid(std::span<const Vec2> loop, Vec2 origin) {
+    std::vector<GridPoint> out;
+    const auto straight = [](const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+        return (b.first - a.first) * (c.second - b.second) == (b.second - a.second) * (c.first - b.first);
+    };
+    const auto put = [&](const GridPoint& p) {
+        while (out.size() > 1 && straight(out[out.size() - 2], out.back(), p)) out.pop_back();
+        if (out.empty() || out.back() != p) out.push_back(p);
+    };
+    for (const Vec2 p : loop)
+        put({std::llround((p.x - origin.x) * kSitesPerMm), std::llround((p.y - origin.y) * kSitesPerMm)});
+    std::size_t first = 0;
+    for (bool again = true; again && out.size() > first + 2;) {
+        again = true;
+        if (out.back() == out[first] || straight(out[out.size() - 2], out.back(), out[first]))
+            out.pop_back();
+        else if (straight(out.back(), out[first], out[first + 1]))
+            ++first;
+        else
+            again = false;
+    }
+    out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(first));
+    if (out.size() < 3) out.clear();
+    return out;
+}
+
+Sites on_grid(const Loops& loops, Vec2 origin) {
+    Sites out;
+    out.origin = origin;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        const auto points = on_grid(loops[l], origin);
+        const auto base = static_cast<std::uint32_t>(out.size()), n = static_cast<std::uint32_t>(points.size());
+        for (std::uint32_t i = 0; i < n; ++i) {
+            out.x.push_back(static_cast<std::int32_t>(points[i].first));
+            out.y.push_back(static_cast<std::int32_t>(points[i].second));
+            out.next.push_back(base + (i + 1) % n);
+            out.prev.push_back(base + (i + n - 1) % n);
+        }
+    }
+    return out;
+}
+
+// A point of the grid in the middle of the area's box.
+Vec2 middle(const Loops& area) {
+    const auto box = polygon::bounds(area);
+    if (std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) > kWidestRegion)
+        throw Error(Exit::failure, "cannot fill a region wider than 400 m");
+    const auto snapped = [](double v) { return std::round(v * kSitesPerMm) / kSitesPerMm; };
+    return {snapped((box.lo.x + box.hi.x) / 2), snapped((box.lo.y + box.hi.y) / 2)};
+}
+
+} // namespace
+
+Sites sites_of(const Loops& region, double tolerance) {
+    if (region.empty()) return {};
+    for (const double share : {1.0, 0.25}) {
+        const Loops fewer = polygon::simplify(region, share * tolerance);
+        if (fewer.size() == region.size() && polygon::is_simple(fewer)) return on_grid(fewer, middle(region));
+    }
+    if (polygon::is_simple(region)) return on_grid(region, middle(region));
+    Loops grown;
+    for (double by = kGrowBy; by < 1; by *= 4) {
+        grown = polygon::offset(region, by, by);
+        if (polygon::is_simple(grown)) break;
+    }
+    return grown.empty() ? Sites{} : on_grid(grown, middle(grown));
+}
+
+} // namespace filum::rings

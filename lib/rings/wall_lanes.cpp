@@ -1,0 +1,225 @@
+#include "rings/wall_lanes.hpp"
+
+#include "rings/short_changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace filum::rings {
+
+namespace {
+
+constexpr double kUnset = -std::numeric_limits<double>::infinity();
+constexpr double kApart = 1e-6; // share of a piece: nearer cuts are one
+
+int lanes_at(double radius_in_widths) {
+    return std::max(1, static_cast<int>(std::floor(0.5 + std::sqrt(0.25 + radius_in_widths * radius_in_widths))));
+}
+
+// Cuts of pieces, gathered piece by piece.
+struct Cuts {
+    std::vector<double> at;
+    std::vector<std::uint32_t> start{0};
+
+    void add(double t) {
+        if (t > kApart && t < 1 - kApart) at.push_back(t);
+    }
+    void close() {
+        const auto first = at.begin() + start.back();
+        std::sort(first, at.end());
+        at.erase(std::unique(first, at.end(), [](double a, double b) { return b - a < kApart; }), at.end());
+        start.push_back(static_cast<std::uint32_t>(at.size()));
+    }
+};
+
+// Each piece's value for the pieces that it has been cut into.
+template <class T>
+std::vector<T> spread(const std::vector<T>& of_piece, const std::vector<std::uint32_t>& start) {
+    std::vector<T> out;
+    for (std::size_t e = 0; e < of_piece.size(); ++e) out.insert(out.end(), start[e + 1] - start[e] + 1, of_piece[e]);
+    return out;
+}
+
+std::vector<char> walls(const Axis& axis, double slope) {
+    std::vector<char> out(axis.half_edges() / 2);
+    for (std::uint32_t e = 0; e < out.size(); ++e) out[e] = axis.slope(2 * e) <= slope * (1 + 1e-9) ? 1 : 0;
+    return out;
+}
+
+// Where walls pass a radius at which their number of lanes changes.
+Cuts changes(const Axis& axis, const std::vector<char>& wall, double width) {
+    Cuts out;
+    for (std::uint32_t e = 0; e < wall.size(); ++e) {
+        const double a = axis.radius[axis.from[2 * e]] / width, b = axis.radius[axis.to(2 * e)] / width;
+        if (wall[e])
+            for (int n = lanes_at(std::min(a, b)); n < lanes_at(std::max(a, b)); ++n)
+                out.add((std::sqrt(n * (n + 1.0)) - a) / (b - a));
+        out.close();
+    }
+    return out;
+}
+
+std::vector<int> lanes_of_pieces(const Axis& axis, const std::vector<char>& wall, double width) {
+    std::vector<int> out(wall.size(), 0);
+    for (std::uint32_t e = 0; e < wall.size(); ++e)
+        if (wall[e]) out[e] = lanes_at((axis.radius[axis.from[2 * e]] + axis.radius[axis.to(2 * e)]) / 2 / width);
+    return out;
+}
+
+// What an envelope falls by along a piece: by one in half a ramp, and across corners by one in half a width.
+double fall(const Axis& axis, std::uint32_t h, bool wall, const WallLaneOptions& o) {
+    const double along = 2 * axis.length(h) / o.ramp;
+    if (wall) return along;
+    return std::max(along, 2 * std::abs(axis.radius[axis.from[h]] - axis.radius[axis.to(h)]) / o.width);
+}
+
+struct Visit {
+    double value;
+    std::uint32_t node;
+    friend bool operator<(const Visit& a, const Visit& b) {
+        return a.value != b.value ? a.value < b.value : a.node > b.node;
+    }
+};
+
+// Raises `value` (kUnset where nothing is told) to the least function above it that falls no faster.  Off the walls it
+// is followed only until it has fallen by one: the numbers of walls alike in thickness differ by no more.
+void raise(const Axis& axis, const std::vector<char>& wall, const WallLaneOptions& o,
+           const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
+    std::priority_queue<Visit> queue;
+    std::vector<double> fallen(value.size(), 0); // since the last wall
+    const auto go_on = [&](std::uint32_t i) {
+        std::uint32_t h = half_at[i];
+        do {
+            const bool on_wall = wall[h / 2] != 0;
+            const double down = fall(axis, h, on_wall, o), beyond = on_wall ? 0 : fallen[i] + down;
+            const std::uint32_t j = axis.to(h);
+            if (beyond < 1 && value[i] - down > value[j] + 1e-9) {
+                value[j] = value[i] - down, fallen[j] = beyond;
+                queue.push({value[j], j});
+            }
+            h = axis.next[h ^ 1];
+        } while (h != half_at[i]);
+    };
+    for (std::uint32_t i = 0; i < value.size(); ++i)
+        if (value[i] != kUnset) go_on(i);
+    while (!queue.empty()) {
+        const Visit v = queue.top();
+        queue.pop();
+        if (v.value == value[v.node]) go_on(v.node);
+    }
+}
+
+// The two envelopes on a wall piece with n lanes, by the share t of its length.
+struct Ramp {
+    double n, rise;            // rise: what an envelope changes by along the piece
+    double upper[2], lower[2]; // at its ends
+
+    [[nodiscard]] double lanes(double t) const {
+        const double u = std::max({n, upper[0] - t * rise, upper[1] - (1 - t) * rise});
+        const double l = std::min({n, lower[0] + t * rise, lower[1] + (1 - t) * rise});
+        return (u + l) / 2;
+    }
+    [[nodiscard]] bool level() const { return upper[0] == n && upper[1] == n && lower[0] == n && lower[1] == n; }
+
+    // Adds where an envelope bends, where the number is whole, and where `appear` of a ramp is passed.
+    void add_cuts(double appear, Cuts& out) const {
+        std::vector<double> bends{0, 1};
+        for (const auto& [a, b] : {std::pair{upper[0] - n, upper[1] - n}, std::pair{n - lower[0], n - lower[1]}})
+            for (const double t : {a / rise, 1 - b / rise, 0.5 + (a - b) / (2 * rise)})
+                if (t > 0 && t < 1) bends.push_back(t);
+        std::sort(bends.begin(), bends.end());
+        for (std::size_t i = 0; i + 1 < bends.size(); ++i) {
+            out.add(bends[i]);
+            const double a = lanes(bends[i]), b = lanes(bends[i + 1]), lo = std::min(a, b), hi = std::max(a, b);
+            for (double k = std::floor(lo); k < hi; ++k)
+                for (const double f : {k, k + appear})
+                    if (f > lo && f < hi) out.add(bends[i] + (f - a) / (b - a) * (bends[i + 1] - bends[i]));
+        }
+    }
+};
+
+// How far up corners each node is from the nearest wall below it, mm; infinite where there is none.
+std::vector<double> above_walls(const Axis& axis, const std::vector<char>& wall, const std::vector<char>& set) {
+    std::vector<std::uint32_t> rising; // half-edges of corners, by the radius that they begin at
+    for (std::uint32_t h = 0; h < axis.half_edges(); ++h)
+        if (!wall[h / 2] && axis.radius[axis.from[h]] < axis.radius[axis.to(h)]) rising.push_back(h);
+    std::stable_sort(rising.begin(), rising.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return axis.radius[axis.from[a]] < axis.radius[axis.from[b]];
+    });
+    std::vector<double> out(axis.nodes(), std::numeric_limits<double>::infinity());
+    for (std::uint32_t i = 0; i < axis.nodes(); ++i)
+        if (set[i]) out[i] = 0;
+    for (const std::uint32_t h : rising)
+        out[axis.to(h)] = std::min(out[axis.to(h)], out[axis.from[h]] + axis.length(h));
+    return out;
+}
+
+// Nodes on a corner for where its profile goes over into that of the wall which it rises out of.
+void add_blend_cuts(const Axis& axis, std::uint32_t e, const std::vector<double>& above, double blend, Cuts& out) {
+    constexpr int kSteps = 4;
+    const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
+    const bool rises = axis.radius[a] < axis.radius[b];
+    const double below = above[rises ? a : b];
+    for (int k = 1; k <= kSteps && below < blend; ++k) {
+        const double t = (k * blend / kSteps - below) / axis.length(2 * e);
+        out.add(rises ? t : 1 - t);
+    }
+}
+
+} // namespace
+
+WallLanes wall_lanes(const Axis& given, const WallLaneOptions& o) {
+    std::vector<char> wall = walls(given, o.slope);
+    const Cuts changing = changes(given, wall, o.width);
+    const Axis axis = refined(given, changing.at, changing.start);
+    wall = spread(wall, changing.start);
+    const auto lanes = without_short_changes(axis, wall, lanes_of_pieces(axis, wall, o.width), o);
+
+    std::vector<std::uint32_t> half_at(axis.nodes());
+    std::vector<char> top(axis.nodes(), 1);
+    std::vector<double> upper(axis.nodes(), kUnset), lower(axis.nodes(), kUnset); // lower: negative
+    for (std::uint32_t h = 0; h < axis.half_edges(); ++h) {
+        const std::uint32_t i = axis.from[h];
+        half_at[i] = h;
+        if (axis.radius[axis.to(h)] > axis.radius[i]) top[i] = 0;
+        if (!wall[h / 2]) continue;
+        upper[i] = std::max<double>(upper[i], lanes[h / 2]);
+        lower[i] = std::max<double>(lower[i], -lanes[h / 2]);
+    }
+    for (std::uint32_t i = 0; i < axis.nodes(); ++i)
+        if (top[i] && upper[i] == kUnset) upper[i] = lanes_at(axis.radius[i] / o.width), lower[i] = -upper[i];
+    WallLanes out;
+    out.set.resize(axis.nodes());
+    for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.set[i] = upper[i] != kUnset ? 1 : 0;
+    raise(axis, wall, o, half_at, upper);
+    raise(axis, wall, o, half_at, lower);
+
+    const auto above = above_walls(axis, wall, out.set);
+    Cuts ramps;
+    for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.lanes.push_back(out.set[i] ? (upper[i] - lower[i]) / 2 : 0);
+    std::vector<double> of_cuts;
+    std::vector<char> set_of_cuts;
+    for (std::uint32_t e = 0; e < wall.size(); ++e) {
+        const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
+        const Ramp ramp{static_cast<double>(lanes[e]),
+                        2 * axis.length(2 * e) / o.ramp,
+                        {upper[a], upper[b]},
+                        {-lower[a], -lower[b]}};
+        if (wall[e] && !ramp.level()) ramp.add_cuts(o.appear, ramps);
+        if (!wall[e]) add_blend_cuts(axis, e, above, o.blend, ramps);
+        ramps.close();
+        for (std::size_t k = ramps.start[e]; k < ramps.start[e + 1]; ++k) {
+            of_cuts.push_back(wall[e] ? ramp.lanes(ramps.at[k]) : 0);
+            set_of_cuts.push_back(wall[e]);
+        }
+    }
+    out.axis = refined(axis, ramps.at, ramps.start);
+    out.wall = spread(wall, ramps.start);
+    out.lanes.insert(out.lanes.end(), of_cuts.begin(), of_cuts.end());
+    out.set.insert(out.set.end(), set_of_cuts.begin(), set_of_cuts.end());
+    return out;
+}
+
+} // namespace filum::rings

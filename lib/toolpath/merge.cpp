@@ -1,0 +1,200 @@
+#include "toolpath/merge.hpp"
+
+#include "toolpath/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::toolpath {
+
+namespace {
+
+constexpr double kLevel = 1e-9; // mm of z between points of a level stretch
+constexpr int kUntangled = 3;   // times that what crosses is laid as given, before all of it is
+
+Line line_of(const Span& span) {
+    Line out;
+    double laid = 0;
+    const auto add = [&](std::size_t i) {
+        out.at.push_back(out.points.empty() ? 0 : out.at.back() + distance(out.points.back(), span.points[i]));
+        out.points.push_back(span.points[i]);
+        out.volume.push_back(laid);
+        out.width.push_back(span.width.empty() ? 0 : span.width_at(i));
+        out.height.push_back(span.height.empty() ? 0 : span.height_at(i));
+        out.area.push_back(out.width.back() * out.height.back());
+        out.source.push_back(static_cast<std::uint32_t>(i));
+    };
+    const auto drop = [&] {
+        out.points.pop_back(), out.at.pop_back(), out.volume.pop_back(), out.width.pop_back();
+        out.height.pop_back(), out.area.pop_back(), out.source.pop_back();
+    };
+    const std::size_t n = span.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        if (i > 0) laid += volume(span, i - 1);
+        const bool near = i > 0 && distance(out.points.back(), span.points[i]) < kLeastMove;
+        if (near && i + 1 < n) continue;
+        if (near && out.size() > 1) drop(); // the last point stays
+        add(i);
+    }
+    return out;
+}
+
+bool level(const Line& l, std::uint32_t i) { return std::abs(l.points[i + 1].z - l.points[i].z) <= kLevel; }
+
+// The farthest point that a straight move in space reaches from point i, all of it and what lies between by points.
+std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, const Tolerance& t, double& off) {
+    double worst = 0;
+    const auto fits = [&](std::uint32_t to) {
+        Section section(l, {i, 0, {}}, t.section);
+        const Vec3 way = l.points[to] - l.points[i];
+        const double length = norm(way);
+        if (!(length > 0)) return false;
+        const Vec3 u = (1 / length) * way;
+        double reached = 0, here = 0;
+        for (std::uint32_t k = i + 1; k <= to; ++k) {
+            section.take(k);
+            const Vec3 p = l.points[k] - l.points[i];
+            const double s = dot(p, u), aside = norm(p - s * u);
+            if (aside > t.path || s < reached) return false;
+            reached = s, here = std::max(here, aside);
+        }
+        if (!section.suits() || l.at[to] - l.at[i] > (1 + t.section) * length) return false;
+        worst = here;
+        return true;
+    };
+    const std::uint32_t out = farthest(i + 1, last, fits);
+    off = std::max(off, worst);
+    return out;
+}
+
+// Moves, and the point of the line at or before which each begins.
+struct Course {
+    std::vector<Move> moves;
+    std::vector<std::uint32_t> begins;
+    double off = 0;
+};
+
+double mean(const Line& l, const std::vector<double>& values, const Place& from, const Place& to) {
+    const std::uint32_t last = to.t > 0 ? to.i + 1 : to.i;
+    double sum = 0;
+    for (std::uint32_t k = from.i; k < last; ++k) sum += l.step(k) * (values[k] + values[k + 1]) / 2;
+    const double length = l.at[last] - l.at[from.i];
+    return length > 0 ? sum / length : values[from.i];
+}
+
+void put(Course& out, const Line& l, const Place& from, const Place& to, double z, const Arc& arc) {
+    Move m;
+    m.to = {to.q.x, to.q.y, z};
+    const Vec3 begin = out.moves.empty() ? l.points.front() : out.moves.back().to;
+    m.centre = arc.centre, m.sweep = arc.sweep;
+    m.length = arc.sweep != 0 ? std::abs(arc.sweep) * geom::distance(from.q, arc.centre) : distance(begin, m.to);
+    m.volume = volume_at(l, to) - volume_at(l, from);
+    m.width = mean(l, l.width, from, to), m.height = mean(l, l.height, from, to);
+    m.first = l.source[from.i];
+    out.moves.push_back(m);
+    out.begins.push_back(from.i);
+}
+
+// An arc from here that saves a move, if there is one: two straight ones or more come no farther.
+Arc better_arc(const Line& l, const Place& from, const Place& straight, std::uint32_t last, const Tolerance& t,
+               double& off) {
+    if (straight.i >= last) return {from.i, {}, 0};
+    return arc_reach(l, from, std::max(straight.i, from.i + 1), last, t, off);
+}
+
+void level_moves(Course& out, const Line& l, std::uint32_t first, std::uint32_t last, const Tolerance& t) {
+    Place at{first, 0, l.points[first].xy()};
+    const double z = l.points[first].z;
+    while (at.i < last) {
+        double off = 0, round = 0;
+        Place to = straight_reach(l, at, last, t, off);
+        Arc arc{at.i, {}, 0};
+        if (t.arcs) arc = better_arc(l, at, to, last, t, round);
+        if (arc.to > at.i) to = {arc.to, 0, l.points[arc.to].xy()}, off = round;
+        put(out, l, at, to, to.t > 0 ? z : l.points[to.i].z, arc.to > at.i ? arc : Arc{});
+        out.off = std::max(out.off, off);
+        at = to;
+    }
+}
+
+// A move shorter than any that reaches a machine becomes the end of the one before it, or the start of the next.
+void fold_short(Course& c) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < c.moves.size(); ++i) {
+        const bool last = i + 1 == c.moves.size(), small = c.moves[i].length < kLeastMove && c.moves.size() > 1;
+        if (!small || (n == 0 && last)) {
+            c.moves[n] = c.moves[i], c.begins[n++] = c.begins[i];
+        } else if (n == 0) {
+            c.moves[i + 1].volume += c.moves[i].volume, c.moves[i + 1].first = c.moves[i].first;
+            c.begins[i + 1] = c.begins[i];
+        } else {
+            c.moves[n - 1].volume += c.moves[i].volume, c.moves[n - 1].to = c.moves[i].to;
+        }
+    }
+    c.moves.resize(n), c.begins.resize(n);
+}
+
+// `given`: segments of the line that stay as they are.
+Course course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>& given) {
+    Course out;
+    const std::uint32_t n = l.size();
+    for (std::uint32_t i = 0; i + 1 < n;) {
+        std::uint32_t last = i + 1;
+        const bool flat = level(l, i), kept = !(t.path > 0) || given[i] != 0;
+        while (!kept && last + 1 < n && level(l, last) == flat && given[last] == 0) ++last;
+        if (kept) {
+            put(out, l, {i, 0, l.points[i].xy()}, {i + 1, 0, l.points[i + 1].xy()}, l.points[i + 1].z, {});
+        } else if (flat) {
+            level_moves(out, l, i, last, t);
+        } else {
+            for (std::uint32_t k = i, to = 0; k < last; k = to) {
+                to = spatial_reach(l, k, last, t, out.off);
+                put(out, l, {k, 0, l.points[k].xy()}, {to, 0, l.points[to].xy()}, l.points[to].z, {});
+            }
+        }
+        i = last;
+    }
+    fold_short(out);
+    return out;
+}
+
+} // namespace
+
+Merged merge(const Span& span, const Tolerance& given, std::span<const geom::Segment> others) {
+    Tolerance t = given;
+    t.path = fills(span.role) ? std::max(0.0, t.path - t.grid / std::numbers::sqrt2) : 0; // as rounding is
+    const Line l = line_of(span);
+    std::vector<std::uint8_t> as_given(l.size(), 0);
+    Course c = course(l, t, as_given);
+    for (int k = 0; t.path > 0 && k <= kUntangled; ++k) {
+        const auto all = tangles(l, c.moves, c.begins, others);
+        if (all.empty()) break;
+        if (k == kUntangled) t.path = 0;
+        for (const Tangle& x : all) std::fill(as_given.begin() + x.first, as_given.begin() + x.last + 1, 1);
+        c = course(l, t, as_given);
+    }
+    return {std::move(c.moves), c.off};
+}
+
+std::vector<std::uint32_t> needed_points(std::span<const Vec3> points, std::span<const Vec3> axes,
+                                         std::span<const std::uint8_t> stays, double most, double angle) {
+    std::vector<double> at(points.size(), 0);
+    for (std::size_t k = 1; k < points.size(); ++k) at[k] = at[k - 1] + distance(points[k - 1], points[k]);
+    const double least = std::cos(angle);
+    const auto fits = [&](std::uint32_t i, std::uint32_t j) {
+        const double length = at[j] - at[i];
+        for (std::uint32_t k = i + 1; k < j; ++k) {
+            const double f = length > 0 ? (at[k] - at[i]) / length : 1;
+            if (!stays.empty() && stays[k] != 0) return false;
+            if (distance(points[k], points[i] + f * (points[j] - points[i])) > most) return false;
+            if (axes.empty()) continue;
+            const Vec3 axis = axes[i] + f * (axes[j] - axes[i]);
+            if (dot(axis, axes[k]) < least * norm(axis)) return false;
+        }
+        return true;
+    };
+    return greedy_steps(static_cast<std::uint32_t>(points.size()), fits);
+}
+
+} // namespace filum::toolpath

@@ -1,0 +1,37 @@
+#!/usr/bin/env bats
+# scripts/draw-docs draws what the pages of docs/algorithms show.
+
+setup() { top=$BATS_TEST_DIRNAME/../..; }
+
+@test "sketches are what the script draws" {
+    "$top/scripts/draw-docs" --out "$BATS_TEST_TMPDIR" sequence-head sequence-again geodesic-window
+    for f in sequence-head sequence-again geodesic-window; do
+        cmp "$BATS_TEST_TMPDIR/$f.svg" "$top/docs/algorithms/pictures/$f.svg"
+    done
+}
+
+@test "a picture of a stream: small, the same twice" {
+    for k in 1 2; do "$top/scripts/draw-docs" --build "$FILUM_BUILD" --out "$BATS_TEST_TMPDIR/$k" link3d-lane; done
+    cmp "$BATS_TEST_TMPDIR"/{1,2}/link3d-lane.png
+    [ "$(head -c 4 "$BATS_TEST_TMPDIR/1/link3d-lane.png" | tail -c 3)" = PNG ]
+    [ "$(wc -c <"$BATS_TEST_TMPDIR/1/link3d-lane.png")" -lt 60000 ]
+}
+
+@test "all pictures of the script are in the tree, and none besides" {
+    # shellcheck disable=SC2016
+    drawn=$(sed -nE 's/^    "([a-z0-9-]+)": (["f'"'"']).*/\1.png/p' "$top/scripts/draw-docs" | sort)
+    [ -n "$drawn" ]
+    diff <(echo "$drawn") <(cd "$top/docs/algorithms/pictures" && ls -- *.png | sort)
+}
+
+@test "an unknown picture: exit 2; a program that fails: exit 1" {
+    run "$top/scripts/draw-docs" --out "$BATS_TEST_TMPDIR" no-such-picture
+    [ "$status" -eq 2 ]
+    [[ "$output" == *no-such-picture* ]]
+    mkdir -p "$BATS_TEST_TMPDIR/bin"
+    printf '#!/bin/sh\nexit 1\n' >"$BATS_TEST_TMPDIR/bin/slice"
+    chmod +x "$BATS_TEST_TMPDIR/bin/slice"
+    run "$top/scripts/draw-docs" --build "$BATS_TEST_TMPDIR" --out "$BATS_TEST_TMPDIR" link3d-lane
+    [ "$status" -eq 1 ]
+    [[ "$output" == *"cannot draw 'link3d-lane'"* ]]
+}

@@ -1,0 +1,160 @@
+#include "rings/lanes.hpp"
+
+#include "../fill/pattern_check.hpp"
+
+#include <numbers>
+#include <random>
+
+namespace filum::rings {
+namespace {
+
+using test::Loops;
+using toolpath::Curve;
+
+constexpr double kWidth = 0.4;
+
+std::vector<Curve> curves_of(const Rings& rings) {
+    std::vector<Curve> out;
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        out.push_back({true,
+                       {rings.points.begin() + rings.start[i], rings.points.begin() + rings.start[i + 1]},
+                       {rings.width.begin() + rings.start[i], rings.width.begin() + rings.start[i + 1]}});
+    return out;
+}
+
+// The region with every point (x, y) at (a x + b y, c x + d y); the order is kept up where that mirrors.
+Loops mapped(const Loops& region, double a, double b, double c, double d) {
+    Loops out;
+    for (std::size_t l = 0; l < region.size(); ++l) {
+        std::vector<Vec2> loop;
+        for (const Vec2 p : region[l]) loop.push_back({a * p.x + b * p.y, c * p.x + d * p.y});
+        if (a * d - b * c < 0) std::reverse(loop.begin(), loop.end());
+        out.add(loop);
+    }
+    return out;
+}
+
+// Each edge in `parts`.
+Loops divided(const Loops& region, int parts) {
+    Loops out;
+    for (std::size_t l = 0; l < region.size(); ++l) {
+        std::vector<Vec2> loop;
+        for (std::size_t i = 0; i < region[l].size(); ++i)
+            for (int k = 0; k < parts; ++k)
+                loop.push_back(
+                    geom::lerp(region[l][i], region[l][(i + 1) % region[l].size()], static_cast<double>(k) / parts));
+        out.add(loop);
+    }
+    return out;
+}
+
+std::vector<Loops> many_regions() {
+    std::vector<Loops> out;
+    for (unsigned seed = 0; seed < 30; ++seed)
+        for (const Loops& r : test::random_regions(seed)) out.push_back(r);
+    for (const auto& [name, r] : test::hard_regions()) out.push_back(r);
+    return out;
+}
+
+TEST(Lanes, AreClosedRingsInsideThatCrossNothing) {
+    for (const Loops& region : many_regions()) {
+        const auto all = curves_of(lanes(region, {.width = kWidth}));
+        ASSERT_FALSE(all.empty());
+        test::expect_sound(all);
+        EXPECT_EQ(test::crossings(all), 0U);
+        EXPECT_LT(test::farthest_outside(region, all), 0.011);
+    }
+}
+
+// But for corners, where each ring reaches a little too far, and hairs, which are thinner than any bead.
+TEST(Lanes, ShareTheRegion) {
+    for (const Loops& region : many_regions()) {
+        double outline = 0;
+        for (std::size_t l = 0; l < region.size(); ++l)
+            for (std::size_t i = 0; i < region[l].size(); ++i)
+                outline += geom::distance(region[l][i], region[l][(i + 1) % region[l].size()]);
+        const double area = polygon::signed_area(region), laid = laid_area(lanes(region, {.width = kWidth}));
+        EXPECT_NEAR(laid, area, 0.1 * area + 0.05 * kWidth * outline);
+    }
+}
+
+TEST(Lanes, AreNeverWiderThanTwiceAndWhereTheyRunAsWideAsTheWallAsks) {
+    for (double wall = 0.1; wall < 6; wall += 0.17) {
+        const Loops bar = test::rectangle(0, 0, 60, wall);
+        const Rings all = lanes(bar, {.width = kWidth});
+        const auto n = std::max(1L, std::lround(wall / (2 * kWidth))); // a side; one lane more or less between
+        for (const double w : all.width) EXPECT_LE(w, 2 * kWidth) << wall;
+        EXPECT_NEAR(static_cast<double>(all.size()), static_cast<double>(n), 1) << wall;
+        EXPECT_GT(test::coverage(bar, curves_of(all), 0.02), 0.98) << wall;
+    }
+}
+
+TEST(Lanes, FromTheOutlineAreTheFirstOfAll) {
+    const Loops region = test::random_regions(5).at(0);
+    const Rings all = lanes(region, {.width = kWidth}), two = lanes(region, {.width = kWidth, .most = 2});
+    ASSERT_LT(two.size(), all.size());
+    EXPECT_EQ(two.lane.back(), 2);
+    EXPECT_TRUE(std::is_sorted(all.lane.begin(), all.lane.end()));
+    EXPECT_EQ(two.points, std::vector<Vec2>(all.points.begin(), all.points.begin() + two.start.back()));
+}
+
+TEST(Lanes, DoNotDependOnHowTheRegionLiesOrIsDivided) {
+    for (unsigned seed = 0; seed < 12; ++seed)
+        for (const Loops& region : test::random_regions(seed)) {
+            const double area = polygon::signed_area(region), plain = laid_area(lanes(region, {.width = kWidth}));
+            const Loops others[] = {mapped(region, -1, 0, 0, 1), mapped(region, 0, -1, 1, 0),
+                                    mapped(region, 0.8, -0.6, 0.6, 0.8), divided(region, 7)};
+            for (const Loops& other : others)
+                EXPECT_NEAR(laid_area(lanes(other, {.width = kWidth})), plain, 0.005 * area + 0.001) << seed;
+        }
+}
+
+TEST(Lanes, ScaleWithTheBead) {
+    const Loops region = test::random_regions(7).at(0);
+    for (const double by : {0.5, 2.0, 20.0}) {
+        const Loops scaled = mapped(region, by, 0, 0, by);
+        const auto all = curves_of(lanes(scaled, {.width = by * kWidth}));
+        EXPECT_EQ(test::crossings(all), 0U);
+        EXPECT_NEAR(test::laid(all) / polygon::signed_area(scaled), 1, 0.05) << by;
+    }
+}
+
+TEST(Lanes, OfANoisyOutlineAreSoundAndFew) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> noise(-0.02, 0.02);
+    std::vector<Vec2> loop;
+    const int n = 20000;
+    for (int i = 0; i < n; ++i) {
+        const double a = 2 * std::numbers::pi * i / n, r = 30 + noise(random);
+        loop.push_back({r * std::cos(a), r * std::sin(a)});
+    }
+    const auto all = curves_of(lanes(test::loop(loop), {.width = kWidth}));
+    EXPECT_EQ(test::crossings(all), 0U);
+    EXPECT_NEAR(test::laid(all) / (std::numbers::pi * 900), 1, 0.01);
+}
+
+TEST(FewerPoints, LeaveAsMuchOnEitherSideAndStayNear) {
+    Curve circle{true, {}, {}};
+    for (int i = 0; i < 720; ++i) {
+        const double a = 2 * std::numbers::pi * i / 720;
+        circle.points.push_back({10 * std::cos(a), 10 * std::sin(a)}), circle.width.push_back(kWidth);
+    }
+    const Curve few = with_fewer_points(circle, 0.01, 0.016);
+    EXPECT_LT(few.points.size(), 100U);
+    double area = 0;
+    for (std::size_t i = 0; i < few.points.size(); ++i)
+        area += cross(few.points[i], few.points[(i + 1) % few.points.size()]) / 2;
+    EXPECT_NEAR(area, std::numbers::pi * 100, 0.02); // chords alone would lose 0.4
+    for (const Vec2 p : few.points) EXPECT_NEAR(geom::norm(p), 10, 0.01);
+}
+
+TEST(FewerPoints, DivideALongChangeOfWidth) {
+    const Curve taper{true, {{0, 0}, {10, 0}, {10, 1}, {0, 1}}, {0.2, 0.8, 0.8, 0.2}};
+    const Curve out = with_fewer_points(taper, 0.01, 0.016);
+    EXPECT_GT(out.points.size(), 12U);
+    for (std::size_t i = 0; i < out.points.size(); ++i)
+        EXPECT_NEAR(out.width[i], 0.2 + 0.06 * out.points[i].x, 1e-9) << i;
+}
+
+} // namespace
+} // namespace filum::rings

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+"""Every numeric option has finite limits, and no value of any option makes a command crash, hang or speak of itself.
+Run in a folder with the inputs of common.bash, the commands on the PATH.  Prints what fails; ends with 1 if anything."""
+import math
+import resource
+import subprocess
+import sys
+
+from contract import commands, numbers_of, settings_for
+from effect import input_of
+
+ODD = ["", "x", "nan", "inf", "-inf", "1e308", "-1e308", "1e999", "1e-320", "-0", "0x10", "1,2,3,4,5,6,7", ",", "1;2", "\u2212 3"]
+SECONDS, BYTES = 20, 4 << 30
+
+
+def limited():
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+
+
+def wrong(command, words):
+    try:
+        done = subprocess.run([command.name, *words, input_of(command), "--output", "/dev/null"], capture_output=True,
+                              preexec_fn=limited, timeout=10 * SECONDS)
+    except subprocess.TimeoutExpired:
+        return "it hangs"
+    text = done.stderr.decode(errors="replace")
+    if done.returncode not in range(6):
+        return f"it ends with {done.returncode}"
+    if "internal error" in text or "out of memory" in text:
+        return text
+    if done.returncode == 2 and len(text.splitlines()) != 1:
+        return f"no one line: {text}"
+    return ""
+
+
+def edges(option):
+    least, most, _, _ = option.range
+    step = max(abs(least), 1) * 1e-3
+    ends = [least - step, least, least + step, most, most * 2 if most > 0 else most + 1]
+    return [",".join([repr(v)] * numbers_of(option)) for v in ends]
+
+
+FAILED = []
+for one in commands():
+    for o in one.options.values():
+        name = f"{one.name} --{o.name}"
+        if o.is_number() and not all(map(math.isfinite, o.range[:2])):
+            FAILED.append(f"{name} has no limits: {o.range}")
+            continue
+        if input_of(one) is None or o.unit == "":
+            continue
+        needed = settings_for(one, o) or []
+        for value in ODD + (edges(o) if o.is_number() else []):
+            if why := wrong(one, [*needed, f"--{o.name}={value}"]):
+                FAILED.append(f"{name}={value!r}: {why}")
+print("\n".join(FAILED))
+sys.exit(1 if FAILED else 0)
