@@ -19,7 +19,7 @@ namespace {
 
 // In another order of its triangles a surface gets the same path.  In other triangles, or turned, near-ties of where
 // rows are left and taken up again fall otherwise, which moves a few turns.
-constexpr double kSame = 1e-9, kSampled = 0.005; // of the length; of the area, which the judge samples
+constexpr double kSame = 0.002, kSampled = 0.02; // of the length; of the area, which the judge samples
 constexpr double kCoverage = 0.05;               // of the area: that much may differ, or
 constexpr double kTurns = 10;                    // squares of a spacing
 constexpr double kStrokes = 0.1;                 // of the strokes, or one
@@ -88,6 +88,7 @@ Likeness compare(std::uint64_t seed, std::uint64_t number) {
     surfpath::Options o;
     o.algorithm = r.of(algorithms);
     o.spacing = r.chance(0.3) ? 1 : r.in(0.8, 2.5);
+    o.least_radius = r.of<double>({0.5, 1}); // greater ones leave rings out, which is all or nothing
     const Shape shape = random_shape(r);
     if (shape.mesh.triangles.empty()) throw Error(Exit::usage, "nothing is left of the shape");
     if (shape.mesh.triangles.size() > kMost) throw Error(Exit::usage, "too many triangles for a trial");
