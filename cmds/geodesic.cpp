@@ -77,7 +77,8 @@ cli::Spec spec(app::geodesic::Options& o) {
              Option{"unit", &o.place.unit, "",
                     "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
                  .one_of({"mm", "cm", "m", "in", "um", "auto"}),
-             {"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}},
+             Option{"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}
+                 .within(-1e6, 1e6)},
             cli::with(cli::step_options(o.step), app::geodesic::options(o.shape))),
         .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
                      {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",

@@ -31,7 +31,8 @@ std::vector<Option> placing(mesh::Placement& p) {
     return {
         Option{"unit", &p.unit, "", "unit of the file; auto guesses from the size, 3MF and STEP state their own"}
             .one_of({"mm", "cm", "m", "in", "um", "auto"}),
-        {"scale", &p.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"},
+        Option{"scale", &p.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}.within(
+            -1e6, 1e6),
         Option{"rotate", &p.rotate_deg, "X,Y,Z", "degrees to turn about the x axis, then y, then z"}.numbers(3).within(
             -360, 360),
         Option{"translate", &p.translate, "X,Y,Z", "mm to move by"}.numbers(3).within(-1e7, 1e7),
