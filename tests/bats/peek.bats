@@ -28,9 +28,9 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 }
 
 @test "the history tells programs, parents and settings" {
-    slice part.stl --layer-height 0.5 | regions | peek > got
+    slice part.stl --layer-height 0.3 | regions | peek > got
     grep -q '^run 0  *slice [0-9.]*$' got
-    grep -q '^ *layer-height = 0.5  (not the default)$' got
+    grep -q '^ *layer-height = 0.3  (not the default)$' got
     grep -q '^run 1  *regions [0-9.]* after 0$' got
 }
 
