@@ -2,8 +2,8 @@
 #pragma once
 
 #include "metrics/surface/chains.hpp"
-#include "surface/finer.hpp"
 #include "surface/curve/locate.hpp"
+#include "surface/finer.hpp"
 
 namespace filum::metrics::surface {
 
