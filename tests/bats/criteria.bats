@@ -100,7 +100,7 @@ value() { # of the figure named $1 in the TSV on standard input
     expect 2 metrics --surface plate.surface --step 2 lines.toolpath
     [[ $err == *"smaller --step"* ]]
     expect 2 metrics --surface plate.surface --step 1e-9 lines.toolpath
-    [[ $err == *"greater --step"* ]]
+    [[ $err == *"at least 0.001"* ]]
     expect 2 metrics --surface plate.surface --spacing 1000 lines.toolpath
     expect 2 metrics --surface plate.surface --spacing -1 lines.toolpath
     expect 2 metrics --surface plate.surface --spacing nan lines.toolpath
