@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -13,7 +14,7 @@ namespace filum::surfpath {
 namespace {
 
 constexpr std::size_t kMostFine = 500'000; // triangles
-constexpr double kCrumb = 1e-9;            // of a segment: less of it is none
+constexpr double kCrumb = 1e-9;            // of a segment, or of a triangle's height: less of it is none
 
 // The part of a segment that lies in a triangle of its plane: where along it that begins and ends.
 struct Clip {
@@ -22,7 +23,9 @@ struct Clip {
 };
 
 Clip clip(const Surface& s, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
-    const auto u = surface::curve::barycentric(s, {triangle, a}), v = surface::curve::barycentric(s, {triangle, b});
+    auto u = surface::curve::barycentric(s, {triangle, a}), v = surface::curve::barycentric(s, {triangle, b});
+    for (auto* w : {&u, &v}) // on a side counts as inside, whatever rounding says
+        for (double& x : *w) x = std::abs(x) < kCrumb ? 0 : x;
     Clip out{0, 1, triangle};
     for (std::size_t k = 0; k < 3; ++k) {
         if (u[k] < 0 && v[k] <= 0) return {1, 0, triangle};

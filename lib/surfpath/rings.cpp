@@ -237,9 +237,10 @@ class Making {
 Rings rings(const surface::Sheet& sheet, const Options& o, Facts& facts) {
     Rings out = Making(sheet, o).run();
     if (out.lines.empty())
-        throw Error(Exit::bad_input,
-                    "cannot lay a ring: no vertex is farther than half a spacing from the sources; lower "
-                    "--spacing, or make smaller triangles by geodesic --remesh");
+        throw Error(
+            Exit::bad_input,
+            "cannot lay a ring: nowhere between the sources is there room for one, half a spacing from them and round "
+            "a third of one; lower --spacing");
     facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
     facts.push_back({"", "stretch", out.spacing / o.spacing, ""});
     return out;
