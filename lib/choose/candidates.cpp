@@ -22,7 +22,7 @@ struct Frame {
     Vec3 pull;                 // in that plane; 0: none
 };
 
-Vec3 unit(const Vec3& v) { return norm(v) > 0 ? 1 / norm(v) * v : v; }
+Vec3 unit(const Vec3& v) { return geom::unit(v, v); }
 Vec3 of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 

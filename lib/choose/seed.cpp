@@ -60,7 +60,7 @@ Vec3 pull_at(const Surface& s, const std::vector<Vec3>& pull, const Place& at, c
         const Vec3& lead = norm(heading) > 0 ? heading : sum;
         sum = sum + (dot(v, lead) < 0 ? -1 : 1) * std::max(0.0, w[k]) * v;
     }
-    return norm(sum) > 0 ? 1 / norm(sum) * sum : sum;
+    return geom::unit(sum, sum);
 }
 
 // From `from` along the pull, at first to the side that `heading` points to, up to a rim.
@@ -87,11 +87,8 @@ surface::Sources stress_line(const Sheet& sheet, const std::vector<Vec3>& pull, 
     const auto spot = surface::nearest(s, seed.a);
     const Place start{spot.triangle, spot.a};
     const Vec3 ahead = pull_at(s, pull, start, {}, across);
-    geom::Box3 box{start.point, start.point};
-    for (const Vec3& p : s.vertices) {
-        box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
-        box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
-    }
+    geom::Box3 box = geom::box_of(s.vertices);
+    box.add(start.point);
     const double step = kPart * surface::mean_edge(s), longest = kLongest * distance(box.lo, box.hi);
     Line line = half(s, pull, start, -1 * ahead, across, step, longest);
     surface::curve::reverse(line);

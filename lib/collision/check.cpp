@@ -24,7 +24,7 @@ Vec3 any_across(const Vec3& v) {
 
 // Unit vectors; even speed along the great circle.
 Vec3 turned(const Vec3& a, const Vec3& b, double share) {
-    const double all = kinematics::angle(a, b);
+    const double all = geom::angle(a, b);
     if (all < 1e-9) return share < 0.5 ? a : b;
     const Vec3 across = b - dot(a, b) * a;
     const double l = norm(across);
@@ -171,8 +171,8 @@ Stance at(const Move& m, double along) {
 }
 
 Motion motion(const Move& m) {
-    double turn = kinematics::angle(m.from.axis, m.to.axis);
-    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += kinematics::angle(m.from.side, m.to.side);
+    double turn = geom::angle(m.from.axis, m.to.axis);
+    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += geom::angle(m.from.side, m.to.side);
     return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
 }
 

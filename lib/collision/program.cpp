@@ -333,8 +333,8 @@ class Reader {
             const Stance true_middle = stance(middle);
             const Stance straight = at(Move{from, to, 0, 0, 0, 0, false}, 0.5);
             const bool near = distance(true_middle.tip, straight.tip) <= kChord &&
-                              kinematics::angle(true_middle.axis, straight.axis) <= kLean &&
-                              kinematics::angle(from.axis, to.axis) + kinematics::angle(from.side, to.side) <= kTurn;
+                              geom::angle(true_middle.axis, straight.axis) <= kLean &&
+                              geom::angle(from.axis, to.axis) + geom::angle(from.side, to.side) <= kTurn;
             if (!near) {
                 part(a, middle, from, true_middle, lays, depth + 1);
                 part(middle, b, true_middle, to, lays, depth + 1);

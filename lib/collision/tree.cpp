@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 4;
 
-double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-Vec3 least(const Vec3& a, const Vec3& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 most(const Vec3& a, const Vec3& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
-
 Vec3 centre(const Solid& s) { return 0.25 * (s.corner[0] + s.corner[1] + s.corner[2] + s.corner[3]); }
 
 // How far from its middle a box reaches along the unit vector d.
@@ -143,29 +138,27 @@ bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) co
 std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    Vec3 lo{inf, inf, inf}, hi = -1 * lo, low = lo, high = hi; // of all, of centres
+    geom::Box3 all, centres;
     std::uint32_t born = solids_[first].born;
     for (std::uint32_t i = first; i < last; ++i) {
         const Solid& s = solids_[i];
-        const Vec3 r{s.radius, s.radius, s.radius};
-        for (const Vec3& p : s.corner) lo = least(lo, p - r), hi = most(hi, p + r);
-        const Vec3 c = centre(s);
-        low = least(low, c), high = most(high, c);
+        for (const Vec3& p : s.corner) all.add(geom::grown({p, p}, s.radius));
+        centres.add(centre(s));
         born = std::min(born, s.born);
     }
     Node node;
-    node.middle = 0.5 * (lo + hi), node.half = 0.5 * (hi - lo), node.born = born;
+    node.middle = 0.5 * (all.lo + all.hi);
+    node.half = 0.5 * all.size();
+    node.born = born;
     node.first = first, node.count = last - first;
     bound(node, first, last);
     if (last - first > kLeaf) {
-        const Vec3 size = high - low;
         const bool by_age = layered(node, first, last);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const int axis = geom::longest_axis(centres.size());
         const std::uint32_t half = first + (last - first) / 2;
         const auto begin = solids_.begin();
         std::nth_element(begin + first, begin + half, begin + last, [&](const Solid& a, const Solid& b) {
-            const double u = along(centre(a), axis), v = along(centre(b), axis);
+            const double u = coordinate(centre(a), axis), v = coordinate(centre(b), axis);
             return !by_age && u != v ? u < v : a.born < b.born;
         });
         build(first, half);
@@ -203,7 +196,7 @@ class Tree::View {
         moves_ = true;
         a_ = frame(sweep->from), b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
         // axis and side turn evenly each for itself: twice as much covers what that leaves to the frame
-        const double turn = kinematics::angle(a_.z, b_.z) + (round_ ? 0 : 2 * kinematics::angle(a_.x, b_.x));
+        const double turn = geom::angle(a_.z, b_.z) + (round_ ? 0 : 2 * geom::angle(a_.x, b_.x));
         stray_ = sweep->stray + turn * distance(a_.tip, b_.tip) / 4;
         lean_ = sweep->lean + turn * turn / 8;
         wild_ = turn > 1;

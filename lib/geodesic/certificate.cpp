@@ -51,7 +51,7 @@ double excess(const Surface& s, std::span<const double> distance) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const double a = distance[s.tail(h)], b = distance[s.head(h)];
         if (!std::isfinite(a) || !std::isfinite(b)) continue;
-        out = std::max(out, std::abs(a - b) - geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+        out = std::max(out, std::abs(a - b) - surface::side_length(s, h));
     }
     return out;
 }

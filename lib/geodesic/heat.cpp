@@ -27,14 +27,7 @@ Cotangents cotangents(double x1, double x2, double y2) {
     return {{x1 * x2 / twice, x1 * (x1 - x2) / twice, (x2 * (x2 - x1) + y2 * y2) / twice}};
 }
 
-double box_diagonal(const Surface& s) {
-    Vec3 lo = s.vertices.front(), hi = lo;
-    for (const Vec3& v : s.vertices) {
-        lo = {std::min(lo.x, v.x), std::min(lo.y, v.y), std::min(lo.z, v.z)};
-        hi = {std::max(hi.x, v.x), std::max(hi.y, v.y), std::max(hi.z, v.z)};
-    }
-    return distance(lo, hi);
-}
+double box_diagonal(const Surface& s) { return norm(geom::box_of(s.vertices).size()); }
 
 std::uint32_t nearest_corner(const Surface& s, std::uint32_t triangle, const Vec3& p) {
     const auto& t = s.triangles[triangle];
@@ -140,8 +133,7 @@ void Heat::assemble() {
     const auto n = static_cast<Eigen::Index>(s.vertices.size());
     std::vector<double> length(s.twin.size());
     double lack = 0;
-    for (std::uint32_t h = 0; h < length.size(); ++h)
-        length[h] = geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+    for (std::uint32_t h = 0; h < length.size(); ++h) length[h] = surface::side_length(s, h);
     const double least = kSliver * surface::mean_edge(s);
     for (std::uint32_t h = 0; h < length.size(); ++h)
         lack = std::max(lack, least + length[h] - length[surface::next(h)] - length[surface::prev(h)]);

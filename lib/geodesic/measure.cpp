@@ -24,8 +24,7 @@ double farthest_on_edges(const Surface& s, std::span<const double> distance) {
     double out = 0;
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const double sum = distance[s.tail(h)] + distance[s.head(h)];
-        if (std::isfinite(sum))
-            out = std::max(out, (sum + geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)])) / 2);
+        if (std::isfinite(sum)) out = std::max(out, (sum + surface::side_length(s, h)) / 2);
     }
     return out;
 }

@@ -9,12 +9,6 @@ namespace {
 
 constexpr std::uint32_t kLeafPoints = 8;
 
-double distance2(const Box2& box, Vec2 p) {
-    const double x = std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
-                 y = std::max({0.0, box.lo.y - p.y, p.y - box.hi.y});
-    return x * x + y * y;
-}
-
 } // namespace
 
 NearestPoints::NearestPoints(std::vector<Vec2> points)

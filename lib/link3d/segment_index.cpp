@@ -14,12 +14,6 @@ constexpr std::uint32_t kFan = 16;
 
 void add(Box2& to, const Box2& from) { to.add(from.lo), to.add(from.hi); }
 
-double distance(const Box2& box, Vec2 p) {
-    const double dx = std::max({0.0, box.lo.x - p.x, p.x - box.hi.x});
-    const double dy = std::max({0.0, box.lo.y - p.y, p.y - box.hi.y});
-    return std::sqrt(dx * dx + dy * dy);
-}
-
 } // namespace
 
 SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
@@ -80,7 +74,7 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
     if (empty()) return std::nullopt;
     using Node = std::tuple<double, std::size_t, std::uint32_t>; // distance, level, box
     std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
-    open.emplace(distance(levels_.back().front(), p), levels_.size() - 1, 0U);
+    open.emplace(std::sqrt(distance2(levels_.back().front(), p)), levels_.size() - 1, 0U);
     double best = limit;
     std::optional<std::uint32_t> found;
     while (!open.empty()) {
@@ -92,7 +86,7 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
             const auto& below = levels_[level - 1];
             const auto to = std::min<std::uint32_t>(from + kFan, static_cast<std::uint32_t>(below.size()));
             for (std::uint32_t i = from; i < to; ++i)
-                if (const double e = distance(below[i], p); e <= best) open.emplace(e, level - 1, i);
+                if (const double e = std::sqrt(distance2(below[i], p)); e <= best) open.emplace(e, level - 1, i);
             continue;
         }
         const auto to = std::min(from + kFan, first_.back());

@@ -34,8 +34,7 @@ Cells cells(const Surface& s) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t twin = s.twin[h];
         if (h % 3 == 0) {
-            const auto& [a, b, c] = s.triangles[h / 3];
-            const double area = norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
+            const double area = surface::area(s, h / 3);
             for (const auto v : s.triangles[h / 3]) out.area[v] += area / 3;
             out.total += area;
         }

@@ -27,19 +27,14 @@ std::vector<std::uint32_t> all_triangles(const Sheet& sheet) {
     return out;
 }
 
-double triangle_area(const Surface& s, std::uint32_t t) {
-    const auto& [a, b, c] = s.triangles[t];
-    return norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
-}
-
 // Connected pieces of patches, which can be joined.
 class Pieces {
   public:
     explicit Pieces(const Parts& parts) : s_(parts.sheet.surface), of_(pieces(parts)) {
         for (std::uint32_t t = 0; t < of_.size(); ++t) {
             if (of_[t] >= area_.size()) area_.push_back(0), facing_.emplace_back(), patch_.push_back(parts.patch[t]);
-            area_[of_[t]] += triangle_area(s_, t);
-            facing_[of_[t]] = facing_[of_[t]] + triangle_area(s_, t) * surface::normal(s_, t);
+            area_[of_[t]] += surface::area(s_, t);
+            facing_[of_[t]] = facing_[of_[t]] + surface::area(s_, t) * surface::normal(s_, t);
         }
         into_.assign(area_.size(), kNone);
     }
@@ -91,7 +86,7 @@ class Pieces {
         std::vector<std::map<std::uint32_t, double>> out(area_.size());
         for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
             if (s_.twin[h] != kNone && of_[h / 3] != of_[s_.twin[h] / 3])
-                out[of_[h / 3]][of_[s_.twin[h] / 3]] += distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
+                out[of_[h / 3]][of_[s_.twin[h] / 3]] += surface::side_length(s_, h);
         return out;
     }
 

@@ -68,18 +68,10 @@ class Creases {
     };
 
     [[nodiscard]] bool inner(std::uint32_t h) const { return s_.twin[h] != kNone; }
-    [[nodiscard]] double bend(std::uint32_t h) const {
-        const Vec3 &a = normal_[h / 3], &b = normal_[s_.twin[h] / 3];
-        return std::atan2(norm(cross(a, b)), dot(a, b));
-    }
+    [[nodiscard]] double bend(std::uint32_t h) const { return geom::angle(normal_[h / 3], normal_[s_.twin[h] / 3]); }
     void set(std::uint32_t h, char to) { seam_[h] = seam_[s_.twin[h]] = to; }
-    [[nodiscard]] double length(std::uint32_t h) const {
-        return distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
-    }
-    [[nodiscard]] double size(std::uint32_t t) const {
-        const auto& [a, b, c] = s_.triangles[t];
-        return norm(cross(s_.vertices[b] - s_.vertices[a], s_.vertices[c] - s_.vertices[a])) / 2;
-    }
+    [[nodiscard]] double length(std::uint32_t h) const { return surface::side_length(s_, h); }
+    [[nodiscard]] double size(std::uint32_t t) const { return surface::area(s_, t); }
 
     // Per triangle what seams enclose, numbered.
     [[nodiscard]] std::vector<std::uint32_t> faces() const {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/polyline.hpp"
 #include "postproc/tilted.hpp"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ constexpr double kOver = 5;    // mm, at least, that a travel leads over a strok
 
 double length(const std::vector<Span>& spans) {
     double sum = 0;
-    for (const Span& s : spans)
-        for (std::size_t i = 1; i < s.points.size(); ++i) sum += distance(s.points[i - 1], s.points[i]);
+    for (const Span& s : spans) sum += geom::length(s.points);
     return sum;
 }
 

@@ -119,7 +119,7 @@ class Course {
         if (tips_) now.tip = m_.poses[i].tip + f * (m_.poses[j].tip - m_.poses[i].tip);
         const double away = distance(now.tip, tip);
         off = std::max(off, away);
-        return away <= most && kinematics::angle(now.axis, axis) <= p_.merging.axis + kTouch;
+        return away <= most && geom::angle(now.axis, axis) <= p_.merging.axis + kTouch;
     }
 
     [[nodiscard]] bool same_kind(std::uint32_t i, std::uint32_t j) const {

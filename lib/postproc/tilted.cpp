@@ -36,7 +36,7 @@ Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
 
 // At `f` of the way from one direction to another, along the great circle.
 Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
-    const double whole = kinematics::angle(a, b), s = std::sin(whole);
+    const double whole = geom::angle(a, b), s = std::sin(whole);
     return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
 }
 
@@ -86,7 +86,7 @@ std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
     const auto& a = profile_->axes;
     if (stroke_.poses.empty() || a.chain.carrier == kinematics::Carrier::frame) return out;
     const Vec3 &from = stroke_.poses.back().axis, &to = pose.axis;
-    const double change = kinematics::angle(from, to);
+    const double change = geom::angle(from, to);
     if (change > kFineAxisStep && change < kOpposite) {
         const double upright = std::acos(std::clamp(std::max(from.z, to.z), -1.0, 1.0));
         const double fine = std::max(a.orientation, kFineAxisStep);
@@ -151,7 +151,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     if (stroke_.poses.empty()) approach(span);
     if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
-    if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
+    if (geom::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
         go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, own().feeds.travel, 0, 0, 0, span.tool, 0,
                   false, Act::extrude, true, !span.normals.empty()});
     Act first = before();
@@ -273,7 +273,7 @@ std::vector<double> TiltedWalk::durations() {
 // How long a robot needs to turn the tool on the way to pose i.
 double TiltedWalk::swing(std::size_t i) const {
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return 0;
-    return kinematics::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
+    return geom::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
 }
 
 // The leg of this stroke before which the tool is changed: behind the first one of a travel, which leads away from the

@@ -137,7 +137,7 @@ Cone narrowest_cone(std::span<const Vec3> axes) {
     const double size = norm(ball.centre);
     if (size < 1e-6) return {{0, 0, 1}, std::numbers::pi};
     Cone out{1 / size * ball.centre, 0};
-    for (const Vec3& a : axes) out.half = std::max(out.half, std::atan2(norm(cross(a, out.axis)), dot(a, out.axis)));
+    for (const Vec3& a : axes) out.half = std::max(out.half, angle(a, out.axis));
     return out;
 }
 

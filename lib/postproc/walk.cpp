@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/polyline.hpp"
 #include "postproc/throughput.hpp"
 
 #include <algorithm>
@@ -18,11 +19,7 @@ double highest(const toolpath::Span& span) {
     return z;
 }
 
-double length(const toolpath::Span& span) {
-    double sum = 0;
-    for (std::size_t i = 1; i < span.points.size(); ++i) sum += distance(span.points[i - 1], span.points[i]);
-    return sum;
-}
+double length(const toolpath::Span& span) { return geom::length(span.points); }
 
 } // namespace
 

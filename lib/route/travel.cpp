@@ -123,7 +123,7 @@ class Search {
     }
 
     [[nodiscard]] std::size_t turns(const Stance& a, const Stance& b) const {
-        return static_cast<std::size_t>(std::max(1.0, std::ceil(kinematics::angle(a.axis, b.axis) / o_.most_turn)));
+        return static_cast<std::size_t>(std::max(1.0, std::ceil(geom::angle(a.axis, b.axis) / o_.most_turn)));
     }
 
     const Fan& fan_;
@@ -136,7 +136,7 @@ class Search {
 
 Travel travel(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before,
               const TravelOptions& options) {
-    const bool same = from.tip == to.tip && kinematics::angle(from.axis, to.axis) < 1e-6;
+    const bool same = from.tip == to.tip && geom::angle(from.axis, to.axis) < 1e-6;
     const Fan fan(room, from, to, before);
     Travel out =
         same ? Travel{.stances = {}, .kind = Kind::straight, .length = 0, .free = true} : Search(fan, options).run();

@@ -1,5 +1,7 @@
 #include "sequence/canon.hpp"
 
+#include "geom/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -59,27 +61,14 @@ struct Colours {
 
 // The nodes of the connected parts, ascending; parts by their lowest node.
 std::vector<std::vector<Index>> connected_parts(const Graph& g) {
-    std::vector<Index> up(g.size());
-    std::iota(up.begin(), up.end(), 0U);
-    const auto root = [&](Index v) {
-        while (up[v] != v) v = up[v] = up[up[v]];
-        return v;
-    };
-    const auto join = [&](Index u, Index v) {
-        const Index a = root(u), b = root(v);
-        up[std::max(a, b)] = std::min(a, b);
-    };
+    geom::DisjointSets sets(g.size());
     for (Index u = 0; u < g.size(); ++u) {
-        for (const Index v : g.up[u]) join(u, v);
-        for (const Index v : g.after[u]) join(u, v);
+        for (const Index v : g.up[u]) sets.unite(u, v);
+        for (const Index v : g.after[u]) sets.unite(u, v);
     }
-    std::vector<std::vector<Index>> out;
-    std::vector<Index> part(g.size(), kNone);
-    for (Index v = 0; v < g.size(); ++v) {
-        Index& p = part[root(v)];
-        if (p == kNone) p = static_cast<Index>(out.size()), out.emplace_back();
-        out[p].push_back(v);
-    }
+    std::vector<Index> part;
+    std::vector<std::vector<Index>> out(sets.number(part));
+    for (Index v = 0; v < g.size(); ++v) out[part[v]].push_back(v);
     return out;
 }
 

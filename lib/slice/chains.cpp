@@ -1,5 +1,8 @@
 #include "slice/chains.hpp"
 
+#include "geom/point_grid.hpp"
+#include "geom/polyline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,35 +40,27 @@ Mates mates_on_edges(const std::vector<Chain>& chains) {
     return mates;
 }
 
-// Free ends in square cells, for looking up what is near.
-class Cells {
+// The free ends, for looking up what is near.
+class FreeEnds {
   public:
-    Cells(const std::vector<Chain>& chains, const Mates& mates, double size) : size_(size) {
+    FreeEnds(const std::vector<Chain>& chains, const Mates& mates, double size) {
+        std::vector<Vec2> at;
         for (std::uint32_t e = 0; e < mates.size(); ++e)
-            if (mates[e] == kFree) cells_.push_back({column(place(chains, e).x), column(place(chains, e).y), e});
-        std::sort(cells_.begin(), cells_.end(),
-                  [](const Entry& a, const Entry& b) { return std::tie(a.x, a.y, a.end) < std::tie(b.x, b.y, b.end); });
+            if (mates[e] == kFree) {
+                end_.push_back(e);
+                at.push_back(place(chains, e));
+            }
+        grid_ = geom::PointGrid<Vec2>(at, size);
     }
-    // Calls visit(end) for every free end within the 3 x 3 cells around p.
+    // Calls visit(end) for every free end within `size` of p, and for others.
     template <class Visit>
     void around(Vec2 p, const Visit& visit) const {
-        for (std::int64_t x = column(p.x) - 1, y = column(p.y); x <= column(p.x) + 1; ++x) {
-            auto it =
-                std::lower_bound(cells_.begin(), cells_.end(), std::pair{x, y - 1}, [](const Entry& a, const auto& b) {
-                    return std::tie(a.x, a.y) < std::tie(b.first, b.second);
-                });
-            for (; it != cells_.end() && it->x == x && it->y <= y + 1; ++it) visit(it->end);
-        }
+        grid_.near(p, 1, [&](std::uint32_t i) { visit(end_[i]); });
     }
 
   private:
-    struct Entry {
-        std::int64_t x, y;
-        std::uint32_t end;
-    };
-    [[nodiscard]] std::int64_t column(double v) const { return static_cast<std::int64_t>(std::floor(v / size_)); }
-    double size_;
-    std::vector<Entry> cells_;
+    std::vector<std::uint32_t> end_;
+    geom::PointGrid<Vec2> grid_;
 };
 
 struct Candidate {
@@ -118,10 +113,10 @@ bool leave_alike(const std::vector<Chain>& chains, std::uint32_t e, std::uint32_
 // Ends at most `radius` apart; `directed`: only an end to a start.
 void marry_near(const std::vector<Chain>& chains, double radius, bool directed, Mates& mates) {
     for (int round = 0; round < kRounds; ++round) {
-        const Cells cells(chains, mates, radius);
+        const FreeEnds ends(chains, mates, radius);
         const bool any = marry_round(mates, [&](std::uint32_t e) {
             Candidate best{radius, e, kFree};
-            cells.around(place(chains, e), [&](std::uint32_t f) {
+            ends.around(place(chains, e), [&](std::uint32_t f) {
                 if (f == e || mates[f] != kFree || (directed && is_start(e) == is_start(f))) return;
                 const double d = geom::distance(place(chains, e), place(chains, f));
                 if (d > best.distance || (d == best.distance && f >= best.b)) return;
@@ -237,11 +232,7 @@ void note_joints(const std::vector<Chain>& chains, const Mates& mates, const cha
 
 } // namespace
 
-double length(const Chain& chain) {
-    double sum = 0;
-    for (std::size_t i = 1; i < chain.points.size(); ++i) sum += geom::distance(chain.points[i - 1], chain.points[i]);
-    return sum;
-}
+double length(const Chain& chain) { return geom::length(chain.points); }
 
 Closed close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& o,
                     std::int64_t layer, Notes& notes) {

@@ -1,5 +1,4 @@
 #include "parallel/parallel.hpp"
-#include "stressfield/boxes.hpp"
 #include "stressfield/stencil.hpp"
 #include "stressfield/triangle.hpp"
 
@@ -24,15 +23,15 @@ struct Near {
     }
 };
 
-BoxTree tree_of(const std::vector<Vec3>& points) {
+geom::Bvh tree_of(const std::vector<Vec3>& points) {
     std::vector<Box3> boxes(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) boxes[i].add(points[i]);
-    return BoxTree(boxes);
+    return geom::Bvh(boxes);
 }
 
 // The `count` nearest to `p` of those that pass, nearest first.
 template <class Pass>
-std::vector<Near> nearest(const BoxTree& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
+std::vector<Near> nearest(const geom::Bvh& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
                           const Pass& pass) {
     std::vector<Near> heap;
     tree.near(p, kInfinity, [&](std::uint32_t i) {
@@ -57,7 +56,7 @@ struct Foot {
     double spacing = 0; // to the sixth neighbour
 };
 
-std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const BoxTree& tree, double reach,
+std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const geom::Bvh& tree, double reach,
                        int threads) {
     const TriangleTree triangles(s.vertices, s.triangles);
     std::vector<Foot> out(points.size());
@@ -142,7 +141,7 @@ std::vector<double> weights(const std::vector<Near>& found, const std::vector<Ve
 } // namespace
 
 Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads) {
-    const BoxTree tree = tree_of(points);
+    const geom::Bvh tree = tree_of(points);
     const auto foot = feet(s, points, tree, reach, threads);
     const auto normal = normals(s);
     const std::size_t n = s.vertices.size();

@@ -38,17 +38,14 @@ class Solids {
 
   private:
     std::vector<Box3> choose(const Surface& s) {
-        Box3 near;
-        for (const Vec3& v : s.vertices) near.add(v);
+        const Box3 near = geom::box_of(s.vertices);
         std::vector<Box3> out;
         for (std::uint32_t e = 0; e < samples_.elements.size(); ++e) {
             const Element& element = samples_.elements[e];
             if (!is_solid(element.shape)) continue;
             Box3 box;
             for (const auto i : nodes_of(samples_, element)) box.add(samples_.points[i]);
-            const bool apart = box.lo.x > near.hi.x || box.hi.x < near.lo.x || box.lo.y > near.hi.y ||
-                               box.hi.y < near.lo.y || box.lo.z > near.hi.z || box.hi.z < near.lo.z;
-            if (!apart) chosen_.push_back(e), out.push_back(box);
+            if (meet(box, near)) chosen_.push_back(e), out.push_back(box);
         }
         return out;
     }
@@ -77,7 +74,7 @@ class Solids {
 
     const Samples& samples_;
     std::vector<std::uint32_t> chosen_;
-    BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 class Outside {

@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "parallel/parallel.hpp"
-#include "stressfield/boxes.hpp"
 #include "stressfield/principal.hpp"
 #include "stressfield/stencil.hpp"
+#include "stressfield/triangle.hpp"
 
 namespace filum::stressfield {
 

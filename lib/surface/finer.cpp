@@ -12,8 +12,6 @@ struct Round {
     std::vector<std::uint32_t> parent, whole;
 };
 
-double side_length(const Surface& s, std::uint32_t h) { return distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]); }
-
 // The middles of long sides, as vertices behind the others; kNone for sides that stay.
 std::vector<std::uint32_t> middles(const Surface& s, double edge, std::vector<geom::Vec3>& vertices) {
     std::vector<std::uint32_t> out(s.twin.size(), kNone);

@@ -1,9 +1,11 @@
 #include "surfpath/bare.hpp"
 
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
+#include "geom/segment.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,11 +24,6 @@ constexpr std::uint32_t kMostParts = 256; // of a triangle's side
 constexpr std::size_t kTriangles = 256;   // of a piece of work
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-geom::Box3 around(const Vec3& a, const Vec3& b, double by) {
-    return {{std::min(a.x, b.x) - by, std::min(a.y, b.y) - by, std::min(a.z, b.z) - by},
-            {std::max(a.x, b.x) + by, std::max(a.y, b.y) + by, std::max(a.z, b.z) + by}};
-}
-
 // The stretches of a plan, by place.
 class Stretches {
   public:
@@ -42,13 +39,11 @@ class Stretches {
     // Calls f(mm off, way) for the nearest place of every stretch within reach that faces alike.
     template <class F>
     void near(const Vec3& p, const Vec3& normal, double reach, const F& f) const {
-        tree_.visit(around(p, p, reach), [&](std::uint32_t k) {
+        tree_.visit(geom::grown({p, p}, reach), [&](std::uint32_t k) {
             const Stretch& l = all_[k];
             if (!(dot(normal, l.normal) > 0)) return;
-            const Vec3 d = l.b - l.a;
-            const double dd = dot(d, d), t = dd > 0 ? std::clamp(dot(p - l.a, d) / dd, 0.0, 1.0) : 0;
-            const double off = distance(p, l.a + t * d);
-            if (off <= reach) f(off, l.way + t * std::sqrt(dd));
+            const double t = geom::nearest_parameter(l.a, l.b, p), off = distance(p, l.a + t * (l.b - l.a));
+            if (off <= reach) f(off, l.way + t * distance(l.a, l.b));
         });
     }
 
@@ -71,13 +66,13 @@ class Stretches {
     static std::vector<geom::Box3> boxes(const std::vector<Stretch>& all) {
         std::vector<geom::Box3> out;
         out.reserve(all.size());
-        for (const Stretch& l : all) out.push_back(around(l.a, l.b, 0));
+        for (const Stretch& l : all) out.push_back(geom::box_of(std::array{l.a, l.b}));
         return out;
     }
 
     double length_ = 0;
     std::vector<Stretch> all_;
-    geom::BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 struct Sample {

@@ -45,11 +45,6 @@ surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
     return {n, dot(n, a)};
 }
 
-double area(const Surface& s, std::uint32_t t) {
-    const Vec3& p = s.vertices[s.triangles[t][0]];
-    return norm(cross(s.vertices[s.triangles[t][1]] - p, s.vertices[s.triangles[t][2]] - p)) / 2;
-}
-
 // By how much the height changes per mm along the surface.
 double slope(const Surface& s, std::uint32_t t, std::span<const double> height) {
     const auto& [a, b, c] = s.triangles[t];
@@ -73,7 +68,7 @@ class Spread {
             const auto first = static_cast<std::size_t>(std::max(0.0, lo / bin_));
             const auto last = static_cast<std::size_t>(std::max(0.0, hi / bin_));
             if (last >= rise.size()) rise.resize(last + 1, 0), length.resize(last + 1, 0);
-            const double share = area(s, t) / static_cast<double>(last - first + 1);
+            const double share = surface::area(s, t) / static_cast<double>(last - first + 1);
             for (std::size_t i = first; i <= last; ++i) rise[i] += share, length[i] += share / steep;
         }
         way_.push_back(0);
@@ -117,7 +112,7 @@ void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std
         const double rise = spread.height(way + spacing / 2) - spread.height(std::max(0.0, way - spacing / 2));
         const double gap = rise / std::max(1e-9, slope(s, t, height)) / spacing;
         if (gap <= kWide) continue;
-        out.area += area(s, t);
+        out.area += surface::area(s, t);
         if (gap > out.most) out.most = gap, out.at = s.vertices[a];
     }
 }

@@ -25,17 +25,9 @@ Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
             nodes_.push_back({l, way, p.point, surface::normal(surface, p.triangle), surface.component[p.triangle]});
         }
     }
-    cells_.reserve(nodes_.size());
-    for (std::uint32_t i = 0; i < nodes_.size(); ++i) cells_.emplace_back(key(nodes_[i].point, 0, 0, 0), i);
-    std::sort(cells_.begin(), cells_.end());
-}
-
-std::uint64_t Lanes::key(const Vec3& p, int dx, int dy, int dz) const {
-    const auto axis = [&](double v, int d) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / spacing_)) + d + (1 << 20)) &
-               ((1U << 21) - 1);
-    };
-    return axis(p.x, dx) << 42 | axis(p.y, dy) << 21 | axis(p.z, dz);
+    std::vector<Vec3> points;
+    for (const Node& n : nodes_) points.push_back(n.point);
+    grid_ = geom::PointGrid<Vec3>(points, spacing);
 }
 
 Place Lanes::at(std::uint32_t lane, double way) const { return surface::curve::at(lines_[lane], ways_[lane], way); }
@@ -80,21 +72,14 @@ std::optional<LanePlace> Lanes::nearest(const Place& from, double reach, const U
     const std::uint32_t component = surface_.component[from.triangle];
     double least = reach;
     std::uint32_t best = surface::kNone;
-    const int cells = std::max(1, static_cast<int>(std::ceil(reach / spacing_)));
-    for (int dx = -cells; dx <= cells; ++dx)
-        for (int dy = -cells; dy <= cells; ++dy)
-            for (int dz = -cells; dz <= cells; ++dz) {
-                const std::uint64_t k = key(from.point, dx, dy, dz);
-                for (auto c = std::lower_bound(cells_.begin(), cells_.end(), std::make_pair(k, 0U));
-                     c != cells_.end() && c->first == k; ++c) {
-                    const Node& node = nodes_[c->second];
-                    const double d = distance(node.point, from.point);
-                    if (d > least || (d == least && c->second >= best)) continue;
-                    if (node.component != component || dot(node.normal, n) < 0.3) continue;
-                    if (!use(node.lane, node.way)) continue;
-                    least = d, best = c->second;
-                }
-            }
+    grid_.near(from.point, std::max(1, static_cast<int>(std::ceil(reach / spacing_))), [&](std::uint32_t i) {
+        const Node& node = nodes_[i];
+        const double d = distance(node.point, from.point);
+        if (d > least || (d == least && i >= best)) return;
+        if (node.component != component || dot(node.normal, n) < 0.3 || !use(node.lane, node.way)) return;
+        least = d;
+        best = i;
+    });
     if (best == surface::kNone) return std::nullopt;
     return refined(nodes_[best], from.point);
 }

@@ -1,5 +1,7 @@
 #include "surfpath/seam.hpp"
 
+#include "geom/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -164,18 +166,15 @@ struct Changeover {
 class Crossover {
   public:
     Crossover(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
-        : weave_(weave), lanes_(lanes), radius_(radius), root_(lanes.size()) {
-        std::iota(root_.begin(), root_.end(), 0U);
-        for (const auto l : merged) root_[find(l)] = find(merged[0]);
-        for (std::uint32_t l = 0; l < lanes.size(); ++l)
-            if (find(l) == l) ++apart_;
+        : weave_(weave), lanes_(lanes), radius_(radius), sets_(lanes.size()), apart_(lanes.size()) {
+        for (const auto l : merged) unite(l, merged[0]);
     }
 
     void run() {
         find_spots();
         const auto all = [&](const auto& join) {
             for (const Changeover& s : spots_)
-                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) root_[find(s.a)] = find(s.b), --apart_;
+                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) unite(s.a, s.b);
         };
         for (const double share : {1.0, 0.5, 0.2}) all([&](const Changeover& s) { return join(s, share * radius_); });
         for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
@@ -185,10 +184,8 @@ class Crossover {
     }
 
   private:
-    std::uint32_t find(std::uint32_t l) {
-        while (root_[l] != l) l = root_[l] = root_[root_[l]];
-        return l;
-    }
+    std::uint32_t find(std::uint32_t l) { return sets_.root(l); }
+    void unite(std::uint32_t a, std::uint32_t b) { apart_ -= sets_.unite(a, b) ? 1 : 0; }
 
     void find_spots() {
         spots_across(
@@ -239,11 +236,9 @@ class Crossover {
     }
     // Whether the spots would join all.
     bool reachable() {
-        auto root = root_;
+        geom::DisjointSets sets = sets_;
         std::size_t apart = apart_;
-        for (const Changeover& s : spots_)
-            if (find(s.a) != find(s.b)) root_[find(s.a)] = find(s.b), --apart;
-        root_ = std::move(root);
+        for (const Changeover& s : spots_) apart -= sets.unite(s.a, s.b) ? 1 : 0;
         return apart <= 1;
     }
 
@@ -308,8 +303,8 @@ class Crossover {
     Weave& weave_;
     const Lanes& lanes_;
     double radius_;
-    std::vector<std::uint32_t> root_;
-    std::size_t apart_ = 0;
+    geom::DisjointSets sets_;
+    std::size_t apart_;
     std::vector<Changeover> spots_;
 };
 

@@ -1,7 +1,6 @@
 #include "baselines/kipping2022/ortheo.hpp"
 
 #include "base/error.hpp"
-#include "baselines/kipping2022/cloud.hpp"
 #include "baselines/kipping2022/path.hpp"
 #include "baselines/kipping2022/seed.hpp"
 
@@ -45,7 +44,7 @@ class Level {
 
     // What lies farther than `reach` from every line that comes here.
     [[nodiscard]] std::optional<Note> bare(double reach) {
-        const Cloud lines(std::move(lines_));
+        const geom::PointTree lines(std::move(lines_));
         const auto far = [&](const Vec3& p) { return lines.nearest(p, reach).index == surface::kNone; };
         const auto n = std::count_if(cloud_.points().begin(), cloud_.points().end(), far);
         if (n == 0) return {};
@@ -70,7 +69,7 @@ class Level {
     }
 
     std::vector<std::uint32_t> before_, after_; // per point
-    Cloud cloud_;
+    geom::PointTree cloud_;
     double step_;
     Points lines_;
 };

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "baselines/kipping2022/path.hpp"
+#include "geom/disjoint_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,20 +45,13 @@ std::vector<Edge> edges(const std::vector<Node>& nodes) {
     return out;
 }
 
-std::uint32_t find(std::vector<std::uint32_t>& set, std::uint32_t i) {
-    while (set[i] != i) i = set[i] = set[set[i]];
-    return i;
-}
-
 // Kruskal's minimum spanning trees.
 void span(std::vector<Node>& nodes) {
-    std::vector<std::uint32_t> set(nodes.size());
-    std::iota(set.begin(), set.end(), 0U);
+    geom::DisjointSets sets(nodes.size());
     for (const Edge& e : edges(nodes)) {
-        const std::uint32_t a = find(set, e.a), b = find(set, e.b);
-        if (a == b) continue;
-        set[a] = b;
-        nodes[e.a].neighbours.push_back(e.b), nodes[e.b].neighbours.push_back(e.a);
+        if (!sets.unite(e.a, e.b)) continue;
+        nodes[e.a].neighbours.push_back(e.b);
+        nodes[e.b].neighbours.push_back(e.a);
     }
     for (Node& n : nodes) std::sort(n.neighbours.begin(), n.neighbours.end());
 }
@@ -139,7 +133,7 @@ Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Opt
                     lines_note("isocontour that ends at a rim left out", length(c.points, false), c.points[0]));
                 continue;
             }
-            Cloud cloud(resampled(c.points, true, o.resample));
+            geom::PointTree cloud(resampled(c.points, true, o.resample));
             c.points.clear();
             const std::uint32_t component = s.component[c.triangle];
             out.nodes.push_back({std::move(c), std::move(cloud), component});

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kSame = 1e-9; // mm
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 // `way` between 0 and the end, or round again.
 double wrapped(const Line& line, std::span<const double> ways, double way) {
     const double all = ways.back();

@@ -65,7 +65,7 @@ TEST(approach, every_rotary_profile_comes_from_above_along_the_tool) {
         double turned = 0;
         for (std::size_t i = 0; i < first; ++i) {
             const auto& m = read.moves[i];
-            const double by = kinematics::angle(m.from.axis, m.to.axis);
+            const double by = geom::angle(m.from.axis, m.to.axis);
             turned += by;
             EXPECT_TRUE(by < 1e-6 || distance(m.from.tip, place) > 50) << name << " line " << m.source;
         }
