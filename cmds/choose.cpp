@@ -78,7 +78,10 @@ cli::Spec spec(Options& o) {
 void run(const Options& o, const cli::Io& io) {
     choose::Options how = o.how;
     how.weights = choose::weights(o.weights);
-    if (o.algorithm != "best") how.plan.algorithm = o.algorithm, how.by_hand = true;
+    if (const auto asked = surfpath::algorithm(o.algorithm)) {
+        how.plan.algorithm = *asked;
+        how.by_hand = true;
+    }
     std::vector<surface::Sheet> sheets;
     const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
                                             [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });

@@ -66,7 +66,7 @@ cli::Spec spec(Options& o) {
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",
         .options = cli::with(
-            {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
+            {Option{"algorithm", &o.algorithm, "", "what lines the path follows; the first word may say it"}
                  .one_of({"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}

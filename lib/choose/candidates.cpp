@@ -11,6 +11,8 @@ namespace filum::choose {
 
 namespace {
 
+using surfpath::Algorithm;
+
 constexpr int kDirections = 8;       // over 180 degrees
 constexpr double kAlike = 0.9962;    // cosine of 5 degrees: nearer directions are one
 constexpr double kUpright = 0.99985; // cosine of a degree
@@ -112,12 +114,12 @@ void add_given(const Sheet& sheet, std::vector<Candidate>& out) {
     seed.kind = Seed::Kind::given;
     const bool lines =
         std::any_of(given.segments.begin(), given.segments.end(), [](const surface::Segment& s) { return s.a != s.b; });
-    if (!sheet.algorithm.empty())
-        out.push_back({sheet.algorithm, seed});
+    if (const auto planned = surfpath::algorithm(sheet.algorithm))
+        out.push_back({*planned, seed});
     else if (lines)
-        for (const char* algorithm : {"fina", "fexa", "ortheo"}) out.push_back({algorithm, seed});
+        for (const Algorithm algorithm : {Algorithm::fina, Algorithm::fexa, Algorithm::ortheo}) out.push_back({algorithm, seed});
     else
-        for (const char* algorithm : {"geo-spiral", "ortheo"}) out.push_back({algorithm, seed});
+        for (const Algorithm algorithm : {Algorithm::geo_spiral, Algorithm::ortheo}) out.push_back({algorithm, seed});
 }
 
 std::vector<Vec3> places(const Sheet& sheet, const Vec3& centre) {
@@ -139,23 +141,23 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
     const Frame f = frame(sheet, pull);
     std::vector<Candidate> out;
     add_given(sheet, out);
-    if (!s.rims.empty()) out.push_back({"geo-contour", {}}), out.push_back({"geo-fiso", {}});
+    if (!s.rims.empty()) out.push_back({Algorithm::geo_contour, {}}), out.push_back({Algorithm::geo_fiso, {}});
     const auto spots = places(sheet, f.centre);
     const auto through = [](Seed::Kind kind, const Vec3& p) { return Seed{kind, {}, p, {}}; };
-    for (const Vec3& p : spots) out.push_back({"geo-spiral", through(Seed::Kind::point, p)});
+    for (const Vec3& p : spots) out.push_back({Algorithm::geo_spiral, through(Seed::Kind::point, p)});
     if (!pull.empty())
         for (const Vec3& p : spots) {
-            out.push_back({"fina", through(Seed::Kind::along, p)});
-            out.push_back({"ortheo", through(Seed::Kind::across, p)});
+            out.push_back({Algorithm::fina, through(Seed::Kind::along, p)});
+            out.push_back({Algorithm::ortheo, through(Seed::Kind::across, p)});
         }
     for (const Vec3& d : directions(f)) {
         const Vec3 across = signed_way(unit(cross(d, f.normal)));
-        out.push_back({"fexa", plane(s, f.centre, across, 0)});
-        for (const double part : {0.0, 0.2, 0.8}) out.push_back({"fina", plane(s, f.centre, across, part)});
-        for (const double part : {0.0, 0.05, 0.95}) out.push_back({"ortheo", plane(s, f.centre, d, part)});
+        out.push_back({Algorithm::fexa, plane(s, f.centre, across, 0)});
+        for (const double part : {0.0, 0.2, 0.8}) out.push_back({Algorithm::fina, plane(s, f.centre, across, part)});
+        for (const double part : {0.0, 0.05, 0.95}) out.push_back({Algorithm::ortheo, plane(s, f.centre, d, part)});
     }
     for (const RimSide& side : longest_sides(s, kSides))
-        for (const char* algorithm : {"fina", "ortheo"})
+        for (const Algorithm algorithm : {Algorithm::fina, Algorithm::ortheo})
             out.push_back({algorithm, {Seed::Kind::side, {}, side.from, side.to}});
     return out;
 }

@@ -9,7 +9,7 @@
 namespace filum::choose {
 
 struct Candidate {
-    std::string algorithm;
+    surfpath::Algorithm algorithm;
     Seed seed;
 };
 

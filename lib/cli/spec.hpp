@@ -3,17 +3,32 @@
 
 #include "stream/frame.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace filum::cli {
 
+// A field that is an enum, its values numbered as the option's choices are.
+struct Enumerated {
+    void* field;
+    void (*set)(void* field, std::size_t choice);
+    std::size_t (*choice)(const void* field);
+
+    template <class E>
+        requires std::is_enum_v<E>
+    Enumerated(E* of) // NOLINT(google-explicit-constructor): &o.field says it all
+        : field(of), set([](void* f, std::size_t k) { *static_cast<E*>(f) = static_cast<E>(k); }),
+          choice([](const void* f) { return static_cast<std::size_t>(*static_cast<const E*>(f)); }) {}
+};
+
 // One option: `--name VALUE`, bound to a field of the command's Options.
 struct Option {
-    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*>;
+    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*, Enumerated>;
     std::string name; // without the dashes
     Target target;
     std::string unit; // "mm", "deg", "FILE"; shown as the value's name
@@ -22,7 +37,7 @@ struct Option {
     double max = std::numeric_limits<double>::infinity();
     bool open_min = false;                 // min itself is not allowed
     bool zero = false;                     // 0 is, though below min
-    std::vector<std::string> choices = {}; // for texts
+    std::vector<std::string> choices = {}; // for texts, and for enums in their order
     std::size_t count = 0;                 // for lists: how many numbers exactly, 0 for any
     bool setting = true;                   // false for files and whatever must not enter the history
     std::string needs = "";                // what other options it needs to have an effect: see when()
@@ -36,6 +51,10 @@ struct Option {
     Option& at_most(double v) { return max = v, *this; }
     Option& within(double from, double to) { return min = from, max = to, *this; }
     Option& one_of(std::vector<std::string> c) { return choices = std::move(c), *this; }
+    template <std::size_t N>
+    Option& one_of(const std::array<const char*, N>& names) {
+        return one_of(std::vector<std::string>(names.begin(), names.end()));
+    }
     Option& numbers(std::size_t n) { return count = n, *this; }
     Option& not_a_setting() { return setting = false, *this; }
     // Where it has an effect: given elsewhere, not at its default, it is an error.  Conditions with blanks between, all

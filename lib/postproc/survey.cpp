@@ -226,8 +226,6 @@ Used used(const machine::Profile& profile, const Survey& survey) {
     return out;
 }
 
-Place parse_place(const std::string& text) { return text == "center" ? Place::center : Place::as_is; }
-
 Vec2 placement(const Survey& survey, const machine::Bed& bed, Place where) {
     if (where == Place::as_is) return {0, 0};
     const auto um = [](double v) { return std::round(v * 1000) / 1000; };

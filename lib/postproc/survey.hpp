@@ -4,6 +4,7 @@
 #include "machine/motion.hpp"
 #include "machine/profile.hpp"
 #include "postproc/walk.hpp"
+#include "postproc/options.hpp"
 
 #include <array>
 #include <map>
@@ -87,13 +88,6 @@ struct Used {
     double volume = 0, units = 0;
 };
 Used used(const machine::Profile& profile, const Survey& survey);
-
-enum class Place : std::uint8_t {
-    center, // the middle of the visited box goes to the middle of the bed
-    as_is,  // coordinates stay
-};
-
-Place parse_place(const std::string& text); // "center" or "as-is"
 
 // How far to move the toolpath in x and y: a whole number of um.
 Vec2 placement(const Survey& survey, const machine::Bed& bed, Place place);

@@ -95,8 +95,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
     const Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
-    const bool alone = o.turns == "none";
-    const Strands found = strands(fronts, {o.spacing, o.turns == "hairpin" ? 2U : 1U, o.min_length});
+    const bool alone = o.turns == RowTurns::none;
+    const Strands found = strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
     Plan out;
     if (alone) {
@@ -109,7 +109,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         std::vector<Raw> raw;
         for (std::size_t i = 0; i < all.size(); ++i)
             raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
-        const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
+        const double radius = o.turns == RowTurns::wide ? o.least_radius : o.spacing / 2;
         out = boustrophedon(s, rows(s, raw, o.spacing / 2, o.spacing / 2), {o.spacing, radius});
     }
     fact(out, "births", found.born);

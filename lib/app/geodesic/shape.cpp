@@ -27,7 +27,7 @@ void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::
         now = surface::cut(now, surface::Plane{{c[0], c[1], c[2]}, c[3]}, model.notes);
     if (!how.cut_mesh.empty()) {
         const mesh::Mesh solid = read_mesh(how.cut_mesh, "cut_mesh_crc32c", place, self, model.notes);
-        now = surface::cut(now, solid, how.keep == "inside", model.notes);
+        now = surface::cut(now, solid, how.keep == Keep::inside, model.notes);
     }
     if (how.remesh > 0) now = surface::remesh(now, how.remesh, model.notes);
     sheet.fields = surface::curve::carried(sheet.surface, sheet.fields, now);

@@ -61,7 +61,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    filum::postproc::Measure measure(profile, filum::postproc::parse_place(o.place),
+    filum::postproc::Measure measure(profile, o.place,
                                      filum::postproc::parse_orient(o.orient), o.flatten);
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));

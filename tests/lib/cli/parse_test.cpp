@@ -14,7 +14,7 @@ struct Options {
     double width = 0.4;
     std::int64_t count = 3;
     bool flag = false;
-    std::string order = "layers";
+    enum class Order : std::uint8_t { layers, greedy } order = Order::layers;
     std::vector<double> move{0, 0, 0};
     std::string file;
 };
@@ -68,7 +68,7 @@ TEST(parse, binds_every_kind_of_option) {
     EXPECT_EQ(o.width, 0.5);
     EXPECT_EQ(o.count, 7);
     EXPECT_TRUE(o.flag);
-    EXPECT_EQ(o.order, "greedy");
+    EXPECT_EQ(o.order, Options::Order::greedy);
     EXPECT_EQ(o.move, (std::vector<double>{-1, 2.5, -30}));
     EXPECT_EQ(o.file, "f");
     EXPECT_EQ(io.input, "in.layers");

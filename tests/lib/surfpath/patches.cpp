@@ -26,10 +26,12 @@ Plan side(const surface::Sheet& s) {
 
 TEST(Patches, FollowTheirOwnPlansUnlessOneIsNamed) {
     const std::vector<surface::Sheet> some{patch("A", "fina", 0), patch("", "", 3)};
-    EXPECT_EQ(algorithms(some, "planned"), (std::vector<std::string>{"fina", ""}));
-    EXPECT_EQ(algorithms(some, "fexa"), (std::vector<std::string>{"fexa", "fexa"}));
+    EXPECT_EQ(algorithms(some, {}), (Algorithms{Algorithm::fina, std::nullopt}));
+    EXPECT_EQ(algorithms(some, Algorithm::fexa), (Algorithms{Algorithm::fexa, Algorithm::fexa}));
     const std::vector<surface::Sheet> none{patch("A", "", 0), patch("B", "", 3)};
-    EXPECT_EQ(algorithms(none, "planned"), (std::vector<std::string>{"geo-fiso", "geo-fiso"}));
+    EXPECT_EQ(algorithms(none, {}), (Algorithms{Algorithm::geo_fiso, Algorithm::geo_fiso}));
+    const std::vector<surface::Sheet> strange{patch("A", "fino", 0)};
+    EXPECT_THROW(algorithms(strange, {}), Error);
     EXPECT_THROW((void)algorithms({}, "planned"), Error);
 }
 
