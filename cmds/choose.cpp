@@ -57,7 +57,7 @@ cli::Spec spec(Options& o) {
                  .when("algorithm=best")
                  .a_limit(),
              Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
-             Option{"least-radius", &plan.least_radius, "MM", "of turns, where there is room"}
+             Option{"min-radius", &plan.least_radius, "MM", "of turns, where there is room"}
                  .within(0, 1e5)
                  .a_limit()
                  .a_limit(),

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "geodesic/measure.hpp"
 #include "parallel/parallel.hpp"
-#include "surface/curve/carry.hpp"
+#include "surface/curve/transfer.hpp"
 #include "surface/remesh.hpp"
 
 #include <algorithm>
@@ -20,7 +20,8 @@ constexpr double kRough = 2;               // spacings and radii of the rough pa
 constexpr double kSmall = 25;              // spacings square: smaller patches are not laid roughly
 constexpr double kStable[] = {2e-3, 1e-4}; // of the area: to what coverage is measured, roughly and at last
 constexpr double kFine = 0.75;             // of the sides asked for: a mean edge below is made longer
-const std::map<Algorithm, std::size_t> kPromising{{Algorithm::fina, 4}, {Algorithm::fexa, 2}, {Algorithm::ortheo, 2}}; // others: 1
+const std::map<Algorithm, std::size_t> kPromising{
+    {Algorithm::fina, 4}, {Algorithm::fexa, 2}, {Algorithm::ortheo, 2}}; // others: 1
 
 // A patch to lay candidates on, by these options.
 struct Ground {
@@ -39,7 +40,7 @@ Ground rough(const Sheet& sheet, const Options& o, double area) {
     if (surface::mean_edge(sheet.surface) < kFine * edge) try {
             Notes unsaid;
             Sheet coarse{surface::remesh(sheet.surface, edge, unsaid), {}, {}};
-            coarse.fields = surface::curve::carried(sheet.surface, sheet.fields, coarse.surface);
+            coarse.fields = surface::curve::transferred(sheet.surface, sheet.fields, coarse.surface);
             out.sheet = std::move(coarse);
         } catch (const Error&) { // of CGAL: then on the patch as it is
         }

@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "cli/document.hpp"
 #include "cli/needs.hpp"
+#include "cli/renamed.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -121,7 +122,8 @@ void take_leading(const Spec& spec, Io& io) {
     const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
     std::vector<std::string> names{"output", "threads", "quiet", "help", "version"};
     for (const Option& o : spec.options) names.push_back(o.name);
-    const std::string meant = did_you_mean(name.substr(dashes), names, "--");
+    std::string meant = renamed(name.substr(dashes), names);
+    if (meant.empty()) meant = did_you_mean(name.substr(dashes), names, "--");
     misused("unknown option '" + word + "'" + (meant.empty() ? "; see '" + spec.name + " --help'" : meant));
 }
 

@@ -9,7 +9,7 @@ namespace filum::kinematics {
 
 namespace {
 
-constexpr double kTrackSlack = 1e-8; // rad beyond limits: what route() allows, and a little
+constexpr double kTrackSlack = 1e-8; // rad beyond limits: what configurations() allows, and a little
 constexpr double kTaut = 0.95;       // share of the tolerance that is used at poses; the rest is for between them
 
 // How far the turn may be off at a pose, rad.
@@ -96,10 +96,10 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             const Limits& limits, std::span<const Lifting> lifting) {
     Track out;
     if (poses.empty()) return out;
-    const Route way = route(chain, poses, before, tolerance, limits, lifting);
-    out.stuck = way.stuck;
-    if (way.stuck < poses.size()) {
-        const auto both = inverse(chain, poses[way.stuck]);
+    const Configurations found = configurations(chain, poses, before, tolerance, limits, lifting);
+    out.stuck = found.stuck;
+    if (found.stuck < poses.size()) {
+        const auto both = inverse(chain, poses[found.stuck]);
         const auto tilts = [&](const Joints& j) {
             return j.tilt >= limits.tilt_min - tolerance && j.tilt <= limits.tilt_max + tolerance;
         };
@@ -108,10 +108,10 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
         return out;
     }
     std::vector<double> turn;
-    for (std::size_t i = 0; i < way.stops.size();) {
-        const std::size_t first = way.stops[i].pose;
-        turn.assign(1, way.stops[i].turn);
-        for (++i; i < way.stops.size() && !way.stops[i].lifted; ++i) turn.push_back(way.stops[i].turn);
+    for (std::size_t i = 0; i < found.stops.size();) {
+        const std::size_t first = found.stops[i].pose;
+        turn.assign(1, found.stops[i].turn);
+        for (++i; i < found.stops.size() && !found.stops[i].lifted; ++i) turn.push_back(found.stops[i].turn);
         const auto part = poses.subspan(first, turn.size());
         if (chain.carrier == Carrier::polar)
             spin_on_axis(part, chain, turn);

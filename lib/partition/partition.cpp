@@ -156,7 +156,7 @@ std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes)
     });
     left.note(notes);
     if (all.empty())
-        throw Error(Exit::usage, "cannot use --least-area: no patch of " + fixed_text(least_area, 1) +
+        throw Error(Exit::usage, "cannot use --min-area: no patch of " + fixed_text(least_area, 1) +
                                      " mm2 is to be had; ask for less");
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     std::vector<Sheet> out;

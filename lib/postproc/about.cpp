@@ -125,7 +125,7 @@ std::string merged(const machine::Profile& profile) {
     return out;
 }
 
-void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
+void totals(const machine::Profile& profile, const FirstPass& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
     const Used material = used(profile, s);
     const bool filament = e.feeding == machine::Feeding::filament;
@@ -149,12 +149,13 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
 
 } // namespace
 
-void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
+void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts) {
     const auto& a = profile.axes;
-    const Efforts& e = survey.efforts;
-    facts.push_back({stage, "moves", static_cast<double>(survey.moves), ""});
-    facts.push_back({stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, survey.laying)), ""});
+    const Efforts& e = first_pass.efforts;
+    facts.push_back({stage, "moves", static_cast<double>(first_pass.moves), ""});
+    facts.push_back(
+        {stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, first_pass.laying)), ""});
     facts.push_back({stage, "largest-merge", e.off, "mm"});
     facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
     constexpr double told = 0.01; // degrees
@@ -180,13 +181,13 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
                          e.lean_at.x, e.lean_at.y});
 }
 
-std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
-                               const Notes& notes, const Facts& facts) {
+std::vector<std::string> about(const machine::Profile& profile, const FirstPass& first_pass,
+                               const std::vector<Stage>& stages, const Notes& notes, const Facts& facts) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
     lines.push_back(merged(profile));
-    if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
+    if (!first_pass.placed.empty()) lines.push_back(" " + first_pass.placed);
     pipeline(stages, lines);
     remarks(notes, lines);
     for (const Fact& f : facts) {
@@ -194,7 +195,7 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
         for (auto& line : wrapped(" " + f.stage + ": " + f.name + " = " + value, kWidth, "     "))
             lines.push_back(std::move(line));
     }
-    totals(profile, survey, lines);
+    totals(profile, first_pass, lines);
     return lines;
 }
 

@@ -3,7 +3,7 @@
 
 #include "base/fact.hpp"
 #include "base/note.hpp"
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 
 #include <string>
 #include <vector>
@@ -18,12 +18,12 @@ struct Stage {
 };
 
 // What the axes cost the path, as notes and facts of `stage`: added where there is any.
-void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
+void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts);
 
 // The lines, without comment marks.  `notes` (of all stages) are summed by stage and phrase, in the order they came;
 // `facts` stand as they are.
-std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
-                               const Notes& notes, const Facts& facts);
+std::vector<std::string> about(const machine::Profile& profile, const FirstPass& first_pass,
+                               const std::vector<Stage>& stages, const Notes& notes, const Facts& facts);
 
 } // namespace filum::postproc

@@ -23,10 +23,10 @@ Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t
             density > 0 || volume == 0};
 }
 
-std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
+std::vector<Sum> sums(const machine::Profile& profile, const FirstPass& first_pass) {
     std::vector<Sum> out;
     Sum all{"job", {}, 0, 0, true};
-    for (const auto& [number, totals] : survey.tools) {
+    for (const auto& [number, totals] : first_pass.tools) {
         out.push_back(of_tool(profile, number, totals));
         const Sum& s = out.back();
         auto& t = all.totals;
@@ -43,9 +43,9 @@ std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
 
 } // namespace
 
-metrics::figures::Figures job(const machine::Profile& profile, const Survey& survey) {
+metrics::figures::Figures job(const machine::Profile& profile, const FirstPass& first_pass) {
     metrics::figures::Figures out;
-    for (const Sum& s : sums(profile, survey)) {
+    for (const Sum& s : sums(profile, first_pass)) {
         const ToolTotals& t = s.totals;
         out.push_back({s.name, "strokes", t.strokes});
         out.push_back({s.name, "cuts", t.cuts});
@@ -60,8 +60,8 @@ metrics::figures::Figures job(const machine::Profile& profile, const Survey& sur
     return out;
 }
 
-std::vector<std::string> job_lines(const machine::Profile& profile, const Survey& survey) {
-    const auto all = sums(profile, survey);
+std::vector<std::string> job_lines(const machine::Profile& profile, const FirstPass& first_pass) {
+    const auto all = sums(profile, first_pass);
     std::vector<std::string> out;
     if (all.size() < 3 && !all.back().totals.fibre) return out;
     for (const Sum& s : all) {
@@ -77,8 +77,8 @@ std::vector<std::string> job_lines(const machine::Profile& profile, const Survey
     return out;
 }
 
-Notes omissions(const Survey& survey, const std::string& stage) {
-    const Omitted& o = survey.omitted;
+Notes omissions(const FirstPass& first_pass, const std::string& stage) {
+    const Omitted& o = first_pass.omitted;
     if (o.count == 0) return {};
     return {{stage, "fibre stroke too short to be laid, left out", o.length, "mm", o.count,
              static_cast<std::int64_t>(o.layer), o.at.x, o.at.y}};

@@ -136,15 +136,15 @@ std::string Measure::placed() const {
     return rotary_ ? placed_text(turning_, {shift_.x, shift_.y, rise_}) : std::string{};
 }
 
-Survey Measure::end() {
+FirstPass Measure::end() {
     walk_->end();
-    Survey survey = surveyor_.end();
-    survey.efforts = walk_->efforts();
-    if (!rotary_ && tilt_ > 0) survey.efforts.lean = tilt_, survey.efforts.lean_at = tilt_at_;
-    survey.placed = placed();
-    if (!rotary_) shift_ = placement(survey, profile_->bed, place_);
-    check_limits(survey, *profile_, program_shift());
-    return survey;
+    FirstPass first_pass = surveyor_.end();
+    first_pass.efforts = walk_->efforts();
+    if (!rotary_ && tilt_ > 0) first_pass.efforts.lean = tilt_, first_pass.efforts.lean_at = tilt_at_;
+    first_pass.placed = placed();
+    if (!rotary_) shift_ = placement(first_pass, profile_->bed, place_);
+    check_limits(first_pass, *profile_, program_shift());
+    return first_pass;
 }
 
 } // namespace filum::postproc

@@ -41,8 +41,8 @@ const char* type_name(Role role) {
 
 } // namespace
 
-Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out)
-    : Writer(profile, placeholders(survey, profile, shift), std::move(out)), shift_(shift),
+Program::Program(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out)
+    : Writer(profile, placeholders(first_pass, profile, shift), std::move(out)), shift_(shift),
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
       degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
       e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)) {

@@ -21,13 +21,13 @@ constexpr double kLeastFeed = 0.01;  // mm/s
 
 geom::Rotation orientation(const Vec3& axis, const Vec3& heading) { return geom::rotation_of(-1.0 * axis, heading); }
 
-RobotProgram::RobotProgram(const machine::Profile& profile, const Survey& survey, Text out, ModuleFile modules)
-    : Writer(profile, placeholders(survey, profile, {}), out), extruder_speed_(kAxisSpeed),
+RobotProgram::RobotProgram(const machine::Profile& profile, const FirstPass& first_pass, Text out, ModuleFile modules)
+    : Writer(profile, placeholders(first_pass, profile, {}), out), extruder_speed_(kAxisSpeed),
       modules_(std::move(modules)), main_(std::move(out)) {
     const int most = profile.robot.module_moves;
-    split_ = most > 0 && survey.moves > static_cast<std::uint64_t>(most);
+    split_ = most > 0 && first_pass.moves > static_cast<std::uint64_t>(most);
     if (split_ && !modules_)
-        throw Error(Exit::usage, "cannot write one module of " + std::to_string(survey.moves) + " moves: '" +
+        throw Error(Exit::usage, "cannot write one module of " + std::to_string(first_pass.moves) + " moves: '" +
                                      profile.name + "' takes " + std::to_string(most) +
                                      "; give a folder for the others by --modules, or raise robot.module_moves");
 }

@@ -16,7 +16,7 @@ constexpr double kAnotherLane = 3; // spacings along a lane from where it counts
 Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     : surface_(surface), lines_(std::move(lines)), spacing_(spacing) {
     for (std::uint32_t l = 0; l < lines_.size(); ++l) {
-        ways_.push_back(surface::curve::ways(lines_[l]));
+        ways_.push_back(surface::curve::arc_lengths(lines_[l]));
         const double all = ways_[l].back();
         const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kNodeStep * spacing))));
         for (std::size_t i = 0; i < n; ++i) {

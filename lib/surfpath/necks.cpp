@@ -77,7 +77,7 @@ class Necks {
         if (length > kLongestBridge * spacing_ || length < 0.1 * spacing_) return;
         const Line line = surface::curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
-        const auto ways = surface::curve::ways(line);
+        const auto ways = surface::curve::arc_lengths(line);
         if (nearest(rings_, surface::curve::at(line, ways, length / 2).point).distance < 0.3 * length)
             return; // along a ring
         double height = level_;
@@ -96,7 +96,7 @@ class Necks {
         for (const auto& line : geodesic::isolines(surface_, field_, levels))
             if (line.closed) lower.push_back({surface::curve::line(line), {}, {}});
         if (lower.empty()) return;
-        for (Ring& r : lower) r.ways = surface::curve::ways(r.line);
+        for (Ring& r : lower) r.ways = surface::curve::arc_lengths(r.line);
         const auto there = across(tips_[n.a], tips_[n.b], lower), back = across(tips_[n.b], tips_[n.a], lower);
         if (there.size() < 2 || back.size() < 2) return;
         Bend &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
@@ -131,7 +131,7 @@ class Necks {
             const On on = nearest(lower, from.point);
             const Line line = surface::curve::join(
                 surface_, from, surface::curve::at(lower[on.line].line, lower[on.line].ways, on.way));
-            const auto ways = surface::curve::ways(line);
+            const auto ways = surface::curve::arc_lengths(line);
             out.places.push_back(surface::curve::at(line, ways, part * ways.back()));
         }
         return surface::curve::threaded(surface_, out);

@@ -34,7 +34,7 @@ class Rounder {
     void prepare(Batch& b) const {
         auto& rings = b.rings;
         for (const Isoline* line : b.outer) rings.push_back({surface::curve::line(*line), {}});
-        for (Ring& r : rings) r.ways = surface::curve::ways(r.line);
+        for (Ring& r : rings) r.ways = surface::curve::arc_lengths(r.line);
         bool more = !rings.empty();
         for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
             for (Ring& r : rings) r.by.emplace_back();

@@ -119,7 +119,7 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, doub
         if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
         if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
         const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
-        const auto ways = surface::curve::ways(line);
+        const auto ways = surface::curve::arc_lengths(line);
         out.places.push_back(
             surface::curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
     }

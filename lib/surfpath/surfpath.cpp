@@ -62,7 +62,7 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
         throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) + " mm: one of " +
                                        fixed_text(tight.least, 2) + " mm at " + text(tight.at) + ", " +
                                        fixed_text(tight.length, 1) +
-                                       " mm in all; lower --least-radius, or leave out --strict");
+                                       " mm in all; lower --min-radius, or leave out --strict");
     plan.facts.push_back({"", "hairpins", static_cast<double>(tight.count), ""});
     plan.facts.push_back({"", "hairpin-length", tight.declared, "mm"});
     if (std::isfinite(tight.least)) plan.facts.push_back({"", "least-radius", tight.least, "mm"});

@@ -51,10 +51,10 @@ double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, doub
 Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o)
     : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(surface::curve::vertex_normals(s)) {
     for (const Row& row : rows.rows) {
-        ways_.push_back(surface::curve::ways(row.line));
+        ways_.push_back(surface::curve::arc_lengths(row.line));
         reversed_.push_back(row.line);
         surface::curve::reverse(reversed_.back());
-        ways_reversed_.push_back(surface::curve::ways(reversed_.back()));
+        ways_reversed_.push_back(surface::curve::arc_lengths(reversed_.back()));
     }
 }
 
@@ -93,7 +93,7 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
-    const auto k = turning(out.line, surface::curve::ways(out.line));
+    const auto k = turning(out.line, surface::curve::arc_lengths(out.line));
     out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
     return out;
 }

@@ -166,7 +166,7 @@ class Winder {
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     std::vector<Contour> rings;
     for (const Row& row : rows.rows)
-        if (row.line.closed) rings.push_back({row.line, surface::curve::ways(row.line), row.level});
+        if (row.line.closed) rings.push_back({row.line, surface::curve::arc_lengths(row.line), row.level});
     if (rings.empty()) return;
     const Winder winder(s, rows, spacing);
     std::vector<Row> wound;

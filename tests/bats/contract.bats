@@ -117,7 +117,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     for c in $(readers); do
         in=$(input_of "$c")
         sharp=() # tight turns are told
-        [[ $c == surfpath ]] && sharp=(--least-radius 0)
+        [[ $c == surfpath ]] && sharp=(--min-radius 0)
         expect 0 "$c" "$in" "${sharp[@]}" --threads 1 --output one
         [[ -z $err && -z $out ]] || { echo "$c: $err"; false; }
         for threads in 2 8; do

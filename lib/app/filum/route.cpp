@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "cli/needs.hpp"
+#include "cli/renamed.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -129,9 +130,9 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
             for (const StageOption& o : s.options) names.push_back(o.name);
     }
     const bool stage = !word.stage.empty() && names.empty();
-    const std::string meant = stage
-                                  ? did_you_mean(word.stage, folders, "--")
-                                  : did_you_mean(word.name, names, word.stage.empty() ? "--" : "--" + word.stage + ".");
+    const std::string start = word.stage.empty() ? "--" : "--" + word.stage + ".";
+    std::string meant = stage ? did_you_mean(word.stage, folders, "--") : cli::renamed(word.name, names, start);
+    if (meant.empty() && !stage) meant = did_you_mean(word.name, names, start);
     throw Error(Exit::usage, "unknown option '" + typed +
                                  "': " + (stage ? "the chain has no such stage" : "no stage of the chain has it") +
                                  (meant.empty() ? kSee : meant));

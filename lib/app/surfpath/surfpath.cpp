@@ -19,8 +19,9 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorit
     paper.algorithm = algorithm;
     paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    filum::surfpath::Plan out = asked.method == filum::surfpath::Method::kipping2022 ? baselines::kipping2022::plan(sheet, paper)
-                                                              : filum::surfpath::plan(sheet, asked);
+    filum::surfpath::Plan out = asked.method == filum::surfpath::Method::kipping2022
+                                    ? baselines::kipping2022::plan(sheet, paper)
+                                    : filum::surfpath::plan(sheet, asked);
     filum::surfpath::finish(sheet.surface, out, asked);
     return out;
 }
@@ -33,8 +34,9 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     const auto idle = [&](const std::vector<const char*>& options, const char* of) {
         for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
     };
-    if (!used(Algorithm::ortheo)) idle({"turns", "min-length", "d-iso", "least-spacing"}, "ortheo");
-    if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo)) idle({"plane"}, "fina, fexa or ortheo");
+    if (!used(Algorithm::ortheo)) idle({"turns", "min-length", "d-iso", "min-spacing"}, "ortheo");
+    if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
+        idle({"plane"}, "fina, fexa or ortheo");
     const bool rings = used(Algorithm::geo_fiso) || used(Algorithm::geo_contour);
     if (!rings) idle({"t-dist"}, "geo-fiso or geo-contour");
     if (!rings && !used(Algorithm::geo_spiral)) idle({"n-thresh"}, "geo-fiso, geo-contour or geo-spiral");

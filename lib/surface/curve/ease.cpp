@@ -123,7 +123,7 @@ Eased ease(const Surface& s, const Line& given, const Ease& options) {
         out.moved = std::max(out.moved, flow.moved(i));
         if (flow.curvature(i) > 1.05 / o.radius) out.too_tight += o.step;
     }
-    if (out.moved >= kStill) out.line = merged(s, line, ways(line), points, flow);
+    if (out.moved >= kStill) out.line = merged(s, line, arc_lengths(line), points, flow);
     return out;
 }
 

@@ -36,7 +36,7 @@ Line line(const surface::Isoline& isoline) {
     return out;
 }
 
-std::vector<double> ways(const Line& line) {
+std::vector<double> arc_lengths(const Line& line) {
     std::vector<double> out;
     out.reserve(line.size() + 1);
     if (line.size() > 0) out.push_back(0);
@@ -45,7 +45,7 @@ std::vector<double> ways(const Line& line) {
     return out;
 }
 
-double length(const Line& line) { return line.size() == 0 ? 0 : ways(line).back(); }
+double length(const Line& line) { return line.size() == 0 ? 0 : arc_lengths(line).back(); }
 
 Place at(const Line& line, std::span<const double> ways, double way) {
     if (line.size() == 1) return line.places[0];
@@ -83,7 +83,7 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
 }
 
 Line resampled(const Line& line, double step) {
-    const auto w = ways(line);
+    const auto w = arc_lengths(line);
     const double all = w.empty() ? 0 : w.back();
     const auto n = static_cast<std::size_t>(std::max(line.closed ? 3.0 : 1.0, std::round(all / step)));
     Line out{{}, line.closed};

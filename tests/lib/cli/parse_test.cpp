@@ -2,6 +2,7 @@
 #include "cli/command.hpp"
 #include "cli/document.hpp"
 #include "cli/parse.hpp"
+#include "cli/renamed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -249,6 +250,25 @@ TEST(header, histories_are_joined_with_their_parents) {
     EXPECT_EQ(h.history[1].parents, std::vector<std::uint32_t>{0});
     EXPECT_EQ(h.history[3].program, "join");
     EXPECT_EQ(h.history[3].parents, (std::vector<std::uint32_t>{1, 2}));
+}
+
+TEST(Parse, AnOldNameIsAnsweredWithTheNewOne) {
+    EXPECT_EQ(renamed("least-radius", {"min-radius", "spacing"}), "; it is called '--min-radius' now");
+    EXPECT_EQ(renamed("least-radius", {"spacing"}), "");
+    EXPECT_EQ(renamed("height", {"layer-height", "height"}), "");
+    Options o;
+    Io io;
+    Spec s = spec(o);
+    s.options[0].name = "min-radius";
+    std::vector<std::string> words{"stage", "--least-radius=3"};
+    std::vector<char*> argv{words[0].data(), words[1].data()};
+    try {
+        parse(2, argv.data(), s, io);
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::usage);
+        EXPECT_STREQ(e.what(), "unknown option '--least-radius=3'; it is called '--min-radius' now");
+    }
 }
 
 } // namespace

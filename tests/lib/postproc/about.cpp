@@ -13,12 +13,12 @@ TEST(About, NotesAreSummedAndFactsStand) {
     a.what = b.what = "area not reached";
     a.unit = b.unit = "mm2";
     a.amount = 1.5, b.amount = 0.25, b.count = 3;
-    postproc::Survey survey;
-    survey.layers = 7;
-    survey.seconds = 3725;
-    const auto lines =
-        postproc::about(sample::profile(), survey, {{"slice", {{"layer-height", "0.2"}, {"set", ""}}}, {"fill", {}}},
-                        {a, b}, {{"sequence", "strokes", 12, ""}, {"sequence", "travel", 1.25, "mm"}});
+    postproc::FirstPass first_pass;
+    first_pass.layers = 7;
+    first_pass.seconds = 3725;
+    const auto lines = postproc::about(sample::profile(), first_pass,
+                                       {{"slice", {{"layer-height", "0.2"}, {"set", ""}}}, {"fill", {}}}, {a, b},
+                                       {{"sequence", "strokes", 12, ""}, {"sequence", "travel", 1.25, "mm"}});
     const auto has = [&](const std::string& line) {
         return std::find(lines.begin(), lines.end(), line) != lines.end();
     };

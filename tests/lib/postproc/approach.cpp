@@ -18,9 +18,9 @@ std::string first_program(const machine::Profile& p, const std::vector<toolpath:
     do
         for (const auto& s : spans) measure.add(s);
     while (measure.again());
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     std::string out;
-    const auto writer = postproc::writer(p, survey, measure.program_shift(), [&](auto text) { out += text; });
+    const auto writer = postproc::writer(p, first_pass, measure.program_shift(), [&](auto text) { out += text; });
     writer->begin({});
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);

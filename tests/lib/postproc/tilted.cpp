@@ -57,15 +57,15 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans, p
     for (const Span& s : spans) measure.add(s);
     while (measure.again())
         for (const Span& s : spans) measure.add(s);
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     if (shift) *shift = measure.walk_shift();
-    if (seconds) *seconds = survey.seconds;
+    if (seconds) *seconds = first_pass.seconds;
     std::string out;
-    postproc::Program program(p, survey, measure.program_shift(), [&](std::string_view text) { out += text; });
+    postproc::Program program(p, first_pass, measure.program_shift(), [&](std::string_view text) { out += text; });
     Notes notes;
     Facts facts;
-    postproc::add_efforts(p, survey, "postproc", notes, facts);
-    program.begin(postproc::about(p, survey, {}, notes, facts));
+    postproc::add_efforts(p, first_pass, "postproc", notes, facts);
+    program.begin(postproc::about(p, first_pass, {}, notes, facts));
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { program.add(steps); });
     for (const Span& s : spans) walk->add(s);
     walk->end();

@@ -1,4 +1,4 @@
-#include "kinematics/ways.hpp"
+#include "kinematics/configurations.hpp"
 
 #include "geom/angle.hpp"
 
@@ -36,8 +36,8 @@ class Programme {
         turns_ = static_cast<int>(std::floor(limits.turn_max / kTurn)) + 2 - lowest_;
     }
 
-    Route run() {
-        Route out;
+    Configurations run() {
+        Configurations out;
         const std::size_t states = 2 * static_cast<std::size_t>(turns_);
         std::vector<State> last{{0, std::clamp(before_.turn, limits_.turn_min, limits_.turn_max), before_.tilt}}, now;
         Stand stand{{last[0].turn, last[0].turn}, {}, {}, true};
@@ -152,7 +152,7 @@ class Programme {
         }
     }
 
-    void trace(const std::vector<State>& last, Route& out) const {
+    void trace(const std::vector<State>& last, Configurations& out) const {
         auto s = static_cast<std::size_t>(
             std::min_element(last.begin(), last.end(), [](auto& a, auto& b) { return a.cost < b.cost; }) -
             last.begin());
@@ -170,7 +170,7 @@ class Programme {
         double turn = before_.turn;
         for (Stop& stop : out.stops) {
             const Stand& at = stands_[stop.pose];
-            if (!at.free || stop.lifted) turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.way)], turn);
+            if (!at.free || stop.lifted) turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.configuration)], turn);
             stop.turn = turn;
         }
     }
@@ -201,9 +201,9 @@ bool shift(std::vector<Stop>& stops, const Limits& limits, bool may) {
 
 } // namespace
 
-Route route(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
+Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
             std::span<const Lifting> lifting) {
-    Route out = Programme(chain, poses, before, lean, limits, lifting, false).run();
+    Configurations out = Programme(chain, poses, before, lean, limits, lifting, false).run();
     const bool may = lifting.empty() || lifting[0] == Lifting::air;
     if (out.stops.empty() || (out.stuck == poses.size() && shift(out.stops, limits, may))) return out;
     if (!(limits.turn_max - limits.turn_min < kMostTurns * kTurn)) return out;
