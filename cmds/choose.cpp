@@ -96,7 +96,10 @@ void run(const Options& o, const cli::Io& io) {
         Notes own;
         const auto choice = choose::choose(sheets[k], how, io.threads, own);
         const bool several = sheets.size() > 1;
-        for (Note& note : own) note.what += several ? " on patch " + name : "", notes.push_back(std::move(note));
+        for (Note& note : own) {
+            note.what += several ? " on patch " + name : "";
+            notes.push_back(std::move(note));
+        }
         for (Fact& fact : choose::facts(choice))
             facts.push_back({"", (several ? "patch." + name + "." : "") + fact.name, fact.value, fact.unit});
         area += choice.area;

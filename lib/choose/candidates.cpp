@@ -51,7 +51,8 @@ Frame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
         const auto [a, b, c] = s.triangles[t];
         const Vec3 n = 0.5 * cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a]);
         centre = centre + norm(n) / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
-        normal = normal + n, area += norm(n);
+        normal = normal + n;
+        area += norm(n);
     }
     Frame out{1 / area * centre, {}, {}, {}};
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(), pulled = Eigen::Matrix3d::Zero();
@@ -88,7 +89,8 @@ std::vector<Vec3> directions(const Frame& f) {
         const double a = std::numbers::pi * k / kDirections;
         add(std::cos(a) * lead + std::sin(a) * side);
     }
-    add(f.axis), add(cross(f.normal, f.axis));
+    add(f.axis);
+    add(cross(f.normal, f.axis));
     return out;
 }
 
@@ -101,7 +103,10 @@ Seed plane(const Surface& s, const Vec3& centre, const Vec3& normal, double part
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
         if (std::abs(dot(n, axis)) > kUpright) n = axis;
     double low = dot(n, centre), high = low;
-    for (const Vec3& p : s.vertices) low = std::min(low, dot(n, p)), high = std::max(high, dot(n, p));
+    for (const Vec3& p : s.vertices) {
+        low = std::min(low, dot(n, p));
+        high = std::max(high, dot(n, p));
+    }
     const double offset = part > 0 ? low + part * (high - low) : dot(n, centre), grain = (high - low) / 1000;
     out.plane = {n, grain > 0 ? std::round(offset / grain) * grain : offset};
     return out;
@@ -117,7 +122,8 @@ void add_given(const Sheet& sheet, std::vector<Candidate>& out) {
     if (const auto planned = surfpath::algorithm(sheet.algorithm))
         out.push_back({*planned, seed});
     else if (lines)
-        for (const Algorithm algorithm : {Algorithm::fina, Algorithm::fexa, Algorithm::ortheo}) out.push_back({algorithm, seed});
+        for (const Algorithm algorithm : {Algorithm::fina, Algorithm::fexa, Algorithm::ortheo})
+            out.push_back({algorithm, seed});
     else
         for (const Algorithm algorithm : {Algorithm::geo_spiral, Algorithm::ortheo}) out.push_back({algorithm, seed});
 }
@@ -141,7 +147,10 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
     const Frame f = frame(sheet, pull);
     std::vector<Candidate> out;
     add_given(sheet, out);
-    if (!s.rims.empty()) out.push_back({Algorithm::geo_contour, {}}), out.push_back({Algorithm::geo_fiso, {}});
+    if (!s.rims.empty()) {
+        out.push_back({Algorithm::geo_contour, {}});
+        out.push_back({Algorithm::geo_fiso, {}});
+    }
     const auto spots = places(sheet, f.centre);
     const auto through = [](Seed::Kind kind, const Vec3& p) { return Seed{kind, {}, p, {}}; };
     for (const Vec3& p : spots) out.push_back({Algorithm::geo_spiral, through(Seed::Kind::point, p)});

@@ -34,7 +34,8 @@ struct Ground {
 Ground rough(const Sheet& sheet, const Options& o, double area) {
     Ground out{{}, {}, o.plan, kStable[0]};
     const double scale = area < kSmall * kSmall * o.plan.spacing * o.plan.spacing ? 1 : kRough;
-    out.plan.spacing *= scale, out.plan.least_radius *= scale;
+    out.plan.spacing *= scale;
+    out.plan.least_radius *= scale;
     const double edge = out.plan.spacing;
     out.sheet = sheet;
     if (surface::mean_edge(sheet.surface) < kFine * edge) try {

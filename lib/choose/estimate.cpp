@@ -32,7 +32,8 @@ double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candida
         if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;
         for (const std::uint32_t v : corners) {
             const auto at = metrics::surface::pull(loads, v, 1 / norm(way) * way);
-            along += norm(n) * at.along, most += norm(n) * at.most;
+            along += norm(n) * at.along;
+            most += norm(n) * at.most;
         }
     }
     return most > 0 ? along / most : std::nan("");

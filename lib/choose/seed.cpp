@@ -30,8 +30,10 @@ OnRim nearest_on_rims(const Surface& s, const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < s.rims.size(); ++r)
         for (std::size_t k = 0; k < s.rims[r].sides.size(); ++k)
-            if (const double d = distance(s.vertices[s.tail(s.rims[r].sides[k])], p); d < least)
-                least = d, out = {r, k};
+            if (const double d = distance(s.vertices[s.tail(s.rims[r].sides[k])], p); d < least) {
+                least = d;
+                out = {r, k};
+            }
     return out;
 }
 
@@ -139,7 +141,9 @@ std::vector<Vec3> pulls(const Sheet& sheet) {
             const double s = load.s1 != nullptr ? std::max(0.0, load.s1->values[v]) : 1;
             if (!std::isfinite(d.x + d.y + d.z + s)) continue;
             const double a = dot(d, x), b = dot(d, y);
-            xx += s * a * a, xy += s * a * b, yy += s * b * b;
+            xx += s * a * a;
+            xy += s * a * b;
+            yy += s * b * b;
         }
         // Of a symmetric matrix: the main axis lies at half the angle of (xx - yy, 2 xy).
         const double size = std::hypot(xx - yy, 2 * xy), angle = std::atan2(2 * xy, xx - yy) / 2;

@@ -57,8 +57,12 @@ void Report::add(const Note& note) {
     if (note.stage != io_->program) return;
     for (Note& sum : sums_) {
         if (sum.what != note.what || sum.unit != note.unit) continue;
-        if (note.amount > sum.amount / static_cast<double>(sum.count))
-            sum.layer = note.layer, sum.x = note.x, sum.y = note.y, sum.z = note.z;
+        if (note.amount > sum.amount / static_cast<double>(sum.count)) {
+            sum.layer = note.layer;
+            sum.x = note.x;
+            sum.y = note.y;
+            sum.z = note.z;
+        }
         sum.amount += note.amount;
         sum.count += note.count;
         return;

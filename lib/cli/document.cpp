@@ -59,10 +59,15 @@ std::string wrap(const std::string& text, std::size_t indent) {
     while (at < text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
         const std::string word = text.substr(at, end - at);
-        if (!line.empty() && line.size() + 1 + word.size() + indent > 100)
-            out += line + "\n" + std::string(indent, ' '), line.clear();
+        if (!line.empty() && line.size() + 1 + word.size() + indent > 100) {
+            out += line + "\n" + std::string(indent, ' ');
+            line.clear();
+        }
         line += (line.empty() ? "" : " ") + word;
-        if (end < text.size() && text[end] == '\n') out += line + "\n" + std::string(indent, ' '), line.clear();
+        if (end < text.size() && text[end] == '\n') {
+            out += line + "\n" + std::string(indent, ' ');
+            line.clear();
+        }
         at = end + 1;
     }
     return out + line;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "collision/program_text.hpp"
 #include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
 
@@ -28,72 +29,12 @@ constexpr double kChord = 0.002, kLean = 0.2 * kDegree, kTurn = 2 * kDegree;
 constexpr double kFarthest = 1e7;  // mm, degrees
 constexpr int kChordHalvings = 16; // of a move at most
 
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && blank(s.front())) s.remove_prefix(1);
-    while (!s.empty() && blank(s.back())) s.remove_suffix(1);
-    return s;
-}
-
-// A line without its comments; those go to `comment`, one after the other.
-struct Line {
-    std::string code, comment;
-    explicit Line(std::string_view text) {
-        bool inside = false;
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            const char c = text[i];
-            if (c == ';' && !inside) {
-                comment += text.substr(i + 1);
-                break;
-            }
-            if (c == '(' || c == ')')
-                inside = c == '(';
-            else
-                (inside ? comment : code) += c;
-        }
-        code = trimmed(code);
-    }
-};
-
 // X Y Z, tilt, turn: the numbers of the program.
 using Axes = std::array<double, 5>;
 
 Heads heads(const machine::Profile& profile) {
     Heads out = profile.head;
     for (const auto& [tool, own] : profile.own) out.own.emplace(tool, own->head);
-    return out;
-}
-
-std::string first_line(const std::string& text) { return std::string(trimmed(text.substr(0, text.find('\n')))); }
-
-// The line of each tool's codes by which it is known: the first that no other tool's codes hold.
-std::map<std::string, std::uint32_t> tool_lines(const machine::Profile& p) {
-    std::map<std::string, std::set<std::uint32_t>> holders;
-    std::map<std::uint32_t, std::vector<std::string>> codes;
-    std::set<std::uint32_t> tools{0};
-    for (const auto& [tool, own] : p.own) tools.insert(tool);
-    if (p.fibre.active()) tools.insert(static_cast<std::uint32_t>(p.fibre.tool));
-    for (const std::uint32_t tool : tools) {
-        std::istringstream text(machine::change_codes(p, tool));
-        for (std::string line; std::getline(text, line);) {
-            constexpr std::string_view number = "{tool_no}";
-            if (const auto at = line.find(number); at != std::string::npos)
-                line.replace(at, number.size(), shortest_text(p.tools.first + static_cast<double>(tool)));
-            if (line.find('{') != std::string::npos) continue; // what only the whole job knows
-            line = Line(line).code;
-            if (line.empty()) continue;
-            codes[tool].push_back(line);
-            holders[line].insert(tool);
-        }
-    }
-    std::map<std::string, std::uint32_t> out;
-    for (const auto& [tool, lines] : codes)
-        for (const auto& line : lines)
-            if (holders[line].size() == 1) {
-                out[line] = tool;
-                break;
-            }
     return out;
 }
 
@@ -109,7 +50,7 @@ class Reader {
 
     void line(std::string_view text) {
         ++number_;
-        const Line line(text);
+        const ProgramLine line(text);
         remark(trimmed(line.comment));
         if (line.code.empty() || line.code == "%") return;
         if (!special(line.code)) words(line.code);
@@ -133,7 +74,8 @@ class Reader {
             number_ = unsized_;
             fail("lays a bead of unknown size; give --bead");
         }
-        out_.moves = std::move(growth_.moves), out_.beads = std::move(growth_.beads);
+        out_.moves = std::move(growth_.moves);
+        out_.beads = std::move(growth_.beads);
         return std::move(out_);
     }
 
@@ -150,7 +92,10 @@ class Reader {
             double v = 0;
             if (std::from_chars(value.data(), value.data() + value.size(), v).ec == std::errc{} && v > 0) out = v;
         };
-        if (!(o_.width > 0)) number("WIDTH:", width_), number("HEIGHT:", height_);
+        if (!(o_.width > 0)) {
+            number("WIDTH:", width_);
+            number("HEIGHT:", height_);
+        }
         double layer = -1;
         number("LAYER:", layer);
         if (layer >= 0) layer_ = static_cast<std::uint32_t>(layer);
@@ -166,13 +111,37 @@ class Reader {
             return true;
         }
         const auto& e = machine::of_tool(p_, tool_).extrusion;
-        if (is(first_line(e.on))) return open_ = true, ++out_.ignored, true;
-        if (is(first_line(e.off))) return open_ = false, ++out_.ignored, true;
-        if (p_.fibre.active() && is(p_.fibre.on)) return open_ = true, ++out_.ignored, true;
-        if (p_.fibre.active() && is(p_.fibre.off)) return open_ = false, ++out_.ignored, true;
+        if (is(first_line(e.on))) {
+            open_ = true;
+            ++out_.ignored;
+            return true;
+        }
+        if (is(first_line(e.off))) {
+            open_ = false;
+            ++out_.ignored;
+            return true;
+        }
+        if (p_.fibre.active() && is(p_.fibre.on)) {
+            open_ = true;
+            ++out_.ignored;
+            return true;
+        }
+        if (p_.fibre.active() && is(p_.fibre.off)) {
+            open_ = false;
+            ++out_.ignored;
+            return true;
+        }
         if (!a.active() || a.numbers != machine::Numbers::tip) return false;
-        if (is(a.tcp_on)) return switch_to(true), ++out_.ignored, true;
-        if (is(a.tcp_off)) return switch_to(false), ++out_.ignored, true;
+        if (is(a.tcp_on)) {
+            switch_to(true);
+            ++out_.ignored;
+            return true;
+        }
+        if (is(a.tcp_off)) {
+            switch_to(false);
+            ++out_.ignored;
+            return true;
+        }
         return false;
     }
 
@@ -187,7 +156,9 @@ class Reader {
         if (tip == tip_ || !known(at_)) return void(tip_ = tip);
         const Joints j = joints(at_);
         const Vec3 now = tip ? kinematics::forward(chain(), j).tip : j.xyz;
-        at_[0] = now.x, at_[1] = now.y, at_[2] = now.z;
+        at_[0] = now.x;
+        at_[1] = now.y;
+        at_[2] = now.z;
         tip_ = tip;
     }
 
@@ -219,7 +190,7 @@ class Reader {
     [[nodiscard]] std::optional<std::vector<Word>> split(const std::string& code) const {
         std::vector<Word> out;
         for (std::size_t i = 0; i < code.size();) {
-            if (blank(code[i])) {
+            if (is_blank(code[i])) {
                 ++i;
                 continue;
             }
@@ -228,7 +199,7 @@ class Reader {
                 if (!out.empty() && out.back().letter >= 'X' && out.back().letter <= 'Z') fail("holds what is no word");
                 return std::nullopt;
             }
-            while (i < code.size() && (blank(code[i]) || code[i] == '+')) ++i;
+            while (i < code.size() && (is_blank(code[i]) || code[i] == '+')) ++i;
             double v = 0;
             const auto [end, error] = std::from_chars(code.data() + i, code.data() + code.size(), v);
             if (error != std::errc{} || !(std::abs(v) <= kFarthest)) {
@@ -258,11 +229,13 @@ class Reader {
         const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
         for (const auto& [letter, v] : *all) {
             const std::size_t k = axis(letter);
-            if (k < to.size())
-                to[k] = v, moves = true;
-            else if (letter == 'G' && (v == 0 || v == 1))
-                mode_ = static_cast<int>(v), says_so = true;
-            else if (letter == 'G')
+            if (k < to.size()) {
+                to[k] = v;
+                moves = true;
+            } else if (letter == 'G' && (v == 0 || v == 1)) {
+                mode_ = static_cast<int>(v);
+                says_so = true;
+            } else if (letter == 'G')
                 other = std::max(other, g(v));
             else if (letter == 'M')
                 other = std::max(other, m(v));

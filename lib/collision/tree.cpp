@@ -34,11 +34,15 @@ void clip(const Solid& s, const Frame& f, double low, Corners& out) {
     const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
     out.count = 0;
     double top = low;
-    for (std::size_t i = 0; i < n; ++i) p[i].z = dot(s.corner[i] - f.tip, f.z), top = std::max(top, p[i].z);
+    for (std::size_t i = 0; i < n; ++i) {
+        p[i].z = dot(s.corner[i] - f.tip, f.z);
+        top = std::max(top, p[i].z);
+    }
     if (top <= low) return;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 d = s.corner[i] - f.tip;
-        p[i].x = dot(d, f.x), p[i].y = dot(d, f.y);
+        p[i].x = dot(d, f.x);
+        p[i].y = dot(d, f.y);
     }
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 &a = p[i], &b = p[(i + 1) % n];
@@ -63,8 +67,10 @@ double at_least(const Shape& shape, const Corners& polygon) {
     double top = polygon.point[0].z, x0 = polygon.point[0].x, x1 = x0, y0 = polygon.point[0].y, y1 = y0;
     for (const Vec3& p : polygon.all()) {
         top = std::max(top, p.z);
-        x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-        y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+        x0 = std::min(x0, p.x);
+        x1 = std::max(x1, p.x);
+        y0 = std::min(y0, p.y);
+        y1 = std::max(y1, p.y);
     }
     const double x = std::max({0.0, x0, -x1}), y = std::max({0.0, y0, -y1});
     return shape.at_least(std::sqrt(x * x + y * y), top);
@@ -127,7 +133,8 @@ bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) co
     std::array<double, 2> height{}, count{};
     for (std::uint32_t i = first; i < last; ++i) {
         const std::size_t later = solids_[i].born > age ? 1 : 0;
-        height[later] += dot(centre(solids_[i]), node.normal), count[later] += 1;
+        height[later] += dot(centre(solids_[i]), node.normal);
+        count[later] += 1;
     }
     if (count[0] == 0 || count[1] == 0) return false;
     return std::abs(height[1] / count[1] - height[0] / count[0]) > kPart * 2 * node.thick;
@@ -150,7 +157,8 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     node.middle = 0.5 * (all.lo + all.hi);
     node.half = 0.5 * all.size();
     node.born = born;
-    node.first = first, node.count = last - first;
+    node.first = first;
+    node.count = last - first;
     bound(node, first, last);
     if (last - first > kLeaf) {
         const bool by_age = layered(node, first, last);
@@ -162,7 +170,8 @@ std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
             return !by_age && u != v ? u < v : a.born < b.born;
         });
         build(first, half);
-        node.first = build(half, last), node.count = 0;
+        node.first = build(half, last);
+        node.count = 0;
     }
     nodes_[at] = node;
     return at;
@@ -194,7 +203,8 @@ class Tree::View {
           b_(middle_) {
         if (sweep == nullptr) return;
         moves_ = true;
-        a_ = frame(sweep->from), b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
+        a_ = frame(sweep->from);
+        b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
         // axis and side turn evenly each for itself: twice as much covers what that leaves to the frame
         const double turn = geom::angle(a_.z, b_.z) + (round_ ? 0 : 2 * geom::angle(a_.x, b_.x));
         stray_ = sweep->stray + turn * distance(a_.tip, b_.tip) / 4;
@@ -261,7 +271,10 @@ class Tree::View {
     void along(const Solid& s, double low) {
         const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
         std::array<Vec3, 8> points;
-        for (std::size_t i = 0; i < n; ++i) points[i] = a_(s.corner[i]), points[n + i] = b_(s.corner[i]);
+        for (std::size_t i = 0; i < n; ++i) {
+            points[i] = a_(s.corner[i]);
+            points[n + i] = b_(s.corner[i]);
+        }
         clip({points.data(), 2 * n}, low, corners_);
     }
 

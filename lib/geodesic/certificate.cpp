@@ -77,7 +77,10 @@ DistanceError distance_error(std::span<const double> truth, std::span<const doub
 Facts certificate(const Surface& s, std::span<const double> distance) {
     double farthest = 0, reached = 0;
     for (const double d : distance)
-        if (std::isfinite(d)) farthest = std::max(farthest, d), ++reached;
+        if (std::isfinite(d)) {
+            farthest = std::max(farthest, d);
+            ++reached;
+        }
     const SlopeError e = slope_error(s, distance);
     Facts out{{"", "reached", reached, "vertices"},
               {"", "unreached", static_cast<double>(distance.size()) - reached, "vertices"},

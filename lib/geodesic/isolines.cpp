@@ -78,8 +78,10 @@ void Tracer::join(std::uint32_t triangle) {
     }
     for (std::size_t i = out; i < n + out; i += 2) {
         const std::uint32_t from = around_[i % n], to = around_[(near_joined ? i + 1 : i + n - 1) % n];
-        crossings_[from].after = to, crossings_[from].after_triangle = triangle;
-        crossings_[to].before = from, crossings_[to].before_triangle = triangle;
+        crossings_[from].after = to;
+        crossings_[from].after_triangle = triangle;
+        crossings_[to].before = from;
+        crossings_[to].before_triangle = triangle;
     }
 }
 

@@ -19,8 +19,8 @@ struct Options {
     bool paper = false;         // heat as Kipping et al. 2022 did it
     std::vector<double> levels; // mm: of isolines
     double spacing = 0;         // mm: isolines also at first, first + spacing, ... up to the farthest place; 0: none
-    double first = 0;            // mm; 0: one spacing
-    bool with_sides = false;     // distances and levels are negative on the negative side of the sources
+    double first = 0;           // mm; 0: one spacing
+    bool with_sides = false;    // distances and levels are negative on the negative side of the sources
 };
 
 // Puts the field "distance" into the sheet, in place of one it had, and its isolines.  Returns what is known of it as

@@ -72,7 +72,10 @@ std::optional<std::uint32_t> NearestPoints::nearest(Vec2 p) const {
                 const std::uint32_t i = order_[k];
                 if (present_[i] == 0) continue;
                 const double d = norm2(points_[i] - p);
-                if (d < best || (d == best && i < found)) best = d, found = i;
+                if (d < best || (d == best && i < found)) {
+                    best = d;
+                    found = i;
+                }
             }
             continue;
         }

@@ -170,7 +170,8 @@ class Programme {
         double turn = before_.turn;
         for (Stop& stop : out.stops) {
             const Stand& at = stands_[stop.pose];
-            if (!at.free || stop.lifted) turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.configuration)], turn);
+            if (!at.free || stop.lifted)
+                turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.configuration)], turn);
             stop.turn = turn;
         }
     }
@@ -201,8 +202,8 @@ bool shift(std::vector<Stop>& stops, const Limits& limits, bool may) {
 
 } // namespace
 
-Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
-            std::span<const Lifting> lifting) {
+Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean,
+                              const Limits& limits, std::span<const Lifting> lifting) {
     Configurations out = Programme(chain, poses, before, lean, limits, lifting, false).run();
     const bool may = lifting.empty() || lifting[0] == Lifting::air;
     if (out.stops.empty() || (out.stuck == poses.size() && shift(out.stops, limits, may))) return out;

@@ -26,8 +26,8 @@ enum class Lifting : std::uint8_t {
 struct Stop {
     std::size_t pose = 0;
     int configuration = 0; // of inverse()'s two
-    double turn = 0;     // rad, not wrapped
-    bool lifted = false; // the same pose as the stop before, stood another way: the tool was lifted in between
+    double turn = 0;       // rad, not wrapped
+    bool lifted = false;   // the same pose as the stop before, stood another way: the tool was lifted in between
 };
 
 struct Configurations {
@@ -36,12 +36,13 @@ struct Configurations {
 };
 
 // Those of fewest breaks; of those with their breaks at the best places (joins, beads, tight turns); of those of
-// least travel of both rotary axes (ties: the first configuration, the lowest turn, the earliest lift).  Dynamic programme over
-// configurations and whole turns.  A tilt may be out of its limits by `lean` rad.  The tool does not go from one to the other
-// where its axis would swing off on the way by more than `lean` and the change of the poses' axes, but in the air.
-// `lifting`: per pose, or empty: no lifts, from the air.  Where the first pose is in the air they may begin with
-// any whole turn.  First without the turn's limits, whole turns then added to keep them; if none do, with them.
-Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
-            std::span<const Lifting> lifting);
+// least travel of both rotary axes (ties: the first configuration, the lowest turn, the earliest lift).  Dynamic
+// programme over configurations and whole turns.  A tilt may be out of its limits by `lean` rad.  The tool does not go
+// from one to the other where its axis would swing off on the way by more than `lean` and the change of the poses'
+// axes, but in the air. `lifting`: per pose, or empty: no lifts, from the air.  Where the first pose is in the air they
+// may begin with any whole turn.  First without the turn's limits, whole turns then added to keep them; if none do,
+// with them.
+Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean,
+                              const Limits& limits, std::span<const Lifting> lifting);
 
 } // namespace filum::kinematics

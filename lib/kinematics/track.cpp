@@ -39,18 +39,28 @@ std::vector<double> taut(std::span<const double> at, std::span<const double> low
         for (; j < n; ++j) {
             const double d = std::max(at[j] - at[i], 1e-12), lo = (low[j] - y) / d, hi = (high[j] - y) / d;
             if (lo > most) {
-                slope = most, end = at_most;
+                slope = most;
+                end = at_most;
                 break;
             }
             if (hi < least) {
-                slope = least, end = at_least;
+                slope = least;
+                end = at_least;
                 break;
             }
-            if (lo >= least) least = lo, at_least = j;
-            if (hi <= most) most = hi, at_most = j;
+            if (lo >= least) {
+                least = lo;
+                at_least = j;
+            }
+            if (hi <= most) {
+                most = hi;
+                at_most = j;
+            }
         }
-        if (end == n)
-            slope = std::clamp(0.0, least, most), end = slope == 0 ? n - 1 : slope == least ? at_least : at_most;
+        if (end == n) {
+            slope = std::clamp(0.0, least, most);
+            end = slope == 0 ? n - 1 : slope == least ? at_least : at_most;
+        }
         const double from = at[i], start = y;
         for (++i;; ++i) {
             out[i] = std::clamp(start + slope * (at[i] - from), low[i], high[i]);
@@ -123,9 +133,14 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             const double wanted = best_tilt(chain, part[k].axis, turn[k]), tilt = clipped(wanted, tolerance, limits);
             piece.joints.push_back(place(chain, part[k].tip, tilt, turn[k]));
             const double off = angle(tool_axis(chain, tilt, turn[k]), part[k].axis);
-            if (off > out.off) out.off = off, out.off_at = first + k;
-            if (std::abs(wanted - tilt) > out.clipped)
-                out.clipped = std::abs(wanted - tilt), out.clipped_at = first + k;
+            if (off > out.off) {
+                out.off = off;
+                out.off_at = first + k;
+            }
+            if (std::abs(wanted - tilt) > out.clipped) {
+                out.clipped = std::abs(wanted - tilt);
+                out.clipped_at = first + k;
+            }
             const bool turned_out = turn[k] < limits.turn_min - kTrackSlack || turn[k] > limits.turn_max + kTrackSlack;
             if (out.stuck == poses.size() &&
                 (turned_out || tilt < limits.tilt_min - kTrackSlack || tilt > limits.tilt_max + kTrackSlack)) {

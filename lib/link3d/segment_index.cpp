@@ -12,7 +12,10 @@ namespace {
 
 constexpr std::uint32_t kFan = 16;
 
-void add(Box2& to, const Box2& from) { to.add(from.lo), to.add(from.hi); }
+void add(Box2& to, const Box2& from) {
+    to.add(from.lo);
+    to.add(from.hi);
+}
 
 } // namespace
 
@@ -31,8 +34,10 @@ SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
     if (count == 0) return;
     std::vector<Box2> boxes((count + kFan - 1) / kFan);
     for (std::uint32_t c = 0; c + 1 < first_.size(); ++c)
-        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s)
-            boxes[s / kFan].add(points_[s + c]), boxes[s / kFan].add(points_[s + c + 1]);
+        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) {
+            boxes[s / kFan].add(points_[s + c]);
+            boxes[s / kFan].add(points_[s + c + 1]);
+        }
     levels_.push_back(std::move(boxes));
     while (levels_.back().size() > 1) {
         const auto& below = levels_.back();
@@ -94,7 +99,10 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
             while (s >= first_[c + 1]) ++c;
             if (!skip.empty() && skip[c] != 0) continue;
             const double e = geom::point_segment_distance(points_[s + c], points_[s + c + 1], p);
-            if (e < best || (e == best && (!found || s < *found))) best = e, found = s;
+            if (e < best || (e == best && (!found || s < *found))) {
+                best = e;
+                found = s;
+            }
         }
     }
     if (!found) return std::nullopt;
@@ -119,7 +127,8 @@ void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_
         for (std::uint32_t s = from, c = curve_of(from); s < to; ++s) {
             while (s >= first_[c + 1]) ++c;
             Box2 own;
-            own.add(points_[s + c]), own.add(points_[s + c + 1]);
+            own.add(points_[s + c]);
+            own.add(points_[s + c + 1]);
             if (meet(own, box) && !visit(s, points_[s + c], points_[s + c + 1])) return;
         }
     }
@@ -130,8 +139,10 @@ bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double sk
     if (length <= skip_a + skip_b) return true;
     const Vec2 p = geom::lerp(a, b, skip_a / length), q = geom::lerp(b, a, skip_b / length);
     Box2 box;
-    box.add(p), box.add(q);
-    box.lo = box.lo - Vec2{margin, margin}, box.hi = box.hi + Vec2{margin, margin};
+    box.add(p);
+    box.add(q);
+    box.lo = box.lo - Vec2{margin, margin};
+    box.hi = box.hi + Vec2{margin, margin};
     bool free = true;
     index.within(box,
                  [&](std::uint32_t, Vec2 c, Vec2 d) { return free = geom::segment_distance(p, q, c, d) > margin; });

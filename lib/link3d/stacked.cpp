@@ -72,7 +72,10 @@ Stacked::Laid Stacked::lay(const Bead& bead, double z, double height, double ram
 bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
     const auto& r = window_.front().paths;
     if (r.stacked.empty()) return false;
-    if (!stacked_ || stacked_in_ != r.region) stacked_.emplace(r.stacked), stacked_in_ = r.region;
+    if (!stacked_ || stacked_in_ != r.region) {
+        stacked_.emplace(r.stacked);
+        stacked_in_ = r.region;
+    }
     auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
     if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
     at_ = laid.points.back();

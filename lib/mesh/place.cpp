@@ -29,8 +29,10 @@ Affine rotation(int axis, double degrees) {
     const auto [c, s] = turn(degrees);
     const int j = (axis + 1) % 3, k = (axis + 2) % 3;
     Affine out;
-    out.a[j][j] = c, out.a[j][k] = s;
-    out.a[k][j] = -s, out.a[k][k] = c;
+    out.a[j][j] = c;
+    out.a[j][k] = s;
+    out.a[k][j] = -s;
+    out.a[k][k] = c;
     return out;
 }
 

@@ -42,8 +42,12 @@ Cells cells(const Surface& s) {
         Side side{.a = std::min(s.tail(h), s.head(h)), .b = std::max(s.tail(h), s.head(h))};
         const Vec3 way = s.vertices[side.b] - s.vertices[side.a];
         side.way = 1 / norm(way) * way;
-        side.border = half_border(s, h), side.conductance = cotangent(s, h) / 2;
-        if (twin != kNone) side.border += half_border(s, twin), side.conductance += cotangent(s, twin) / 2;
+        side.border = half_border(s, h);
+        side.conductance = cotangent(s, h) / 2;
+        if (twin != kNone) {
+            side.border += half_border(s, twin);
+            side.conductance += cotangent(s, twin) / 2;
+        }
         side.conductance = std::clamp(side.conductance, kLeastConductance, kMostConductance);
         length += norm(way);
         out.sides.push_back(side);

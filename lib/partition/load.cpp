@@ -103,7 +103,10 @@ Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& op
     for (std::size_t v = 0; v < n; ++v) {
         for (const Case& c : cases) {
             const Vec3 d = pulled(c, v, cells.normal[v]);
-            if (const double load = norm(d); load > out.load[v]) out.load[v] = load, out.along[v] = 1 / load * d;
+            if (const double load = norm(d); load > out.load[v]) {
+                out.load[v] = load;
+                out.along[v] = 1 / load * d;
+            }
         }
         loads.emplace_back(out.load[v], cells.area[v]);
     }

@@ -17,7 +17,7 @@ struct Pull {
 
 struct PullOptions {
     enum class By : std::uint8_t { either, stress, shape };
-    By by = By::either; // shape: not pulled anywhere; either: by stress if there is one, else shape
+    By by = By::either;             // shape: not pulled anywhere; either: by stress if there is one, else shape
     std::vector<std::string> cases; // none: all
     std::string field;              // of vectors, taken instead of stresses; none: stresses
 };

@@ -32,7 +32,11 @@ class Pieces {
   public:
     explicit Pieces(const Parts& parts) : s_(parts.sheet.surface), of_(pieces(parts)) {
         for (std::uint32_t t = 0; t < of_.size(); ++t) {
-            if (of_[t] >= area_.size()) area_.push_back(0), facing_.emplace_back(), patch_.push_back(parts.patch[t]);
+            if (of_[t] >= area_.size()) {
+                area_.push_back(0);
+                facing_.emplace_back();
+                patch_.push_back(parts.patch[t]);
+            }
             area_[of_[t]] += surface::area(s_, t);
             facing_[of_[t]] = facing_[of_[t]] + surface::area(s_, t) * surface::normal(s_, t);
         }
@@ -54,10 +58,15 @@ class Pieces {
                     to = q;
             if (to == kNone) continue;
             small.erase({area_[to], to});
-            area_[to] += area_[p], facing_[to] = facing_[to] + facing_[p], into_[p] = to;
+            area_[to] += area_[p];
+            facing_[to] = facing_[to] + facing_[p];
+            into_[p] = to;
             for (const auto& [q, length] : border[p]) {
                 border[q].erase(p);
-                if (q != to) border[q][to] += length, border[to][q] += length;
+                if (q != to) {
+                    border[q][to] += length;
+                    border[to][q] += length;
+                }
             }
             if (area_[to] < least_area) small.emplace(area_[to], to);
         }
@@ -71,7 +80,10 @@ class Pieces {
     };
     [[nodiscard]] std::vector<Piece> take() const {
         std::vector<Piece> out(area_.size());
-        for (std::uint32_t p = 0; p < out.size(); ++p) out[p].area = area_[p], out[p].patch = patch_[p];
+        for (std::uint32_t p = 0; p < out.size(); ++p) {
+            out[p].area = area_[p];
+            out[p].patch = patch_[p];
+        }
         for (std::uint32_t t = 0; t < of_.size(); ++t) {
             std::uint32_t p = of_[t];
             while (into_[p] != kNone) p = into_[p];
@@ -106,7 +118,8 @@ struct Left {
     double most = 0;
 
     void add(const Surface& s, const Pieces::Piece& piece) {
-        area += piece.area, ++count;
+        area += piece.area;
+        ++count;
         if (piece.area <= most) return;
         most = piece.area;
         const auto& c = s.triangles[piece.triangles[piece.triangles.size() / 2]];
@@ -194,7 +207,8 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& not
     Limits limits = o.limits;
     if (limits.least_area == 0) limits.least_area = kLeastArea * size;
     SeamOptions at = o.seams;
-    at.least_area = limits.least_area, at.detail_area = detail * detail;
+    at.least_area = limits.least_area;
+    at.detail_area = detail * detail;
     Sheet open = opened(sheet, o.lines, at, notes);
     if (o.mask > 0) leave_unloaded(open, o, detail, limits.least_area, notes);
     const Cells c = cells(open.surface);
@@ -226,11 +240,13 @@ Figures figures(const Sheet& patch, const PullOptions& options) {
     double sum = 0;
     for (std::size_t v = 0; v < c.area.size(); ++v) {
         const double angle = angle_from(mean, c.normal[v], p.along[v]), weight = c.area[v] * p.trust[v];
-        angles.emplace_back(angle, weight), sum += weight * std::cos(angle);
+        angles.emplace_back(angle, weight);
+        sum += weight * std::cos(angle);
         bends.emplace_back(bend_from(mean, c.normal[v]), c.area[v]);
     }
     if (out.pulled) out.coherence = sum / mean.weight;
-    out.angle = percentile(std::move(angles), 0.95), out.bend = percentile(std::move(bends), 0.95);
+    out.angle = percentile(std::move(angles), 0.95);
+    out.bend = percentile(std::move(bends), 0.95);
     return out;
 }
 

@@ -38,7 +38,8 @@ class Creases {
             pending.pop_back();
             surface::each_outgoing(s_, v, [&](std::uint32_t h) {
                 if (count[v] != 1 || seam_[h] == 0) return;
-                set(h, 0), --count[v];
+                set(h, 0);
+                --count[v];
                 if (--count[s_.head(h)] == 1) pending.push_back(s_.head(h));
             });
         }
@@ -83,14 +84,18 @@ class Creases {
         std::map<std::uint32_t, Border> all;
         for (const std::uint32_t h : sides) {
             Border& b = all[face[s_.twin[h] / 3]];
-            b.length += length(h), b.bend += length(h) * bend(h);
+            b.length += length(h);
+            b.bend += length(h) * bend(h);
         }
         const auto longest = std::max_element(
             all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
         if (!sharp && longest->second.bend > kBlunt * longest->second.length) return false;
         bool changed = false;
         for (const std::uint32_t h : sides)
-            if (face[s_.twin[h] / 3] == longest->first && seam_[h] != 0) set(h, 0), changed = true;
+            if (face[s_.twin[h] / 3] == longest->first && seam_[h] != 0) {
+                set(h, 0);
+                changed = true;
+            }
         return changed;
     }
 

@@ -33,8 +33,10 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
         while (it != sums.end() && (it->stage != n.stage || it->what != n.what || it->unit != n.unit)) ++it;
         if (it == sums.end())
             sums.push_back(n);
-        else
-            it->amount += n.amount, it->count += n.count;
+        else {
+            it->amount += n.amount;
+            it->count += n.count;
+        }
     }
     for (const Note& n : sums) {
         std::string text = " note: " + n.stage + ": " + n.what + ", " + std::to_string(n.count) + " x";

@@ -49,7 +49,8 @@ void append(Span& out, const Span& from, std::size_t i, double f) {
         else
             to = v;
     };
-    own(out.width, from.width), own(out.height, from.height);
+    own(out.width, from.width);
+    own(out.height, from.height);
     if (from.normals.empty()) return;
     const Vec3 n = from.normals[i] + f * (from.normals[j] - from.normals[i]);
     out.normals.push_back(norm(n) > 0.01 ? 1 / norm(n) * n : from.normals[i]);

@@ -87,10 +87,14 @@ void Surveyor::spend_move(const Step& step, const Vec3& d) {
     if (profile_->axes.chain.carrier == kinematics::Carrier::frame) return clock_.pause(step.seconds);
     machine::PlannedMove m{.step = d, .feed = step.feed, .extruding = step.act == Act::extrude};
     m.extruded = fibre ? step.fed : step.volume * profile_->extrusion.per_mm3();
-    if (step.sweep != 0) m.sweep = step.sweep, m.arm = at_.xy() - step.centre;
+    if (step.sweep != 0) {
+        m.sweep = step.sweep;
+        m.arm = at_.xy() - step.centre;
+    }
     if (rotary) {
         if (!placed_ || !(step.seconds > 0)) return; // nobody knows whence it comes
-        m.tilt = step.tilt - tilt_, m.turn = step.turn - turn_;
+        m.tilt = step.tilt - tilt_;
+        m.turn = step.turn - turn_;
         const double way = norm(d);
         m.feed = (way > 0 ? way : std::max(std::abs(m.tilt), std::abs(m.turn))) / step.seconds;
     }
@@ -119,7 +123,9 @@ void Surveyor::move(const Step& step) {
         first_pass_.volume += step.volume;
     first_pass_.moves += length > 0 ? 1 : 0;
     first_pass_.laying += extruding ? 1 : 0;
-    at_ = step.to, tilt_ = step.tilt, turn_ = step.turn;
+    at_ = step.to;
+    tilt_ = step.tilt;
+    turn_ = step.turn;
     tool_ = step.tool;
     placed_ = true;
 }
@@ -169,7 +175,8 @@ void Surveyor::add(std::span<const Step> steps) {
             break;
         case Act::stand: // nobody knows whence, nor how long it takes
             visit(step, false);
-            at_ = step.to, placed_ = true;
+            at_ = step.to;
+            placed_ = true;
             break;
         case Act::travel:
         case Act::climb:
@@ -182,7 +189,11 @@ void Surveyor::add(std::span<const Step> steps) {
 
 void Surveyor::omit(const Step& step) {
     Omitted& o = first_pass_.omitted;
-    if (o.count == 0 || step.length < o.shortest) o.shortest = step.length, o.at = step.to, o.layer = step.layer;
+    if (o.count == 0 || step.length < o.shortest) {
+        o.shortest = step.length;
+        o.at = step.to;
+        o.layer = step.layer;
+    }
     o.longest = std::max(o.longest, step.length);
     o.length += step.length;
     ++o.count;
@@ -244,8 +255,8 @@ void check_limits(const FirstPass& first_pass, const machine::Profile& profile, 
         throw Error(Exit::failure, "cannot print " + place(e.layer, p) + ": '" + profile.name + "' reaches " + axis +
                                        " " + fixed_text(lo[k], 3) + " to " + fixed_text(hi[k], 3) +
                                        ", and the toolpath is " +
-                                       fixed_text(first_pass.high[k].value - first_pass.low[k].value, 3) + " mm in " + axis +
-                                       "; move, turn or scale the part");
+                                       fixed_text(first_pass.high[k].value - first_pass.low[k].value, 3) + " mm in " +
+                                       axis + "; move, turn or scale the part");
     };
     for (std::size_t k = 0; k < 3; ++k) {
         if (first_pass.low[k].value + moved[k] < lo[k] - 5e-4) refuse(first_pass.low[k], k);
@@ -274,27 +285,43 @@ std::map<std::string, double> placeholders(const FirstPass& s, const machine::Pr
     const auto& bed = profile.bed;
     std::map<std::string, double> out = profile.values;
     const auto add = [&out](const char* name, double value) { out[name] = value; };
-    add("x_min", s.part_low[0] + shift.x), add("x_max", s.part_high[0] + shift.x);
-    add("y_min", s.part_low[1] + shift.y), add("y_max", s.part_high[1] + shift.y);
-    add("z_min", s.part_low[2]), add("z_max", s.part_high[2]);
-    add("x_start", s.start.x + shift.x), add("y_start", s.start.y + shift.y), add("z_start", s.start.z);
-    add("bed_x_min", bed.x_min), add("bed_x_max", bed.x_max);
-    add("bed_y_min", bed.y_min), add("bed_y_max", bed.y_max), add("bed_z_max", bed.z_max);
+    add("x_min", s.part_low[0] + shift.x);
+    add("x_max", s.part_high[0] + shift.x);
+    add("y_min", s.part_low[1] + shift.y);
+    add("y_max", s.part_high[1] + shift.y);
+    add("z_min", s.part_low[2]);
+    add("z_max", s.part_high[2]);
+    add("x_start", s.start.x + shift.x);
+    add("y_start", s.start.y + shift.y);
+    add("z_start", s.start.z);
+    add("bed_x_min", bed.x_min);
+    add("bed_x_max", bed.x_max);
+    add("bed_y_min", bed.y_min);
+    add("bed_y_max", bed.y_max);
+    add("bed_z_max", bed.z_max);
     // A side of the part that is turned up may be higher than the part is while all axes are at rest.
     const double top = profile.axes.active() ? std::max(s.part_high[2], s.high[2].value) : s.part_high[2];
     add("z_park", std::min(top + 10, bed.z_max));
-    add("layer", 0), add("layers", s.layers), add("z", s.start.z), add("height", s.start.z);
-    add("path_len", s.path_len), add("travel_len", s.travel_len), add("time", s.seconds);
+    add("layer", 0);
+    add("layers", s.layers);
+    add("z", s.start.z);
+    add("height", s.start.z);
+    add("path_len", s.path_len);
+    add("travel_len", s.travel_len);
+    add("time", s.seconds);
     add("strokes", static_cast<double>(s.strokes));
     const Used material = used(profile, s);
     add("material_mm3", material.volume);
     add("material_e", material.units);
     if (profile.axes.chain.carrier == kinematics::Carrier::frame) machine::add_robot(profile.robot, out);
-    add("travel_feed", profile.feeds.travel * 60), add("z_feed", profile.feeds.z * 60);
+    add("travel_feed", profile.feeds.travel * 60);
+    add("z_feed", profile.feeds.z * 60);
     const auto& f = profile.fibre;
     add("tool_no", profile.tools.first);
-    add("cut_dwell", f.cut_dwell), add("cut_dwell_ms", f.cut_dwell * 1000);
-    add("tension_dwell", f.tension_dwell), add("tension_dwell_ms", f.tension_dwell * 1000);
+    add("cut_dwell", f.cut_dwell);
+    add("cut_dwell_ms", f.cut_dwell * 1000);
+    add("tension_dwell", f.tension_dwell);
+    add("tension_dwell_ms", f.tension_dwell * 1000);
     const auto purge = purge_line(bed, {s.part_low[0] + shift.x, s.part_low[1] + shift.y},
                                   {s.part_high[0] + shift.x, s.part_high[1] + shift.y});
     add("purge_x", purge.a.x);

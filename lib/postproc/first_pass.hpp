@@ -3,8 +3,8 @@
 
 #include "machine/motion.hpp"
 #include "machine/profile.hpp"
-#include "postproc/walk.hpp"
 #include "postproc/options.hpp"
+#include "postproc/walk.hpp"
 
 #include <array>
 #include <map>

@@ -31,10 +31,15 @@ std::vector<Sum> sums(const machine::Profile& profile, const FirstPass& first_pa
         const Sum& s = out.back();
         auto& t = all.totals;
         t.fibre = t.fibre || totals.fibre;
-        t.strokes += totals.strokes, t.cuts += totals.cuts;
-        t.path_len += totals.path_len, t.travel_len += totals.travel_len, t.fibre_len += totals.fibre_len;
-        t.print_seconds += totals.print_seconds, t.travel_seconds += totals.travel_seconds;
-        all.volume += s.volume, all.mass += s.mass;
+        t.strokes += totals.strokes;
+        t.cuts += totals.cuts;
+        t.path_len += totals.path_len;
+        t.travel_len += totals.travel_len;
+        t.fibre_len += totals.fibre_len;
+        t.print_seconds += totals.print_seconds;
+        t.travel_seconds += totals.travel_seconds;
+        all.volume += s.volume;
+        all.mass += s.mass;
         all.weighed = all.weighed && s.weighed;
     }
     out.push_back(all);

@@ -103,7 +103,8 @@ void RobotProgram::write(const Step& step, double blend) {
     line.trigger = trigger_;
     append_robot_line(text_, line, *profile_, profile_->format.crlf ? "\r\n" : "\n", said_);
     last_ = step;
-    ++lines_, ++in_module_;
+    ++lines_;
+    ++in_module_;
 }
 
 void RobotProgram::move(const Step& step) {
@@ -142,13 +143,16 @@ void RobotProgram::push() {
     extruder_speed_ = profile_->fibre.prime_speed;
     Step still = last_;
     still.act = Act::travel;
-    still.length = still.seconds = 0, still.feed = profile_->fibre.prime_speed;
+    still.length = still.seconds = 0;
+    still.feed = profile_->fibre.prime_speed;
     write(still, 0);
     extruder_speed_ = kAxisSpeed;
 }
 
 void RobotProgram::layer(const Step& step) {
-    values_["layer"] = step.layer, values_["z"] = step.to.z, values_["height"] = step.height;
+    values_["layer"] = step.layer;
+    values_["z"] = step.to.z;
+    values_["height"] = step.height;
     codes(profile_->templates.layer);
 }
 
@@ -167,7 +171,9 @@ void RobotProgram::trigger(const std::string& name) {
     if (name.empty()) return;
     if (!pending_) {
         pending_ = last_;
-        pending_->act = Act::travel, pending_->length = pending_->seconds = 0, pending_->feed = kLeastFeed;
+        pending_->act = Act::travel;
+        pending_->length = pending_->seconds = 0;
+        pending_->feed = kLeastFeed;
     }
     trigger_ = name;
 }

@@ -62,19 +62,27 @@ void TiltedWalk::end() {
 }
 
 void TiltedWalk::go(const Pose& pose, const Leg& leg) {
-    const auto add = [this](const Pose& p, const Leg& l) { stroke_.poses.push_back(p), stroke_.legs.push_back(l); };
+    const auto add = [this](const Pose& p, const Leg& l) {
+        stroke_.poses.push_back(p);
+        stroke_.legs.push_back(l);
+    };
     Leg rest = leg;
     double done = 0;
     for (const double f : cuts(pose)) {
         const Pose from = stroke_.poses.back();
         const double g = done < 1 ? (f - done) / (1 - done) : 0; // of what is left of the way
         Leg part = rest;
-        part.volume = (f - done) * leg.volume, part.fed = (f - done) * leg.fed, part.halt = false;
+        part.volume = (f - done) * leg.volume;
+        part.fed = (f - done) * leg.fed;
+        part.halt = false;
         add({from.tip + g * (pose.tip - from.tip), slerp(from.axis, pose.axis, g)}, part);
         done = f;
         rest.before = Act::extrude;
     }
-    if (done > 0) rest.volume = (1 - done) * leg.volume, rest.fed = (1 - done) * leg.fed;
+    if (done > 0) {
+        rest.volume = (1 - done) * leg.volume;
+        rest.fed = (1 - done) * leg.fed;
+    }
     add(pose, rest);
 }
 
@@ -189,12 +197,20 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
             throw Error(Exit::failure, "cannot go on at " + text(poses[at].tip) + " on '" + profile_->name +
                                            "': the axes must unwind, and a stroke of fibre cannot be lifted; break the "
                                            "stroke there");
-        if (efforts_.unwinds++ == 0) efforts_.unwind = poses[at].tip, efforts_.unwind_layer = stroke_.legs[at].layer;
+        if (efforts_.unwinds++ == 0) {
+            efforts_.unwind = poses[at].tip;
+            efforts_.unwind_layer = stroke_.legs[at].layer;
+        }
         efforts_.unwinds_in_turns += places[at] == kinematics::Lifting::turn ? 1 : 0;
     }
-    if (track.off > efforts_.lean) efforts_.lean = track.off, efforts_.lean_at = poses[track.off_at].tip;
-    if (track.clipped > efforts_.clipped)
-        efforts_.clipped = track.clipped, efforts_.clipped_at = poses[track.clipped_at].tip;
+    if (track.off > efforts_.lean) {
+        efforts_.lean = track.off;
+        efforts_.lean_at = poses[track.off_at].tip;
+    }
+    if (track.clipped > efforts_.clipped) {
+        efforts_.clipped = track.clipped;
+        efforts_.clipped_at = poses[track.clipped_at].tip;
+    }
 }
 
 void TiltedWalk::finish_stroke() {
@@ -304,15 +320,20 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const Leg& leg = stroke_.legs[i];
         const std::size_t last = i > 0 ? i - 1 : 0;
-        if (i == change) tool_ = leg.tool, mark(Act::tool, i, last);
+        if (i == change) {
+            tool_ = leg.tool;
+            mark(Act::tool, i, last);
+        }
         if (laid_ && i == landing_ && profile_->fibre.lays(tool_)) mark(Act::push, i, last);
         if (leg.act == Act::extrude) {
             if (static_cast<std::int64_t>(leg.layer) != layer_) mark(Act::layer, i, i);
             if (!open && retracted_.erase(tool_) > 0) mark(Act::prime, i, last);
             if (!open) mark(Act::open, i, last);
-            open = true, layer_ = leg.layer;
+            open = true;
+            layer_ = leg.layer;
         } else if (open) { // a break to unwind
-            mark(Act::close, i - 1, i - 1), mark(Act::retract, i, i - 1);
+            mark(Act::close, i - 1, i - 1);
+            mark(Act::retract, i, i - 1);
             retracted_.insert(tool_);
             open = false;
         }

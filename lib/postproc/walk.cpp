@@ -66,7 +66,8 @@ Act Walker::before() const {
 }
 
 void Walker::add(const toolpath::Span& span, const machine::Stretch& how, bool halt) {
-    how_ = how, halt_ = halt;
+    how_ = how;
+    halt_ = halt;
     const Vec3 from = span.points.front();
     if (started_ && distance(from, path_) > kTouch)
         throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
@@ -180,7 +181,8 @@ void Walk::extrude(const toolpath::Span& span) {
     layer_ = span.layer;
     const auto others = joins_ != nullptr ? joins_->near(span.layer) : std::span<const geom::Segment>{};
     const auto merged = toolpath::merge(span, tolerance(*profile_, span), others);
-    efforts_.given += span.points.size() - 1, efforts_.off = std::max(efforts_.off, merged.off);
+    efforts_.given += span.points.size() - 1;
+    efforts_.off = std::max(efforts_.off, merged.off);
     double z = span.points.front().z;
     for (const toolpath::Move& m : merged.moves) {
         if (m.length == 0) continue;

@@ -109,7 +109,10 @@ std::vector<Index> canonical_order(const Graph& g, std::span<const Index> column
     for (const auto& nodes : parts) {
         std::uint64_t sum = 0;
         for (const Index v : nodes) sum += scrambled(colour[v]);
-        for (const Index v : nodes) of_part[v] = sum, part[v] = nodes[0];
+        for (const Index v : nodes) {
+            of_part[v] = sum;
+            part[v] = nodes[0];
+        }
     }
     std::vector<Index> out(g.size());
     std::iota(out.begin(), out.end(), 0U);
@@ -139,12 +142,17 @@ std::vector<Part> parts(const Graph& g, const Columns& columns) {
             }
             return to;
         };
-        p.g.up = copy(g.up), p.g.down = copy(g.down);
-        p.g.after = copy(g.after), p.g.before = copy(g.before);
+        p.g.up = copy(g.up);
+        p.g.down = copy(g.down);
+        p.g.after = copy(g.after);
+        p.g.before = copy(g.before);
         for (const Index v : p.node) {
             p.g.node.push_back(g.node[v]);
             Index& c = column[columns.of[v]];
-            if (c == kNone) c = static_cast<Index>(p.columns.member.size()), p.columns.member.emplace_back();
+            if (c == kNone) {
+                c = static_cast<Index>(p.columns.member.size());
+                p.columns.member.emplace_back();
+            }
             p.columns.member[c].push_back(number[v]);
             p.columns.of.push_back(c);
         }

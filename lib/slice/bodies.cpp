@@ -52,8 +52,14 @@ bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
     if (!(u1 > u0)) return false;
     const double slope = (h1 - h0) / (u1 - u0);
     const auto cut = [&](double u, bool low) { // one end of the stretch moves to u
-        if (low && u > u0) h0 += slope * (u - u0), u0 = u;
-        if (!low && u < u1) h1 += slope * (u - u1), u1 = u;
+        if (low && u > u0) {
+            h0 += slope * (u - u0);
+            u0 = u;
+        }
+        if (!low && u < u1) {
+            h1 += slope * (u - u1);
+            u1 = u;
+        }
     };
     cut(0, true);
     cut(1, false);
@@ -119,7 +125,10 @@ Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, N
         }
         if (2 * std::abs(area) <= kRounding * polygon::perimeter(loops[i])) continue; // rounding alone
         Note& n = area < 0 ? filled : dropped;
-        if (std::abs(area) * static_cast<double>(n.count) >= n.amount) n.x = loops[i][0].x, n.y = loops[i][0].y;
+        if (std::abs(area) * static_cast<double>(n.count) >= n.amount) {
+            n.x = loops[i][0].x;
+            n.y = loops[i][0].y;
+        }
         n.amount += std::abs(area);
         ++n.count;
     }
@@ -131,7 +140,8 @@ Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, N
 } // namespace
 
 Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& gaps) {
-    gap_area = 0, gaps = 0;
+    gap_area = 0;
+    gaps = 0;
     Loops out;
     const auto edges = edges_of(loops);
     if (edges.empty()) return out;
@@ -155,7 +165,10 @@ Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& g
         if (!facing(e, f, width, between)) continue;
         add_bridge(e, between, out);
         const double gap = std::max(0.0, (between.gap[0] + between.gap[1]) / 2);
-        if (gap > kRounding) gap_area += gap * (between.u[1] - between.u[0]) * geom::distance(e.a, e.b), ++gaps;
+        if (gap > kRounding) {
+            gap_area += gap * (between.u[1] - between.u[0]) * geom::distance(e.a, e.b);
+            ++gaps;
+        }
     }
     return out;
 }

@@ -26,7 +26,10 @@ Vec2 place(const std::vector<OpenContour>& contours, std::uint32_t end) {
     return is_start(end) ? p.front() : p.back();
 }
 
-void mate(Mates& mates, std::uint32_t a, std::uint32_t b) { mates[a] = b, mates[b] = a; }
+void mate(Mates& mates, std::uint32_t a, std::uint32_t b) {
+    mates[a] = b;
+    mates[b] = a;
+}
 
 Mates mates_on_edges(const std::vector<OpenContour>& contours) {
     Mates mates(2 * contours.size(), kFree);
@@ -36,7 +39,10 @@ Mates mates_on_edges(const std::vector<OpenContour>& contours) {
     std::sort(ends.begin(), ends.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-        if (key(ends[i]) == key(ends[i + 1])) mate(mates, ends[i], ends[i + 1]), ++i;
+        if (key(ends[i]) == key(ends[i + 1])) {
+            mate(mates, ends[i], ends[i + 1]);
+            ++i;
+        }
     return mates;
 }
 
@@ -83,7 +89,10 @@ bool pair_round(Mates& mates, const Partner& partner) {
     std::sort(wishes.begin(), wishes.end());
     bool any = false;
     for (const Candidate& c : wishes)
-        if (mates[c.a] == kFree && mates[c.b] == kFree) mate(mates, c.a, c.b), any = true;
+        if (mates[c.a] == kFree && mates[c.b] == kFree) {
+            mate(mates, c.a, c.b);
+            any = true;
+        }
     return any;
 }
 
@@ -155,8 +164,8 @@ void append(std::vector<Vec2>& to, const Vec2& p) {
 }
 
 // Walks from one end of contour `end / 2` over all that is joined to it; marks what it passes.
-OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, std::uint32_t end, std::vector<char>& done,
-           bool& closed) {
+OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, std::uint32_t end,
+                 std::vector<char>& done, bool& closed) {
     OpenContour out;
     double along = 0, against = 0;
     const std::uint32_t from = end;
@@ -164,14 +173,17 @@ OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, s
     for (;;) {
         const OpenContour& c = contours[end / 2];
         done[end / 2] = 1;
-        out.lid += c.lid, out.jumped += c.jumped;
+        out.lid += c.lid;
+        out.jumped += c.jumped;
         const double l = length(c);
         if (is_start(end)) {
             for (const Vec2 p : c.points) append(out.points, p);
-            along += l - c.turned, against += c.turned;
+            along += l - c.turned;
+            against += c.turned;
         } else {
             for (std::size_t i = c.points.size(); i-- > 0;) append(out.points, c.points[i]);
-            along += c.turned, against += l - c.turned;
+            along += c.turned;
+            against += l - c.turned;
         }
         const std::uint32_t other = end ^ 1U;
         out.tail = is_start(other) ? c.head : c.tail;
@@ -225,7 +237,11 @@ void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, c
         if (d <= kSeam) continue;
         n.amount += d;
         ++n.count;
-        if (d > worst) worst = d, n.x = (a.x + b.x) / 2, n.y = (a.y + b.y) / 2;
+        if (d > worst) {
+            worst = d;
+            n.x = (a.x + b.x) / 2;
+            n.y = (a.y + b.y) / 2;
+        }
     }
     if (n.count > 0) notes.push_back(std::move(n));
 }
@@ -234,8 +250,8 @@ void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, c
 
 double length(const OpenContour& contour) { return geom::length(contour.points); }
 
-Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids, const Options& o,
-                    std::int64_t layer, Notes& notes) {
+Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
+                      const Options& o, std::int64_t layer, Notes& notes) {
     Closed out;
     double lid = 0;
     const auto tell = [&](const char* what, double amount, Vec2 at) {

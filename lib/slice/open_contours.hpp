@@ -41,7 +41,7 @@ struct Closed {
 // Two ends that are near because the contours run beside each other are not joined: copies, not continuations.
 // Contours run as most of their length does.  Notes what was closed, turned round and left open on `layer`.
 // Ties: by position in `contours`.
-Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids, const Options& options,
-                    std::int64_t layer, Notes& notes);
+Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
+                      const Options& options, std::int64_t layer, Notes& notes);
 
 } // namespace filum::slice

@@ -38,8 +38,12 @@ std::vector<Near> nearest(const geom::Bvh& tree, const std::vector<Vec3>& points
         const Near n{distance(p, points[i]), i};
         const bool full = heap.size() == count;
         if (pass(i) && (!full || n < heap.front())) {
-            if (full) std::pop_heap(heap.begin(), heap.end()), heap.pop_back();
-            heap.push_back(n), std::push_heap(heap.begin(), heap.end());
+            if (full) {
+                std::pop_heap(heap.begin(), heap.end());
+                heap.pop_back();
+            }
+            heap.push_back(n);
+            std::push_heap(heap.begin(), heap.end());
         }
         return heap.size() == count ? heap.front().distance : kInfinity;
     });
@@ -100,7 +104,9 @@ std::vector<double> in_triangle(const std::vector<geom::Vec2>& flat) {
                 const double wi = orient(o, flat[j], flat[k]) / all, wj = orient(flat[i], o, flat[k]) / all;
                 if (std::min({wi, wj, 1 - wi - wj}) < -kRound || !empty(i, j, k)) continue;
                 std::vector<double> out(n, 0);
-                out[i] = std::max(0.0, wi), out[j] = std::max(0.0, wj), out[k] = 1 - out[i] - out[j];
+                out[i] = std::max(0.0, wi);
+                out[j] = std::max(0.0, wj);
+                out[k] = 1 - out[i] - out[j];
                 return out;
             }
     return {};
@@ -132,7 +138,8 @@ std::vector<double> weights(const std::vector<Near>& found, const std::vector<Ve
         m += rows[k] * b.transpose();
     }
     const double ridge = kRidge * m.trace();
-    m(1, 1) += ridge, m(2, 2) += ridge;
+    m(1, 1) += ridge;
+    m(2, 2) += ridge;
     const Eigen::Vector3d c = m.ldlt().solve(Eigen::Vector3d::UnitX());
     for (std::size_t k = 0; k < found.size(); ++k) out[k] = rows[k].dot(c);
     return out;

@@ -30,7 +30,10 @@ class Solids {
         Weights out;
         tree_.near(p, 0, [&](std::uint32_t k) {
             if (k < best)
-                if (Weights w = within(samples_.elements[chosen_[k]], p); !w.empty()) best = k, out = std::move(w);
+                if (Weights w = within(samples_.elements[chosen_[k]], p); !w.empty()) {
+                    best = k;
+                    out = std::move(w);
+                }
             return 0.0;
         });
         return out;
@@ -45,7 +48,10 @@ class Solids {
             if (!is_solid(element.shape)) continue;
             Box3 box;
             for (const auto i : nodes_of(samples_, element)) box.add(samples_.points[i]);
-            if (meet(box, near)) chosen_.push_back(e), out.push_back(box);
+            if (meet(box, near)) {
+                chosen_.push_back(e);
+                out.push_back(box);
+            }
         }
         return out;
     }
@@ -146,7 +152,10 @@ Stencils in_mesh(const Surface& s, const Samples& samples, double reach, int thr
     });
     for (const auto& weights : found) {
         out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
-        for (const auto& [sample, weight] : weights) out.sample.push_back(sample), out.weight.push_back(weight);
+        for (const auto& [sample, weight] : weights) {
+            out.sample.push_back(sample);
+            out.weight.push_back(weight);
+        }
     }
     out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
     return out;

@@ -76,7 +76,10 @@ std::vector<std::uint32_t> join(const Surface& before, const Round& r) {
         return ea != eb ? ea < eb : a < b;
     });
     for (std::size_t i = 1; i < halves.size(); ++i)
-        if (ends(halves[i - 1]) == ends(halves[i])) out[halves[i - 1]] = halves[i], out[halves[i]] = halves[i - 1];
+        if (ends(halves[i - 1]) == ends(halves[i])) {
+            out[halves[i - 1]] = halves[i];
+            out[halves[i]] = halves[i - 1];
+        }
     return out;
 }
 

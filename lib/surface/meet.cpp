@@ -83,7 +83,10 @@ class Meeter {
         for (const auto& t : other.triangles) {
             const Corners c = corners(other.vertices, t);
             boxes.push_back(geom::grown(geom::box_of(c), slack_));
-            for (std::size_t k = 0; k < 3; ++k) edge += distance(c[k], c[(k + 1) % 3]), ++count;
+            for (std::size_t k = 0; k < 3; ++k) {
+                edge += distance(c[k], c[(k + 1) % 3]);
+                ++count;
+            }
         }
         edge_ = std::max(mean_edge(s), count > 0 ? edge / count : 0);
         if (near_ == 0) near_ = kNear * edge_;
@@ -166,7 +169,8 @@ class Meeter {
                 near.push_back({h / 3, p, last(p, q)});
             else if (to)
                 near.push_back({h / 3, last(q, p), q});
-            p = q, from = to;
+            p = q;
+            from = to;
         }
     }
 
@@ -218,7 +222,8 @@ class Meeter {
 
     // What a -> b has in common with the triangle, along `way`.
     void add(std::uint32_t t, const Corners& c, const Vec3& n, Vec3 a, Vec3 b, const Vec3& way) {
-        a = a - dot(a - c[0], n) * n, b = b - dot(b - c[0], n) * n;
+        a = a - dot(a - c[0], n) * n;
+        b = b - dot(b - c[0], n) * n;
         if (less(b, a)) std::swap(a, b); // the same for all triangles that share it
         if (!clip(c, n, slack_, a, b)) return;
         if (dot(b - a, way) < 0) std::swap(a, b);

@@ -77,7 +77,10 @@ Segment nearest(const Surface& s, const Vec3& p) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const Vec3 q = nearest_in(s, t, p);
         const double d = distance(p, q);
-        if (d < least) least = d, out = {t, q, q};
+        if (d < least) {
+            least = d;
+            out = {t, q, q};
+        }
     }
     return out;
 }

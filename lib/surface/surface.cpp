@@ -64,7 +64,10 @@ void find_rims(Surface& s) {
     std::vector<std::size_t> outer(s.components, s.rims.size());
     for (std::size_t i = 0; i < s.rims.size(); ++i) {
         const double a = spanned_area(s, s.rims[i]);
-        if (a > widest[s.rims[i].component]) widest[s.rims[i].component] = a, outer[s.rims[i].component] = i;
+        if (a > widest[s.rims[i].component]) {
+            widest[s.rims[i].component] = a;
+            outer[s.rims[i].component] = i;
+        }
     }
     for (const std::size_t i : outer)
         if (i < s.rims.size()) s.rims[i].outer = true;

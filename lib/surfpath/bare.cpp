@@ -57,7 +57,8 @@ class Stretches {
                 for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
                     const Vec3 &a = piece.line[i], &b = piece.line[i + 1];
                     out.push_back({a, b, surface::normal(s, piece.line.places[i].triangle), way});
-                    way += distance(a, b), length += distance(a, b);
+                    way += distance(a, b);
+                    length += distance(a, b);
                 }
             way += kApart;
         }
@@ -135,7 +136,9 @@ void look(const Sample& point, const Stretches& lines, double width, Sum& sum, s
 }
 
 void add(const Sum& part, Sum& sum) {
-    sum.surface += part.surface, sum.covered += part.covered, sum.missing += part.missing;
+    sum.surface += part.surface;
+    sum.covered += part.covered;
+    sum.missing += part.missing;
     sum.bare.insert(sum.bare.end(), part.bare.begin(), part.bare.end());
     for (const auto& [cell, heap] : part.heaps) sum.heaps.insert({cell, {0, heap.at}}).first->second.area += heap.area;
 }
@@ -147,7 +150,10 @@ Vec3 widest(const std::vector<Sample>& bare, const Stretches& lines, double widt
         double least = kFar;
         for (double reach = width; least == kFar && reach <= kSought * width; reach *= 2)
             lines.near(b.p, b.normal, reach, [&](double off, double) { least = std::min(least, off); });
-        if (least > worst) worst = least, at = b.p;
+        if (least > worst) {
+            worst = least;
+            at = b.p;
+        }
         if (worst == kFar) break;
     }
     return at;
@@ -172,7 +178,10 @@ Cover cover(const Surface& s, const Plan& plan, double width) {
     out.widest = widest(sum.bare, lines, width);
     double most = 0;
     for (const auto& [cell, heap] : sum.heaps)
-        if (heap.area > most) most = heap.area, out.thickest = heap.at;
+        if (heap.area > most) {
+            most = heap.area;
+            out.thickest = heap.at;
+        }
     return out;
 }
 

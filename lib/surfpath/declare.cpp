@@ -65,15 +65,20 @@ Tight declare(const Surface& s, Plan& plan, double radius, double beside, double
         const auto turns = surface::curve::tight_turns(points, normals, kSurely * radius);
         for (const auto& t : turns) {
             if (!(t.radius < radius)) continue;
-            ++out.count, out.length += t.to - t.from;
-            if (t.radius < tightest) tightest = t.radius, out.at = surface::curve::at(line, ways, t.at).point;
+            ++out.count;
+            out.length += t.to - t.from;
+            if (t.radius < tightest) {
+                tightest = t.radius;
+                out.at = surface::curve::at(line, ways, t.at).point;
+            }
         }
         stroke.pieces.clear();
         double done = 0;
         for (const Range& r : widened(turns, beside, ways.back())) {
             if (r.from > done) stroke.pieces.push_back(piece(s, line, ways, {done, r.from}, false));
             stroke.pieces.push_back(piece(s, line, ways, r, true));
-            out.declared += r.to - r.from, done = r.to;
+            out.declared += r.to - r.from;
+            done = r.to;
         }
         if (done < ways.back()) stroke.pieces.push_back(piece(s, line, ways, {done, ways.back()}, false));
     }

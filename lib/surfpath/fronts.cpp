@@ -177,7 +177,10 @@ std::optional<Spot> Fronts::locate(std::size_t level, const Place& p) const {
             const Vec3 &a = f.line[it->stretch], d = f.line[(it->stretch + 1) % f.line.size()] - a;
             const double l2 = dot(d, d), along = l2 > 0 ? std::clamp(dot(p.point - a, d) / l2, 0.0, 1.0) : 0;
             const double off = distance(p.point, a + along * d);
-            if (off < least) least = off, out = Spot{it->front, f.ways[it->stretch] + along * std::sqrt(l2)};
+            if (off < least) {
+                least = off;
+                out = Spot{it->front, f.ways[it->stretch] + along * std::sqrt(l2)};
+            }
         }
     }
     return out;

@@ -63,7 +63,10 @@ LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
             lo = a;
     }
     const double way = (lo + hi) / 2, d = distance(at(node.lane, way).point, p);
-    if (d < out.distance) out.way = way < 0 ? way + all : way >= all ? way - all : way, out.distance = d;
+    if (d < out.distance) {
+        out.way = way < 0 ? way + all : way >= all ? way - all : way;
+        out.distance = d;
+    }
     return out;
 }
 

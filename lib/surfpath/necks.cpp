@@ -63,7 +63,10 @@ class Necks {
                 const Vec3 p = at(t, c.from + on).point;
                 const Vec3 a = p - at(t, c.from + on - half).point, b = at(t, c.from + on + half).point - p;
                 const double turn = -dot(a, b) / (norm(a) * norm(b));
-                if (turn > most) most = turn, t.way = c.from + on;
+                if (turn > most) {
+                    most = turn;
+                    t.way = c.from + on;
+                }
             }
             t.place = at(t, t.way);
             tips_.push_back(t);
@@ -100,8 +103,10 @@ class Necks {
         const auto there = across(tips_[n.a], tips_[n.b], lower), back = across(tips_[n.b], tips_[n.a], lower);
         if (there.size() < 2 || back.size() < 2) return;
         Bend &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
-        a.over = &b, a.bridge = there;
-        b.over = &a, b.bridge = back;
+        a.over = &b;
+        a.bridge = there;
+        b.over = &a;
+        b.bridge = back;
     }
 
     // From where corner `a` begins over to where corner `b` ends, along one of `lower`; empty if none leads there.

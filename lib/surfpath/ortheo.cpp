@@ -40,7 +40,8 @@ std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<Strand>& st
             if (group == kNone) continue;
             const auto [it, first] = waiting.insert({{group, side}, i});
             if (first) continue;
-            out[i][side] = it->second, out[it->second][side] = i;
+            out[i][side] = it->second;
+            out[it->second][side] = i;
             waiting.erase(it);
         }
     }
@@ -119,7 +120,9 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     for (const Strands::Short& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
         Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
-        note.x = p.x, note.y = p.y, note.z = p.z;
+        note.x = p.x;
+        note.y = p.y;
+        note.z = p.z;
         out.notes.push_back(std::move(note));
     }
     return out;

@@ -12,7 +12,9 @@ namespace {
 Note unplanned(const surface::Sheet& sheet) {
     Note out{.stage = "", .what = "patch without a plan", .amount = surface::area(sheet.surface), .unit = "mm2"};
     const Vec3& p = sheet.surface.vertices.front();
-    out.x = p.x, out.y = p.y, out.z = p.z;
+    out.x = p.x;
+    out.y = p.y;
+    out.z = p.z;
     return out;
 }
 
@@ -65,7 +67,8 @@ Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& alg
             if (several) fact.name = "patch." + spoken(sheets, k) + "." + fact.name;
             out.facts.push_back(std::move(fact));
         }
-        out.plans[k].notes.clear(), out.plans[k].facts.clear();
+        out.plans[k].notes.clear();
+        out.plans[k].facts.clear();
     }
     return out;
 }

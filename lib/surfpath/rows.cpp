@@ -76,7 +76,10 @@ class Cutter {
                 const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
                 const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
                 const double far = distance(p, a + t * d);
-                if (far < least) least = far, out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
+                if (far < least) {
+                    least = far;
+                    out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
+                }
             }
         }
         return out;
@@ -211,7 +214,8 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
             if (!line.closed)
                 line = surface::curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
             const double l = surface::curve::length(line);
-            all += l, too_short += l < shortest ? l : 0;
+            all += l;
+            too_short += l < shortest ? l : 0;
             Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
             row.end = cutter.port(row.line.places.back().point);
@@ -224,8 +228,12 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
         const double l = surface::curve::length(row.line);
         if (l >= least) return false;
         if (l < margin) return true;
-        out.dropped += l, ++out.drops;
-        if (l > longest) longest = l, out.dropped_at = row.line[row.line.size() / 2];
+        out.dropped += l;
+        ++out.drops;
+        if (l > longest) {
+            longest = l;
+            out.dropped_at = row.line[row.line.size() / 2];
+        }
         return true;
     });
     std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });

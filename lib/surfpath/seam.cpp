@@ -78,7 +78,10 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double w
         if (static_cast<double>(count) <= most) break;
         auto cropped = rungs;
         for (auto& r : cropped)
-            if (r.places.size() > count) r.places.resize(count), r.sense.resize(count);
+            if (r.places.size() > count) {
+                r.places.resize(count);
+                r.sense.resize(count);
+            }
         for (std::size_t i = 0; i < n;) {
             if (cropped[i].places.size() < count) {
                 ++i;
@@ -99,7 +102,10 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double w
                 if (l < least) break;
                 if (!fits(lanes, r)) continue;
                 const double worth = static_cast<double>(count) * (0.9 + 0.1 * std::min(1.0, l / wanted));
-                if (worth > most) most = worth, best = r;
+                if (worth > most) {
+                    most = worth;
+                    best = r;
+                }
                 break;
             }
         }

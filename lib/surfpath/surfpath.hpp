@@ -7,7 +7,7 @@
 
 namespace filum::surfpath {
 
-enum class Method : std::uint8_t { filum, kipping2022 };     // ours, or as the paper says
+enum class Method : std::uint8_t { filum, kipping2022 };    // ours, or as the paper says
 enum class RowTurns : std::uint8_t { none, hairpin, wide }; // of ortheo: rows end at the boundary, or go on
 
 struct Options {

@@ -151,7 +151,10 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
             if (!(l2 > 0)) continue;
             const double t = std::clamp(dot(p - bound[i - 1], d) / l2, 0.0, 1.0);
             const double far = distance(p, bound[i - 1] + t * d);
-            if (far < least) least = far, side = cross(d, p - bound[i - 1]);
+            if (far < least) {
+                least = far;
+                side = cross(d, p - bound[i - 1]);
+            }
         }
         if (side > 0 && least < 1e300) out = std::max(out, least);
     }

@@ -177,7 +177,8 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
         for (Vec2& p : points) p.y = -p.y;
     const Place begin = surface::curve::at(inwards(a), ways_inwards(a), out.from_trim);
     const Place end = surface::curve::at(inwards(b), ways_inwards(b), out.to_trim);
-    points.front() = flat.to(begin.point), points.back() = flat.to(end.point);
+    points.front() = flat.to(begin.point);
+    points.back() = flat.to(end.point);
     auto laid = surface::curve::lay(surface_, flat, begin, points);
     if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6) return out;
     laid.line.places.back() = end;

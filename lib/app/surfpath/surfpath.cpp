@@ -53,12 +53,15 @@ void run(const Options& o, const cli::Io& io) {
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads,
                                                [&](std::size_t k) { return lay(sheets[k], o, *algorithms[k]); });
     filum::surfpath::Laying laying = o.laying;
-    laying.width = o.plan.spacing, laying.layer = static_cast<std::uint32_t>(o.ply);
+    laying.width = o.plan.spacing;
+    laying.layer = static_cast<std::uint32_t>(o.ply);
     const auto spans = filum::surfpath::spans(sheets, patches.plans, laying);
     cli::Io self = io; // with what was followed
     for (auto& s : self.settings)
-        if (s.name == "algorithm" && sheets.size() == 1)
-            s.value = name(*algorithms[0]), s.changed = algorithms != filum::surfpath::algorithms(sheets, {});
+        if (s.name == "algorithm" && sheets.size() == 1) {
+            s.value = name(*algorithms[0]);
+            s.changed = algorithms != filum::surfpath::algorithms(sheets, {});
+        }
     whole.header.expected = spans.size();
     std::vector<stream::RawFrame> frames;
     for (const auto& span : spans) frames.push_back(wire::frame(span));

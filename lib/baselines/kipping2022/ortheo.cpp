@@ -36,7 +36,10 @@ class Level {
             const double l2 = dot(way, way), f = l2 > 0 ? dot(p - points[near.index], way) / l2 : 0;
             if (!(f > 0)) continue;
             const Vec3 q = points[near.index] + std::min(f, 1.0) * way;
-            if (distance(p, q) < out.distance) out.point = q, out.distance = distance(p, q);
+            if (distance(p, q) < out.distance) {
+                out.point = q;
+                out.distance = distance(p, q);
+            }
         }
         return out;
     }
@@ -85,8 +88,10 @@ class Strands {
         for (std::size_t k = 0; k < n; ++k) {
             const double way = static_cast<double>(k) * o.spacing;
             const auto stretch = [&] { return distance(seed.points[i], seed.points[(i + 1) % seed.points.size()]); };
-            while (before + stretch() < way && i + 2 < seed.points.size() + (seed.closed ? 1 : 0))
-                before += stretch(), ++i;
+            while (before + stretch() < way && i + 2 < seed.points.size() + (seed.closed ? 1 : 0)) {
+                before += stretch();
+                ++i;
+            }
             const double f = stretch() > 0 ? std::min(1.0, (way - before) / stretch()) : 0;
             row_.push_back(static_cast<std::uint32_t>(lines.size()));
             lines.push_back({seed.points[i] + f * (seed.points[(i + 1) % seed.points.size()] - seed.points[i])});
@@ -177,7 +182,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
             if (const auto note = level.bare(o.spacing)) plan.notes.push_back(*note);
         }
         for (const Strands& strands : all) {
-            inserted += strands.inserted, ended += strands.ended;
+            inserted += strands.inserted;
+            ended += strands.ended;
             for (const Points& line : strands.lines)
                 if (line.size() > 1) strokes.lay(line, plan);
         }

@@ -55,7 +55,10 @@ class Spiral {
             const double d = opened_                  ? distance(place_, points[i])
                              : rims_.points().empty() ? distance(begin_, points[i])
                                                       : rims_.nearest(points[i], least).distance;
-            if (d < least) least = d, start = i;
+            if (d < least) {
+                least = d;
+                start = i;
+            }
         }
         std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(start), points.end());
         begin_ = points.front();

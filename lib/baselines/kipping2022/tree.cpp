@@ -70,7 +70,10 @@ std::vector<std::uint32_t> outermost(const Surface& s, const std::vector<Node>& 
         double near = std::numeric_limits<double>::infinity();
         for (const Vec3& p : rims[n.component]) near = std::min(near, n.cloud.nearest(p, near).distance);
         const std::pair<bool, double> now{near <= kOuter * spacing, length(n.points(), true)};
-        if (now > rank[n.component]) rank[n.component] = now, best[n.component] = i;
+        if (now > rank[n.component]) {
+            rank[n.component] = now;
+            best[n.component] = i;
+        }
     }
     return best;
 }
@@ -107,7 +110,10 @@ void check_rims(const surface::Sheet& sheet, const std::vector<double>& phi, dou
                     "geodesic --cut");
     const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     Points ends;
-    for (const auto& segment : sheet.sources.segments) ends.push_back(segment.a), ends.push_back(segment.b);
+    for (const auto& segment : sheet.sources.segments) {
+        ends.push_back(segment.a);
+        ends.push_back(segment.b);
+    }
     for (const std::uint32_t v : sheet.sources.vertices) ends.push_back(s.vertices[v]);
     std::sort(ends.begin(), ends.end(), less);
     for (const surface::Rim& rim : s.rims)

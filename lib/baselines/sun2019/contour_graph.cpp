@@ -126,7 +126,8 @@ std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges) {
                 const auto child = static_cast<std::size_t>(e.b);
                 if (seen[child]) continue;
                 seen[child] = 1;
-                out[child].parent = static_cast<int>(n), out[child].start = e.vertex_b;
+                out[child].parent = static_cast<int>(n);
+                out[child].start = e.vertex_b;
                 out[n].children.push_back(e.b);
                 stack.push_back(child);
             }

@@ -60,9 +60,10 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
     Line out;
     if (line.size() == 0) return out;
     const double all = ways.back();
-    if (!line.closed)
-        from = std::clamp(from, 0.0, all), to = std::clamp(to, from, all);
-    else {
+    if (!line.closed) {
+        from = std::clamp(from, 0.0, all);
+        to = std::clamp(to, from, all);
+    } else {
         const double rest = to - from;
         from = wrapped(line, ways, from);
         to = from + (rest < 0 ? rest + all * std::ceil(-rest / all) : std::min(rest, all));

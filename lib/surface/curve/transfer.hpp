@@ -13,6 +13,7 @@ std::vector<surface::Field> transferred(const Surface& from, std::span<const sur
 
 // The CAD face of each triangle of `to`: that of the nearest place of `from` to its middle, of places about as near at
 // one that faces the same way; none if `faces`, those of `from`, are none.
-std::vector<std::uint32_t> transferred_faces(const Surface& from, std::span<const std::uint32_t> faces, const Surface& to);
+std::vector<std::uint32_t> transferred_faces(const Surface& from, std::span<const std::uint32_t> faces,
+                                             const Surface& to);
 
 } // namespace filum::surface::curve

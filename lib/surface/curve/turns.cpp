@@ -96,7 +96,10 @@ std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const
         if (i == 0 || !(all[i - 1].radius < radius))
             out.push_back({i > 0 ? (all[i - 1].way + way) / 2 : way - kLookStep / 2, way, r, way});
         out.back().to = i + 1 < all.size() ? (way + all[i + 1].way) / 2 : way + kLookStep / 2;
-        if (r < out.back().radius) out.back().radius = r, out.back().at = way;
+        if (r < out.back().radius) {
+            out.back().radius = r;
+            out.back().at = way;
+        }
     }
     return out;
 }

@@ -252,7 +252,7 @@ TEST(header, histories_are_joined_with_their_parents) {
     EXPECT_EQ(h.history[3].parents, (std::vector<std::uint32_t>{1, 2}));
 }
 
-TEST(Parse, AnOldNameIsAnsweredWithTheNewOne) {
+TEST(parse, an_old_name_is_answered_with_the_new_one) {
     EXPECT_EQ(renamed("least-radius", {"min-radius", "spacing"}), "; it is called '--min-radius' now");
     EXPECT_EQ(renamed("least-radius", {"spacing"}), "");
     EXPECT_EQ(renamed("height", {"layer-height", "height"}), "");
