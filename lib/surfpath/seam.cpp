@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kSearch = 1;         // spacings between rungs that are tried
 constexpr double kFarthest = 2;       // spacings between neighbouring lanes of a seam
-constexpr double kRungStep = 0.5;     // spacings between rungs of a ladder
 constexpr int kPoints = 3;            // of a line, per rung
 constexpr double kMargin = 0.5;       // spacings of lane between windows
 constexpr double kShare = 0.4;        // of a lane that a seam may take
