@@ -2,8 +2,8 @@
 #pragma once
 
 #include "choose/seed.hpp"
+#include "surfpath/algorithm.hpp"
 
-#include <string>
 #include <vector>
 
 namespace filum::choose {

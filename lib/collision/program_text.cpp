@@ -8,12 +8,6 @@
 
 namespace filum::collision {
 
-namespace {
-
-std::string first_line(const std::string& text) { return std::string(trimmed(text.substr(0, text.find('\n')))); }
-
-} // namespace
-
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::string_view trimmed(std::string_view s) {
@@ -21,6 +15,8 @@ std::string_view trimmed(std::string_view s) {
     while (!s.empty() && is_blank(s.back())) s.remove_suffix(1);
     return s;
 }
+
+std::string first_line(const std::string& text) { return std::string(trimmed(text.substr(0, text.find('\n')))); }
 
 ProgramLine::ProgramLine(std::string_view text) {
     bool inside = false;

@@ -12,6 +12,7 @@ namespace filum::collision {
 
 bool is_blank(char c); // a space, a tab or a carriage return
 std::string_view trimmed(std::string_view text);
+std::string first_line(const std::string& text); // trimmed
 
 // A line without its comments; those go to `comment`, one after the other.
 struct ProgramLine {

@@ -222,7 +222,7 @@ TEST(tilted, tip_numbers_are_the_toolpath) {
     for (const Line& l : read(text)) {
         if (!l.laying) continue;
         ASSERT_LT(k, want.size());
-        EXPECT_LT(distance({l.words.at('X'), l.words.at('Y'), l.words.at('Z')}, want[k]), 1e-4);
+        EXPECT_LT(distance(Vec3{l.words.at('X'), l.words.at('Y'), l.words.at('Z')}, want[k]), 1e-4);
         ++k;
     }
     EXPECT_EQ(k, want.size());

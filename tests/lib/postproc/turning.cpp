@@ -17,8 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 Vec3 direction(double tilt, double heading) {
     return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
 }

@@ -32,12 +32,12 @@ TEST(Patches, FollowTheirOwnPlansUnlessOneIsNamed) {
     EXPECT_EQ(algorithms(none, {}), (Algorithms{Algorithm::geo_fiso, Algorithm::geo_fiso}));
     const std::vector<surface::Sheet> strange{patch("A", "fino", 0)};
     EXPECT_THROW(algorithms(strange, {}), Error);
-    EXPECT_THROW((void)algorithms({}, "planned"), Error);
+    EXPECT_THROW((void)algorithms({}, {}), Error);
 }
 
 TEST(Patches, AreLaidOneAfterTheOther) {
     const std::vector<surface::Sheet> sheets{patch("A", "fina", 0), patch("", "", 3), patch("C", "fina", 6)};
-    const auto by = algorithms(sheets, "planned");
+    const auto by = algorithms(sheets, {});
     const auto patches = each_patch(sheets, by, 1, [&](std::size_t k) { return side(sheets[k]); });
     ASSERT_EQ(patches.facts.size(), 2);
     EXPECT_EQ(patches.facts[1].name, "patch.C.rows");
@@ -57,7 +57,7 @@ TEST(Patches, AreLaidOneAfterTheOther) {
 
 TEST(Patches, OneIsAsItAlwaysWas) {
     const std::vector<surface::Sheet> one{patch("A", "fina", 0)};
-    const auto patches = each_patch(one, algorithms(one, "planned"), 1, [&](std::size_t) { return side(one[0]); });
+    const auto patches = each_patch(one, algorithms(one, {}), 1, [&](std::size_t) { return side(one[0]); });
     EXPECT_EQ(patches.facts[0].name, "rows");
     EXPECT_EQ(patches.notes[0].what, "bare place");
 }
@@ -65,7 +65,7 @@ TEST(Patches, OneIsAsItAlwaysWas) {
 TEST(Patches, ErrorsNameThePatch) {
     const std::vector<surface::Sheet> two{patch("A", "fina", 0), patch("B", "fina", 3)};
     try {
-        (void)each_patch(two, algorithms(two, "planned"), 1, [&](std::size_t k) {
+        (void)each_patch(two, algorithms(two, {}), 1, [&](std::size_t k) {
             if (k == 1) throw Error(Exit::bad_input, "cannot lay it");
             return side(two[k]);
         });
