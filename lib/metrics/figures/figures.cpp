@@ -1,5 +1,6 @@
 #include "metrics/figures/figures.hpp"
 
+#include "base/json.hpp"
 #include "base/printable.hpp"
 
 #include "base/number.hpp"
@@ -27,21 +28,6 @@ std::string value(const Figure& f) {
     if (const auto* n = std::get_if<std::uint64_t>(&f.value)) return std::to_string(*n);
     if (const auto* d = std::get_if<double>(&f.value)) return fixed(*d, f.decimals);
     return std::get<std::string>(f.value);
-}
-
-std::string quoted(const std::string& s) {
-    constexpr const char* kHex = "0123456789abcdef";
-    std::string out = "\"";
-    for (const char c : s) {
-        const auto u = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            out += '\\', out += c;
-        else if (u < 0x20)
-            out += "\\u00", out += kHex[u >> 4], out += kHex[u & 15];
-        else
-            out += c;
-    }
-    return out + "\"";
 }
 
 std::string key(const Figure& f) {
@@ -82,16 +68,16 @@ std::string json(const Figures& figures) {
     const std::string* group = nullptr;
     for (const Figure& f : figures) {
         if (group == nullptr || *group != f.group)
-            out += (group == nullptr ? "\n  " : "\n  },\n  ") + quoted(f.group) + ": {\n    ";
+            out += (group == nullptr ? "\n  " : "\n  },\n  ") + json_text(f.group) + ": {\n    ";
         else
             out += ",\n    ";
         group = &f.group;
         std::string v = value(f);
         if (std::holds_alternative<std::string>(f.value))
-            v = quoted(v);
+            v = json_text(v);
         else if (v == "-")
             v = "null";
-        out += quoted(key(f)) + ": " + v;
+        out += json_text(key(f)) + ": " + v;
     }
     return out + (group == nullptr ? "}\n" : "\n  }\n}\n");
 }
