@@ -1,5 +1,6 @@
 #include "metrics/figures/figures.hpp"
 
+#include "base/json.hpp"
 #include "base/printable.hpp"
 
 #include "base/number.hpp"
@@ -28,21 +29,6 @@ std::string value(const Figure& f) {
     if (const auto* n = std::get_if<std::uint64_t>(&f.value)) return std::to_string(*n);
     if (const auto* d = std::get_if<double>(&f.value)) return fixed(*d, f.decimals);
     return std::get<std::string>(f.value);
-}
-
-std::string quoted(const std::string& s) {
-    constexpr const char* kHex = "0123456789abcdef";
-    std::string out = "\"";
-    for (const char c : s) {
-        const auto u = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            out += '\\', out += c;
-        else if (u < 0x20)
-            out += "\\u00", out += kHex[u >> 4], out += kHex[u & 15];
-        else
-            out += c;
-    }
-    return out + "\"";
 }
 
 std::string key(const Figure& f) {
@@ -78,14 +64,14 @@ std::string tsv(const Figures& figures, std::string_view report) {
 
 std::string json(const Figures& figures, std::string_view report) {
     std::string out =
-        "{\n  \"report\": " + quoted(std::string(report)) + ",\n  \"version\": " + std::to_string(kReportVersion);
+        "{\n  \"report\": " + json_text(std::string(report)) + ",\n  \"version\": " + std::to_string(kReportVersion);
     for (const Figure& f : figures) {
         std::string v = value(f);
         if (std::holds_alternative<std::string>(f.value))
-            v = quoted(v);
+            v = json_text(v);
         else if (v == "-")
             v = "null";
-        out += ",\n  " + quoted(key(f)) + ": " + v;
+        out += ",\n  " + json_text(key(f)) + ": " + v;
     }
     return out + "\n}\n";
 }
