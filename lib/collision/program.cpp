@@ -1,22 +1,16 @@
 #include "collision/program.hpp"
 
 #include "base/error.hpp"
-#include "base/number.hpp"
-#include "collision/program_text.hpp"
 #include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
+#include "machine/codes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
-#include <sstream>
-#include <vector>
 
 namespace filum::collision {
 
@@ -26,11 +20,9 @@ using geom::kDegree;
 using kinematics::Joints;
 
 constexpr double kChord = 0.002, kLean = 0.2 * kDegree, kTurn = 2 * kDegree;
-constexpr double kFarthest = 1e7;  // mm, degrees
 constexpr int kChordHalvings = 16; // of a move at most
 
-// X Y Z, tilt, turn: the numbers of the program.
-using Axes = std::array<double, 5>;
+using Axes = machine::AxisNumbers;
 
 Heads heads(const machine::Profile& profile) {
     Heads out = profile.head;
@@ -41,7 +33,7 @@ Heads heads(const machine::Profile& profile) {
 class Reader {
   public:
     Reader(const std::string& name, const machine::Profile& profile, const ProgramOptions& options)
-        : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(tool_lines(profile)),
+        : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(machine::tool_lines(profile)),
           width_(options.width), height_(options.height) {
         lose_place();
         if (p_.axes.start) stand(*p_.axes.start);
@@ -50,10 +42,10 @@ class Reader {
 
     void line(std::string_view text) {
         ++number_;
-        const ProgramLine line(text);
-        remark(trimmed(line.comment));
-        if (line.code.empty() || line.code == "%") return;
-        if (!special(line.code)) words(line.code);
+        const machine::CodeLine line(text);
+        remark(line.comment());
+        if (line.code().empty() || line.code() == "%") return;
+        if (!special(std::string(line.code()))) words(line.code());
     }
 
     // Nobody knows where X, Y and Z are, but that a polar machine has no Y.
@@ -88,7 +80,7 @@ class Reader {
     void remark(std::string_view text) {
         const auto number = [&](std::string_view key, double& out) {
             if (!text.starts_with(key)) return;
-            const auto value = trimmed(text.substr(key.size()));
+            const auto value = machine::trimmed(text.substr(key.size()));
             double v = 0;
             if (std::from_chars(value.data(), value.data() + value.size(), v).ec == std::errc{} && v > 0) out = v;
         };
@@ -103,7 +95,7 @@ class Reader {
 
     // Lines that the profile itself gives a meaning.
     bool special(const std::string& code) {
-        const auto is = [&](const std::string& other) { return !other.empty() && code == trimmed(other); };
+        const auto is = [&](const std::string& other) { return !other.empty() && code == machine::trimmed(other); };
         const auto& a = p_.axes;
         if (const auto found = tools_.find(code); found != tools_.end()) {
             take(found->second);
@@ -111,12 +103,12 @@ class Reader {
             return true;
         }
         const auto& e = machine::of_tool(p_, tool_).extrusion;
-        if (is(first_line(e.on))) {
+        if (is(machine::first_line(e.on))) {
             open_ = true;
             ++out_.ignored;
             return true;
         }
-        if (is(first_line(e.off))) {
+        if (is(machine::first_line(e.off))) {
             open_ = false;
             ++out_.ignored;
             return true;
@@ -165,11 +157,7 @@ class Reader {
     [[nodiscard]] const kinematics::Chain& chain() const { return machine::of_tool(p_, tool_).axes.chain; }
     static bool known(const Axes& a) { return !std::isnan(a[0]) && !std::isnan(a[1]) && !std::isnan(a[2]); }
 
-    [[nodiscard]] Joints joints(const Axes& a) const {
-        const Vec3 xyz{a[0], a[1], a[2]};
-        if (tip_) return kinematics::place(chain(), xyz, a[3] * kDegree, a[4] * kDegree);
-        return {xyz + offset(), a[3] * kDegree, a[4] * kDegree};
-    }
+    [[nodiscard]] Joints joints(const Axes& a) const { return machine::joints_of(p_, tool_, a, tip_); }
 
     // The axes count where tool 0's tip is.
     [[nodiscard]] Vec3 offset() const { return machine::of_tool(p_, tool_).offset; }
@@ -182,53 +170,17 @@ class Reader {
                 kinematics::tool_side(chain(), j)};
     }
 
-    struct Word {
-        char letter;
-        double value;
-    };
-    // Nothing if the line is a command of the controller's own.
-    [[nodiscard]] std::optional<std::vector<Word>> split(const std::string& code) const {
-        std::vector<Word> out;
-        for (std::size_t i = 0; i < code.size();) {
-            if (is_blank(code[i])) {
-                ++i;
-                continue;
-            }
-            const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(code[i++])));
-            if (letter < 'A' || letter > 'Z') {
-                if (!out.empty() && out.back().letter >= 'X' && out.back().letter <= 'Z') fail("holds what is no word");
-                return std::nullopt;
-            }
-            while (i < code.size() && (is_blank(code[i]) || code[i] == '+')) ++i;
-            double v = 0;
-            const auto [end, error] = std::from_chars(code.data() + i, code.data() + code.size(), v);
-            if (error != std::errc{} || !(std::abs(v) <= kFarthest)) {
-                if (letter == 'G' || (letter >= 'X' && letter <= 'Z')) fail("holds a word without a proper number");
-                return std::nullopt;
-            }
-            out.push_back({letter, v});
-            i = static_cast<std::size_t>(end - code.data());
-        }
-        return out;
-    }
-
-    // Which of the axes the letter names; none: 5.
-    [[nodiscard]] std::size_t axis(char letter) const {
-        if (letter >= 'X' && letter <= 'Z') return static_cast<std::size_t>(letter - 'X');
-        if (!p_.axes.active()) return 5;
-        return letter == p_.axes.tilt_letter ? 3 : letter == p_.axes.turn_letter ? 4 : 5;
-    }
-
-    void words(const std::string& code) {
-        const auto all = split(code);
-        if (!all) return void(++out_.ignored);
+    void words(std::string_view code) {
+        machine::split(code, words_);
+        if (*words_.fault != 0) fail(words_.fault);
+        if (words_.own) return void(++out_.ignored);
         Axes to = at_;
         std::optional<double> extruder;
         bool moves = false, says_so = false;
         Other other = Other::none;
         const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
-        for (const auto& [letter, v] : *all) {
-            const std::size_t k = axis(letter);
+        for (const auto& [letter, v, decimals] : words_.words) {
+            const std::size_t k = machine::axis_of(p_, letter);
             if (k < to.size()) {
                 to[k] = v;
                 moves = true;
@@ -323,6 +275,7 @@ class Reader {
     const ProgramOptions& o_;
     Program out_;
     Growth growth_;
+    machine::Words words_; // of the line
     std::map<std::string, std::uint32_t> tools_;
     Axes at_{};
     double width_, height_, extruder_ = 0;

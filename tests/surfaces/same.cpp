@@ -94,8 +94,8 @@ Likeness compare(std::uint64_t seed, std::uint64_t number) {
     if (shape.mesh.triangles.size() > kMost) throw Error(Exit::usage, "too many triangles for a trial");
     const From from = from_somewhere(shape.mesh, r);
     Likeness out;
-    out.words = std::string(surfpath::name(o.algorithm)) + " spacing " + fixed_text(o.spacing, 2) + " on " + shape.name + ", " +
-                std::to_string(shape.mesh.triangles.size()) + " triangles";
+    out.words = std::string(surfpath::name(o.algorithm)) + " spacing " + fixed_text(o.spacing, 2) + " on " +
+                shape.name + ", " + std::to_string(shape.mesh.triangles.size()) + " triangles";
     const Filled first = fill(shape.mesh, o, from, {});
     Mesh shuffled = shape.mesh, split = shape.mesh;
     shuffle(shuffled, r);

@@ -97,10 +97,10 @@ Sources sources(const Surface& s, surfpath::Algorithm algorithm, Random& r, std:
     else if (algorithm == surfpath::Algorithm::ortheo)
         what = dice < 0.4 ? plane(s, r) : dice < 0.65 ? rim(s, r) : dice < 0.85 ? "line" : point(s, r);
     else
-        what = dice < 0.6                          ? plane(s, r)
+        what = dice < 0.6                                             ? plane(s, r)
                : dice < 0.8 && algorithm == surfpath::Algorithm::fina ? rim(s, r)
-               : dice < 0.95                       ? "line"
-                                                   : plane(s, r);
+               : dice < 0.95                                          ? "line"
+                                                                      : plane(s, r);
     words += " from " + (what.empty() ? "nothing" : what);
     if (what != "line") return geodesic::choose(s, what, notes);
     Sources out;
@@ -127,8 +127,8 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
     const Sources from = sources(s, o.algorithm, r, out.words, out.notes);
     if (!from.empty()) geodesic::measure(out.sheet, from, {}, out.notes);
     out.words = std::string(surfpath::name(o.algorithm)) +
-                (o.method == surfpath::Method::filum ? "" : " (kipping2022)") + " spacing " +
-                fixed_text(o.spacing, 2) + " radius " + fixed_text(o.least_radius, 1) +
+                (o.method == surfpath::Method::filum ? "" : " (kipping2022)") + " spacing " + fixed_text(o.spacing, 2) +
+                " radius " + fixed_text(o.least_radius, 1) +
                 (o.algorithm == surfpath::Algorithm::ortheo ? " turns " + turn : "") + " on " + out.words + ", " +
                 std::to_string(s.triangles.size()) + " triangles, " + std::to_string(s.rims.size()) + " rims, " +
                 std::to_string(s.components) + " components";
@@ -139,7 +139,8 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
 Outcome run(const Trial& t) {
     Outcome out;
     const bool ours = t.options.method == surfpath::Method::filum;
-    const bool rings = ours && (t.options.algorithm == surfpath::Algorithm::geo_fiso || t.options.algorithm == surfpath::Algorithm::geo_contour);
+    const bool rings = ours && (t.options.algorithm == surfpath::Algorithm::geo_fiso ||
+                                t.options.algorithm == surfpath::Algorithm::geo_contour);
     const Asked asked{t.options.spacing, t.options.least_radius, ours, rings, t.sheet.sources};
     try {
         surfpath::Plan plan =

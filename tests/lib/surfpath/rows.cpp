@@ -178,7 +178,9 @@ TEST(Fina, IsTheSameEveryTime) {
     }
 }
 
-TEST(Fina, NeedsASeedCurve) { EXPECT_THROW(fina(seeded(10, 10, "vertex:0", flat), {.algorithm = Algorithm::fina}), Error); }
+TEST(Fina, NeedsASeedCurve) {
+    EXPECT_THROW(fina(seeded(10, 10, "vertex:0", flat), {.algorithm = Algorithm::fina}), Error);
+}
 
 TEST(Fina, NotesASurfaceNarrowerThanTheSpacing) {
     const Plan plan = fina(seeded(20, 4, "plane:0,1,0,2", flat), {.algorithm = Algorithm::fina, .spacing = 50});

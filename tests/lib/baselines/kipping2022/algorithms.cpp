@@ -226,19 +226,21 @@ TEST(smoothing, takes_the_path_off_curved_surfaces) {
 
 TEST(refusals, say_what_is_missing) {
     surface::Sheet bare{rectangle(10, 10), {}, {}, {}};
-    for (const Algorithm a : {Algorithm::fina, Algorithm::ortheo, Algorithm::geo_fiso, Algorithm::geo_contour,
-                              Algorithm::geo_spiral})
+    for (const Algorithm a :
+         {Algorithm::fina, Algorithm::ortheo, Algorithm::geo_fiso, Algorithm::geo_contour, Algorithm::geo_spiral})
         EXPECT_NE(refused(bare, options(a), Exit::bad_input).find("run geodesic"), std::string::npos);
     const auto rims = measured(rectangle(10, 10), "boundary");
     EXPECT_NE(refused(measured(zone(10, 0.3, 1), "boundary"), options(Algorithm::fina), Exit::usage).find("--plane"),
               std::string::npos);
     EXPECT_NE(refused(rims, options(Algorithm::geo_spiral), Exit::usage).find("seed point"), std::string::npos);
     EXPECT_NE(refused(rims, options(Algorithm::geo_fiso, 6), Exit::usage).find("lower --spacing"), std::string::npos);
-    EXPECT_NE(refused(rims, options(Algorithm::geo_fiso, 1e-6), Exit::usage).find("raise --spacing"), std::string::npos);
+    EXPECT_NE(refused(rims, options(Algorithm::geo_fiso, 1e-6), Exit::usage).find("raise --spacing"),
+              std::string::npos);
     const auto row = measured(rectangle(10, 10), "plane:1,0,0,5");
     EXPECT_NE(refused(row, options(Algorithm::geo_contour), Exit::usage).find("--source boundary"), std::string::npos);
     EXPECT_NE(refused(row, options(Algorithm::fexa, 7), Exit::usage).find("lower --spacing"), std::string::npos);
-    EXPECT_NE(refused(measured(rectangle(10, 10), "vertex:0"), options(Algorithm::ortheo), Exit::bad_input).find("seed curve"),
+    EXPECT_NE(refused(measured(rectangle(10, 10), "vertex:0"), options(Algorithm::ortheo), Exit::bad_input)
+                  .find("seed curve"),
               std::string::npos);
     Options even = options(Algorithm::fina);
     even.window = 4;
