@@ -81,7 +81,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     said.say();
     if (!o.job.empty())
         cli::write_text(o.job, filum::metrics::figures::text(filum::postproc::job(profile, survey),
-                                                             filum::metrics::figures::Format::tsv));
+                                                             filum::metrics::figures::Format::tsv, "job"));
     Modules modules(o.modules);
     const auto program = filum::postproc::writer(
         profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
