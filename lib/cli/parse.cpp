@@ -86,6 +86,8 @@ std::string document(const std::string& verb, const Spec& spec) {
     if (verb == "--print-markdown") return markdown(spec);
     if (verb == "--print-completion") return completion_line(spec);
     if (verb == "--print-contract") return contract(spec);
+    for (const Spec::Page& page : spec.pages)
+        if (verb == "--print-" + page.name) return page.text();
     if (verb == "--version") return spec.name + " (filum) " + version() + "\n";
     if (verb == "--help" || verb == "-h") return help(spec);
     return "";

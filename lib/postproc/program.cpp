@@ -91,9 +91,10 @@ void Program::reset_extruder() {
     e_ = 0;
 }
 
-void Program::end() {
+void Program::end(const std::vector<std::string>& history) {
     end_axes();
     code(profile_->templates.end);
+    for (const auto& line : history) comment(line);
     comment("end of program, " + std::to_string(lines_) + " moves");
     flush();
 }

@@ -19,7 +19,7 @@ class Program final : public Writer {
   public:
     Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
     void begin(const std::vector<std::string>& about) override;
-    void end() override;
+    void end(const std::vector<std::string>& history) override;
 
   private:
     void layer(const Step& step) override;

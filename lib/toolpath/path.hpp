@@ -4,6 +4,7 @@
 #include "base/join.hpp"
 #include "geom/vec.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,6 +48,34 @@ enum class Role : std::uint8_t {
 };
 inline constexpr std::size_t kRoles = 6;
 
+// What a bead is for, as the program of a slicer says it; `none` where nobody does.
+enum class Feature : std::uint8_t {
+    none,
+    outer_wall,
+    wall,
+    infill, // sparse
+    solid,
+    top,
+    bottom,
+    bridge,
+    gap,
+    ironing,
+    support,
+    interface,
+    skirt, // or brim, or raft
+    tower, // where tools are primed
+};
+inline constexpr std::array<const char*, 14> kFeatureNames{"none",    "outer-wall", "wall",   "infill", "solid",
+                                                           "top",     "bottom",     "bridge", "gap",    "ironing",
+                                                           "support", "interface",  "skirt",  "tower"};
+
+// What happens to the material on a travel.
+enum class Retraction : std::uint8_t {
+    by_machine, // what the profile of the machine says: most take some back
+    none,       // it is not taken back: known of a program that was read
+    taken,      // it is
+};
+
 inline bool extrudes(Role r) { return r != Role::travel; }
 inline bool fills(Role r) { return r == Role::bead || r == Role::hairpin; }
 
@@ -62,6 +91,8 @@ struct Span {
     // A travel with normals is to be followed as it is; one without may be raised above what is printed.
     std::vector<Vec3> normals{};
     std::uint32_t tool = 0; // of the machine, by number; of a travel, the one of the bead that follows
+    Retraction retraction = Retraction::by_machine; // of a travel
+    Feature feature = Feature::none;                // of what extrudes
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }

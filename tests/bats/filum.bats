@@ -119,6 +119,37 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     [[ -s first && ! -s err ]] || { cat err; false; }
 }
 
+@test "on a terminal filum print says in five lines what it made, and the same stands first in the program" {
+    command -v script > /dev/null || skip "no script(1)"
+    script -qec "filum print part.stl -o made.gcode" /dev/null < /dev/null | tr -d '\r' | sed 's/\x1b\[K//g' > tty.out
+    [[ $(wc -l < tty.out) -eq 5 && $(head -n 1 tty.out) == made.gcode ]] || { cat tty.out; false; }
+    for n in 2 3 4 5; do
+        [[ "; $(sed -n "${n}s/^  //p" tty.out)" == "$(sed -n ${n}p made.gcode)" ]] || { cat tty.out; head -n 6 made.gcode; false; }
+    done
+    [[ $(sed -n 2p made.gcode) == '; 1 stroke, proven the fewest; 0 stops' ]]
+    filum print part.stl -o plain.gcode 2> err
+    [[ ! -s err ]]
+    cmp plain.gcode made.gcode
+    # the history is at the end
+    [[ $(grep -n '^; made by' plain.gcode | cut -d : -f 1) -gt $(grep -n '^M84' plain.gcode | cut -d : -f 1) ]]
+}
+
+@test "a stage says how far it is where it is told to, and filum print draws that" {
+    slice part.stl | regions | sequence > sequenced
+    FILUM_PROGRESS=3 fill sequenced -o paths 3> told
+    grep -qx "fill 5 5" told
+}
+
+@test "filum print --keep leaves every stage's stream, --picture a picture; a failure leaves nothing" {
+    filum print part.stl --keep kept --picture part.png -o kept.gcode
+    [[ $(ls kept) == $'1-slice.layers\n2-regions.regions\n3-sequence.regions\n4-fill.paths\n5-link3d.toolpath' ]]
+    for s in kept/*; do peek --check "$s"; done
+    postproc kept/5-link3d.toolpath | cmp - kept.gcode
+    [[ $(head -c 4 part.png | tail -c 3) == PNG ]]
+    expect 1 filum print part.stl --set limits.section=0.01 --keep none --picture none.png -o none.gcode
+    [[ -z $(ls none) && ! -e none.png && ! -e none.gcode ]]
+}
+
 @test "an option that does nothing in any stage is refused by the stage that has it" {
     expect 2 filum print part.stl --spacing 1.2
     [[ $err == *"fill: cannot use --spacing: it does nothing without --pattern scaffold"* ]]

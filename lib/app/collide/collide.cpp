@@ -43,7 +43,7 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
     report.say();
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
     stream::Sink sink(io.output, stream::Sink::Content::text);
-    sink.write(metrics::figures::text(figures, metrics::figures::format_named(o.format)));
+    sink.write(metrics::figures::text(figures, metrics::figures::format_named(o.format), "collide"));
     sink.commit();
 }
 

@@ -1,27 +1,20 @@
 #include "app/filum/front.hpp"
 
+#include "app/filum/print.hpp"
 #include "app/filum/process.hpp"
-#include "app/filum/route.hpp"
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
 #include "base/shell.hpp"
-#include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
 #include <algorithm>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <set>
-#include <unistd.h>
 
 namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kPlanar[] = {"slice", "regions", "sequence", "fill", "link3d", "postproc"};
-
-void print(const std::string& text) {
+void show(const std::string& text) {
     stream::Sink out("-", stream::Sink::Content::text);
     out.write(text);
     out.commit();
@@ -41,7 +34,7 @@ void list() {
         ports.resize(std::max<std::size_t>(ports.size() + 2, 24), ' ');
         out += left + ports + s.synopsis + "\n";
     }
-    print(out);
+    show(out);
 }
 
 // Lines for eval in a shell.
@@ -53,92 +46,7 @@ void env() {
     const auto completion = share / "bash-completion" / "completions" / "filum";
     if (std::filesystem::is_regular_file(completion))
         out += "if [ -n \"${BASH_VERSION:-}\" ]; then . " + shell_word(completion.string()) + "; fi\n";
-    print(out);
-}
-
-std::string print_help(const std::vector<Stage>& stages) {
-    std::string out = "usage: filum print [OPTIONS] [MESH]\n\n"
-                      "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
-    for (const auto& s : stages) out += (&s == stages.data() ? " " : " | ") + s.name;
-    out += "\n\nAn option goes to every stage that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
-           "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
-           "If a stage fails, the exit code is its own, and a file named by --output does not appear.\n\n"
-           "  -o, --output FILE   where to write\n  -q, --quiet         no warnings\n"
-           "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";
-    for (const auto& s : stages) {
-        out += "  " + s.name + ":";
-        for (const auto& o : s.options)
-            if (o.name != "output" && o.name != "threads" && o.name != "quiet" && o.name != "help" &&
-                o.name != "version")
-                out += " --" + o.name;
-        out += "\n";
-    }
-    return out + "\nfilum help STAGE explains them.\n";
-}
-
-// What --NAME= says in the words of a stage, the last time; else `otherwise`.
-std::string value_in(const std::vector<std::string>& words, const std::string& name, const std::string& otherwise) {
-    const std::string start = "--" + name + "=";
-    std::string out = otherwise;
-    for (const std::string& word : words)
-        if (word.starts_with(start)) out = word.substr(start.size());
-    return out;
-}
-
-// Reads the profiles that stages will read, so that what is wrong with one is told once, before any work.
-void check_profiles(const Request& request, const std::vector<Stage>& stages) {
-    std::set<std::pair<std::string, std::string>> seen; // name, --set
-    for (std::size_t s = 0; s < stages.size(); ++s) {
-        const auto& words = request.arguments[s];
-        std::string usual;
-        for (const StageOption& o : stages[s].options)
-            if (o.name == "machine") usual = o.value;
-        const std::string set = value_in(words, "set", "");
-        const std::string machine = value_in(words, "machine", set.empty() ? "" : usual);
-        const std::string head = value_in(words, "head", "");
-        if (!machine.empty() && seen.insert({machine, set}).second) machine::load_profile(machine, set);
-        if (head.empty() || head == "ordinary" || head == "none" || head == machine) continue;
-        if (seen.insert({head, ""}).second) machine::load_profile(head);
-    }
-}
-
-int print_part(const std::vector<std::string>& words) {
-    std::vector<Stage> stages;
-    for (const char* name : kPlanar) stages.push_back(ask(name));
-    if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return print(print_help(stages)), 0;
-    const Request request = route(words, stages);
-    check_profiles(request, stages);
-    std::vector<Command> commands;
-    for (std::size_t i = 0; i < stages.size(); ++i) {
-        Command command{stages[i].program};
-        command.insert(command.end(), request.arguments[i].begin(), request.arguments[i].end());
-        if (i + 1 == stages.size() && request.output != "-") command.push_back("--output=" + request.output);
-        if (i == 0 && request.input.starts_with("-") && request.input != "-") command.emplace_back("--");
-        if (i == 0 && request.input != "-") command.push_back(request.input);
-        commands.push_back(std::move(command));
-    }
-    if (request.dry_run) {
-        std::string line;
-        for (std::size_t i = 0; i < commands.size(); ++i) {
-            line += (i > 0 ? " | " : "") + stages[i].name;
-            for (std::size_t w = 1; w < commands[i].size(); ++w) line += " " + shell_word(commands[i][w]);
-        }
-        return print(line + "\n"), 0;
-    }
-    if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
-        throw Error(Exit::usage,
-                    "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");
-    const auto ended = run_piped(commands);
-    std::size_t who = 0;
-    const int code = verdict(ended, who);
-    if (code == 0) return 0;
-    if (code == 128 + SIGPIPE) return code; // whoever read the program had enough
-    if (ended[who].by_signal)
-        throw Error(Exit::failure,
-                    "stage '" + stages[who].name + "' was killed by signal " + std::to_string(code - 128));
-    if (code == static_cast<int>(Exit::truncated) && who > 0)
-        throw Error(Exit::truncated, "stage '" + stages[who].name + "' received an incomplete stream");
-    return code; // the stage has said why
+    show(out);
 }
 
 } // namespace

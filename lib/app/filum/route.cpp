@@ -139,6 +139,18 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
 
 } // namespace
 
+namespace {
+
+// Where the value of an option of `print` itself goes; nothing for an option of the stages.
+std::string* own_option(const std::string& word, Request& to) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name == "--keep") return &to.keep;
+    if (name == "--picture") return &to.picture;
+    return nullptr;
+}
+
+} // namespace
+
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Request out;
     std::vector<Given> given(stages.size());
@@ -159,7 +171,12 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
             out.output = word.substr(9);
         else if (option && word == "--dry-run")
             out.dry_run = true;
-        else if (option && word == "-q") {
+        else if (std::string* own = option ? own_option(word, out) : nullptr) {
+            const auto equal = word.find('=');
+            *own = equal == std::string::npos ? next() : word.substr(equal + 1);
+            if (own->empty()) throw Error(Exit::usage, "cannot use '" + word + "' without a name" + kSee);
+        } else if (option && (word == "-q" || word == "--quiet")) {
+            out.quiet = true;
             for (auto& g : given) g.all.emplace_back("--quiet");
         } else if (option && word.starts_with("--")) {
             const std::string typed = word;
