@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "cli/needs.hpp"
+#include "cli/other_names.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -122,14 +123,17 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
 }
 
 [[noreturn]] void unknown(const Word& word, const std::string& typed, const std::vector<Stage>& stages) {
-    std::vector<std::string> names, folders;
+    std::vector<std::string> names{"output", "keep", "picture", "report", "stage", "dry-run", "quiet"}, folders;
+    const std::size_t own = names.size();
     for (const Stage& s : stages) {
         folders.push_back(s.name);
         if (word.stage.empty() || word.stage == s.name)
             for (const StageOption& o : s.options) names.push_back(o.name);
     }
-    const bool stage = !word.stage.empty() && names.empty();
-    const std::string meant = stage
+    const bool stage = !word.stage.empty() && names.size() == own;
+    const std::string known = stage ? "" : cli::in_our_words(word.name, names);
+    const std::string meant = !known.empty() ? known
+                              : stage
                                   ? did_you_mean(word.stage, folders, "--")
                                   : did_you_mean(word.name, names, word.stage.empty() ? "--" : "--" + word.stage + ".");
     throw Error(Exit::usage, "unknown option '" + typed +
@@ -147,6 +151,7 @@ std::string* own_option(const std::string& word, Request& to) {
     if (name == "--keep") return &to.keep;
     if (name == "--picture") return &to.picture;
     if (name == "--report") return &to.report;
+    if (name == "--stage") return &to.swapped; // taken before
     return nullptr;
 }
 

@@ -127,8 +127,9 @@ void run(const Options& o, const cli::Io& io) {
     }
     if (!o.figures.empty()) {
         decltype(first.figures) measured;
-        for (const auto& row : table(o.figures, {"group", "name", "value", "unit"}))
-            if (row[0] != "said by the stages before") measured.push_back({row[0], row[1], row[2], row[3]});
+        for (const auto& row : table(o.figures, {"key", "value", "unit"}))
+            if (row[0] != "report" && row[0] != "version" && !row[0].starts_with("said"))
+                measured.push_back({"measured", row[0], row[1], row[2]});
         first.figures.insert(first.figures.begin(), measured.begin(), measured.end());
     }
     if (!o.collisions.empty()) add_collisions(first, o.collisions);
