@@ -88,7 +88,9 @@ void add_frame(Content& to, const stream::RawFrame& f, const machine::Profile& p
 Content content(const std::string& file, const machine::Profile& profile) {
     stream::Reader reader(file, stream::Payload::unknown);
     Content out;
-    out.name = file == "-" ? "standard input" : file_name(file);
+    const auto& history = reader.header().history;
+    const bool named = file != "-" && !file.starts_with("/dev/");
+    out.name = named ? file_name(file) : history.empty() ? "standard input" : "out of " + history.back().program;
     out.payload = stream::name(reader.header().payload);
     Notes notes;
     while (auto f = reader.next()) {

@@ -209,6 +209,6 @@ Filum.View = class {
         const s = p.spanOf[i], kind = Filum.FEATURES[c.feature[s]] || Filum.ROLES[c.role[s]];
         this.said.textContent = kind + ', stroke ' + (c.stroke[s] + 1) + ', layer ' + c.layer[s] + ', tool ' + c.tool[s] + '\n' +
             'at ' + [c.x[i], c.y[i], c.z[i]].map(v => (v / 1000).toFixed(3)).join(', ') + ' mm, point ' + i + '\n' +
-            (c.width[i] / 1000).toFixed(3) + ' wide, ' + (c.height[i] / 1000).toFixed(3) + ' high, ' + (c.speed[i] / 1000).toFixed(1) + ' mm/s';
+            (c.role[s] === Filum.TRAVEL ? '' : (c.width[i] / 1000).toFixed(3) + ' wide, ' + (c.height[i] / 1000).toFixed(3) + ' high, ' + (c.speed[i] / 1000).toFixed(1) + ' mm/s');
     }
 };
