@@ -89,3 +89,14 @@ run_page() {
     MPLBACKEND=Agg "$python" readme-1.py
     slice part.stl | regions | sequence | "$python" readme-2.py --bead-width 0.5 | link3d | peek --check
 }
+
+@test "the site: every page of the four, and a search index" {
+    command -v mkdocs > /dev/null || skip "no mkdocs"
+    "$source_tree/scripts/site" --out "$PWD/site"
+    for page in index docs/bioprinting docs/fibre docs/paste-and-filament docs/stage-authors docs/metrics python/index; do
+        [ -s "site/html/$page.html" ] || { echo "missing: $page" && return 1; }
+    done
+    grep -q 'cut_to_nozzle' site/html/search/search_index.json
+    [ -s site/html/docs/pictures/benchy.png ]
+    grep -q 'src="docs/pictures/benchy.png"' site/html/index.html
+}

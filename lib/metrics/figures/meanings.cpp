@@ -65,7 +65,17 @@ constexpr const char* kTables =
     "`direction_deg` (of the\n"
     "strands), `width_mm`, `spacing_mm`, `lateral_throat_mm`, `openings`, `pore_median_mm`, `pore_smallest_mm`, "
     "`pore_largest_mm`. Their\n"
-    "version is that of the report made with them.\n";
+    "version is that of the report made with them.\n\n"
+    "| file | columns |\n|---|---|\n"
+    "| `choose --report` | `patch`, `area_mm2`, `algorithm`, `seed`, `estimate` and `rough` (scores before it is "
+    "laid), "
+    "`coverage`, `load`, `paper_load`, `angle_deg` (mean of the top 1 % of angles of the path, a quarter of the "
+    "spacing apart), `cuts`, `length_mm`, "
+    "`overlap`, `score`, `chosen` (`*`), `failed` (why) |\n"
+    "| `sequence --ends` | `stroke`, `region`, `layer`, `z_mm`, `x_mm`, `y_mm` (where it ends), `cause`, `ahead` and "
+    "`awaited` (regions), `rise_mm`, `distance_mm` (how far the head would have to reach) |\n"
+    "| `collide --places` | `point` or `line`, `layer`, `stroke`, `move`, `meets`, `with`, `clearance`, `x`, `y`, `z` "
+    "(mm, of the tip), `i`, `j`, `k` (unit, the tool axis) |\n";
 
 } // namespace
 

@@ -20,6 +20,10 @@ constexpr Meaning kHead[] = {
     {"clearance_bed_mm", "clearance", "bed", "mm", 4, "the same from the bed"},
     {"clearance_bed_piece", "clearance", "bed to", "", 0, "text: which piece"},
     {"clearance_bed_at", "clearance", "bed at", "", 0, "text: where"},
+    {"program_lines", "program", "lines that move", "", 0, "of a program: lines that move"},
+    {"program_lines_unknown", "program", "from or to an unknown place", "", 0,
+     "lines that move from or to a place that is not known yet: not looked at"},
+    {"program_lines_other", "program", "other lines", "", 0, "lines that do not move"},
 };
 
 constexpr Meaning kJob[] = {
