@@ -17,6 +17,13 @@ setup() { top=$BATS_TEST_DIRNAME/../..; }
     [ "$(wc -c <"$BATS_TEST_TMPDIR/1/link3d-lane.png")" -lt 60000 ]
 }
 
+@test "what the fill works with is drawn from its own functions; without the program for that: exit 1, told" {
+    run "$top/scripts/draw-docs" --build "$BATS_TEST_TMPDIR" --out "$BATS_TEST_TMPDIR" fill-axis
+    [ "$status" -eq 1 ]
+    [[ "$output" == *"--target draw_axis"* ]]
+    for f in fill-axis fill-levels; do grep -q '<path' "$top/docs/algorithms/pictures/$f.svg"; done
+}
+
 @test "all pictures of the script are in the tree, and none besides" {
     drawn=$("$top/scripts/draw-docs" --list | sort)
     [ "$(wc -l <<<"$drawn")" -gt 20 ]

@@ -1,14 +1,18 @@
 #include "app/filum/front.hpp"
 
+#include "app/filum/check.hpp"
 #include "app/filum/print.hpp"
 #include "app/filum/process.hpp"
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/shell.hpp"
+#include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace filum::app::filum {
 
@@ -20,21 +24,57 @@ void show(const std::string& text) {
     out.commit();
 }
 
+// Left-aligned in a column of that width.
+std::string cell(std::string text, std::size_t width) {
+    text.resize(std::max(text.size() + 2, width), ' ');
+    return text;
+}
+
 void list() {
     std::string out;
     for (const auto& name : stage_names()) {
         const Stage s = ask(name);
-        std::string left = s.name;
-        left.resize(std::max<std::size_t>(left.size() + 2, 13), ' ');
         const auto port = [](const std::string& p) {
             if (p == "stream unknown") return std::string("any stream");
             return p.starts_with("stream ") ? p.substr(7) : p;
         };
-        std::string ports = port(s.in) + " -> " + port(s.out);
-        ports.resize(std::max<std::size_t>(ports.size() + 2, 24), ' ');
-        out += left + ports + s.synopsis + "\n";
+        const std::string ports = port(s.in) + " -> " + port(s.out);
+        out += cell(s.name, 13) + cell(ports, 24) + s.synopsis + "\n";
+    }
+    for (const std::string& name : extra_names()) out += cell(name, 13) + "'filum-" + name + "' on the PATH\n";
+    show(out);
+}
+
+void machines() {
+    std::string out;
+    for (const std::string& name : machine::profile_names()) {
+        const machine::Profile p = machine::load_profile(name);
+        const auto size = [](double lo, double hi) { return fixed_text(hi - lo, 1); };
+        const std::string reach = size(p.bed.x_min, p.bed.x_max) + " x " + size(p.bed.y_min, p.bed.y_max) + " x " +
+                                  size(p.bed.z_min, p.bed.z_max) + " mm";
+        out += cell(name, 20) + cell(reach, 26) + p.about + "\n";
     }
     show(out);
+}
+
+// What the option of a stage can be, as its contract says.
+std::string choices(const std::string& stage, const std::string& option) {
+    std::istringstream answer(output_of({stage_program(stage), "--print-contract"}));
+    const std::string key = "option " + option + " ";
+    for (std::string line; std::getline(answer, line);)
+        if (line.starts_with(key)) return line.substr(key.size());
+    return "";
+}
+
+void patterns() {
+    std::string out;
+    const auto add = [&](const std::string& stage, const std::string& option, const std::string& typed) {
+        std::istringstream all(choices(stage, option));
+        for (std::string one; std::getline(all, one, '|');) out += cell(one, 20) + stage + " " + typed + one + "\n";
+    };
+    add("fill", "pattern", "--pattern ");
+    add("surfpath", "algorithm", "");
+    show(out + "\nfilum help fill, filum help surfpath explain them.\n");
 }
 
 // Lines for eval in a shell.
@@ -58,12 +98,17 @@ int front(const std::vector<std::string>& words) {
     if (what == "help" && rest.size() == 1 && rest[0] == "print") return print_part({"--help"});
     if (what == "help" && rest.empty()) become({"/proc/self/exe", "--help"});
     if (what == "help" && rest.size() == 1) become({stage_program(rest[0]), "--help"});
-    if (what == "list" || what == "env") {
+    const std::pair<const char*, void (*)()> tables[] = {
+        {"list", list}, {"env", env}, {"machines", machines}, {"patterns", patterns}};
+    for (const auto& [name, tell] : tables) {
+        if (what != name) continue;
         if (!rest.empty()) throw Error(Exit::usage, "unexpected argument '" + rest[0] + "'; see 'filum --help'");
-        what == "list" ? list() : env();
+        tell();
         return 0;
     }
-    Command command{stage_program(what)};
+    if (what == "check") return check_foreign(rest);
+    const std::string extra = is_stage(what) ? "" : extra_program(what);
+    Command command{extra.empty() ? stage_program(what) : extra};
     command.insert(command.end(), rest.begin(), rest.end());
     become(command);
 }

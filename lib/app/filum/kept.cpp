@@ -82,6 +82,21 @@ void Kept::draw(const std::vector<std::string>& words, const std::string& output
         throw Error(Exit::failure, "cannot draw '" + output + "': render ended with " + std::to_string(ended.code));
 }
 
+void Kept::report(const std::string& input, const std::string& machine, const std::string& output) const {
+    const std::string figures = folder_ + "/figures.tsv", regions = last("Regions");
+    std::vector<std::string> words;
+    if (!machine.empty()) words.push_back("--machine=" + machine);
+    if (!regions.empty()) words.push_back("--regions=" + regions);
+    Command measure{stage_program("metrics"), last("Toolpath"), "--format=tsv", "--output=" + figures};
+    measure.insert(measure.end(), words.begin(), words.end());
+    if (const Ended ended = run_piped({measure}).front(); ended.code != 0)
+        throw Error(Exit::failure,
+                    "cannot make the report '" + output + "': metrics ended with " + std::to_string(ended.code));
+    words.push_back("--figures=" + figures);
+    words.push_back("--title=" + fs::path(input).filename().string());
+    draw(words, output);
+}
+
 std::string Kept::told(const std::string& output) const {
     std::string out = (output == "-" ? "standard output" : printable(output)) + "\n";
     std::ifstream text(summary());

@@ -23,6 +23,8 @@ class Kept {
     void commit();
     // Runs `render` on the toolpath with more words.  Throws Error(failure) if that fails: it has said why.
     void draw(const std::vector<std::string>& words, const std::string& output) const;
+    // Measures the toolpath and makes a page of it, with outlines and figures; `machine`: its profile, or "".
+    void report(const std::string& input, const std::string& machine, const std::string& output) const;
     // Five lines: the output's name, and what stands first in the program.
     [[nodiscard]] std::string told(const std::string& output) const;
 

@@ -4,10 +4,12 @@
 #include "app/filum/route.hpp"
 #include "app/filum/watch.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/shell.hpp"
 #include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <set>
@@ -38,6 +40,8 @@ std::string print_help(const std::vector<Stage>& stages) {
         "If a stage fails, the exit code is its own, and no file appears.\n\n"
         "  -o, --output FILE   where to write\n"
         "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
+        "  --report FILE       a page to look around in, x.html: every bead, figures, places, how it was made\n"
+        "  --stage NAME=FILE   your own program in place of a stage, as fill=./mine; several times for several\n"
         "  --picture FILE      a picture of the toolpath, too: FILE as render's --output\n"
         "  -q, --quiet         no warnings\n"
         "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";
@@ -114,13 +118,39 @@ int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
     return code;
 }
 
+// Puts the programs that --stage names in place of the stages.
+void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
+    const std::string option = "--stage";
+    for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+        if (words[i] != option && !words[i].starts_with(option + "=")) continue;
+        const bool apart = words[i] == option;
+        const std::string what = !apart ? words[i].substr(option.size() + 1) : i + 1 < words.size() ? words[i + 1] : "";
+        const auto equal = what.find('=');
+        const std::string name = what.substr(0, equal);
+        if (equal == std::string::npos || equal + 1 == what.size())
+            throw Error(Exit::usage, "cannot use --stage '" + what + "': it is no NAME=FILE, as fill=./mine");
+        const auto found = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == name; });
+        if (found == stages.end()) {
+            std::vector<std::string> names;
+            for (const Stage& s : stages) names.push_back(s.name);
+            const std::string meant = did_you_mean(name, names);
+            throw Error(Exit::usage, "cannot put in the stage '" + name + "': the chain has none of that name" +
+                                         (meant.empty() ? "; see 'filum help print'" : meant));
+        }
+        *found = foreign(*found, what.substr(equal + 1));
+    }
+}
+
 } // namespace
 
 int print_part(const std::vector<std::string>& words) {
     std::vector<Stage> stages;
     for (const char* name : kPlanar) stages.push_back(ask(name));
     if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return tell(print_help(stages));
+    swap(words, stages);
     const Request request = route(words, stages);
+    if (!request.report.empty() && !request.report.ends_with(".html"))
+        throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
     if (request.dry_run) return tell(pipeline(commands, stages));
@@ -136,6 +166,10 @@ int print_part(const std::vector<std::string>& words) {
     if (const int code = judge(ended, stages); code != 0) return code;
     kept.commit();
     if (!request.picture.empty()) kept.draw({}, request.picture);
+    if (!request.report.empty()) {
+        const std::string machine = value_in(request.arguments.back(), "machine", "");
+        kept.report(request.input == "-" ? "part" : request.input, machine, request.report);
+    }
     if (talks) std::cerr << kept.told(request.output) << std::flush;
     return 0;
 }

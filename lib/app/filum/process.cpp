@@ -85,9 +85,13 @@ std::optional<Ended> ended_by_now(pid_t pid) {
 
 } // namespace
 
-std::string output_of(const Command& command) {
+std::string output_of(const Command& command, bool silently) {
     Pipe pipe;
-    const pid_t pid = spawn(command, -1, pipe.write, false);
+    int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC); // who does not know the question may wait for input
+    const pid_t pid =
+        spawn(silently ? Command{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>/dev/null", command[0], command[1]} : command,
+              nothing, pipe.write, false);
+    close_if_open(nothing);
     close_if_open(pipe.write);
     std::string out;
     char block[4096];

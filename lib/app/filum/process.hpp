@@ -9,8 +9,9 @@ namespace filum::app::filum {
 
 using Command = std::vector<std::string>; // program file and arguments
 
-// What the command writes to standard output.  Throws Error(failure) if it does not end with 0.
-std::string output_of(const Command& command);
+// What the command writes to standard output, reading nothing.  `silently`: what it says on standard error, of one
+// argument, is dropped.  Throws Error(failure) if it does not end with 0.
+std::string output_of(const Command& command, bool silently = false);
 
 // Replaces this process.  Throws Error(failure) if that is not possible.
 [[noreturn]] void become(const Command& command);

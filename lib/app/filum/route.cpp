@@ -146,6 +146,7 @@ std::string* own_option(const std::string& word, Request& to) {
     const std::string name = word.substr(0, word.find('='));
     if (name == "--keep") return &to.keep;
     if (name == "--picture") return &to.picture;
+    if (name == "--report") return &to.report;
     return nullptr;
 }
 

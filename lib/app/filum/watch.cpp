@@ -15,7 +15,7 @@ namespace filum::app::filum {
 namespace {
 
 constexpr int kPoll = 100;      // ms between two looks
-constexpr double kPatience = 1; // s before anything is shown
+constexpr double kUnseen = 1; // s before anything is shown
 
 struct Done {
     std::uint64_t done = 0, expected = 0;
@@ -45,7 +45,7 @@ class Watch {
             text_.append(block, static_cast<std::size_t>(n));
         take();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
-        if (seconds > kPatience) draw(ended, seconds);
+        if (seconds > kUnseen) draw(ended, seconds);
     }
 
   private:
