@@ -84,7 +84,7 @@ void leave_tiny_rings(double least, Spiral& spiral) {
 
 Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, bool wind, bool round) {
     const double w = o.bead_width;
-    Spiral out{{}, 0, {"", "left open for the least radius", 0, "mm2", 0}};
+    Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
     const rings::Rings all = rings_of(region, o, tolerance, out);
     const double reach = std::clamp(0.75 * o.min_radius, kRound * w, kRoundMost * w);
     const auto edges = polygon::segments(region);
@@ -139,6 +139,11 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
         const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
         if (tight.count > 0) notes.push_back(tight);
     }
+    if (spiral.crossings > 0) {
+        const geom::Vec2 at = spiral.curves[0].points[0];
+        notes.push_back({"", "curve crosses itself", static_cast<double>(spiral.crossings), "places", spiral.crossings,
+                         -1, at.x, at.y});
+    }
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
@@ -178,7 +183,8 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
     for (const Try t :
          {Try{whole, true, true}, Try{finer, true, true}, Try{finer, true, false}, Try{finer, false, false}}) {
         out = spiral_by(region, o, t.share * tolerance_for(o.bead_width), t.wind, t.round);
-        if (count_crossings(out.curves, o.bead_width) == 0) break;
+        out.crossings = count_crossings(out.curves, o.bead_width);
+        if (out.crossings == 0) break;
     }
     return out;
 }
@@ -188,7 +194,7 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
 Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
     const Loops region = without_small_holes(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
-    const bool sound = out.curves.size() == 1 && count_crossings(out.curves, o.bead_width) == 0;
+    const bool sound = out.curves.size() == 1 && out.crossings == 0;
     if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more
         SpiralOptions any = o;
         any.min_radius = 0;

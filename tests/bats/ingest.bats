@@ -27,7 +27,7 @@ name, strokes, stops, travels, retractions, extruded, travelled, volume = open("
 facts = {f["name"]: f["value"] for f in json.load(open("read.json"))["frames"] if f.get("kind") == "fact"}
 figures = {}
 for row in open("figures.tsv").read().splitlines()[1:]:
-    figures.setdefault(row.split("\t")[1], row.split("\t")[2])
+    figures.setdefault(row.split("\t")[0], row.split("\t")[1])
 for fact, counted in (("strokes", strokes), ("stops", stops), ("travels", travels), ("retractions", retractions)):
     assert facts[fact] == int(counted), (fact, facts[fact], counted)
 assert (figures["strokes"], figures["stops"]) == (strokes, stops), (figures["strokes"], figures["stops"], strokes, stops, name)
@@ -36,8 +36,8 @@ chords = 0.02 * float(extruded) if facts["arcs"] else 0
 for mine, theirs, unit in (("extruded", extruded, 1e3), ("travelled", travelled, 1e3), ("volume", volume, 1e3)):
     assert abs(facts[mine] / unit - float(theirs)) <= 0.0011 + chords, (mine, facts[mine], theirs)
 # straight up is a lift: metrics counts its length, gcode-strokes does not
-assert abs((float(figures["extruded"]) - float(figures["of it lifts"])) / 1e3 - float(extruded)) <= 0.0011 + chords
-measured = float(figures["volume"]) / 1e3
+assert abs((float(figures["extruded_mm"]) - float(figures["lifts_mm"])) / 1e3 - float(extruded)) <= 0.0011 + chords
+measured = float(figures["volume_mm3"]) / 1e3
 assert abs(measured - float(volume)) <= 0.001 * float(volume) + 0.001, (measured, volume)
 END
 }

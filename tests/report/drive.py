@@ -110,6 +110,8 @@ def beside(b, file):
     check("both are drawn, alike", left[0] > 0.02 and abs(left[0] - right[0]) < 0.2 * left[0], (left, right))
     b.js("const e = document.getElementById('path'); e.value = Math.round(e.max / 2); e.dispatchEvent(new Event('input'))")
     left, right = shown(b, 0), shown(b, 1)
+    first, second = b.js("return Filum.views.map(v => v.p.share(v.beads.shown))")
+    check("both have laid the same share", abs(first - second) < 0.01, (first, second))
     check("both go along together", abs(left[0] - right[0]) < 0.25 * left[0], (left, right))
     check("no error", not b.log())
 

@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "cli/needs.hpp"
-#include "cli/renamed.hpp"
+#include "cli/other_names.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -123,16 +123,19 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
 }
 
 [[noreturn]] void unknown(const Word& word, const std::string& typed, const std::vector<Stage>& stages) {
-    std::vector<std::string> names, folders;
+    std::vector<std::string> names{"output", "keep", "picture", "report", "stage", "dry-run", "quiet"}, folders;
+    const std::size_t own = names.size();
     for (const Stage& s : stages) {
         folders.push_back(s.name);
         if (word.stage.empty() || word.stage == s.name)
             for (const StageOption& o : s.options) names.push_back(o.name);
     }
-    const bool stage = !word.stage.empty() && names.empty();
-    const std::string start = word.stage.empty() ? "--" : "--" + word.stage + ".";
-    std::string meant = stage ? did_you_mean(word.stage, folders, "--") : cli::renamed(word.name, names, start);
-    if (meant.empty() && !stage) meant = did_you_mean(word.name, names, start);
+    const bool stage = !word.stage.empty() && names.size() == own;
+    const std::string known = stage ? "" : cli::in_our_words(word.name, names);
+    const std::string meant = !known.empty() ? known
+                              : stage
+                                  ? did_you_mean(word.stage, folders, "--")
+                                  : did_you_mean(word.name, names, word.stage.empty() ? "--" : "--" + word.stage + ".");
     throw Error(Exit::usage, "unknown option '" + typed +
                                  "': " + (stage ? "the chain has no such stage" : "no stage of the chain has it") +
                                  (meant.empty() ? kSee : meant));
@@ -148,6 +151,7 @@ std::string* own_option(const std::string& word, Request& to) {
     if (name == "--keep") return &to.keep;
     if (name == "--picture") return &to.picture;
     if (name == "--report") return &to.report;
+    if (name == "--stage") return &to.swapped; // taken before
     return nullptr;
 }
 

@@ -14,7 +14,7 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr int kPoll = 100;      // ms between two looks
+constexpr int kPoll = 100;    // ms between two looks
 constexpr double kUnseen = 1; // s before anything is shown
 
 struct Done {

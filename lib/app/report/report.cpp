@@ -3,6 +3,7 @@
 #include "app/peek/text.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 #include "report/page.hpp"
 #include "stream/reader.hpp"
 #include "stream/sink.hpp"
@@ -88,7 +89,9 @@ void add_frame(Content& to, const stream::RawFrame& f, const machine::Profile& p
 Content content(const std::string& file, const machine::Profile& profile) {
     stream::Reader reader(file, stream::Payload::unknown);
     Content out;
-    out.name = file == "-" ? "standard input" : file_name(file);
+    const auto& history = reader.header().history;
+    const bool named = file != "-" && !file.starts_with("/dev/");
+    out.name = named ? file_name(file) : history.empty() ? "standard input" : "out of " + history.back().program;
     out.payload = stream::name(reader.header().payload);
     Notes notes;
     while (auto f = reader.next()) {
@@ -127,8 +130,10 @@ void run(const Options& o, const cli::Io& io) {
     }
     if (!o.figures.empty()) {
         decltype(first.figures) measured;
-        for (const auto& row : table(o.figures, {"group", "name", "value", "unit"}))
-            if (row[0] != "said by the stages before") measured.push_back({row[0], row[1], row[2], row[3]});
+        for (const auto& row : table(o.figures, {"key", "value", "unit"})) {
+            const auto at = metrics::figures::spoken(row[0], !o.surface.empty());
+            if (!at.name.empty()) measured.push_back({at.group, at.name, row[1], row[2]});
+        }
         first.figures.insert(first.figures.begin(), measured.begin(), measured.end());
     }
     if (!o.collisions.empty()) add_collisions(first, o.collisions);

@@ -50,14 +50,17 @@ Filum.Program = class {
     }
     measure() {
         const c = this.c, layers = new Map();
+        this.along = new Float64Array(this.n); // mm laid before each point
         this.sums = { laid: 0, travel: 0, volume: 0, moves: 0 };
         this.strokes = new Map(); // number -> first point, length
         for (let s = 0; s < c.start.length; s++) {
             const travel = c.role[s] === Filum.TRAVEL;
             let way = 0;
+            if (s > 0) this.along[c.start[s]] = this.along[c.start[s] - 1];
             for (let i = c.start[s]; i + 1 < this.end(s); i++) {
                 const d = this.length(i);
                 way += d;
+                this.along[i + 1] = this.along[i] + (travel ? 0 : d);
                 if (!travel) this.sums.volume += d * (c.width[i] * c.height[i] + c.width[i + 1] * c.height[i + 1]) / 2e6;
             }
             this.sums[travel ? 'travel' : 'laid'] += way;
@@ -93,6 +96,14 @@ Filum.Program = class {
         this.lo = lo.map(v => v / 1000); this.hi = hi.map(v => v / 1000);
         this.middle = this.lo.map((v, k) => (v + this.hi[k]) / 2);
         this.radius = Math.max(0.1, Math.hypot(...this.hi.map((v, k) => v - this.lo[k])) / 2);
+    }
+    // Which share of all that is laid lies before point i, and the first point that has so much before it.
+    share(i) { return this.sums.laid > 0 ? this.along[Math.min(i, this.n - 1)] / this.along[this.n - 1] : 1; }
+    atShare(share) {
+        const want = share * (this.n ? this.along[this.n - 1] : 0);
+        let low = 0, high = Math.max(0, this.n - 1);
+        while (low < high) { const m = low + high >> 1; if (this.along[m] < want) low = m + 1; else high = m; }
+        return low;
     }
     loopEnd(k) { return k + 1 < this.c.ostart.length ? this.c.ostart[k + 1] : this.c.ox.length; }
 };

@@ -19,7 +19,8 @@
     const points = Math.max(1, programs[0].n - 1);
 
     // --- what is shown ---
-    const count = p => Math.round(state.path / points * Math.max(0, p.n - 1)); // each program as far along its own path
+    // Each program has laid the same share of its own path.
+    const count = p => p === programs[0] || state.path >= points ? Math.min(p === programs[0] ? state.path : points * p.n, Math.max(0, p.n - 1)) : p.atShare(programs[0].share(state.path));
     function showPath() {
         views.forEach(v => v.path(count(v.p)));
         const p = programs[0], i = Math.min(count(p), p.n - 1);

@@ -132,8 +132,8 @@ Filum.View = class {
     }
     settle() { // what stands still may be drawn finely
         clearTimeout(this.settling);
-        const most = 400000;
-        if (this.beads && this.beads.shown <= most) this.settling = setTimeout(() => this.draw(true), 250);
+        const patience = 500, dearer = 6; // ms for a still picture; what a tube costs beside a ribbon
+        if (this.beads && dearer * this.cost * this.beads.shown < patience) this.settling = setTimeout(() => this.draw(true), 250);
     }
     draw(fine) {
         const w = this.element.clientWidth, h = this.element.clientHeight, at = Filum.where;
@@ -152,7 +152,13 @@ Filum.View = class {
             this.beads.uniforms.eye.value.copy(this.camera.position);
         }
         this.renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue('--back').trim());
+        const began = performance.now(), first = this.beads && this.cost === undefined;
         this.renderer.render(this.scene, this.camera);
+        if (first) { // ms per bead: reading a pixel waits until it is drawn
+            const gl = this.renderer.getContext();
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+            this.cost = (performance.now() - began) / Math.max(1, this.beads.shown);
+        }
         this.drawn++;
     }
 
@@ -209,6 +215,6 @@ Filum.View = class {
         const s = p.spanOf[i], kind = Filum.FEATURES[c.feature[s]] || Filum.ROLES[c.role[s]];
         this.said.textContent = kind + ', stroke ' + (c.stroke[s] + 1) + ', layer ' + c.layer[s] + ', tool ' + c.tool[s] + '\n' +
             'at ' + [c.x[i], c.y[i], c.z[i]].map(v => (v / 1000).toFixed(3)).join(', ') + ' mm, point ' + i + '\n' +
-            (c.width[i] / 1000).toFixed(3) + ' wide, ' + (c.height[i] / 1000).toFixed(3) + ' high, ' + (c.speed[i] / 1000).toFixed(1) + ' mm/s';
+            (c.role[s] === Filum.TRAVEL ? '' : (c.width[i] / 1000).toFixed(3) + ' wide, ' + (c.height[i] / 1000).toFixed(3) + ' high, ' + (c.speed[i] / 1000).toFixed(1) + ' mm/s');
     }
 };

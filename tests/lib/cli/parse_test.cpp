@@ -1,8 +1,8 @@
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/document.hpp"
+#include "cli/other_names.hpp"
 #include "cli/parse.hpp"
-#include "cli/renamed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -253,9 +253,9 @@ TEST(header, histories_are_joined_with_their_parents) {
 }
 
 TEST(parse, an_old_name_is_answered_with_the_new_one) {
-    EXPECT_EQ(renamed("least-radius", {"min-radius", "spacing"}), "; it is called '--min-radius' now");
-    EXPECT_EQ(renamed("least-radius", {"spacing"}), "");
-    EXPECT_EQ(renamed("height", {"layer-height", "height"}), "");
+    const std::vector<std::string> names{"min-radius", "spacing"};
+    EXPECT_EQ(in_our_words("least-radius", names), "; here it is '--min-radius'");
+    EXPECT_EQ(in_our_words("least-area", names), "");
     Options o;
     Io io;
     Spec s = spec(o);
@@ -267,7 +267,7 @@ TEST(parse, an_old_name_is_answered_with_the_new_one) {
         FAIL();
     } catch (const Error& e) {
         EXPECT_EQ(e.exit(), Exit::usage);
-        EXPECT_STREQ(e.what(), "unknown option '--least-radius=3'; it is called '--min-radius' now");
+        EXPECT_STREQ(e.what(), "unknown option '--least-radius=3'; here it is '--min-radius'");
     }
 }
 
