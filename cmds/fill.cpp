@@ -5,6 +5,7 @@
 #include "baselines/sun2019/spiral.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
+#include "hollow/hollow.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -118,7 +119,10 @@ void run(const Options& o, const cli::Io& io) {
     const bool as_paper = options.pattern == "spiral" && o.method == "sun2019";
     fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
-        return std::vector{wire::frame(filled(wire::region(frame), notes))};
+        const polygon::Region region = wire::region(frame);
+        if (!region.areas.empty())
+            return std::vector{wire::frame(hollow::fill(region, {.bead_width = options.bead_width}, notes))};
+        return std::vector{wire::frame(filled(region, notes))};
     });
 }
 

@@ -83,6 +83,26 @@ Join join(int value, const char* what) {
     return static_cast<Join>(value);
 }
 
+polygon::Area area(const proto::Area& m) {
+    if (m.kind() < 0 || m.kind() > 3) bad_frame("region", "unknown kind of area");
+    if (m.pattern() < 0 || m.pattern() > 2) bad_frame("region", "unknown pattern");
+    polygon::Area out{static_cast<polygon::AreaKind>(m.kind()), loops(m.loops(), "region"), m.direction(), m.spacing(),
+                      static_cast<polygon::Pattern>(m.pattern())};
+    if (!usable(out.direction)) bad_frame("region", "a direction is not a number");
+    const bool sparse = out.kind == polygon::AreaKind::sparse;
+    if (!usable(out.spacing) || out.spacing < 0 || (sparse && out.spacing == 0))
+        bad_frame("region", "the spacing of an area is not positive");
+    return out;
+}
+
+void put_area(proto::Area& m, const polygon::Area& area) {
+    m.set_kind(static_cast<proto::AreaKind>(area.kind));
+    put_loops(*m.mutable_loops(), area.loops);
+    m.set_direction(area.direction);
+    m.set_spacing(area.spacing);
+    m.set_pattern(static_cast<proto::Pattern>(area.pattern));
+}
+
 } // namespace
 
 polygon::Layer layer(const RawFrame& frame) {
@@ -125,6 +145,8 @@ polygon::Region region(const RawFrame& frame) {
         if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad_frame("region", "an overlap is negative");
         out.below.push_back({o.below(), o.area(), o.inradius(), o.link()});
     }
+    for (const auto& a : m.areas()) out.areas.push_back(area(a));
+    out.walls = m.walls();
     return out;
 }
 
@@ -148,6 +170,8 @@ RawFrame frame(const polygon::Region& region) {
     m.set_stroke(region.stroke);
     m.set_join(static_cast<proto::Join>(region.join));
     m.set_inradius(region.inradius);
+    for (const auto& a : region.areas) put_area(*m.add_areas(), a);
+    m.set_walls(region.walls);
     return raw(Tag::region, m);
 }
 

@@ -1,0 +1,125 @@
+#include "skins/skins.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "infill/infill.hpp"
+#include "parallel/parallel.hpp"
+#include "polygon/clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::skins {
+
+namespace {
+
+using polygon::Loops;
+using polygon::Region;
+
+constexpr double kArc = 0.01;   // mm, of round corners
+constexpr double kReach = 2;    // bead widths: how far skins reach over what is sparse
+constexpr double kNarrowest = 2; // bead widths: narrower sparse places are made solid
+
+void add(Loops& to, const Loops& from) {
+    for (std::size_t i = 0; i < from.size(); ++i) to.add(from[i]);
+}
+
+// The material of every layer from the first to the last; none where a layer is missing.
+std::vector<Loops> materials(const std::vector<Region>& regions) {
+    std::vector<Loops> out;
+    for (const Region& r : regions) {
+        if (r.layer >= out.size()) out.resize(r.layer + 1);
+        add(out[r.layer], r.loops);
+    }
+    return out;
+}
+
+Loops common(const Loops& a, const Loops& b) {
+    if (a.empty() || b.empty()) return {};
+    if (a.points == b.points && a.start == b.start) return a;
+    return polygon::intersect(a, b);
+}
+
+// What is common to layers i .. i + n - 1, for every i with that many.  By blocks of n: what is common from i to the
+// end of its block, and from there to the last (van Herk 1992), so two steps per layer whatever n.
+std::vector<Loops> common_runs(const std::vector<Loops>& layers, std::size_t n) {
+    const std::size_t count = layers.size();
+    if (n == 0 || count < n) return {};
+    std::vector<Loops> ahead(count), behind(count), out(count - n + 1); // to the end, from the begin of the block
+    parallel::for_chunks(count, n, 0, [&](std::size_t from, std::size_t to) {
+        behind[from] = layers[from], ahead[to - 1] = layers[to - 1];
+        for (std::size_t i = from + 1; i < to; ++i) behind[i] = common(behind[i - 1], layers[i]);
+        for (std::size_t i = to - 1; i-- > from;) ahead[i] = common(ahead[i + 1], layers[i]);
+    });
+    parallel::for_chunks(out.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        out[i] = i % n == 0 ? ahead[i] : common(ahead[i], behind[i + n - 1]);
+    });
+    return out;
+}
+
+// What layer i has both enough material above and below.
+Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::vector<Loops>& below, std::size_t i,
+              const Options& o) {
+    const auto top = static_cast<std::size_t>(o.top), bottom = static_cast<std::size_t>(o.bottom);
+    Loops out = layer;
+    if (top > 0) out = i + 1 < above.size() ? common(out, above[i + 1]) : Loops{};
+    if (bottom > 0) out = i >= bottom && i - bottom < below.size() ? common(out, below[i - bottom]) : Loops{};
+    return out;
+}
+
+// The sparse part of a region of which `inner` has enough above and below.
+Loops sparse(const Region& r, const Loops& inner, const Options& o) {
+    if (inner.empty()) return {};
+    const double w = o.bead_width, reach = kReach * w, open = kNarrowest * w / 2;
+    const Loops within = polygon::offset(r.loops, -(static_cast<double>(o.walls) * w), kArc);
+    const Loops deep = polygon::offset(common(r.loops, inner), -reach, kArc);
+    const Loops both = common(within, deep);
+    return polygon::offset(polygon::offset(both, -open, kArc), open, kArc);
+}
+
+double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
+
+// The spacing of lines that lay `infill` of the sparse areas: what is expected of lines anywhere is, per area, one line
+// per spacing, and half of the outline, since as much of that lies in even cells as in odd ones.
+double spacing_for(const std::vector<Loops>& areas, const Options& o) {
+    double area = 0, outline = 0;
+    for (const Loops& a : areas) area += polygon::signed_area(a), outline += infill::length(a);
+    const double lines = o.infill / o.bead_width - (area > 0 ? outline / (2 * area) : 0);
+    return 1 / std::max(lines, o.infill / o.bead_width / 8);
+}
+
+} // namespace
+
+double share(const std::string& text) {
+    const bool percent = !text.empty() && text.back() == '%';
+    const double number = parse_number(percent ? text.substr(0, text.size() - 1) : text, "--infill");
+    const double out = percent ? number / 100 : number;
+    if (!(out > 0 && out <= 1))
+        throw Error(Exit::usage, "cannot use '" + text + "' as --infill: it is not above 0% and up to 100%");
+    return out;
+}
+
+void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
+    if (o.infill >= 1 || regions.empty()) return;
+    const auto layers = materials(regions);
+    const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
+    const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
+    std::vector<Loops> inner(layers.size()), area(regions.size());
+    parallel::for_chunks(layers.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        inner[i] = covered(layers[i], above, below, i, o);
+    });
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        area[i] = sparse(regions[i], inner[regions[i].layer], o);
+    });
+    const double spacing = spacing_for(area, o);
+    facts.push_back({"", "infill-spacing", spacing, "mm"});
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (area[i].empty()) continue;
+        regions[i].walls = static_cast<std::uint32_t>(o.walls);
+        regions[i].areas.push_back({polygon::AreaKind::sparse, std::move(area[i]), direction_of(regions[i].layer), spacing,
+                                    o.pattern});
+    }
+}
+
+} // namespace filum::skins
