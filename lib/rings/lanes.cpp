@@ -1,5 +1,8 @@
 #include "rings/lanes.hpp"
 
+#include "polygon/clip.hpp"
+#include "rings/level.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -111,17 +114,19 @@ Rings with_fewer_points(const Rings& all, double tolerance, double least) {
 
 } // namespace
 
-Rings lanes(const Loops& region, const LaneOptions& o) {
+FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double area = polygon::signed_area(region), width = o.width * (1 - kOverlap);
-    const double least = std::min(kLeastVoid * width * width, kLeastShare * area);
-    const Sites sites = sites_of(region, o.tolerance / 2);
-    const Axis axis = medial_axis(sites, o.tolerance / 4, kWallSlope);
-    Rings all =
-        with_fewer_points(rings(beading(axis, width, least), o.most, kLeastVoid * width * width, o.tolerance / 4),
-                          o.tolerance / 4, least);
-    for (double& w : all.width) w /= 1 - kOverlap;
-    return all;
+    const double flows = kLeastVoid * width * width, least = std::min(flows, kLeastShare * area);
+    const double fine = o.tolerance / 4;
+    const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
+    FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine, least), {}};
+    for (double& w : out.lanes.width) w /= 1 - kOverlap;
+    if (o.most > 0) out.rest = polygon::split(beyond(b, o.most, fine)).part;
+    std::erase_if(out.rest, [&](const Loops& part) { return polygon::signed_area(part) <= flows; });
+    return out;
 }
+
+Rings lanes(const Loops& region, const LaneOptions& o) { return first_lanes(region, o).lanes; }
 
 double laid_area(const Rings& rings) {
     double out = 0;

@@ -20,6 +20,17 @@ struct LaneOptions {
 // than what the edge of a bead flows over, and than the 2000th part of the region.
 Rings lanes(const Loops& region, const LaneOptions& options);
 
+// The first lanes and what they leave.
+struct FirstLanes {
+    Rings lanes;
+    std::vector<Loops> rest; // connected parts, each its outer loop, then its holes; in the order of polygon::split
+};
+
+// Lanes 1 to o.most of the region (all: 0), and the area inside them: bounded by the line at which the edges of lane
+// o.most end, so that another pattern laid up to there leaves no gap and lays nothing twice.  Where a wall has no more
+// than o.most lanes on a side, nothing is left.  Parts no larger than what the edge of a bead flows over are left out.
+FirstLanes first_lanes(const Loops& region, const LaneOptions& o);
+
 // What the beads of rings lay, mm2.
 double laid_area(const Rings& rings);
 

@@ -1,4 +1,5 @@
 #include "rings/rings.hpp"
+#include "rings/ray.hpp"
 
 #include <cmath>
 #include <optional>
@@ -8,29 +9,6 @@ namespace filum::rings {
 namespace {
 
 constexpr double kNarrowest = 1.0 / 16; // widths: thinner walls are laid with a bead that is wider than they are
-constexpr double kSameFoot = 1e-6;      // mm
-
-// The ray to the share t of half-edge h, from its first node, in h's part of the outline.
-struct Ray {
-    const Beading* b;
-    std::uint32_t i, j; // nodes at both ends of h
-    double t, radius;
-    Vec2 foot, top;
-
-    Ray(const Beading& beading, std::uint32_t h, double share) : b(&beading), t(share) {
-        const Axis& axis = beading.axis;
-        i = axis.from[h], j = axis.to(h);
-        foot = t == 0 ? axis.foot[h] : geom::lerp(axis.foot[h], axis.last_foot(h), t);
-        top = t == 0 ? axis.node[i] : geom::lerp(axis.node[i], axis.node[j], t);
-        radius = t == 0 ? axis.radius[i] : geom::distance(foot, top);
-    }
-    [[nodiscard]] double depth(double f) const {
-        return t == 0 ? b->depth(i, f) : std::lerp(b->depth(i, f), b->depth(j, f), t);
-    }
-    [[nodiscard]] Vec2 point(double f) const {
-        return radius > 0 ? foot + std::min(1.0, depth(f) / radius) * (top - foot) : top;
-    }
-};
 
 class Walk {
   public:
@@ -106,12 +84,7 @@ class Walk {
     }
 
     // The share of h at which the axis has the lane coordinate f; nothing if it does not pass it.
-    [[nodiscard]] std::optional<double> share_at(std::uint32_t h, double f) const {
-        const std::uint32_t i = axis().from[h], j = axis().to(h);
-        const double a = axis().radius[i] - b_->depth(i, f), b = axis().radius[j] - b_->depth(j, f);
-        if (a == b || (a > 0) == (b > 0)) return std::nullopt;
-        return a / (a - b);
-    }
+    [[nodiscard]] std::optional<double> share_at(std::uint32_t h, double f) const { return rings::share_at(*b_, h, f); }
 
     // In an acute corner the strip narrows from where the axis is `reach` before its end: a point on that ray.
     bool narrow(std::uint32_t h) {
@@ -151,19 +124,8 @@ class Walk {
 
     // If h is seen from a vertex of the outline: points on the arc about that from the last point to p.
     void arc_to(std::uint32_t h, Vec2 p) {
-        const Vec2 foot = axis().foot[h];
-        if (geom::norm2(axis().last_foot(h) - foot) > kSameFoot * kSameFoot) return;
-        const Vec2 a = out_.points.back() - foot, b = p - foot;
-        const double ra = geom::norm(a), rb = geom::norm(b), angle = std::atan2(cross(a, b), dot(a, b));
-        const double step = 2 * std::acos(std::max(0.0, 1 - tolerance_ / std::max(ra, rb)));
-        if (std::abs(angle) <= step) return;
-        const int n = static_cast<int>(std::ceil(std::abs(angle) / step));
         const double w = out_.width.back();
-        for (int k = 1; k < n; ++k) {
-            const double t = static_cast<double>(k) / n, r = std::lerp(ra, rb, t) / ra;
-            const double c = std::cos(t * angle), s = std::sin(t * angle);
-            put(foot + r * Vec2{c * a.x - s * a.y, s * a.x + c * a.y}, w);
-        }
+        each_on_arc(axis(), h, out_.points.back(), p, tolerance_, [&](Vec2 q) { put(q, w); });
     }
 
     const Beading* b_;

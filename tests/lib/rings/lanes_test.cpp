@@ -1,6 +1,8 @@
 #include "rings/lanes.hpp"
 
 #include "../fill/pattern_check.hpp"
+#include "polygon/clip.hpp"
+#include "polygon/simple.hpp"
 
 #include <numbers>
 #include <random>
@@ -131,6 +133,52 @@ TEST(Lanes, OfANoisyOutlineAreSoundAndFew) {
     const auto all = curves_of(lanes(test::loop(loop), {.width = kWidth}));
     EXPECT_EQ(test::crossings(all), 0U);
     EXPECT_NEAR(test::laid(all) / (std::numbers::pi * 900), 1, 0.01);
+}
+
+// With fewer lanes than there is room for: what they lay and what they leave is the region, but for corners and hairs.
+TEST(FirstLanes, LeaveTheRestOfTheRegion) {
+    for (const Loops& region : many_regions())
+        for (const int n : {1, 2, 5}) {
+            const FirstLanes f = first_lanes(region, {.width = kWidth, .most = n});
+            EXPECT_EQ(f.lanes.points, lanes(region, {.width = kWidth, .most = n}).points);
+            double outline = 0, rest = 0;
+            for (std::size_t l = 0; l < region.size(); ++l) outline += polygon::perimeter(region[l]);
+            for (const Loops& part : f.rest) rest += polygon::signed_area(part);
+            const double area = polygon::signed_area(region);
+            EXPECT_NEAR(laid_area(f.lanes) + rest, area, 0.1 * area + 0.05 * kWidth * outline) << n;
+        }
+}
+
+TEST(FirstLanes, LeaveSimplePartsThatAnotherPatternFillsWithoutCrossingThem) {
+    for (const Loops& region : many_regions())
+        for (const int n : {1, 3}) {
+            const FirstLanes f = first_lanes(region, {.width = kWidth, .most = n});
+            auto all = curves_of(f.lanes);
+            for (const Loops& part : f.rest) {
+                EXPECT_TRUE(polygon::is_simple(part));
+                EXPECT_GT(polygon::signed_area(part[0]), 0);
+                for (std::size_t l = 1; l < part.size(); ++l) EXPECT_LT(polygon::signed_area(part[l]), 0);
+                for (const Vec2 p : part.points) EXPECT_TRUE(polygon::contains(region, p));
+                for (const Vec2 p : f.lanes.points) EXPECT_FALSE(polygon::contains(part, p)) << p.x << ' ' << p.y;
+                for (const Curve& c : curves_of(lanes(part, {.width = kWidth}))) all.push_back(c);
+            }
+            EXPECT_EQ(test::crossings(all), 0U);
+        }
+}
+
+TEST(FirstLanes, LeaveTheRegionSmallerByTheirWidth) {
+    const double w = kWidth;
+    const FirstLanes bar = first_lanes(test::rectangle(0, 0, 60, 10), {.width = w, .most = 3});
+    ASSERT_EQ(bar.rest.size(), 1U);
+    EXPECT_NEAR(polygon::signed_area(bar.rest[0]), (60 - 6 * w) * (10 - 6 * w), 0.7); // beads overlap by a 512th
+    Loops plate = test::rectangle(0, 0, 40, 30);
+    plate.add(std::vector<Vec2>{{10, 10}, {10, 20}, {20, 20}, {20, 10}});
+    const FirstLanes holed = first_lanes(plate, {.width = w, .most = 2});
+    ASSERT_EQ(holed.rest.size(), 1U);
+    ASSERT_EQ(holed.rest[0].size(), 2U);
+    EXPECT_NEAR(-polygon::signed_area(holed.rest[0][1]), 100 + 40 * 2 * w + std::numbers::pi * 4 * w * w, 0.2);
+    EXPECT_TRUE(first_lanes(test::rectangle(0, 0, 60, 4 * w), {.width = w, .most = 2}).rest.empty());
+    EXPECT_TRUE(first_lanes(plate, {.width = w}).rest.empty());
 }
 
 TEST(FewerPoints, LeaveAsMuchOnEitherSideAndStayNear) {

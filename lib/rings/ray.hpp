@@ -1,0 +1,60 @@
+// Rays from the outline to the medial axis, and places on them by lane coordinate.  Private to lib/rings.
+#pragma once
+
+#include "rings/beading.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace filum::rings {
+
+// The ray to the share t of half-edge h, from its first node, in h's part of the outline.
+struct Ray {
+    const Beading* b;
+    std::uint32_t i, j; // nodes at both ends of h
+    double t, radius;
+    Vec2 foot, top;
+
+    Ray(const Beading& beading, std::uint32_t h, double share) : b(&beading), t(share) {
+        const Axis& axis = beading.axis;
+        i = axis.from[h], j = axis.to(h);
+        foot = t == 0 ? axis.foot[h] : geom::lerp(axis.foot[h], axis.last_foot(h), t);
+        top = t == 0 ? axis.node[i] : geom::lerp(axis.node[i], axis.node[j], t);
+        radius = t == 0 ? axis.radius[i] : geom::distance(foot, top);
+    }
+    [[nodiscard]] double depth(double f) const {
+        return t == 0 ? b->depth(i, f) : std::lerp(b->depth(i, f), b->depth(j, f), t);
+    }
+    [[nodiscard]] Vec2 point(double f) const {
+        return radius > 0 ? foot + std::min(1.0, depth(f) / radius) * (top - foot) : top;
+    }
+};
+
+// The share of h at which the axis has the lane coordinate f; nothing if it does not pass it.
+inline std::optional<double> share_at(const Beading& b, std::uint32_t h, double f) {
+    const std::uint32_t i = b.axis.from[h], j = b.axis.to(h);
+    const double at_i = b.axis.radius[i] - b.depth(i, f), at_j = b.axis.radius[j] - b.depth(j, f);
+    if (at_i == at_j || (at_i > 0) == (at_j > 0)) return std::nullopt;
+    return at_i / (at_i - at_j);
+}
+
+// If h is seen from a vertex of the outline: put(point) for points strictly between p and q on the arc about it, so
+// many that chords are off by at most `tolerance` mm.
+template <class Put>
+void each_on_arc(const Axis& axis, std::uint32_t h, Vec2 p, Vec2 q, double tolerance, Put&& put) {
+    constexpr double kSameFoot = 1e-6; // mm
+    const Vec2 foot = axis.foot[h];
+    if (geom::norm2(axis.last_foot(h) - foot) > kSameFoot * kSameFoot) return;
+    const Vec2 a = p - foot, b = q - foot;
+    const double ra = geom::norm(a), rb = geom::norm(b), angle = std::atan2(cross(a, b), dot(a, b));
+    const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / std::max(ra, rb)));
+    if (std::abs(angle) <= step) return;
+    const int n = static_cast<int>(std::ceil(std::abs(angle) / step));
+    for (int k = 1; k < n; ++k) {
+        const double t = static_cast<double>(k) / n, r = std::lerp(ra, rb, t) / ra;
+        const double c = std::cos(t * angle), s = std::sin(t * angle);
+        put(foot + r * Vec2{c * a.x - s * a.y, s * a.x + c * a.y});
+    }
+}
+
+} // namespace filum::rings
