@@ -17,6 +17,7 @@ namespace filum::hollow {
 namespace {
 
 using fill::BeadRings;
+using toolpath::Feature;
 using geom::Vec2;
 using polygon::Area;
 using polygon::AreaKind;
@@ -26,35 +27,93 @@ using polygon::Region;
 constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
 constexpr double kRound = 0.4;      // bead widths of path on each side that corners are rounded within
 
-void add(BeadRings& to, const rings::Rings& from) {
+// Closed curves, each of one feature.
+struct Loose {
+    BeadRings rings;
+    std::vector<Feature> feature; // per loop
+};
+
+void add(Loose& to, const rings::Rings& from, Feature first, Feature rest) {
     for (std::size_t r = 0; r < from.size(); ++r) {
-        const auto first = to.loops.points.size();
-        (void)first;
-        to.loops.add({from.points.data() + from.start[r], from.start[r + 1] - from.start[r]});
+        to.rings.loops.add({from.points.data() + from.start[r], from.start[r + 1] - from.start[r]});
+        to.feature.push_back(from.lane[r] == 1 ? first : rest);
     }
-    to.width.insert(to.width.end(), from.width.begin(), from.width.end());
+    to.rings.width.insert(to.rings.width.end(), from.width.begin(), from.width.end());
 }
 
-void add(BeadRings& to, const Loops& from, double width) {
-    for (std::size_t i = 0; i < from.size(); ++i) to.loops.add(from[i]);
-    to.width.resize(to.loops.points.size(), width);
+void add(Loose& to, const Loops& from, double width, Feature feature) {
+    for (std::size_t i = 0; i < from.size(); ++i) to.rings.loops.add(from[i]);
+    to.rings.width.resize(to.rings.loops.points.size(), width);
+    to.feature.resize(to.rings.loops.size(), feature);
+}
+
+// What of `a` is at least 2 `radius` wide.
+Loops opened(const Loops& a, double radius) {
+    return polygon::offset(polygon::offset(a, -radius, kTolerance), radius, kTolerance);
+}
+
+// What walls leave, parted.
+struct Division {
+    std::vector<Loops> sparse; // of each area
+    std::vector<const Area*> area;
+    std::vector<Loops> solid; // connected parts
+};
+
+// What is solid and narrower than a bead becomes sparse, then what is sparse and narrower than two becomes solid: so no
+// slivers stand where the outlines of areas run along those of the walls.  Solid parts nowhere as wide as half a bead
+// are left open.
+Division divided(const Loops& rest, const Region& r, double w) {
+    Division out;
+    Loops solid = rest;
+    for (const Area& a : r.areas)
+        if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
+    Loops sparse = opened(polygon::subtract(rest, opened(solid, w / 2)), w);
+    solid = polygon::subtract(rest, sparse);
+    for (const Loops& part : polygon::split(solid).part)
+        if (!polygon::offset(part, -w / 4, kTolerance).empty()) out.solid.push_back(part);
+    for (const Area& a : r.areas) {
+        if (a.kind != AreaKind::sparse || sparse.empty()) continue;
+        out.sparse.push_back(sparse), out.area.push_back(&a);
+        break;
+    }
+    return out;
 }
 
 // All closed curves of the region, none joined.
-BeadRings closed_curves(const Region& r, double w) {
-    BeadRings out;
-    add(out, rings::lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = kTolerance}));
-    const Loops rest = polygon::offset(r.loops, -(static_cast<double>(r.walls) * w), kTolerance);
-    Loops solid = rest;
-    for (const Area& a : r.areas) {
-        if (a.kind != AreaKind::sparse) continue;
-        const Loops here = polygon::intersect(rest, a.loops);
-        solid = polygon::subtract(solid, here);
-        add(out, infill::loops(here, {a.pattern, a.direction, a.spacing, w}), w);
+Loose closed_curves(const Region& r, double w) {
+    Loose out;
+    const auto walls =
+        rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = kTolerance});
+    add(out, walls.lanes, Feature::outer_wall, Feature::wall);
+    for (const Loops& rest : walls.rest) {
+        const Division parts = divided(rest, r, w);
+        for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
+            const Area& a = *parts.area[k];
+            add(out, infill::loops(parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z}), w, Feature::infill);
+        }
+        for (const Loops& part : parts.solid)
+            add(out, rings::lanes(part, {.width = w, .tolerance = kTolerance}), Feature::skin, Feature::skin);
     }
-    for (const Loops& part : polygon::split(solid).part)
-        add(out, rings::lanes(part, {.width = w, .tolerance = kTolerance}));
     return out;
+}
+
+// Every segment of the curves gets the feature of the loop nearest to its middle.
+void tell_features(const Loose& from, double w, std::vector<toolpath::Curve>& curves) {
+    const auto segments = polygon::segments(from.rings.loops);
+    std::vector<std::uint32_t> loop_of;
+    for (std::uint32_t l = 0; l < from.rings.loops.size(); ++l) loop_of.resize(from.rings.loops.start[l + 1], l);
+    const geom::SegmentGrid grid(segments, 1.5 * w);
+    for (auto& c : curves)
+        for (std::size_t i = 0; i < c.points.size(); ++i) {
+            const Vec2 p = geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], 0.5);
+            double best = 2 * w;
+            Feature feature = Feature::skin;
+            grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t k) {
+                const double d = geom::point_segment_distance(segments[k].a, segments[k].b, p);
+                if (d < best) best = d, feature = from.feature[loop_of[k]];
+            });
+            c.feature.push_back(feature);
+        }
 }
 
 Vec2 snapped(Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
@@ -87,11 +146,12 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
     out.stroke = r.stroke, out.join = r.join;
     const std::size_t first = notes.size();
-    const BeadRings rings = closed_curves(r, o.bead_width);
+    const Loose loose = closed_curves(r, o.bead_width);
     for (const bool round : {true, false}) {
-        out.curves = joined(r, rings, o.bead_width, round);
+        out.curves = joined(r, loose.rings, o.bead_width, round);
         if (fill::count_crossings(out.curves, o.bead_width) == 0) break;
     }
+    tell_features(loose, o.bead_width, out.curves);
     fill::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;
     return out;

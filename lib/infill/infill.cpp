@@ -1,43 +1,42 @@
 #include "infill/infill.hpp"
 
+#include "infill/cells.hpp"
 #include "polygon/clip.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace filum::infill {
 
 namespace {
 
-using geom::Vec2;
+constexpr double kArc = 0.01;         // mm, of round corners
+constexpr double kWidest = 64;        // spacings of endless lines
+constexpr double kSame = 1e-3;        // of the spacing: as near as it is found
+constexpr std::size_t kTried = 32;    // areas that are filled to know how much corners take
+constexpr int kRounds = 2;            // of that
 
-constexpr double kArc = 0.01; // mm, of round corners
+// Where loops may run.
+Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, kArc); }
 
-// The even cells of rows that meet the box of `area`, as rectangles.
-Loops even_rows(const Loops& area, const Lines& o) {
-    const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
-    geom::Box2 box{{1e300, 1e300}, {-1e300, -1e300}};
-    for (const Vec2 p : area.points) {
-        const Vec2 q{dot(p, along), dot(p, across)};
-        box.lo = {std::min(box.lo.x, q.x), std::min(box.lo.y, q.y)};
-        box.hi = {std::max(box.hi.x, q.x), std::max(box.hi.y, q.y)};
+// The spacing with which `length_of` is `wanted`.
+template <class LengthOf>
+double bisected(double lo, double hi, double wanted, LengthOf&& length_of) {
+    if (length_of(hi) > wanted) return hi;
+    while (hi - lo > kSame * lo) {
+        const double middle = (lo + hi) / 2;
+        (length_of(middle) > wanted ? lo : hi) = middle;
     }
-    Loops out;
-    for (double k = 2 * std::floor(box.lo.y / o.spacing / 2); k * o.spacing < box.hi.y; k += 2) {
-        const double v0 = k * o.spacing, v1 = (k + 1) * o.spacing, u0 = box.lo.x - 1, u1 = box.hi.x + 1;
-        const Vec2 corners[] = {u0 * along + v0 * across, u1 * along + v0 * across, u1 * along + v1 * across,
-                                u0 * along + v1 * across};
-        out.add(corners);
-    }
-    return out;
+    return (lo + hi) / 2;
 }
 
 } // namespace
 
 Loops loops(const Loops& area, const Lines& o) {
     const double half = o.bead_width / 2;
-    const Loops inner = polygon::offset(area, -half, kArc);
-    if (inner.empty()) return {};
-    const Loops cells = polygon::intersect(inner, even_rows(inner, o));
+    const Loops room = inner(area, o.bead_width);
+    if (room.empty()) return {};
+    const Loops cells = polygon::intersect(room, even_cells(room, o));
     return polygon::offset(polygon::offset(cells, -half, kArc), half, kArc);
 }
 
@@ -45,6 +44,40 @@ double length(const Loops& loops) {
     double sum = 0;
     for (std::size_t i = 0; i < loops.size(); ++i) sum += polygon::perimeter(loops[i]);
     return sum;
+}
+
+double spacing_for(std::span<const Task> tasks, double density, double bead_width) {
+    std::vector<Loops> rooms;
+    double area = 0;
+    for (const Task& t : tasks) {
+        rooms.push_back(inner(*t.area, bead_width));
+        area += polygon::signed_area(*t.area);
+    }
+    const double wanted = density * area / bead_width, endless = bead_width / density;
+    const auto by_calculation = [&](double spacing) {
+        double sum = 0;
+        for (std::size_t i = 0; i < tasks.size(); ++i) {
+            Lines lines = tasks[i].lines;
+            lines.spacing = spacing;
+            sum += even_length(rooms[i], lines);
+        }
+        return sum;
+    };
+    double laid = 1; // of what is calculated: corners are round, cells that are too narrow left out
+    double spacing = bisected(bead_width, kWidest * endless, wanted, by_calculation);
+    const std::size_t stride = std::max<std::size_t>(1, tasks.size() / kTried);
+    for (int round = 0; round < kRounds; ++round) {
+        double real = 0, calculated = 0;
+        for (std::size_t i = stride / 2; i < tasks.size(); i += stride) {
+            Lines lines = tasks[i].lines;
+            lines.spacing = spacing;
+            real += length(loops(*tasks[i].area, lines));
+            calculated += even_length(rooms[i], lines);
+        }
+        if (real > 0) laid = real / calculated;
+        spacing = bisected(bead_width, kWidest * endless, wanted / laid, by_calculation);
+    }
+    return spacing;
 }
 
 } // namespace filum::infill

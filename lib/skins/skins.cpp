@@ -80,15 +80,6 @@ Loops sparse(const Region& r, const Loops& inner, const Options& o) {
 
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
 
-// The spacing of lines that lay `infill` of the sparse areas: what is expected of lines anywhere is, per area, one line
-// per spacing, and half of the outline, since as much of that lies in even cells as in odd ones.
-double spacing_for(const std::vector<Loops>& areas, const Options& o) {
-    double area = 0, outline = 0;
-    for (const Loops& a : areas) area += polygon::signed_area(a), outline += infill::length(a);
-    const double lines = o.infill / o.bead_width - (area > 0 ? outline / (2 * area) : 0);
-    return 1 / std::max(lines, o.infill / o.bead_width / 8);
-}
-
 } // namespace
 
 double share(const std::string& text) {
@@ -112,7 +103,12 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         area[i] = sparse(regions[i], inner[regions[i].layer], o);
     });
-    const double spacing = spacing_for(area, o);
+    std::vector<infill::Task> tasks;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        if (!area[i].empty())
+            tasks.push_back({&area[i], {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z}});
+    if (tasks.empty()) return;
+    const double spacing = infill::spacing_for(tasks, o.infill, o.bead_width);
     facts.push_back({"", "infill-spacing", spacing, "mm"});
     for (std::size_t i = 0; i < regions.size(); ++i) {
         if (area[i].empty()) continue;

@@ -13,13 +13,29 @@ namespace filum::toolpath {
 using geom::Vec2;
 using geom::Vec3;
 
+// What a stretch of bead is of its part: speeds, flows and fans depend on it.
+enum class Feature : std::uint8_t {
+    plain,      // of a part that is solid all through
+    outer_wall, // beside the outline
+    wall,       // the rings inside it
+    top,        // solid, seen from above
+    skin,       // solid otherwise
+    bridge,     // laid over air
+    infill,     // sparse
+};
+inline constexpr std::size_t kFeatures = 7;
+
 // One bead line.  A closed one runs on from its last point to its first.
 struct Curve {
     bool closed = false;
     std::vector<Vec2> points;
     std::vector<double> width; // mm, per point, or one for all
+    std::vector<Feature> feature{}; // per segment, the first from point 0 to point 1; one for all; none: plain
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
+    [[nodiscard]] Feature feature_at(std::size_t segment) const {
+        return feature.empty() ? Feature::plain : feature[feature.size() == 1 ? 0 : segment];
+    }
 };
 
 // What fills one region.
@@ -62,6 +78,7 @@ struct Span {
     // A travel with normals is to be followed as it is; one without may be raised above what is printed.
     std::vector<Vec3> normals{};
     std::uint32_t tool = 0; // of the machine, by number; of a travel, the one of the bead that follows
+    Feature feature = Feature::plain;
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }

@@ -78,6 +78,20 @@ std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, con
 
 void put_numbers(RepeatedField<double>& to, const std::vector<double>& from) { to.Add(from.begin(), from.end()); }
 
+toolpath::Feature feature(int value, const char* what) {
+    if (value < 0 || static_cast<std::size_t>(value) >= toolpath::kFeatures) bad_frame(what, "unknown feature");
+    return static_cast<toolpath::Feature>(value);
+}
+
+std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t points) {
+    const std::size_t segments = points - (c.closed() ? 0 : 1), n = static_cast<std::size_t>(c.feature_size());
+    if (n > 1 && n != segments) bad_frame("paths", "its features are neither none, one, nor one per segment");
+    std::vector<toolpath::Feature> out;
+    out.reserve(n);
+    for (const int value : c.feature()) out.push_back(feature(value, "paths"));
+    return out;
+}
+
 Join join(int value, const char* what) {
     if (value < 0 || value > 2) bad_frame(what, "unknown join");
     return static_cast<Join>(value);
@@ -190,9 +204,10 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
     if (!(out.area >= 0) || !(out.unplaced >= 0)) bad_frame("paths", "an area is negative");
     out.curves.reserve(static_cast<std::size_t>(m.curves_size()));
     for (const auto& c : m.curves()) {
-        toolpath::Curve curve{c.closed(), plane_points(c.x(), c.y(), "paths"), {}};
+        toolpath::Curve curve{c.closed(), plane_points(c.x(), c.y(), "paths"), {}, {}};
         if (curve.points.size() < 2) bad_frame("paths", "a curve has fewer than two points");
         curve.width = per_point(c.width(), curve.points.size(), "paths", "width");
+        curve.feature = features(c, curve.points.size());
         out.curves.push_back(std::move(curve));
     }
     for (const auto& line : m.stacked()) {
@@ -220,6 +235,7 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         for (const auto p : curve.points)
             c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
         put_numbers(*c->mutable_width(), curve.width);
+        for (const auto f : curve.feature) c->add_feature(static_cast<proto::Feature>(f));
     }
     for (const auto& line : paths.stacked) {
         auto* l = m.add_stacked();
@@ -273,6 +289,7 @@ toolpath::Span span(const RawFrame& frame) {
     out.normals = normals(m, xy.size());
     if (m.tool() > 1000) bad_frame("span", "a tool above 1000");
     out.tool = m.tool();
+    out.feature = feature(m.feature(), "span");
     return out;
 }
 
@@ -283,6 +300,7 @@ RawFrame frame(const toolpath::Span& span) {
     m.set_layer(span.layer);
     m.set_region(span.region);
     m.set_tool(span.tool);
+    m.set_feature(static_cast<proto::Feature>(span.feature));
     const auto n = static_cast<int>(span.points.size());
     m.mutable_x()->Reserve(n);
     m.mutable_y()->Reserve(n);
