@@ -30,6 +30,10 @@ cli::Spec spec(Options& all) {
         .memory = "the whole part",
         .options = {Option{"infill", &all.infill, "PERCENT",
                            "share of the volume inside that is laid: 15%, or 0.15; 100%: all is solid"},
+                    Option{"bridge", &o.bridge, "MM",
+                           "widest gap between lines under a skin; there they lie nearer to each other if need be"}
+                        .within(0, 1e6)
+                        .a_limit(),
                     Option{"walls", &o.walls, "N", "rings along the outline"}.within(1, 1000),
                     Option{"top", &o.top, "LAYERS", "solid layers under what is seen from above"}.within(0, 1e6),
                     Option{"bottom", &o.bottom, "LAYERS", "solid layers over what is seen from below"}.within(0, 1e6),

@@ -25,6 +25,7 @@ using polygon::Loops;
 using polygon::Region;
 
 constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
+constexpr double kTinyRing = 0.25;  // bead widths squared, laid: a ring that may be left out if it cannot be joined
 constexpr double kRound = 0.4;      // bead widths of path on each side that corners are rounded within
 
 // Closed curves, each of one feature.
@@ -61,21 +62,21 @@ struct Division {
 
 // What is solid and narrower than a bead becomes sparse, then what is sparse and narrower than two becomes solid: so no
 // slivers stand where the outlines of areas run along those of the walls.  Solid parts nowhere as wide as half a bead
-// are left open.
+// are left open.  Where sparse areas meet, slivers go to the last one.
 Division divided(const Loops& rest, const Region& r, double w) {
     Division out;
     Loops solid = rest;
     for (const Area& a : r.areas)
-        if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
+        if (a.kind == AreaKind::sparse) out.area.push_back(&a), solid = polygon::subtract(solid, a.loops);
     Loops sparse = opened(polygon::subtract(rest, opened(solid, w / 2)), w);
     solid = polygon::subtract(rest, sparse);
     for (const Loops& part : polygon::split(solid).part)
         if (!polygon::offset(part, -w / 4, kTolerance).empty()) out.solid.push_back(part);
-    for (const Area& a : r.areas) {
-        if (a.kind != AreaKind::sparse || sparse.empty()) continue;
-        out.sparse.push_back(sparse), out.area.push_back(&a);
-        break;
+    for (std::size_t k = 0; k + 1 < out.area.size(); ++k) {
+        out.sparse.push_back(opened(polygon::intersect(sparse, out.area[k]->loops), w));
+        sparse = polygon::subtract(sparse, out.sparse.back());
     }
+    if (!out.area.empty()) out.sparse.push_back(std::move(sparse));
     return out;
 }
 
@@ -139,6 +140,21 @@ std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& rings, dou
     return out;
 }
 
+// Leaves open what tiny rings would lay that no link has room for beside: the first curve is the longest.
+double leave_tiny(std::vector<toolpath::Curve>& curves, double least) {
+    double left = 0;
+    for (std::size_t i = curves.size(); i-- > 1;) {
+        const toolpath::Curve& c = curves[i];
+        double area = 0;
+        for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
+            area += c.width_at(k) * geom::distance(c.points[k], c.points[(k + 1) % n]);
+        if (area >= least) continue;
+        left += area;
+        curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return left;
+}
+
 } // namespace
 
 toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
@@ -151,6 +167,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
         out.curves = joined(r, loose.rings, o.bead_width, round);
         if (fill::count_crossings(out.curves, o.bead_width) == 0) break;
     }
+    out.unplaced = leave_tiny(out.curves, kTinyRing * o.bead_width * o.bead_width);
     tell_features(loose, o.bead_width, out.curves);
     fill::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;

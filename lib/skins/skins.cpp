@@ -18,7 +18,9 @@ using polygon::Loops;
 using polygon::Region;
 
 constexpr double kArc = 0.01;   // mm, of round corners
-constexpr double kReach = 2;    // bead widths: how far skins reach over what is sparse
+constexpr double kReach = 2;    // bead widths: how far skins reach over what is sparse, at least,
+constexpr double kReachMost = 8; // and at most
+constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
 constexpr double kNarrowest = 2; // bead widths: narrower sparse places are made solid
 
 void add(Loops& to, const Loops& from) {
@@ -68,17 +70,47 @@ Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::ve
     return out;
 }
 
+// Half of what lies between lines: then a skin is so wide that a line lies under it.
+double reach(const Options& o) {
+    return o.bead_width * std::clamp(1 / (2 * o.infill), kReach, kReachMost);
+}
+
 // The sparse part of a region of which `inner` has enough above and below.
 Loops sparse(const Region& r, const Loops& inner, const Options& o) {
     if (inner.empty()) return {};
-    const double w = o.bead_width, reach = kReach * w, open = kNarrowest * w / 2;
+    const double w = o.bead_width, open = kNarrowest * w / 2;
     const Loops within = polygon::offset(r.loops, -(static_cast<double>(o.walls) * w), kArc);
-    const Loops deep = polygon::offset(common(r.loops, inner), -reach, kArc);
+    const Loops deep = polygon::offset(common(r.loops, inner), -reach(o), kArc);
     const Loops both = common(within, deep);
     return polygon::offset(polygon::offset(both, -open, kArc), open, kArc);
 }
 
+// What of `area`, the sparse part of a region, carries a skin on one of the next layers.
+Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint32_t layer, const Options& o) {
+    Loops plain = area;
+    for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
+        plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up]) : Loops{};
+    const double open = 2 * kNarrowest * o.bead_width / 2;
+    plain = polygon::offset(polygon::offset(plain, -open, kArc), open, kArc);
+    const Loops rest = polygon::subtract(area, plain);
+    return polygon::offset(polygon::offset(rest, -open / 2, kArc), open / 2, kArc);
+}
+
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
+
+// Of lines that lay the share of plain areas that is asked for; of dense ones if there are no others; 0 without any.
+double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
+                  const Options& o) {
+    for (const auto* areas : {&plain, &dense}) {
+        std::vector<infill::Task> tasks;
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (!(*areas)[i].empty())
+                tasks.push_back(
+                    {&(*areas)[i], {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z}});
+        if (!tasks.empty()) return infill::spacing_for(tasks, o.infill, o.bead_width);
+    }
+    return 0;
+}
 
 } // namespace
 
@@ -103,18 +135,27 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         area[i] = sparse(regions[i], inner[regions[i].layer], o);
     });
-    std::vector<infill::Task> tasks;
-    for (std::size_t i = 0; i < regions.size(); ++i)
-        if (!area[i].empty())
-            tasks.push_back({&area[i], {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z}});
-    if (tasks.empty()) return;
-    const double spacing = infill::spacing_for(tasks, o.infill, o.bead_width);
+    std::vector<Loops> of_layer(layers.size()), dense(regions.size());
+    for (std::size_t i = 0; i < regions.size(); ++i) add(of_layer[regions[i].layer], area[i]);
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        if (area[i].empty()) return;
+        dense[i] = carrying(area[i], of_layer, regions[i].layer, o);
+        area[i] = polygon::subtract(area[i], dense[i]);
+    });
+    const double spacing = spacing_of(regions, area, dense, o);
+    if (spacing == 0) return;
+    const double parts = std::max(1.0, std::ceil(spacing / (o.bridge + o.bead_width)));
     facts.push_back({"", "infill-spacing", spacing, "mm"});
+    facts.push_back({"", "spacing-under-skins", spacing / parts, "mm"});
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (area[i].empty()) continue;
-        regions[i].walls = static_cast<std::uint32_t>(o.walls);
-        regions[i].areas.push_back({polygon::AreaKind::sparse, std::move(area[i]), direction_of(regions[i].layer), spacing,
-                                    o.pattern});
+        Region& r = regions[i];
+        const auto put = [&](Loops& loops, double apart) {
+            if (loops.empty()) return;
+            r.walls = static_cast<std::uint32_t>(o.walls);
+            r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), apart, o.pattern});
+        };
+        put(dense[i], spacing / parts);
+        put(area[i], spacing);
     }
 }
 

@@ -15,6 +15,7 @@ struct Options {
     std::int64_t top = 4, bottom = 4; // layers, >= 0
     std::int64_t walls = 2;           // rings along the outline, >= 1
     double infill = 0.15;             // share of the sparse areas' volume that is to be laid
+    double bridge = 2;                // mm: the widest gap between lines that a skin is laid over
     polygon::Pattern pattern = polygon::Pattern::rows;
 };
 
@@ -23,6 +24,7 @@ double share(const std::string& text);
 
 // Sets areas and walls of all regions of a part, which come in the order of their layers.  A region without sparse
 // area gets none: it is solid all through.
+// Under skins lines are so near that no gap is wider than `bridge`.
 // Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
 void skins(std::vector<polygon::Region>& regions, const Options& options, Facts& facts);
 
