@@ -2,8 +2,7 @@
 
 #include "base/error.hpp"
 #include "geom/segment.hpp"
-
-#include <boost/polygon/voronoi.hpp>
+#include "rings/voronoi.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,40 +11,29 @@ namespace filum::rings {
 
 namespace {
 
-using Diagram = boost::polygon::voronoi_diagram<double>;
-using Edge = Diagram::edge_type;
-using Cell = Diagram::cell_type;
-
 constexpr std::uint32_t kNoNode = 0xffffffff;
 constexpr double kNoHeight = 1e-2; // grid units: a focus nearer to its line makes no parabola
 
-Vec2 position(const Diagram::vertex_type& v) { return {v.x(), v.y()}; }
-
-// The vertex of the outline that a point cell belongs to.
-std::uint32_t vertex_of(const Sites& sites, const Cell& cell) {
-    const auto i = static_cast<std::uint32_t>(cell.source_index());
-    return cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT ? i : sites.next[i];
+// The vertex of the outline that a cell belongs to, kNoNode for a segment's.
+std::uint32_t vertex_of(const Sites& sites, const Diagram& d, std::uint32_t cell) {
+    if (d.part[cell] == Diagram::Part::segment) return kNoNode;
+    return d.part[cell] == Diagram::Part::first_end ? d.segment[cell] : sites.next[d.segment[cell]];
 }
 
 // The point of the cell's part of the outline nearest to p, grid units.
-Vec2 foot_in(const Sites& sites, const Cell& cell, Vec2 p) {
-    if (cell.contains_point()) return sites.at(vertex_of(sites, cell));
-    const std::size_t i = cell.source_index();
-    return geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
+Vec2 foot_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
+    const std::uint32_t v = vertex_of(sites, d, cell), i = d.segment[cell];
+    return v != kNoNode ? sites.at(v) : geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
 }
 
-// Whether an edge of the cell lies inside: left of a segment, or about a vertex that points inwards.
-bool is_inside(const Sites& sites, const Edge& e) {
-    if (!e.is_primary() || !e.is_finite()) return false;
-    const Cell& cell = *e.cell();
-    if (cell.contains_point()) {
-        const std::uint32_t i = vertex_of(sites, cell);
-        return geom::orient(sites.at(sites.prev[i]), sites.at(i), sites.at(sites.next[i])) < 0;
-    }
-    const std::size_t i = cell.source_index();
+// Whether an edge lies inside: left of its cell's segment, or about a vertex that points inwards.
+bool is_inside(const Sites& sites, const Diagram& d, std::uint32_t e) {
+    if (!d.between_sites[e] || d.from[e] == kNoVertex || d.to(e) == kNoVertex) return false;
+    const std::uint32_t v = vertex_of(sites, d, d.cell[e]), i = d.segment[d.cell[e]];
+    if (v != kNoNode) return geom::orient(sites.at(sites.prev[v]), sites.at(v), sites.at(sites.next[v])) < 0;
     const Vec2 a = sites.at(i), b = sites.at(sites.next[i]);
-    const double u = geom::orient(a, b, position(*e.vertex0())), v = geom::orient(a, b, position(*e.vertex1()));
-    return std::abs(u) > std::abs(v) ? u > 0 : v > 0;
+    const double from = geom::orient(a, b, d.vertex[d.from[e]]), to = geom::orient(a, b, d.vertex[d.to(e)]);
+    return std::abs(from) > std::abs(to) ? from > 0 : to > 0;
 }
 
 // A curved edge: the place x along its line has radius and slope by the height h alone.  Of a vertex and a segment: a
@@ -67,25 +55,25 @@ struct Curved {
     }
 };
 
-Curved curve_of(const Sites& sites, const Edge& e) {
-    const Cell *c = e.cell(), *d = e.twin()->cell();
-    const Vec2 a = position(*e.vertex0()), b = position(*e.vertex1());
+Curved curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
+    const std::uint32_t cell = d.cell[e], other = d.cell[e ^ 1];
+    const std::uint32_t p = vertex_of(sites, d, cell), q = vertex_of(sites, d, other);
     Curved out;
-    if (c->contains_point() && d->contains_point()) {
-        const Vec2 p = sites.at(vertex_of(sites, *c)), q = sites.at(vertex_of(sites, *d));
-        out.origin = geom::lerp(p, q, 0.5), out.h = geom::distance(p, q) / 2;
-        out.along = (1 / std::max(1.0, 2 * out.h)) * geom::left_of(q - p);
-    } else if (c->contains_point() || d->contains_point()) {
-        const Cell& point = c->contains_point() ? *c : *d;
-        const std::size_t i = (c->contains_point() ? d : c)->source_index();
-        const Vec2 focus = sites.at(vertex_of(sites, point)), begin = sites.at(i);
+    if (p != kNoNode && q != kNoNode) {
+        const Vec2 across = sites.at(q) - sites.at(p);
+        out.origin = geom::lerp(sites.at(p), sites.at(q), 0.5), out.h = geom::norm(across) / 2;
+        out.along = (1 / std::max(1.0, 2 * out.h)) * geom::left_of(across);
+    } else if (p != kNoNode || q != kNoNode) {
+        const std::size_t i = d.segment[p != kNoNode ? other : cell];
+        const Vec2 focus = sites.at(p != kNoNode ? p : q), begin = sites.at(i);
         const Vec2 along = sites.at(sites.next[i]) - begin;
         out.along = (1 / geom::norm(along)) * along;
         out.h = cross(out.along, focus - begin);
         out.origin = begin + dot(focus - begin, out.along) * out.along;
         out.parabola = true;
     }
-    out.from = dot(a - out.origin, out.along), out.to = dot(b - out.origin, out.along);
+    out.from = dot(d.vertex[d.from[e]] - out.origin, out.along);
+    out.to = dot(d.vertex[d.to(e)] - out.origin, out.along);
     return out;
 }
 
@@ -119,20 +107,16 @@ std::vector<double> places(const Curved& c, double tolerance, double slope) {
 class Builder {
   public:
     Builder(const Sites& sites, double tolerance, double slope)
-        : sites_(&sites), tolerance_(tolerance * kSitesPerMm), slope_(slope) {}
+        : sites_(&sites), d_(voronoi(sites)), tolerance_(tolerance * kSitesPerMm), slope_(slope) {}
 
     Axis run() {
-        boost::polygon::default_voronoi_builder builder;
-        for (std::size_t i = 0; i < sites_->size(); ++i)
-            builder.insert_segment(sites_->x[i], sites_->y[i], sites_->x[sites_->next[i]], sites_->y[sites_->next[i]]);
-        builder.construct(&diagram_);
         find_inside();
-        vertex_node_.assign(diagram_.num_vertices(), kNoNode);
-        first_.assign(inside_.size(), kNoNode);
-        for (std::size_t i = 0; i < inside_.size(); ++i)
-            if (inside_[i] && index(edge(i).twin()) > i) add(edge(i));
-        for (std::size_t i = 0; i < inside_.size(); ++i)
-            if (inside_[i]) out_.next[last_[i]] = first_[following(edge(i))];
+        node_.assign(d_.vertex.size(), kNoNode);
+        first_.assign(d_.edges(), kNoNode), last_.assign(d_.edges(), kNoNode);
+        for (std::uint32_t e = 0; e < d_.edges(); e += 2)
+            if (inside_[e]) add(e);
+        for (std::uint32_t e = 0; e < d_.edges(); ++e)
+            if (inside_[e]) out_.next[last_[e]] = first_[following(e)];
         for (Vec2& p : out_.node) p = sites_->origin + (1 / kSitesPerMm) * p;
         for (Vec2& p : out_.foot) p = sites_->origin + (1 / kSitesPerMm) * p;
         for (double& r : out_.radius) r /= kSitesPerMm;
@@ -140,16 +124,13 @@ class Builder {
     }
 
   private:
-    [[nodiscard]] const Edge& edge(std::size_t i) const { return diagram_.edges()[i]; }
-    [[nodiscard]] std::size_t index(const Edge* e) const {
-        return static_cast<std::size_t>(e - diagram_.edges().data());
-    }
+    [[nodiscard]] Vec2 foot(std::uint32_t cell, Vec2 p) const { return foot_in(*sites_, d_, cell, p); }
 
     void find_inside() {
-        inside_.resize(diagram_.num_edges());
-        for (std::size_t i = 0; i < inside_.size(); ++i) inside_[i] = is_inside(*sites_, edge(i)) ? 1 : 0;
-        for (std::size_t i = 0; i < inside_.size(); ++i)
-            if (inside_[i] != inside_[index(edge(i).twin())])
+        inside_.resize(d_.edges());
+        for (std::uint32_t e = 0; e < d_.edges(); ++e) inside_[e] = is_inside(*sites_, d_, e) ? 1 : 0;
+        for (std::uint32_t e = 0; e < d_.edges(); e += 2)
+            if (inside_[e] != inside_[e + 1])
                 throw Error(Exit::failure, "internal error: the medial axis of a region is not sound");
     }
 
@@ -158,53 +139,51 @@ class Builder {
         out_.radius.push_back(radius);
         return out_.nodes() - 1;
     }
-    std::uint32_t node_of(const Diagram::vertex_type& v, const Cell& cell) {
-        std::uint32_t& known = vertex_node_[static_cast<std::size_t>(&v - diagram_.vertices().data())];
+    std::uint32_t node_of(std::uint32_t vertex, std::uint32_t cell) {
+        std::uint32_t& known = node_[vertex];
         if (known != kNoNode) return known;
         constexpr double kOnOutline = 1e-3; // grid units
-        const Vec2 p = position(v);
-        const double r = geom::distance(p, foot_in(*sites_, cell, p));
+        const Vec2 p = d_.vertex[vertex];
+        const double r = geom::distance(p, foot(cell, p));
         return known = add_node(p, r < kOnOutline ? 0 : r);
     }
 
-    // The pieces of an edge, from its second vertex to its first: that is along the outline, as cells lie to the left.
-    void add(const Edge& e) {
-        const Cell &cell = *e.cell(), &other = *e.twin()->cell();
-        std::vector<std::uint32_t> nodes{node_of(*e.vertex0(), cell)};
-        if (cell.contains_point() || other.contains_point()) {
-            const Curved curved = curve_of(*sites_, e);
+    // The pieces of an edge, from its end to its begin: that is along the outline, as cells lie to the left.
+    void add(std::uint32_t e) {
+        const std::uint32_t cell = d_.cell[e], other = d_.cell[e + 1];
+        std::vector<std::uint32_t> nodes{node_of(d_.from[e], cell)};
+        if (d_.part[cell] != Diagram::Part::segment || d_.part[other] != Diagram::Part::segment) {
+            const Curved curved = curve_of(*sites_, d_, e);
             for (const double x : places(curved, tolerance_, slope_)) {
                 const Vec2 p = curved.at(x);
-                nodes.push_back(add_node(p, geom::distance(p, foot_in(*sites_, cell, p))));
+                nodes.push_back(add_node(p, geom::distance(p, foot(cell, p))));
             }
         }
-        nodes.push_back(node_of(*e.vertex1(), cell));
+        nodes.push_back(node_of(d_.to(e), cell));
         const auto pieces = static_cast<std::uint32_t>(nodes.size() - 1), base = out_.half_edges();
         for (std::uint32_t j = 0; j < pieces; ++j) {
             out_.from.insert(out_.from.end(), {nodes[j + 1], nodes[j]});
-            out_.foot.push_back(foot_in(*sites_, cell, out_.node[nodes[j + 1]]));
-            out_.foot.push_back(foot_in(*sites_, other, out_.node[nodes[j]]));
+            out_.foot.push_back(foot(cell, out_.node[nodes[j + 1]]));
+            out_.foot.push_back(foot(other, out_.node[nodes[j]]));
             out_.next.insert(out_.next.end(), {base + 2 * j - 2, base + 2 * j + 3}); // those at the ends come later
         }
-        const std::size_t i = index(&e), t = index(e.twin());
-        first_[i] = base + 2 * (pieces - 1), first_[t] = base + 1;
-        last_.resize(inside_.size());
-        last_[i] = base, last_[t] = base + 2 * (pieces - 1) + 1;
+        first_[e] = base + 2 * (pieces - 1), first_[e + 1] = base + 1;
+        last_[e] = base, last_[e + 1] = base + 2 * (pieces - 1) + 1;
     }
 
     // The next edge along the outline: the one before in the same cell, or beyond the borders between cells.
-    [[nodiscard]] std::size_t following(const Edge& e) const {
-        const Edge* at = e.prev();
-        while (!inside_[index(at)]) at = at->twin()->prev();
-        return index(at);
+    [[nodiscard]] std::uint32_t following(std::uint32_t e) const {
+        std::uint32_t at = d_.prev[e];
+        while (!inside_[at]) at = d_.prev[at ^ 1];
+        return at;
     }
 
     const Sites* sites_;
+    Diagram d_;
     double tolerance_, slope_;
-    Diagram diagram_;
     std::vector<char> inside_;                // per edge of the diagram
     std::vector<std::uint32_t> first_, last_; // per edge inside: half-edges
-    std::vector<std::uint32_t> vertex_node_;
+    std::vector<std::uint32_t> node_;         // per vertex of the diagram
     Axis out_;
 };
 

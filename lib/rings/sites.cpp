@@ -12,7 +12,7 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kWidestRegion = 4e5; // mm: half of it must fit a 32-bit integer on the grid
+constexpr double kWidestRegion = 1e5; // mm: twice that must fit a 32-bit integer on the grid
 constexpr double kGrowBy = 0.001;     // mm: far below any bead, ten grid units
 
 using GridPoint = std::pair<std::int64_t, std::int64_t>;
@@ -60,13 +60,13 @@ Sites on_grid(const Loops& loops, Vec2 origin) {
     return out;
 }
 
-// A point of the grid in the middle of the area's box.
-Vec2 middle(const Loops& area) {
+// A point of the grid left of the area and below it, as far off as the area is wide.
+Vec2 beside(const Loops& area) {
     const auto box = polygon::bounds(area);
-    if (std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y) > kWidestRegion)
-        throw Error(Exit::failure, "cannot fill a region wider than 400 m");
+    const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+    if (size > kWidestRegion) throw Error(Exit::failure, "cannot fill a region wider than 100 m");
     const auto snapped = [](double v) { return std::round(v * kSitesPerMm) / kSitesPerMm; };
-    return {snapped((box.lo.x + box.hi.x) / 2), snapped((box.lo.y + box.hi.y) / 2)};
+    return {snapped(box.lo.x - size), snapped(box.lo.y - size)};
 }
 
 } // namespace
@@ -75,15 +75,15 @@ Sites sites_of(const Loops& region, double tolerance) {
     if (region.empty()) return {};
     for (const double share : {1.0, 0.25}) {
         const Loops fewer = polygon::simplify(region, share * tolerance);
-        if (fewer.size() == region.size() && polygon::is_simple(fewer)) return on_grid(fewer, middle(region));
+        if (fewer.size() == region.size() && polygon::is_simple(fewer)) return on_grid(fewer, beside(region));
     }
-    if (polygon::is_simple(region)) return on_grid(region, middle(region));
+    if (polygon::is_simple(region)) return on_grid(region, beside(region));
     Loops grown;
     for (double by = kGrowBy; by < 1; by *= 4) {
         grown = polygon::offset(region, by, by);
         if (polygon::is_simple(grown)) break;
     }
-    return grown.empty() ? Sites{} : on_grid(grown, middle(grown));
+    return grown.empty() ? Sites{} : on_grid(grown, beside(grown));
 }
 
 } // namespace filum::rings

@@ -27,7 +27,7 @@ struct Sites {
 // mm from the result; no straight angles, no vertex twice, and no two segments meet but at the vertex between
 // neighbours.  Where simplifying would make the outline touch itself, less is removed; where it touches itself as it
 // is, the region is grown by a micrometre first.  Empty if nothing is left.
-// Throws Error(failure) for a region wider than 400 m.
+// Throws Error(failure) for a region wider than 100 m.
 Sites sites_of(const Loops& region, double tolerance);
 
 } // namespace filum::rings
