@@ -55,6 +55,7 @@ Loops opened(const Loops& a, double radius) {
 
 // What walls leave, parted.
 struct Division {
+    Loops all_sparse;
     std::vector<Loops> sparse; // of each area
     std::vector<const Area*> area;
     std::vector<Loops> solid; // connected parts
@@ -62,7 +63,7 @@ struct Division {
 
 // What is solid and narrower than a bead becomes sparse, then what is sparse and narrower than two becomes solid: so no
 // slivers stand where the outlines of areas run along those of the walls.  Solid parts nowhere as wide as half a bead
-// are left open.  Where sparse areas meet, slivers go to the last one.
+// are left open.
 Division divided(const Loops& rest, const Region& r, double w) {
     Division out;
     Loops solid = rest;
@@ -72,8 +73,9 @@ Division divided(const Loops& rest, const Region& r, double w) {
     solid = polygon::subtract(rest, sparse);
     for (const Loops& part : polygon::split(solid).part)
         if (!polygon::offset(part, -w / 4, kTolerance).empty()) out.solid.push_back(part);
+    out.all_sparse = sparse;
     for (std::size_t k = 0; k + 1 < out.area.size(); ++k) {
-        out.sparse.push_back(opened(polygon::intersect(sparse, out.area[k]->loops), w));
+        out.sparse.push_back(polygon::intersect(sparse, out.area[k]->loops));
         sparse = polygon::subtract(sparse, out.sparse.back());
     }
     if (!out.area.empty()) out.sparse.push_back(std::move(sparse));
@@ -88,10 +90,12 @@ Loose closed_curves(const Region& r, double w) {
     add(out, walls.lanes, Feature::outer_wall, Feature::wall);
     for (const Loops& rest : walls.rest) {
         const Division parts = divided(rest, r, w);
+        std::vector<infill::Task> tasks;
         for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
             const Area& a = *parts.area[k];
-            add(out, infill::loops(parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z}), w, Feature::infill);
+            tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z}});
         }
+        add(out, infill::loops(parts.all_sparse, tasks), w, Feature::infill);
         for (const Loops& part : parts.solid)
             add(out, rings::lanes(part, {.width = w, .tolerance = kTolerance}), Feature::skin, Feature::skin);
     }

@@ -25,16 +25,20 @@ struct Lines {
 // another.  Even cells narrower than a bead get none.
 Loops loops(const Loops& area, const Lines& lines);
 
-// mm of all loops.
-double length(const Loops& loops);
-
-// An area and the lines it gets, but for their spacing.
+// An area and the lines it gets.
 struct Task {
     const Loops* area = nullptr;
     Lines lines;
 };
 
-// The spacing with which the loops of all areas lay `density` of them together, mm.  If the outlines alone are more
+// The same of an area that is parted: each part has lines of its own, and even cells that meet, if only in a corner, go
+// on from part to part.
+Loops loops(const Loops& area, std::span<const Task> parts);
+
+// mm of all loops.
+double length(const Loops& loops);
+
+// The spacing with which, whatever their own says, the loops of all areas lay `density` of them together, mm.  If the outlines alone are more
 // than that, the spacing is the widest that is tried: 64 times that of endless lines.
 double spacing_for(std::span<const Task> tasks, double density, double bead_width);
 
