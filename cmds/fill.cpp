@@ -120,7 +120,7 @@ void run(const Options& o, const cli::Io& io) {
     fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
         const polygon::Region region = wire::region(frame);
-        if (!region.areas.empty())
+        if (region.walls > 0)
             return std::vector{wire::frame(hollow::fill(region, {.bead_width = options.bead_width}, notes))};
         return std::vector{wire::frame(filled(region, notes))};
     });

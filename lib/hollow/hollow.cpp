@@ -11,22 +11,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace filum::hollow {
 
 namespace {
 
 using fill::BeadRings;
-using toolpath::Feature;
 using geom::Vec2;
 using polygon::Area;
 using polygon::AreaKind;
 using polygon::Loops;
 using polygon::Region;
+using toolpath::Feature;
 
-constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
-constexpr double kTinyRing = 0.25;  // bead widths squared, laid: a ring that may be left out if it cannot be joined
-constexpr double kRound = 0.4;      // bead widths of path on each side that corners are rounded within
+constexpr double kTolerance = 0.01;      // mm: what a bead's edges may be off
+constexpr double kFine = kTolerance / 8; // where the curve would cross itself
+constexpr double kNeck = 1.0 / 16;
+constexpr std::size_t kCrossing = 1000; // curves: as bad as a crossing
+constexpr double kTinyRing = 0.25;      // bead widths squared, laid: a ring that may be left out if it cannot be joined
+constexpr double kRound = 0.4;          // bead widths of path on each side that corners are rounded within
+
+// A way to join, from the best to the safest.
+struct Try {
+    double tolerance; // mm
+    bool wind, round;
+    double open = 0; // bead widths: necks of solid parts narrower than twice that are cut
+};
+constexpr Try kTries[] = {{kTolerance, true, true},
+                          {kFine, true, true},
+                          {kFine, true, true, kNeck},
+                          {kFine, true, false, kNeck},
+                          {kFine, false, false, kNeck}};
 
 // Closed curves, each of one feature.
 struct Loose {
@@ -34,10 +50,12 @@ struct Loose {
     std::vector<Feature> feature; // per loop
 };
 
-void add(Loose& to, const rings::Rings& from, Feature first, Feature rest) {
+// The first `walls` lanes are walls.
+void add(Loose& to, const rings::Rings& from, std::uint32_t walls) {
     for (std::size_t r = 0; r < from.size(); ++r) {
         to.rings.loops.add({from.points.data() + from.start[r], from.start[r + 1] - from.start[r]});
-        to.feature.push_back(from.lane[r] == 1 ? first : rest);
+        const auto lane = static_cast<std::uint32_t>(from.lane[r]);
+        to.feature.push_back(lane > walls ? Feature::skin : lane == 1 ? Feature::outer_wall : Feature::wall);
     }
     to.rings.width.insert(to.rings.width.end(), from.width.begin(), from.width.end());
 }
@@ -82,12 +100,28 @@ Division divided(const Loops& rest, const Region& r, double w) {
     return out;
 }
 
+bool has_sparse(const Region& r) {
+    return std::any_of(r.areas.begin(), r.areas.end(), [](const Area& a) { return a.kind == AreaKind::sparse; });
+}
+
+// The connected parts of what is at least 2 `radius` wide of `parts`.
+std::vector<Loops> in_parts(const std::vector<Loops>& parts, double radius) {
+    std::vector<Loops> out;
+    for (const Loops& part : parts)
+        for (Loops& piece : polygon::split(opened(part, radius)).part) out.push_back(std::move(piece));
+    return out;
+}
+
 // All closed curves of the region, none joined.
-Loose closed_curves(const Region& r, double w) {
+Loose closed_curves(const Region& r, double w, const Try& how) {
     Loose out;
+    if (!has_sparse(r)) {
+        add(out, rings::lanes(r.loops, {.width = w, .tolerance = how.tolerance}), r.walls);
+        return out;
+    }
     const auto walls =
-        rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = kTolerance});
-    add(out, walls.lanes, Feature::outer_wall, Feature::wall);
+        rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = how.tolerance});
+    add(out, walls.lanes, r.walls);
     for (const Loops& rest : walls.rest) {
         const Division parts = divided(rest, r, w);
         std::vector<infill::Task> tasks;
@@ -96,14 +130,19 @@ Loose closed_curves(const Region& r, double w) {
             tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z}});
         }
         add(out, infill::loops(parts.all_sparse, tasks), w, Feature::infill);
-        for (const Loops& part : parts.solid)
-            add(out, rings::lanes(part, {.width = w, .tolerance = kTolerance}), Feature::skin, Feature::skin);
+        for (const Loops& part : how.open > 0 ? in_parts(parts.solid, how.open * w) : parts.solid)
+            add(out, rings::lanes(part, {.width = w, .tolerance = how.tolerance}), 0);
     }
     return out;
 }
 
+bool is_top(const Region& r, Vec2 p) {
+    return std::any_of(r.areas.begin(), r.areas.end(),
+                       [&](const Area& a) { return a.kind == AreaKind::skin_top && polygon::contains(a.loops, p); });
+}
+
 // Every segment of the curves gets the feature of the loop nearest to its middle.
-void tell_features(const Loose& from, double w, std::vector<toolpath::Curve>& curves) {
+void tell_features(const Region& r, const Loose& from, double w, std::vector<toolpath::Curve>& curves) {
     const auto segments = polygon::segments(from.rings.loops);
     std::vector<std::uint32_t> loop_of;
     for (std::uint32_t l = 0; l < from.rings.loops.size(); ++l) loop_of.resize(from.rings.loops.start[l + 1], l);
@@ -117,13 +156,13 @@ void tell_features(const Loose& from, double w, std::vector<toolpath::Curve>& cu
                 const double d = geom::point_segment_distance(segments[k].a, segments[k].b, p);
                 if (d < best) best = d, feature = from.feature[loop_of[k]];
             });
-            c.feature.push_back(feature);
+            c.feature.push_back(feature == Feature::skin && is_top(r, p) ? Feature::top : feature);
         }
 }
 
 Vec2 snapped(Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
 
-std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& rings, double w, bool round) {
+std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& rings, double w, const Try& how) {
     const auto edges = polygon::segments(r.loops);
     const geom::SegmentGrid grid(edges, 1.5 * w);
     const auto room = [&](Vec2 p) {
@@ -134,10 +173,10 @@ std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& rings, dou
         return best;
     };
     std::vector<toolpath::Curve> out;
-    for (fill::ClosedLine& line : fill::join_rings(rings, w, r.loops, round)) {
-        if (round) line = fill::rounded(fill::with_wide_turns(line, w, room), w, kRound * w, room);
+    for (fill::ClosedLine& line : fill::join_rings(rings, w, r.loops, how.wind)) {
+        if (how.round) line = fill::rounded(fill::with_wide_turns(line, w, room), w, kRound * w, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
-        curve = rings::with_fewer_points(curve, kTolerance, rings::kLeastVoid * w * w);
+        curve = rings::with_fewer_points(curve, how.tolerance, rings::kLeastVoid * w * w);
         for (Vec2& p : curve.points) p = snapped(p);
         out.push_back(std::move(curve));
     }
@@ -166,13 +205,18 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
     out.stroke = r.stroke, out.join = r.join;
     const std::size_t first = notes.size();
-    const Loose loose = closed_curves(r, o.bead_width);
-    for (const bool round : {true, false}) {
-        out.curves = joined(r, loose.rings, o.bead_width, round);
-        if (fill::count_crossings(out.curves, o.bead_width) == 0) break;
+    Loose loose;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max(); // crossings count more than curves
+    for (const Try& t : kTries) {
+        Loose parts = closed_curves(r, o.bead_width, t);
+        auto curves = joined(r, parts.rings, o.bead_width, t);
+        const double left = leave_tiny(curves, kTinyRing * o.bead_width * o.bead_width);
+        const std::size_t faults = curves.size() + kCrossing * fill::count_crossings(curves, o.bead_width);
+        if (faults >= fewest) continue;
+        fewest = faults, loose = std::move(parts), out.curves = std::move(curves), out.unplaced = left;
+        if (fewest == 1) break;
     }
-    out.unplaced = leave_tiny(out.curves, kTinyRing * o.bead_width * o.bead_width);
-    tell_features(loose, o.bead_width, out.curves);
+    tell_features(r, loose, o.bead_width, out.curves);
     fill::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;
     return out;

@@ -10,9 +10,9 @@ namespace {
 using geom::Vec2;
 using polygon::Pattern;
 
-constexpr double kBeyond = 1;       // mm that cells reach beyond the area
-constexpr int kSteps = 32;          // of a wave
-constexpr double kWave = 2.4;       // lengths of a wave: spacings, see docs/algorithms/infill.md
+constexpr double kBeyond = 1; // mm that cells reach beyond the area
+constexpr int kSteps = 32;    // of a wave
+constexpr double kWave = 2.4; // lengths of a wave: spacings, see docs/algorithms/infill.md
 constexpr double kTau = 2 * std::numbers::pi;
 
 // The box of the points in a frame with the x axis along `along`.
@@ -60,7 +60,8 @@ Loops even_waves(const Loops& area, const Lines& o) {
         return along_x ? Vec2{t / scale, v / scale} : Vec2{v / scale, t / scale};
     };
     const double step = kTau / kSteps;
-    const auto first = static_cast<std::int64_t>(std::floor(t0 / step)), last = static_cast<std::int64_t>(std::ceil(t1 / step));
+    const auto first = static_cast<std::int64_t>(std::floor(t0 / step)),
+               last = static_cast<std::int64_t>(std::ceil(t1 / step));
     Loops out;
     for (double k = std::floor(v0 / kTau) - 2; k * kTau < v1 + kTau; ++k) {
         for (std::int64_t i = first; i <= last; ++i) {

@@ -1,6 +1,7 @@
 #include "infill/infill.hpp"
 
 #include "infill/cells.hpp"
+#include "infill/corridors.hpp"
 #include "polygon/clip.hpp"
 
 #include <algorithm>
@@ -10,15 +11,18 @@ namespace filum::infill {
 
 namespace {
 
-constexpr double kArc = 0.01;         // mm, of round corners
-constexpr double kWidest = 64;        // spacings of endless lines
-constexpr double kNeck = 1.25;       // bead widths: closed by this, corners that meet get a neck as wide as a bead
-constexpr double kSame = 1e-3;        // of the spacing: as near as it is found
-constexpr std::size_t kTried = 32;    // areas that are filled to know how much corners take
-constexpr int kRounds = 2;            // of that
+constexpr double kArc = 0.01;      // mm, of round corners
+constexpr double kWidest = 64;     // spacings of endless lines
+constexpr double kNeck = 1.25;     // bead widths: closed by this, corners that meet get a neck as wide as a bead
+constexpr double kSame = 1e-3;     // of the spacing: as near as it is found
+constexpr std::size_t kTried = 48; // areas that are filled to know how much corners take
+constexpr int kRounds = 2;         // of that
 
 // Where loops may run.
 Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, kArc); }
+
+// What of `a` is at least 2 `radius` wide.
+Loops opened(const Loops& a, double radius) { return polygon::offset(polygon::offset(a, -radius, kArc), radius, kArc); }
 
 // The spacing with which `length_of` is `wanted`.
 template <class LengthOf>
@@ -37,22 +41,20 @@ Loops loops(const Loops& area, const Lines& o) {
     const double half = o.bead_width / 2;
     const Loops room = inner(area, o.bead_width);
     if (room.empty()) return {};
-    const Loops cells = polygon::intersect(room, even_cells(room, o));
-    return polygon::offset(polygon::offset(cells, -half, kArc), half, kArc);
+    return opened(polygon::intersect(room, even_cells(room, o)), half);
 }
 
 Loops loops(const Loops& area, std::span<const Task> parts) {
     if (parts.empty()) return {};
     if (parts.size() == 1) return loops(area, parts[0].lines);
-    const double w = parts[0].lines.bead_width, half = w / 2, neck = kNeck * w;
-    const Loops room = inner(area, w);
+    const double w = parts[0].lines.bead_width;
     Loops cells;
     for (const Task& t : parts) {
         const Loops own = polygon::intersect(*t.area, even_cells(*t.area, t.lines));
         for (std::size_t i = 0; i < own.size(); ++i) cells.add(own[i]);
     }
-    const Loops closed = polygon::offset(polygon::offset(polygon::unite(cells), neck, kArc), -neck - half, kArc);
-    return polygon::offset(polygon::intersect(closed, inner(room, w)), half, kArc);
+    const Loops room = inner(area, w);
+    return with_corridors(opened(polygon::intersect(polygon::unite(cells), room), w / 2), room, w);
 }
 
 double length(const Loops& loops) {

@@ -38,8 +38,8 @@ Loops loops(const Loops& area, std::span<const Task> parts);
 // mm of all loops.
 double length(const Loops& loops);
 
-// The spacing with which, whatever their own says, the loops of all areas lay `density` of them together, mm.  If the outlines alone are more
-// than that, the spacing is the widest that is tried: 64 times that of endless lines.
+// The spacing with which, whatever their own says, the loops of all areas lay `density` of them together, mm.  If the
+// outlines alone are more than that, the spacing is the widest that is tried: 64 times that of endless lines.
 double spacing_for(std::span<const Task> tasks, double density, double bead_width);
 
 } // namespace filum::infill

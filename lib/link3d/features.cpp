@@ -12,7 +12,8 @@ toolpath::Span piece_of(const toolpath::Span& s, std::size_t first, std::size_t 
     const auto cut = [&](const auto& from) {
         using List = std::remove_cvref_t<decltype(from)>;
         if (from.size() <= 1) return from;
-        return List(from.begin() + static_cast<std::ptrdiff_t>(first), from.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+        return List(from.begin() + static_cast<std::ptrdiff_t>(first),
+                    from.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     };
     toolpath::Span out{s.role, s.stroke, s.layer, s.region, cut(s.points), cut(s.width), cut(s.height)};
     out.tool = s.tool;
@@ -27,8 +28,8 @@ void extend_long(const toolpath::Span& s, std::vector<toolpath::Feature>& featur
         for (j = i; j < feature.size() && feature[j] == feature[i]; ++j)
             length += geom::distance(s.points[j], s.points[j + 1]);
         if (length < s.width_at(i) && i > 0)
-            std::fill(feature.begin() + static_cast<std::ptrdiff_t>(i), feature.begin() + static_cast<std::ptrdiff_t>(j),
-                      feature[i - 1]);
+            std::fill(feature.begin() + static_cast<std::ptrdiff_t>(i),
+                      feature.begin() + static_cast<std::ptrdiff_t>(j), feature[i - 1]);
         else if (length < s.width_at(i) && j < feature.size())
             known = j;
         else if (known > 0)

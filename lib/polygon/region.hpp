@@ -28,8 +28,8 @@ struct Overlap {
 
 // What a part of a region is.
 enum class AreaKind : std::uint8_t {
-    skin_top,    // solid, under what is seen from above
-    skin_bottom, // solid, over what is seen from below
+    skin_top,    // solid, seen from above
+    skin_bottom, // solid, seen from below
     bridge,      // solid, over air between what carries it
     sparse,      // filled in part
 };
@@ -62,10 +62,10 @@ struct Region {
     double unsupported = 0;   // mm2 with nothing below
     std::uint32_t stroke = 0; // set by `sequence`, as is join
     Join join = Join::start;
-    double inradius = 0; // mm; a circle of this radius fits into the region (a lower bound)
-    Box2 box;            // of the outer loop
-    std::vector<Area> areas; // set by `skins`; none: solid all through
-    std::uint32_t walls = 0; // rings along the outline, if there are areas
+    double inradius = 0;     // mm; a circle of this radius fits into the region (a lower bound)
+    Box2 box;                // of the outer loop
+    std::vector<Area> areas; // set by `skins`: what is in none is solid
+    std::uint32_t walls = 0; // rings along the outline; 0: no walls are told apart, and it is solid all through
 };
 
 } // namespace filum::polygon

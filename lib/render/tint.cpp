@@ -10,6 +10,7 @@ namespace filum::render {
 
 namespace {
 
+using toolpath::Feature;
 using toolpath::Role;
 
 constexpr int kSteps = 1024; // of the ramp
@@ -58,7 +59,10 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     for (const auto& s : scene.spans) {
         strokes.insert(s.stroke);
         lo = std::min(lo, s.layer), hi = std::max(hi, s.layer);
-        out.roles[static_cast<std::size_t>(s.role)] = true;
+        if (s.feature == Feature::plain || s.role != Role::bead)
+            out.roles[static_cast<std::size_t>(s.role)] = true;
+        else
+            out.features[static_cast<std::size_t>(s.feature)] = true;
         if (by != By::progress) continue;
         out.begin.push_back(along);
         if (toolpath::extrudes(s.role)) along += length(s);
@@ -93,6 +97,35 @@ Rgb role_colour(Role role) {
     return {};
 }
 
+namespace {
+
+const char* feature_name(Feature feature) {
+    constexpr const char* kNames[] = {"plain", "outer wall", "wall", "top", "skin", "bridge", "infill"};
+    return kNames[static_cast<std::size_t>(feature)];
+}
+
+} // namespace
+
+Rgb feature_colour(Feature feature) {
+    switch (feature) {
+    case Feature::plain:
+        return role_colour(Role::bead);
+    case Feature::outer_wall:
+        return oklch(0.62, 0.17, 45);
+    case Feature::wall:
+        return oklch(0.80, 0.14, 80);
+    case Feature::top:
+        return oklch(0.60, 0.17, 330);
+    case Feature::skin:
+        return oklch(0.66, 0.12, 250);
+    case Feature::bridge:
+        return oklch(0.55, 0.18, 285);
+    case Feature::infill:
+        return oklch(0.68, 0.15, 150);
+    }
+    return {};
+}
+
 Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along) {
     const toolpath::Span& span = scene.spans[s];
     if (!toolpath::extrudes(span.role)) return to_srgb8(role_colour(span.role));
@@ -111,7 +144,7 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
     case By::speed:
         return on_ramp(amount(tint, span, i));
     case By::role:
-        return to_srgb8(role_colour(span.role));
+        return to_srgb8(span.role == Role::bead ? feature_colour(span.feature) : role_colour(span.role));
     }
     return {};
 }
@@ -131,6 +164,9 @@ void add_legend(Key& key, const Tint& tint) {
     case By::role:
         for (std::size_t r = 0; r < tint.roles.size(); ++r)
             if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));
+        for (std::size_t f = 0; f < tint.features.size(); ++f)
+            if (tint.features[f])
+                key.swatch(feature_colour(static_cast<Feature>(f)), feature_name(static_cast<Feature>(f)));
     }
 }
 

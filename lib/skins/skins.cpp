@@ -17,11 +17,12 @@ namespace {
 using polygon::Loops;
 using polygon::Region;
 
-constexpr double kArc = 0.01;   // mm, of round corners
-constexpr double kReach = 2;    // bead widths: how far skins reach over what is sparse, at least,
-constexpr double kReachMost = 8; // and at most
+constexpr double kArc = 0.01;        // mm, of round corners
+constexpr double kHairline = 0.1;    // bead widths: narrower skins are none
+constexpr double kReach = 2;         // bead widths: how far skins reach over what is sparse, at least,
+constexpr double kReachMost = 8;     // and at most
 constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
-constexpr double kNarrowest = 2; // bead widths: narrower sparse places are made solid
+constexpr double kNarrowest = 2;     // bead widths: narrower sparse places are made solid
 
 void add(Loops& to, const Loops& from) {
     for (std::size_t i = 0; i < from.size(); ++i) to.add(from[i]);
@@ -71,18 +72,18 @@ Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::ve
 }
 
 // Half of what lies between lines: then a skin is so wide that a line lies under it.
-double reach(const Options& o) {
-    return o.bead_width * std::clamp(1 / (2 * o.infill), kReach, kReachMost);
-}
+double reach(const Options& o) { return o.bead_width * std::clamp(1 / (2 * o.infill), kReach, kReachMost); }
 
-// The sparse part of a region of which `inner` has enough above and below.
+// The sparse part of a region of which `inner` has enough above and below: what is far enough from skins, which count
+// where they reach beyond the walls by more than a hairline.
 Loops sparse(const Region& r, const Loops& inner, const Options& o) {
     if (inner.empty()) return {};
-    const double w = o.bead_width, open = kNarrowest * w / 2;
+    const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
     const Loops within = polygon::offset(r.loops, -(static_cast<double>(o.walls) * w), kArc);
-    const Loops deep = polygon::offset(common(r.loops, inner), -reach(o), kArc);
-    const Loops both = common(within, deep);
-    return polygon::offset(polygon::offset(both, -open, kArc), open, kArc);
+    if (within.empty()) return {};
+    const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kArc);
+    const Loops rest = skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kArc));
+    return polygon::offset(polygon::offset(rest, -open, kArc), open, kArc);
 }
 
 // What of `area`, the sparse part of a region, carries a skin on one of the next layers.
@@ -94,6 +95,13 @@ Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint
     plain = polygon::offset(polygon::offset(plain, -open, kArc), open, kArc);
     const Loops rest = polygon::subtract(area, plain);
     return polygon::offset(polygon::offset(rest, -open / 2, kArc), open / 2, kArc);
+}
+
+// What of a region is seen where the next layer is `other`.
+Loops seen(const Region& r, const Loops& other, const Options& o) {
+    if (other.points == r.loops.points) return {};
+    const double hair = kHairline * o.bead_width / 2;
+    return polygon::offset(polygon::offset(polygon::subtract(r.loops, other), -hair, kArc), hair, kArc);
 }
 
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
@@ -129,18 +137,25 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
     const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
     std::vector<Loops> inner(layers.size()), area(regions.size());
-    parallel::for_chunks(layers.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        inner[i] = covered(layers[i], above, below, i, o);
-    });
-    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        area[i] = sparse(regions[i], inner[regions[i].layer], o);
-    });
+    parallel::for_chunks(layers.size(), 1, 0,
+                         [&](std::size_t i, std::size_t) { inner[i] = covered(layers[i], above, below, i, o); });
+    parallel::for_chunks(regions.size(), 1, 0,
+                         [&](std::size_t i, std::size_t) { area[i] = sparse(regions[i], inner[regions[i].layer], o); });
     std::vector<Loops> of_layer(layers.size()), dense(regions.size());
     for (std::size_t i = 0; i < regions.size(); ++i) add(of_layer[regions[i].layer], area[i]);
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         if (area[i].empty()) return;
         dense[i] = carrying(area[i], of_layer, regions[i].layer, o);
         area[i] = polygon::subtract(area[i], dense[i]);
+    });
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        Region& r = regions[i];
+        r.walls = static_cast<std::uint32_t>(o.walls);
+        const auto put = [&](polygon::AreaKind kind, Loops loops) {
+            if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});
+        };
+        put(polygon::AreaKind::skin_top, seen(r, r.layer + 1 < layers.size() ? layers[r.layer + 1] : Loops{}, o));
+        put(polygon::AreaKind::skin_bottom, seen(r, r.layer > 0 ? layers[r.layer - 1] : Loops{}, o));
     });
     const double spacing = spacing_of(regions, area, dense, o);
     if (spacing == 0) return;
@@ -151,7 +166,6 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
         Region& r = regions[i];
         const auto put = [&](Loops& loops, double apart) {
             if (loops.empty()) return;
-            r.walls = static_cast<std::uint32_t>(o.walls);
             r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), apart, o.pattern});
         };
         put(dense[i], spacing / parts);

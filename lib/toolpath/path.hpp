@@ -29,7 +29,7 @@ inline constexpr std::size_t kFeatures = 7;
 struct Curve {
     bool closed = false;
     std::vector<Vec2> points;
-    std::vector<double> width; // mm, per point, or one for all
+    std::vector<double> width;      // mm, per point, or one for all
     std::vector<Feature> feature{}; // per segment, the first from point 0 to point 1; one for all; none: plain
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
