@@ -16,6 +16,7 @@ using geom::Vec2;
 
 using geom::kDegree;
 constexpr double kCoarse = 5 * kDegree, kFine = 0.25 * kDegree; // first and last step of the tilt
+constexpr double kGap = 1.5 * kDegree;                          // room less wide than this may be missed
 constexpr double kStiff = 2;                                    // mm; see lean()
 constexpr double kEase = 3;                                     // of that, where a tilt fades out
 constexpr double kBlocked = 1e4;                                // rad2: what no room costs, more than any tilt
@@ -107,6 +108,30 @@ class Leaner {
         spread();
     }
 
+    // Calls f(tilt) for those up to `rings` steps to all sides of the middle.
+    template <class F>
+    void for_grid(const Vec2& middle, double step, int rings, const F& f) const {
+        for (int j = -rings; j <= rings; ++j)
+            for (int i = -rings; i <= rings; ++i) {
+                const Vec2 t{middle.x + i * step, middle.y + j * step};
+                if (norm(t) <= o_.most * (1 + 1e-9)) f(t);
+            }
+    }
+
+    // Room may be a gap between two things that the first grid's tilts miss: finer ones are looked through where none
+    // of them is free, and those that are become states, too.
+    void seek(Station& s, const Look& look, double step, int rings) const {
+        const auto free = [&](const TiltState& state) { return room_for(state.tilt, look); };
+        if (std::any_of(s.states.begin(), s.states.end(), free)) return;
+        for (const std::size_t known = s.states.size(); step > kGap && s.states.size() == known;) {
+            step /= 2;
+            rings *= 2;
+            for_grid({}, step, rings, [&](const Vec2& t) {
+                if (room_for(t, look)) s.states.push_back({t});
+            });
+        }
+    }
+
     // The states of a station, those nearest to no tilt first.
     void offer(Station& s, double step, int rings) {
         const bool near = std::any_of(looks_.begin() + static_cast<std::ptrdiff_t>(s.first),
@@ -116,11 +141,9 @@ class Leaner {
             s.states.push_back({});
             return;
         }
-        for (int j = -rings; j <= rings; ++j)
-            for (int i = -rings; i <= rings; ++i) {
-                const Vec2 t{s.tilt.x + i * step, s.tilt.y + j * step};
-                if (norm(t) <= o_.most * (1 + 1e-9)) s.states.push_back({t});
-            }
+        for_grid(s.tilt, step, rings, [&](const Vec2& t) { s.states.push_back({t}); });
+        if (first_)
+            for (std::size_t l = s.first; l < s.last; ++l) seek(s, looks_[l], step, rings);
         std::stable_sort(s.states.begin(), s.states.end(),
                          [](const TiltState& a, const TiltState& b) { return norm2(a.tilt) < norm2(b.tilt); });
         for (std::size_t l = s.first; l < s.last; ++l) {

@@ -49,10 +49,10 @@ struct Leant {
 // material stay.  Spans come back as they are if no tilt helps. Of all directions within `most` of the normal, in steps
 // that get finer to a quarter of a degree, the tool takes those that make the integral of tilt^2 + (2 mm)^2 (change of
 // tilt per mm)^2 along the stroke least, among those that leave the head without room on as little of the path as can
-// be, and with the tilt changing by at most `rate`: dynamic programming over stations that far apart or more, and again
-// about its result with half the steps.  The tilt is measured in the frame that goes along the path without turning
-// about the normal. Ties: the lesser tilt, then the one nearer to the path's direction.  The same for any number of
-// threads.
+// be (where none of the first steps' tilts is free, finer ones are tried), and with the tilt changing by at most
+// `rate`: dynamic programming over stations that far apart or more, and again about its result with half the steps.
+// The tilt is measured in the frame that goes along the path without turning about the normal. Ties: the lesser tilt,
+// then the one nearer to the path's direction.  The same for any number of threads.
 Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions& options, const Pace& pace,
            int threads);
 

@@ -177,7 +177,9 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 
 @test "a reader that leaves ends a command quietly" {
     for c in $(readers); do
-        "$c" "$(input_of "$c")" 2> err | head -c 10 > /dev/null || true
+        sharp=()
+        [[ $c == surfpath ]] && sharp=(--least-radius 0)
+        "$c" "${sharp[@]}" "$(input_of "$c")" 2> err | head -c 10 > /dev/null || true
         [[ ! -s err ]] || { echo "$c: $(cat err)"; false; }
     done
 }

@@ -54,8 +54,8 @@ enter_room() {
 @test "a surface path runs alike as tip numbers and as joints" {
     enter_room
     geodesic dome.off --source plane:0,1,0,8 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > dome.toolpath
-    for form in tip joints; do
-        postproc --machine linuxcnc-xyzac --set "kinematics.numbers=$form,tolerance=0.005,extrusion.kind=valve,\
+    for form in tip joints; do # half a degree of the axis, 20 mm from the joint, would be 0.17 mm of that one
+        postproc --path-tolerance 0.001 --axis-tolerance 0.01 --machine linuxcnc-xyzac --set "kinematics.numbers=$form,tolerance=0.005,extrusion.kind=valve,\
 extrusion.on=M62 P0,extrusion.off=M63 P0,feeds.bead=15,feeds.first_layer=15,kinematics.tilt_point_y=20,\
 kinematics.tilt_point_z=10,kinematics.turn_speed_deg=60,kinematics.tilt_speed_deg=40" dome.toolpath > $form.ngc
         simulate $form

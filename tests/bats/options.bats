@@ -42,6 +42,9 @@ make_more_inputs() {
     filum print two.stl --output two.gcode
     boxes small.stl 0,0,0,2,2,1.2 3,0,0,5,2,1.2
     slice --layer-height 0.4 small.stl | regions | sequence --head none | fill | link3d --head none -o small.toolpath
+    boxes one.stl 0,0,0,1.6,1.6,0.6 # and a wall beside it, which a tool leans away from
+    boxes wall.stl -1.5,-5,0,-1,7,6
+    slice one.stl --quiet | regions | sequence --head none | fill | link3d --head none --output one.toolpath
     boxes towers.stl 0,0,0,12,5,1 0,0,1,4,5,3 8,0,1,12,5,3
     slice towers.stl | regions --output towers.regions
     half_ball 6 | without_triangles 60 > open.off

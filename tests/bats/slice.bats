@@ -114,7 +114,8 @@ refuses() {
 @test "parts that cannot be sliced" {
     refuses 3 "lower than half a layer" --scale 1,1,0.009 cube.obj
     refuses 3 "more than 1000000 layers" --scale 1,1,100000 cube.obj
-    refuses 3 "beyond 10000 m" --scale 1e9 cube.obj
+    refuses 3 "beyond 10000 m" --scale 1e6,1e6,0.01 --translate 1e7,0,0 cube.obj
+    refuses 2 "scale" --scale 1e9 cube.obj
     refuses 2 "translate" --translate 1e300,0,0 cube.obj
 }
 

@@ -19,10 +19,10 @@ faces() { peek --json "$1" | grep -o '"face":\[[^]]*' | tr -cd '0-9,' | tr ',' '
 
 @test "step: a part is sliced and filled, from a file and from a pipe" {
     needs_step
-    slice --layer-height 0.5 "$bracket" > part.layers 2> said
+    slice --layer-height 0.4 "$bracket" > part.layers 2> said
     [ ! -s said ]
     peek --check part.layers
-    slice --layer-height 0.5 < "$bracket" | cmp - part.layers
+    slice --layer-height 0.4 < "$bracket" | cmp - part.layers
     regions part.layers | sequence > part.sequence
     fill part.sequence 2> /dev/null | link3d | metrics --regions part.sequence --format tsv > part.tsv
     awk -F '\t' '$2 == "coverage" && $1 == "coverage" { seen = $3 > 0.98 } END { exit !seen }' part.tsv

@@ -34,7 +34,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 
 @test "a stage left out is guessed" {
     expect 3 fill Layers
-    [[ $err == *'Layers, not Regions; is a stage missing?'* ]]
+    [[ $err == *"Layers, not Regions; run 'regions | sequence' on it first"* ]]
 }
 
 @test "a frame longer than it is costs no memory" {
