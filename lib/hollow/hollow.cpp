@@ -141,6 +141,12 @@ bool is_top(const Region& r, Vec2 p) {
                        [&](const Area& a) { return a.kind == AreaKind::skin_top && polygon::contains(a.loops, p); });
 }
 
+// Of a region that is no part.
+Feature feature_beside(const Region& r, Vec2 p) {
+    if (r.is == polygon::RegionClass::rim) return Feature::brim;
+    return is_top(r, p) ? Feature::interface : Feature::support;
+}
+
 // Every segment of the curves gets the feature of the loop nearest to its middle.
 void tell_features(const Region& r, const Loose& from, double w, std::vector<toolpath::Curve>& curves) {
     const auto segments = polygon::segments(from.rings.loops);
@@ -150,6 +156,10 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
     for (auto& c : curves)
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             const Vec2 p = geom::lerp(c.points[i], c.points[(i + 1) % c.points.size()], 0.5);
+            if (r.is != polygon::RegionClass::part) {
+                c.feature.push_back(feature_beside(r, p));
+                continue;
+            }
             double best = 2 * w;
             Feature feature = Feature::skin;
             grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t k) {

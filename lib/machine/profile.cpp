@@ -120,6 +120,9 @@ void read_feeds(Document& doc, Profile& p) {
         if (out > max) doc.fail(key, "it must not be above " + std::string(name) + ", " + shortest_text(max));
     };
     feed("feeds.bead", p.feeds.bead, m.max_speed, "motion.max_speed");
+    for (std::size_t f = 1; f < toolpath::kFeatures; ++f)
+        feed(std::string("feeds.") + toolpath::name(static_cast<toolpath::Feature>(f)), p.feeds.feature[f], m.max_speed,
+             "motion.max_speed");
     feed("feeds.first_layer", p.feeds.first_layer, m.max_speed, "motion.max_speed");
     feed("feeds.lift", p.feeds.lift, m.max_speed, "motion.max_speed");
     feed("feeds.jog", p.feeds.jog, m.max_speed, "motion.max_speed");

@@ -50,6 +50,13 @@ struct Area {
     Pattern pattern = Pattern::rows;
 };
 
+// What a region is there for.
+enum class RegionClass : std::uint8_t {
+    part,
+    support, // carries what overhangs, to be taken away
+    rim,     // beside the first layer, to be taken away: brim and skirt
+};
+
 // One connected region of a layer.
 struct Region {
     std::uint32_t id = 0; // counts all regions of the part, layer by layer
@@ -66,6 +73,7 @@ struct Region {
     Box2 box;                // of the outer loop
     std::vector<Area> areas; // set by `skins`: what is in none is solid
     std::uint32_t walls = 0; // rings along the outline; 0: no walls are told apart, and it is solid all through
+    RegionClass is = RegionClass::part;
 };
 
 } // namespace filum::polygon

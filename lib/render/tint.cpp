@@ -100,7 +100,8 @@ Rgb role_colour(Role role) {
 namespace {
 
 const char* feature_name(Feature feature) {
-    constexpr const char* kNames[] = {"plain", "outer wall", "wall", "top", "skin", "bridge", "infill"};
+    constexpr const char* kNames[] = {"plain",  "outer wall", "wall",    "top",       "skin",
+                                      "bridge", "infill",     "support", "interface", "brim"};
     return kNames[static_cast<std::size_t>(feature)];
 }
 
@@ -122,6 +123,12 @@ Rgb feature_colour(Feature feature) {
         return oklch(0.55, 0.18, 285);
     case Feature::infill:
         return oklch(0.68, 0.15, 150);
+    case Feature::support:
+        return oklch(0.78, 0.04, 100);
+    case Feature::interface:
+        return oklch(0.62, 0.07, 110);
+    case Feature::brim:
+        return oklch(0.70, 0.03, 60);
     }
     return {};
 }

@@ -33,7 +33,7 @@ std::vector<Loops> materials(const std::vector<Region>& regions) {
     std::vector<Loops> out;
     for (const Region& r : regions) {
         if (r.layer >= out.size()) out.resize(r.layer + 1);
-        add(out[r.layer], r.loops);
+        if (r.is == polygon::RegionClass::part) add(out[r.layer], r.loops);
     }
     return out;
 }
@@ -150,6 +150,7 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     });
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         Region& r = regions[i];
+        if (r.is != polygon::RegionClass::part) return;
         r.walls = static_cast<std::uint32_t>(o.walls);
         const auto put = [&](polygon::AreaKind kind, Loops loops) {
             if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});

@@ -22,8 +22,18 @@ enum class Feature : std::uint8_t {
     skin,       // solid otherwise
     bridge,     // laid over air
     infill,     // sparse
+    support,    // of no part: carries one
+    interface,  // of a support, next to the part
+    brim,       // of no part: beside the first layer
 };
-inline constexpr std::size_t kFeatures = 7;
+inline constexpr std::size_t kFeatures = 10;
+
+// As profiles and streams name it: "outer_wall".
+inline const char* name(Feature f) {
+    constexpr const char* kNames[] = {"plain",  "outer_wall", "wall",    "top",       "skin",
+                                      "bridge", "infill",     "support", "interface", "brim"};
+    return kNames[static_cast<std::size_t>(f)];
+}
 
 // One bead line.  A closed one runs on from its last point to its first.
 struct Curve {

@@ -69,3 +69,24 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     filum print part.stl --walls 3 --infill 20% --layer-height 0.1 --quiet --machine marlin -o part.gcode
     [ -s part.gcode ]
 }
+
+@test "a table is carried by columns that are printed before its top, and is one part with few strokes" {
+    boxes table.stl 0,0,0,4,4,4 16,0,0,20,4,4 0,0,4,20,4,5
+    filum print table.stl --infill 20% --support --quiet --machine marlin -o table.gcode
+    [ -s table.gcode ]
+    slice table.stl | regions | skins | supports --support -o table.regions
+    sequence table.regions | fill | link3d --quiet -o table.toolpath
+    peek --text table.toolpath > table.text
+    grep -q 'feature support' table.text
+    grep -q 'feature interface' table.text
+    # no bead of a support is laid after the first one of the top
+    awk '/^span/ { top = top || (/ layer 20 / && !/ travel /); if (top && / feature (support|interface) /) exit 1 }' table.text
+    # three columns 1 mm apart, climbed in turns: the cone lets one be 1.4 mm ahead
+    [[ $(awk '/^span role travel/ { n++ } END { print n + 1 }' table.text) -le 10 ]]
+}
+
+@test "a brim and a skirt are laid with the first layer only" {
+    slice part.stl | regions | supports --brim 3 --skirt 2 | sequence | fill | link3d --quiet | peek --text > brim.text
+    grep -q 'feature brim' brim.text
+    ! grep 'feature brim' brim.text | grep -qv 'layer 0 '
+}

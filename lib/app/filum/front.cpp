@@ -19,8 +19,9 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kPlanar[] = {"slice", "regions", "skins", "sequence", "fill", "link3d", "postproc"};
-constexpr const char* kByWish[] = {"skins"}; // take part where one of the options that they alone have is given
+constexpr const char* kPlanar[] = {"slice", "regions", "skins", "supports", "sequence", "fill", "link3d", "postproc"};
+constexpr const char* kByWish[] = {"skins",
+                                   "supports"}; // take part where one of the options that they alone have is given
 
 void print(const std::string& text) {
     stream::Sink out("-", stream::Sink::Content::text);
