@@ -3,6 +3,7 @@
 // writes: text
 // memory: the toolpath at 20 bytes per segment, and the outlines; with --surface the model and its windows
 #include "app/metrics/metrics.hpp"
+#include "metrics/figures/meanings.hpp"
 
 namespace {
 
@@ -13,7 +14,8 @@ constexpr const char* kDescription =
     "time and material, crossings, bead widths and directions, sharp turns, how far apart neighbouring layers begin. "
     "With --regions also what it fills: coverage, what lies outside, what is laid where there is material already, the "
     "worst layer and region. No stage's own claim is used, but what the stages before said they dropped or repaired is "
-    "listed at the end. The output of fill can be measured, too: each curve counts as printed by itself.\n\n"
+    "listed at the end. docs/metrics.md has the keys of JSON and TSV. The output of fill can be measured, too: each "
+    "curve counts as printed by itself.\n\n"
     "A stop is a way of more than 0.05 mm in XY without extruding; a stroke ends at a stop, or where the nozzle rises "
     "by more than two layers without extruding. A bead is a straight stretch with round ends, as wide as its "
     "cross-section divided by the height of the layer that its z falls into. Shares are of the outlines' area: "
@@ -99,7 +101,8 @@ cli::Spec spec(app::metrics::Options& all) {
              {"geodesic part.stl --cut 0,0,1,0.5 --source plane:1,0,0,4.5 > part.surface; surfpath fina part.surface > "
               "part.toolpath; metrics --surface part.surface part.toolpath",
               "how well a path covers a curved surface, and how sharply it bends"}},
-        .see_also = {"fill", "link3d", "surfpath", "stressfield", "render"}};
+        .see_also = {"fill", "link3d", "surfpath", "stressfield", "render"},
+        .pages = {{"keys", metrics::figures::meanings_page}}};
 }
 
 } // namespace

@@ -52,6 +52,8 @@ cli::Spec spec(postproc::Options& o) {
              {"set", &o.set, "KEY=VALUE,...",
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
              cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting(),
+             cli::Option{"summary", &o.summary, "FILE", "also the four lines at its head on what the program makes"}
+                 .not_a_setting(),
              cli::Option{"modules", &o.modules, "FOLDER",
                          "of robots: where the modules go of a program longer than robot.module_moves"}
                  .not_a_setting()},

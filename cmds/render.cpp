@@ -1,12 +1,15 @@
 // render - a picture of any stream
 // reads:  Layers, Regions, Paths, Toolpath or Surface
-// writes: a PNG picture, SVG or VTP
+// writes: a PNG picture, SVG, VTP or an HTML page
 // memory: the model
+#include "app/report/report.hpp"
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
 #include "render/draw.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
+
+#include <algorithm>
 
 namespace {
 
@@ -25,7 +28,14 @@ constexpr const char* kDescription =
     "With --collisions the head stands where it comes in deepest (red), among what is printed until then and --part, "
     "other places orange; from where it is seen best, in full and close by.\n\n"
     "A name that ends in .svg, or --svg, gives a layer as SVG in mm with true stroke widths. One in .vtp "
-    "writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.";
+    "writes a Toolpath, or a Surface with its fields, for ParaView. Equal input gives equal bytes.\n\n"
+    "A name that ends in .html makes a report: one page that opens from disk, without network, and shows the stream in "
+    "three dimensions, every bead, with sliders along the path and over the layers, colours by what one likes, a layer "
+    "from above, travels, stops, notes and collisions as lists that one clicks to fly there, figures (--figures: what "
+    "'metrics --format tsv' wrote), and the "
+    "pipeline that made it. --regions adds the outlines, --surface what the path lies on, --beside a second stream "
+    "whose "
+    "view follows the first one's.";
 
 cli::Spec spec(render::Options& o) {
     using cli::Option;
@@ -34,7 +44,7 @@ cli::Spec spec(render::Options& o) {
         .synopsis = "draw a picture of any stream",
         .description = kDescription,
         .in = cli::reads(stream::Payload::unknown),
-        .out = cli::text("a PNG picture, SVG or VTP"),
+        .out = cli::text("a PNG picture, SVG, VTP or an HTML page"),
         .memory = "the model",
         .options = cli::with(
             {Option{"color", &o.color, "", "what colours mean; auto: what suits the stream"}.one_of(
@@ -61,12 +71,16 @@ cli::Spec spec(render::Options& o) {
                  .within(0, UINT32_MAX)
                  .when("!layer")
                  .a_limit(),
-             Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines are shown"}.not_a_setting().when(
-                 "layer"),
+             Option{"regions", &o.regions, "FILE", "a Regions stream whose outlines are shown, of a layer or a report"}
+                 .not_a_setting(),
+             Option{"figures", &o.figures, "FILE", "figures for a report, as TSV"}.not_a_setting(),
+             Option{"title", &o.title, "TEXT", "what a report is called; left out: the name of the file"}
+                 .not_a_setting(),
+             Option{"beside", &o.beside, "FILE", "another stream, shown beside in a report"}.not_a_setting(),
              Option{"size", &o.size, "W,H", "size of the picture in pixels"}.numbers(2).at_least(16).at_most(8192),
              Option{"samples", &o.samples, "N", "rays per pixel; more, a calmer picture"}.within(1, 4096).when("!svg"),
-             Option{"machine", &o.machine, "NAME|FILE", "machine profile of the speeds"}.not_a_setting().when(
-                 "color=speed"),
+             Option{"machine", &o.machine, "NAME|FILE", "machine profile of the speeds, of --color speed or a report"}
+                 .not_a_setting(),
              Option{"travels", &o.travels, "", "draws moves without material in perspective, too"}
                  .when("!layer")
                  .a_limit(),
@@ -81,6 +95,8 @@ cli::Spec spec(render::Options& o) {
                       "one layer from above, with voids"},
                      {"slice part.stl | regions | sequence | render --output order.png",
                       "which regions are printed in one stroke"},
+                     {"slice part.stl | regions | sequence | fill | link3d | render --output part.html",
+                      "a page to look around in"},
                      {"geodesic part.stl --source vertex:0 --spacing 1 | render --by distance --views iso,back "
                       "--output distance.png",
                       "distances on a surface"}},
@@ -107,8 +123,26 @@ stream::Payload load(const std::string& file, stream::Payload expected, render::
     return reader.header().payload;
 }
 
+// What only a report shows, and what it does not.
+void check_report(const render::Options& o, const cli::Io& io) {
+    const std::string shown[] = {"machine", "regions", "surface", "collisions", "figures", "beside", "title"};
+    const auto both = [](const std::string& name) { return name != "figures" && name != "beside" && name != "title"; };
+    for (const std::string& name : io.given) {
+        const bool known = std::find(std::begin(shown), std::end(shown), name) != std::end(shown);
+        if (o.html && !known) io.idle(name, "a report shows all, and is looked at from everywhere");
+        if (!o.html && known && !both(name))
+            throw Error(Exit::usage, "cannot use --" + name + ": only a report shows it; name the output x.html");
+        if (!o.html && name == "machine" && o.color != "speed")
+            throw Error(Exit::usage, "cannot use --machine: it does nothing without --color speed or a report");
+    }
+}
+
 void run(const render::Options& given, const cli::Io& io) {
     render::Options o = given;
+    o.html = io.output.ends_with(".html");
+    check_report(o, io);
+    if (o.html)
+        return app::report::run({o.machine, o.regions, o.surface, o.beside, o.figures, o.collisions, o.title}, io);
     o.svg = o.svg || io.output.ends_with(".svg"), o.vtp = io.output.ends_with(".vtp");
     render::check(o);
     render::Scene scene;

@@ -25,7 +25,8 @@ constexpr const char* kDescription =
     "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
     "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
     "more undecided than it holds is refused.\n\n"
-    "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers. Contours are on a grid of 0.1 um.";
+    "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers; below 3 GB of memory for any file below "
+    "100 MB. Contours are on a grid of 0.1 um.";
 
 std::vector<Option> placing(mesh::Placement& p) {
     return {

@@ -52,8 +52,8 @@ Choice choose(Sheet& sheet, const Options& options, int threads, Notes& notes);
 // "candidates".
 Facts facts(const Choice& choice);
 
-// A line per candidate, TSV, under a head line: patch, area, algorithm, seed, estimate, rough score, coverage, load,
-// paper load, angle, cuts, length, overlap, score, chosen ("*"), why it failed.  "-": not known.
+// A line per candidate, TSV, under a head line (docs/metrics.md): patch, area, algorithm, seed, estimate, rough score,
+// coverage, load, paper load, angle, cuts, length, overlap, score, chosen ("*"), why it failed.  "-": not known.
 std::string head();
 std::string report(const std::string& patch, const Choice& choice);
 

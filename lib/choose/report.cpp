@@ -47,7 +47,8 @@ Facts facts(const Choice& choice) {
 }
 
 std::string head() {
-    return "patch\tarea\talgorithm\tseed\testimate\trough\tcoverage\tload\tpaper load\tangle\tcuts\tlength\toverlap\t"
+    return "patch\tarea_mm2\talgorithm\tseed\testimate\trough\tcoverage\tload\tpaper_load\tangle_deg\tcuts\tlength_"
+           "mm\toverlap\t"
            "score\tchosen\tfailed\n";
 }
 

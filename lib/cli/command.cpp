@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "base/printable.hpp"
+#include "cli/bar.hpp"
 #include "cli/document.hpp"
 #include "cli/output.hpp"
 #include "cli/parse.hpp"
@@ -82,6 +83,7 @@ Progress::Progress(const Io& io, std::uint64_t expected) : program_(io.program),
     struct stat info {};
     const bool piped = ::fstat(STDOUT_FILENO, &info) == 0 && S_ISFIFO(info.st_mode);
     active_ = !io.quiet && ::isatty(STDERR_FILENO) != 0 && !piped;
+    if (const char* told = std::getenv("FILUM_PROGRESS")) told_ = std::atoi(told), active_ = false;
 }
 
 Progress::~Progress() {
@@ -90,20 +92,25 @@ Progress::~Progress() {
 
 void Progress::step() {
     ++done_;
-    if (active_ && (done_ % 16 == 0 || done_ == expected_)) draw();
+    if (done_ % 16 != 0 && done_ != expected_) return;
+    if (told_ >= 0) {
+        const std::string line = program_ + " " + std::to_string(done_) + " " + std::to_string(expected_) + "\n";
+        if (::write(told_, line.data(), line.size()) < 0) return; // nobody has time for it
+    } else if (active_) {
+        draw();
+    }
 }
 
-void Progress::draw() const {
-    if (expected_ == 0) {
-        std::fprintf(stderr, "\r%s: %llu", program_.c_str(), static_cast<unsigned long long>(done_));
-        return;
-    }
-    constexpr int kWidth = 30;
-    const int filled = static_cast<int>(std::min<std::uint64_t>(kWidth, done_ * kWidth / expected_));
-    std::string bar(static_cast<std::size_t>(kWidth), ' ');
-    bar.replace(0, static_cast<std::size_t>(filled), static_cast<std::size_t>(filled), '#');
-    std::fprintf(stderr, "\r%s [%s] %3d %%", program_.c_str(), bar.c_str(),
-                 static_cast<int>(std::min<std::uint64_t>(100, done_ * 100 / expected_)));
+void Progress::draw() const { std::fprintf(stderr, "\r%s", bar(program_, done_, expected_).c_str()); }
+
+std::string bar(const std::string& name, std::uint64_t done, std::uint64_t expected) {
+    if (done == 0 && expected == 0) return name;
+    if (expected == 0) return name + ": " + std::to_string(done);
+    constexpr std::uint64_t width = 30;
+    const std::uint64_t filled = std::min(width, done * width / expected);
+    const std::string percent = std::to_string(std::min<std::uint64_t>(100, done * 100 / expected));
+    return name + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
+           std::string(3 - percent.size(), ' ') + percent + " %";
 }
 
 namespace {

@@ -52,7 +52,8 @@ class Report {
     Notes sums_;
 };
 
-// Progress on standard error when that is a terminal and standard output is not a pipe; else silent.
+// Progress on standard error when that is a terminal and standard output is not a pipe; else silent.  Where the
+// environment variable FILUM_PROGRESS names a file descriptor, lines "PROGRAM DONE EXPECTED" there instead.
 class Progress {
   public:
     Progress(const Io& io, std::uint64_t expected); // 0: unknown, counts only
@@ -66,6 +67,7 @@ class Progress {
     std::string program_;
     std::uint64_t expected_ = 0, done_ = 0;
     bool active_ = false;
+    int told_ = -1; // file descriptor
 };
 
 // Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass

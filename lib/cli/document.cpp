@@ -4,6 +4,8 @@
 #include "cli/needs.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 namespace filum::cli {
 
@@ -98,6 +100,16 @@ std::string page_name(const Spec& spec) { return spec.name == "filum" ? spec.nam
 } // namespace
 
 std::string version() { return FILUM_VERSION; }
+
+std::string commit() {
+    std::error_code failed;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", failed);
+    for (const char* share : {"share", "../share"}) {
+        std::ifstream file(self.parent_path().parent_path() / share / "filum" / "commit");
+        if (std::string name; file >> name) return " (commit " + name + ")";
+    }
+    return "";
+}
 
 std::string value_text(const Option& o) {
     if (auto* const* d = std::get_if<double*>(&o.target)) return shortest_text(**d);

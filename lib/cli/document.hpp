@@ -8,6 +8,7 @@
 namespace filum::cli {
 
 std::string version(); // of the project: "0.1.0"
+std::string commit();  // that it was built from, " (commit 1a2b3c4)"; "" where nobody knows. Not in the history
 
 std::string help(const Spec& spec);
 std::string man_page(const Spec& spec); // roff, section 1

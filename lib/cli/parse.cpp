@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "cli/document.hpp"
 #include "cli/needs.hpp"
+#include "cli/other_names.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -86,7 +87,9 @@ std::string document(const std::string& verb, const Spec& spec) {
     if (verb == "--print-markdown") return markdown(spec);
     if (verb == "--print-completion") return completion_line(spec);
     if (verb == "--print-contract") return contract(spec);
-    if (verb == "--version") return spec.name + " (filum) " + version() + "\n";
+    for (const Spec::Page& page : spec.pages)
+        if (verb == "--print-" + page.name) return page.text();
+    if (verb == "--version") return spec.name + " (filum) " + version() + commit() + "\n";
     if (verb == "--help" || verb == "-h") return help(spec);
     return "";
 }
@@ -116,7 +119,8 @@ void take_leading(const Spec& spec, Io& io) {
     const std::size_t dashes = std::min(name.find_first_not_of('-'), name.size());
     std::vector<std::string> names{"output", "threads", "quiet", "help", "version"};
     for (const Option& o : spec.options) names.push_back(o.name);
-    const std::string meant = did_you_mean(name.substr(dashes), names, "--");
+    std::string meant = in_our_words(name.substr(dashes), names);
+    if (meant.empty()) meant = did_you_mean(name.substr(dashes), names, "--");
     misused("unknown option '" + word + "'" + (meant.empty() ? "; see '" + spec.name + " --help'" : meant));
 }
 

@@ -84,6 +84,11 @@ struct Spec {
     std::string arguments = "[INPUT]"; // how the usage line names what is no option
     bool many_inputs = false;          // takes any number of positional arguments
     std::string leading = "";          // an option one of whose choices may come first, without its name
+    struct Page {
+        std::string name; // --print-NAME
+        std::string (*text)();
+    };
+    std::vector<Page> pages = {}; // more that it can say about itself, for scripts/generate-docs
 };
 
 } // namespace filum::cli

@@ -1,21 +1,16 @@
 #include "collision/program.hpp"
 
 #include "base/error.hpp"
-#include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "kinematics/chain.hpp"
+#include "machine/codes.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <set>
-#include <sstream>
-#include <vector>
 
 namespace filum::collision {
 
@@ -25,39 +20,9 @@ using geom::kDegree;
 using kinematics::Joints;
 
 constexpr double kChord = 0.002, kLean = 0.2 * kDegree, kTurn = 2 * kDegree;
-constexpr double kFarthest = 1e7;  // mm, degrees
 constexpr int kChordHalvings = 16; // of a move at most
 
-bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && blank(s.front())) s.remove_prefix(1);
-    while (!s.empty() && blank(s.back())) s.remove_suffix(1);
-    return s;
-}
-
-// A line without its comments; those go to `comment`, one after the other.
-struct Line {
-    std::string code, comment;
-    explicit Line(std::string_view text) {
-        bool inside = false;
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            const char c = text[i];
-            if (c == ';' && !inside) {
-                comment += text.substr(i + 1);
-                break;
-            }
-            if (c == '(' || c == ')')
-                inside = c == '(';
-            else
-                (inside ? comment : code) += c;
-        }
-        code = trimmed(code);
-    }
-};
-
-// X Y Z, tilt, turn: the numbers of the program.
-using Axes = std::array<double, 5>;
+using Axes = machine::AxisNumbers;
 
 Heads heads(const machine::Profile& profile) {
     Heads out = profile.head;
@@ -65,42 +30,10 @@ Heads heads(const machine::Profile& profile) {
     return out;
 }
 
-std::string first_line(const std::string& text) { return std::string(trimmed(text.substr(0, text.find('\n')))); }
-
-// The line of each tool's codes by which it is known: the first that no other tool's codes hold.
-std::map<std::string, std::uint32_t> tool_lines(const machine::Profile& p) {
-    std::map<std::string, std::set<std::uint32_t>> holders;
-    std::map<std::uint32_t, std::vector<std::string>> codes;
-    std::set<std::uint32_t> tools{0};
-    for (const auto& [tool, own] : p.own) tools.insert(tool);
-    if (p.fibre.active()) tools.insert(static_cast<std::uint32_t>(p.fibre.tool));
-    for (const std::uint32_t tool : tools) {
-        std::istringstream text(machine::change_codes(p, tool));
-        for (std::string line; std::getline(text, line);) {
-            constexpr std::string_view number = "{tool_no}";
-            if (const auto at = line.find(number); at != std::string::npos)
-                line.replace(at, number.size(), shortest_text(p.tools.first + static_cast<double>(tool)));
-            if (line.find('{') != std::string::npos) continue; // what only the whole job knows
-            line = Line(line).code;
-            if (line.empty()) continue;
-            codes[tool].push_back(line);
-            holders[line].insert(tool);
-        }
-    }
-    std::map<std::string, std::uint32_t> out;
-    for (const auto& [tool, lines] : codes)
-        for (const auto& line : lines)
-            if (holders[line].size() == 1) {
-                out[line] = tool;
-                break;
-            }
-    return out;
-}
-
 class Reader {
   public:
     Reader(const std::string& name, const machine::Profile& profile, const ProgramOptions& options)
-        : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(tool_lines(profile)),
+        : name_(name), p_(profile), o_(options), growth_(heads(profile)), tools_(machine::tool_lines(profile)),
           width_(options.width), height_(options.height) {
         lose_place();
         if (p_.axes.start) stand(*p_.axes.start);
@@ -109,10 +42,10 @@ class Reader {
 
     void line(std::string_view text) {
         ++number_;
-        const Line line(text);
-        remark(trimmed(line.comment));
-        if (line.code.empty() || line.code == "%") return;
-        if (!special(line.code)) words(line.code);
+        const machine::CodeLine line(text);
+        remark(line.comment());
+        if (line.code().empty() || line.code() == "%") return;
+        if (!special(std::string(line.code()))) words(line.code());
     }
 
     // Nobody knows where X, Y and Z are, but that a polar machine has no Y.
@@ -146,7 +79,7 @@ class Reader {
     void remark(std::string_view text) {
         const auto number = [&](std::string_view key, double& out) {
             if (!text.starts_with(key)) return;
-            const auto value = trimmed(text.substr(key.size()));
+            const auto value = machine::trimmed(text.substr(key.size()));
             double v = 0;
             if (std::from_chars(value.data(), value.data() + value.size(), v).ec == std::errc{} && v > 0) out = v;
         };
@@ -158,7 +91,7 @@ class Reader {
 
     // Lines that the profile itself gives a meaning.
     bool special(const std::string& code) {
-        const auto is = [&](const std::string& other) { return !other.empty() && code == trimmed(other); };
+        const auto is = [&](const std::string& other) { return !other.empty() && code == machine::trimmed(other); };
         const auto& a = p_.axes;
         if (const auto found = tools_.find(code); found != tools_.end()) {
             take(found->second);
@@ -166,8 +99,8 @@ class Reader {
             return true;
         }
         const auto& e = machine::of_tool(p_, tool_).extrusion;
-        if (is(first_line(e.on))) return open_ = true, ++out_.ignored, true;
-        if (is(first_line(e.off))) return open_ = false, ++out_.ignored, true;
+        if (is(machine::first_line(e.on))) return open_ = true, ++out_.ignored, true;
+        if (is(machine::first_line(e.off))) return open_ = false, ++out_.ignored, true;
         if (p_.fibre.active() && is(p_.fibre.on)) return open_ = true, ++out_.ignored, true;
         if (p_.fibre.active() && is(p_.fibre.off)) return open_ = false, ++out_.ignored, true;
         if (!a.active() || a.numbers != machine::Numbers::tip) return false;
@@ -194,11 +127,7 @@ class Reader {
     [[nodiscard]] const kinematics::Chain& chain() const { return machine::of_tool(p_, tool_).axes.chain; }
     static bool known(const Axes& a) { return !std::isnan(a[0]) && !std::isnan(a[1]) && !std::isnan(a[2]); }
 
-    [[nodiscard]] Joints joints(const Axes& a) const {
-        const Vec3 xyz{a[0], a[1], a[2]};
-        if (tip_) return kinematics::place(chain(), xyz, a[3] * kDegree, a[4] * kDegree);
-        return {xyz + offset(), a[3] * kDegree, a[4] * kDegree};
-    }
+    [[nodiscard]] Joints joints(const Axes& a) const { return machine::joints_of(p_, tool_, a, tip_); }
 
     // The axes count where tool 0's tip is.
     [[nodiscard]] Vec3 offset() const { return machine::of_tool(p_, tool_).offset; }
@@ -211,53 +140,17 @@ class Reader {
                 kinematics::tool_side(chain(), j)};
     }
 
-    struct Word {
-        char letter;
-        double value;
-    };
-    // Nothing if the line is a command of the controller's own.
-    [[nodiscard]] std::optional<std::vector<Word>> split(const std::string& code) const {
-        std::vector<Word> out;
-        for (std::size_t i = 0; i < code.size();) {
-            if (blank(code[i])) {
-                ++i;
-                continue;
-            }
-            const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(code[i++])));
-            if (letter < 'A' || letter > 'Z') {
-                if (!out.empty() && out.back().letter >= 'X' && out.back().letter <= 'Z') fail("holds what is no word");
-                return std::nullopt;
-            }
-            while (i < code.size() && (blank(code[i]) || code[i] == '+')) ++i;
-            double v = 0;
-            const auto [end, error] = std::from_chars(code.data() + i, code.data() + code.size(), v);
-            if (error != std::errc{} || !(std::abs(v) <= kFarthest)) {
-                if (letter == 'G' || (letter >= 'X' && letter <= 'Z')) fail("holds a word without a proper number");
-                return std::nullopt;
-            }
-            out.push_back({letter, v});
-            i = static_cast<std::size_t>(end - code.data());
-        }
-        return out;
-    }
-
-    // Which of the axes the letter names; none: 5.
-    [[nodiscard]] std::size_t axis(char letter) const {
-        if (letter >= 'X' && letter <= 'Z') return static_cast<std::size_t>(letter - 'X');
-        if (!p_.axes.active()) return 5;
-        return letter == p_.axes.tilt_letter ? 3 : letter == p_.axes.turn_letter ? 4 : 5;
-    }
-
-    void words(const std::string& code) {
-        const auto all = split(code);
-        if (!all) return void(++out_.ignored);
+    void words(std::string_view code) {
+        machine::split(code, words_);
+        if (*words_.fault != 0) fail(words_.fault);
+        if (words_.own) return void(++out_.ignored);
         Axes to = at_;
         std::optional<double> extruder;
         bool moves = false, says_so = false;
         Other other = Other::none;
         const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
-        for (const auto& [letter, v] : *all) {
-            const std::size_t k = axis(letter);
+        for (const auto& [letter, v, decimals] : words_.words) {
+            const std::size_t k = machine::axis_of(p_, letter);
             if (k < to.size())
                 to[k] = v, moves = true;
             else if (letter == 'G' && (v == 0 || v == 1))
@@ -350,6 +243,7 @@ class Reader {
     const ProgramOptions& o_;
     Program out_;
     Growth growth_;
+    machine::Words words_; // of the line
     std::map<std::string, std::uint32_t> tools_;
     Axes at_{};
     double width_, height_, extruder_ = 0;

@@ -1,6 +1,7 @@
 #include "collision/report.hpp"
 
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 
 namespace filum::collision {
 
@@ -86,14 +87,20 @@ Facts facts(const Answer& a) {
 }
 
 metrics::figures::Figures summary(const Answer& a) {
-    metrics::figures::Figures out{{"moves", std::string(name(a.source)) + "s", static_cast<std::uint64_t>(sources(a))},
-                                  {"moves", "colliding", static_cast<std::uint64_t>(colliding(a))},
-                                  {"moves", "step", a.options.step, 3, "mm"}};
+    metrics::figures::Figures out;
+    const auto tell = [&](const std::string& key, decltype(metrics::figures::Figure::value) value,
+                          const std::string& of = {}) {
+        metrics::figures::tell(out, metrics::figures::head_meanings(), key, std::move(value), of);
+    };
+    tell("head_moves", std::uint64_t{sources(a)}, std::string(name(a.source)) + "s");
+    tell("collisions", std::uint64_t{colliding(a)});
+    tell("step_mm", a.options.step);
     for (const auto& least : a.found.least) {
         if (!least) continue;
-        out.push_back({"clearance", name(least->against), least->clearance, 4, "mm"});
-        out.push_back({"clearance", std::string(name(least->against)) + " to", std::string(name(least->piece))});
-        out.push_back({"clearance", std::string(name(least->against)) + " at", where(a, *least)});
+        const std::string key = std::string("clearance_") + name(least->against);
+        tell(key + "_mm", least->clearance);
+        tell(key + "_piece", std::string(name(least->piece)));
+        tell(key + "_at", where(a, *least));
     }
     return out;
 }

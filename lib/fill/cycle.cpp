@@ -86,7 +86,7 @@ ClosedLine without_short_segments(const ClosedLine& line, double least) {
 
 class Joiner {
   public:
-    Joiner(const BeadRings& rings, double width, const Loops& outline)
+    Joiner(const rings::Rings& rings, double width, const Loops& outline)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
           width_(width), forest_(graph_.size()), splices_(graph_), links_(1.5 * width) {}
 
@@ -266,8 +266,8 @@ class Joiner {
 
 } // namespace
 
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline, bool spirals) {
-    if (rings.loops.empty()) return {};
+std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals) {
+    if (rings.size() == 0) return {};
     return Joiner(rings, width, outline).run(spirals);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/note.hpp"
-#include "fill/spacing.hpp"
 #include "fill/splices.hpp"
 #include "toolpath/path.hpp"
 
@@ -24,7 +23,7 @@ using ClosedLine = BeadLine; // its last point runs on to its first
 //
 // Returns one curve if all rings could be joined, else one per connected group, the longest first.
 // Ties: better facing first, then the lower ring, then the earlier place on it.
-std::vector<ClosedLine> join_rings(const BeadRings& rings, double width, const Loops& outline = {},
+std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline = {},
                                    bool spirals = false);
 
 // The lines as closed curves, in their order.

@@ -61,14 +61,14 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
         if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
         return std::move(s.curves);
     }
-    if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)}, notes);
-    if (o.pattern == "zigzag") return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o)}, notes);
+    if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)});
+    if (o.pattern == "zigzag") return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o)}, notes, &unplaced);
     if (o.pattern == "rectilinear")
         return rectilinear(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 0)}, notes);
     if (o.pattern == "spiral+zigzag" || o.pattern == "contour+zigzag") {
         const bool linked = o.pattern == "spiral+zigzag";
         return ringed_zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 2), .linked = linked},
-                             notes);
+                             notes, &unplaced);
     }
     throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
 }

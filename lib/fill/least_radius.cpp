@@ -1,5 +1,6 @@
 #include "fill/least_radius.hpp"
 
+#include "fill/ring_graph.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
 
@@ -48,40 +49,58 @@ Loops rounded_off(const Loops& part, double radius, double tolerance) {
     return out;
 }
 
-// mm2 inside and under beads along the outline.
-double reached(const Loops& part, double bead, double tolerance) {
-    return polygon::signed_area(polygon::offset(part, bead / 2, tolerance));
+// Adds loops as rings of a lane, each point as wide as that lane where it is nearest.
+void add_lane(const Loops& loops, int lane, const rings::Rings& from, const RingGraph& graph, double reach,
+              rings::Rings& out) {
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+        for (const Vec2 p : loops[l]) {
+            std::optional<Place> at;
+            for (double far = reach; !at; far *= 4)
+                at = graph.nearest(p, far, [&](std::uint32_t ring) { return from.lane[ring] == lane; });
+            out.points.push_back(p), out.width.push_back(graph.width(at->ring, at->s));
+        }
+        out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
+        out.lane.push_back(lane);
+    }
+}
+
+double laid(const Loops& loops, double width) {
+    double length = 0;
+    for (std::size_t l = 0; l < loops.size(); ++l) length += polygon::perimeter(loops[l]);
+    return width * length;
 }
 
 } // namespace
 
-Rings nested_round_rings(const Loops& first, double spacing, double min_length, double tolerance, double radius,
-                         Note& open) {
-    Rings out;
-    Loops now = first;
+rings::Rings with_round_corners(const rings::Rings& lanes, double width, double tolerance, double radius, Note& open) {
+    rings::Rings out;
+    if (lanes.size() == 0) return out;
+    const RingGraph graph(lanes, 1.5 * width);
+    Loops outer; // the lane before, once it has been rounded
     double most = 0;
-    for (int level = 0; !now.empty(); ++level) {
+    for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {
+        const int lane = lanes.lane[first];
+        Loops now;
+        for (; next < lanes.size() && lanes.lane[next] == lane; ++next)
+            now.add(std::span(lanes.points).subspan(lanes.start[next], lanes.start[next + 1] - lanes.start[next]));
+        now = lane == 1 ? polygon::unite(now)
+                              : polygon::intersect(now, polygon::offset(outer, -width / 2, tolerance));
         Loops kept;
         const auto parts = polygon::split(now).part;
         for (const Loops& part : parts) {
             const Loops round = rounded_off(part, kRoundingMargin * radius, tolerance);
             const std::size_t pieces = polygon::split(round).part.size();
-            const bool touching = level == 0 && parts.size() > 1; // those must go on touching
-            const bool stays = touching || pieces > 1 || (pieces == 0 && level == 0);
+            const bool stays = pieces > 1 || (pieces == 0 && lane == 1);
             const Loops& used = stays ? part : round;
             for (std::size_t i = 0; i < used.size(); ++i) kept.add(used[i]);
             if (stays) continue;
-            const double lost = reached(part, spacing, tolerance) - reached(used, spacing, tolerance);
+            const double lost = laid(part, width) - laid(used, width);
             if (lost < tolerance * radius) continue;
             open.amount += lost, ++open.count;
             if (lost > most) most = lost, open.x = part[0][0].x, open.y = part[0][0].y;
         }
-        for (std::size_t i = 0; i < kept.size(); ++i) {
-            if (level > 0 && polygon::perimeter(kept[i]) < min_length) continue;
-            out.loops.add(kept[i]);
-            out.level.push_back(level);
-        }
-        now = polygon::simplify(polygon::offset(kept, -spacing, tolerance), tolerance);
+        add_lane(kept, lane, lanes, graph, width + radius, out);
+        outer = std::move(kept);
     }
     return out;
 }

@@ -2,19 +2,18 @@
 #pragma once
 
 #include "base/note.hpp"
-#include "fill/rings.hpp"
+#include "rings/rings.hpp"
 #include "toolpath/path.hpp"
 
 #include <cstddef>
 
 namespace filum::fill {
 
-// As `nested_rings`, but every level is first rid of the corners and specks that a disc of `radius` does not reach, so
-// that corners become arcs of that radius and small rings stay out.  Arms too narrow for the disc stay, and so do parts
-// that would fall apart, and those of level 0 that vanish or only touch.  `open`: the area given up, mm2, and where
-// most of it is.
-Rings nested_round_rings(const Loops& first, double spacing, double min_length, double tolerance, double radius,
-                         Note& open);
+// The lanes of a region, each rid of the corners and specks that a disc of `radius` does not reach, so that corners
+// become arcs of that radius and small rings stay out.  Arms too narrow for the disc stay, and so do parts that would
+// fall apart, and those of the first lane that vanish.  Inner lanes keep half a `width` from the outer ones.  Each
+// point is as wide as the lane was next to it.  `open`: what the lanes lay less by that, mm2, and where most of it is.
+rings::Rings with_round_corners(const rings::Rings& lanes, double width, double tolerance, double radius, Note& open);
 
 // The radius with which an arc must be drawn to measure `radius` by points `scale` apart that are `off` mm off it.
 double drawn_radius(double radius, double scale, double off);

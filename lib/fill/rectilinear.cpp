@@ -1,9 +1,9 @@
 #include "fill/rectilinear.hpp"
 
-#include "fill/contour.hpp"
 #include "fill/inset.hpp"
 #include "fill/rows.hpp"
 #include "polygon/clip.hpp"
+#include "rings/lanes.hpp"
 
 #include <algorithm>
 
@@ -66,15 +66,16 @@ void fill_with_lines(const Loops& part, double bead_width, std::vector<toolpath:
 
 std::vector<toolpath::Curve> rectilinear(const Loops& region, const RectilinearOptions& o, Notes& notes) {
     std::vector<toolpath::Curve> out;
-    Loops core = region;
+    std::vector<Loops> core{region};
     if (o.rings > 0) {
-        out = contour(region, {.bead_width = o.bead_width, .rings = o.rings, .fit = false}, notes);
-        core = inset(region, o.rings * o.bead_width);
+        rings::FirstLanes outer = rings::first_lanes(region, {.width = o.bead_width, .most = o.rings});
+        out = rings::curves_of(outer.lanes);
+        core = std::move(outer.rest);
     } else {
         note_unplaced(region, inset(inset(region, o.bead_width / 2), -o.bead_width / 2), o.bead_width, notes);
     }
     const std::size_t first = out.size();
-    for (const auto& part : polygon::split(rotated(core, -o.angle)).part) fill_with_lines(part, o.bead_width, out);
+    for (const Loops& part : core) fill_with_lines(rotated(part, -o.angle), o.bead_width, out);
     for (std::size_t i = first; i < out.size(); ++i) rotate(out[i].points, o.angle);
     return out;
 }

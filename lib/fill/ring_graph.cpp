@@ -1,13 +1,21 @@
 #include "fill/ring_graph.hpp"
 
-#include "polygon/segments.hpp"
-
 namespace filum::fill {
 
-RingGraph::RingGraph(const BeadRings& beads, double cell)
-    : segments_(polygon::segments(beads.loops)), start_(beads.loops.start), width_(beads.width),
-      grid_(segments_, cell) {
-    const Loops& rings = beads.loops;
+namespace {
+
+std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
+    std::vector<geom::Segment> out;
+    for (std::uint32_t r = 0; r < rings.size(); ++r)
+        for (std::uint32_t i = rings.start[r]; i < rings.start[r + 1]; ++i)
+            out.push_back({rings.points[i], rings.points[i + 1 == rings.start[r + 1] ? rings.start[r] : i + 1]});
+    return out;
+}
+
+} // namespace
+
+RingGraph::RingGraph(const rings::Rings& rings, double cell)
+    : segments_(segments_of(rings)), start_(rings.start), width_(rings.width), grid_(segments_, cell) {
     ring_of_.resize(segments_.size());
     s_.resize(segments_.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r) {

@@ -1,8 +1,8 @@
 // Rings with arc lengths and a grid: where is which ring near what?  Private to lib/fill.
 #pragma once
 
-#include "fill/spacing.hpp"
 #include "geom/segment_grid.hpp"
+#include "rings/rings.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -10,6 +10,9 @@
 #include <vector>
 
 namespace filum::fill {
+
+using geom::Vec2;
+using polygon::Loops;
 
 // A place on a ring: arc length from its first point.
 struct Place {
@@ -21,7 +24,7 @@ struct Place {
 
 class RingGraph {
   public:
-    RingGraph(const BeadRings& rings, double cell);
+    RingGraph(const rings::Rings& rings, double cell);
 
     [[nodiscard]] std::size_t size() const { return length_.size(); }
     [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }

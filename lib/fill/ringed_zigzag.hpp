@@ -20,8 +20,9 @@ struct RingedZigzagOptions {
 // every part of what is left the corridors of `zigzag`, whose outline is just one more ring inside the others.  Linked,
 // all are joined by exchanges to one closed curve (docs/algorithms/fill.md: a core that is one more loop keeps it one).
 // The result is checked and made again as in `zigzag`.  Order: longest first if linked, else from outside inwards.
-// Notes: curves that could not be joined (count), area that no bead reaches (mm2).
+// Note: curves that could not be joined (count).  `unplaced`, where given, is set to the area that no bead reaches,
+// mm2.
 std::vector<toolpath::Curve> ringed_zigzag(const polygon::Loops& region, const RingedZigzagOptions& options,
-                                           Notes& notes);
+                                           Notes& notes, double* unplaced = nullptr);
 
 } // namespace filum::fill

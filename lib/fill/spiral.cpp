@@ -1,9 +1,9 @@
 #include "fill/spiral.hpp"
 
+#include "fill/attempt.hpp"
 #include "fill/cycle.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/rounding.hpp"
-#include "fill/thin.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
 #include "rings/lanes.hpp"
@@ -20,9 +20,7 @@ constexpr double kRoundMost = 0.7;     // the same where a least radius asks for
 
 constexpr double kTinyRing = 0.25; // bead widths squared, laid: a ring that may be left out if it cannot be joined
 
-constexpr double kGrid = 1e-3;      // mm
-constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
-constexpr double kFiner = 0.125;    // of it, where the curve would cross itself
+constexpr double kGrid = 1e-3; // mm
 
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
@@ -62,20 +60,13 @@ void tidy(toolpath::Curve& line) {
     line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
 }
 
-// Rings with corners of the radius that is asked for, evenly spaced; `unplaced` and `open` as they leave it.
-BeadRings gentle_rings(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
-    const double w = o.bead_width, fine = std::min(tolerance, w * w / (128 * o.min_radius)); // vertices turn, too
-    const FirstRings first = first_rings(region, w, fine);
-    out.unplaced = first.unplaced;
-    const Rings rings = nested_round_rings(first.rings, w * (1 - kRingOverlap), kShortestRing * w, fine,
-                                           drawn_radius(o.min_radius, w / 2, kGrid + fine), out.open);
-    return even_spacing(rings, region, w, 2, fine);
-}
-
-BeadRings lane_rings(const Loops& region, double width, double tolerance, Spiral& out) {
-    const rings::Rings all = rings::lanes(region, {.width = width, .tolerance = tolerance});
+// The rings of the region; with corners of the radius that is asked for, if any.
+rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
+    const double w = o.bead_width, r = o.min_radius;
+    const double fine = r > 0 ? std::min(tolerance, w * w / (128 * r)) : tolerance; // vertices turn, too
+    rings::Rings all = rings::lanes(region, {.width = w, .tolerance = fine});
     out.unplaced = std::max(0.0, polygon::signed_area(region) - rings::laid_area(all));
-    return {{all.points, all.start}, all.width};
+    return r > 0 ? with_round_corners(all, w, fine, drawn_radius(r, w / 2, kGrid + fine), out.open) : all;
 }
 
 // Leaves open what tiny rings would lay that no link has room for beside: the first curve is the longest.
@@ -93,9 +84,8 @@ void leave_tiny_rings(double least, Spiral& spiral) {
 
 Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, bool wind, bool round) {
     const double w = o.bead_width;
-    Spiral out{{}, 0, {"", "left open for the least radius", 0, "mm2", 0}};
-    const BeadRings rings =
-        o.min_radius > 0 ? gentle_rings(region, o, tolerance, out) : lane_rings(region, w, tolerance, out);
+    Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
+    const rings::Rings all = rings_of(region, o, tolerance, out);
     const double reach = std::clamp(0.75 * o.min_radius, kRound * w, kRoundMost * w);
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
@@ -106,8 +96,8 @@ Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, 
         });
         return best;
     };
-    for (ClosedLine& line : join_rings(rings, w, region, wind)) {
-        if (round && rings.loops.size() > 4) line = rounded(with_wide_turns(line, w, room), w, reach, room);
+    for (ClosedLine& line : join_rings(all, w, region, wind)) {
+        if (round && all.size() > 4) line = rounded(with_wide_turns(line, w, room), w, reach, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
         if (o.min_radius <= 0) curve = rings::with_fewer_points(curve, tolerance, rings::kLeastVoid * w * w);
         tidy(curve);
@@ -149,6 +139,11 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
         const Note tight = tight_turns(spiral.curves, o.bead_width / 2, o.min_radius);
         if (tight.count > 0) notes.push_back(tight);
     }
+    if (spiral.crossings > 0) {
+        const geom::Vec2 at = spiral.curves[0].points[0];
+        notes.push_back({"", "curve crosses itself", static_cast<double>(spiral.crossings), "places", spiral.crossings,
+                         -1, at.x, at.y});
+    }
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
@@ -183,12 +178,13 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
         double share; // of the tolerance
         bool wind, round;
     };
-    const double usual = std::min(kTolerance, o.bead_width / 40);
+    const auto [whole, finer] = kShares;
     Spiral out;
     for (const Try t :
-         {Try{1, true, true}, Try{kFiner, true, true}, Try{kFiner, true, false}, Try{kFiner, false, false}}) {
-        out = spiral_by(region, o, t.share * usual, t.wind, t.round);
-        if (count_crossings(out.curves, o.bead_width) == 0) break;
+         {Try{whole, true, true}, Try{finer, true, true}, Try{finer, true, false}, Try{finer, false, false}}) {
+        out = spiral_by(region, o, t.share * tolerance_for(o.bead_width), t.wind, t.round);
+        out.crossings = count_crossings(out.curves, o.bead_width);
+        if (out.crossings == 0) break;
     }
     return out;
 }
@@ -198,7 +194,7 @@ Spiral certified(const Loops& region, const SpiralOptions& o) {
 Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
     const Loops region = without_small_holes(given, kSmallestHole * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
-    const bool sound = out.curves.size() == 1 && count_crossings(out.curves, o.bead_width) == 0;
+    const bool sound = out.curves.size() == 1 && out.crossings == 0;
     if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more
         SpiralOptions any = o;
         any.min_radius = 0;

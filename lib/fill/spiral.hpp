@@ -18,6 +18,7 @@ struct SpiralOptions {
 struct Spiral {
     std::vector<toolpath::Curve> curves; // closed; one, unless rings could not be joined (then a note says so)
     double unplaced = 0;                 // mm2 that no bead reaches: corners and tips
+    std::size_t crossings = 0;           // pairs of segments that cross all the same (a note says so)
     Note open{"", "left open for the least radius", 0, "mm2", 0}; // of it
 };
 
@@ -25,7 +26,8 @@ struct Spiral {
 // which share walls of every thickness evenly, are joined to one curve: stacks of rings as double spirals, the rest by
 // pairs of links.  Corners and turns are rounded, so that sharp turns are left at the ends of walls, at centres and
 // where rings branch.  The result is checked: should it cross itself, it is made again with finer lines, then without
-// rounding and spirals.  Notes: beads below min_width (mm of length), rings that could not be joined (count).
+// rounding and spirals.  Notes: beads below min_width (mm of length), rings that could not be joined and
+// crossings that no way avoids (counts).
 //
 // With a min_radius, corners of rings become arcs of that radius, and rings too small for it are left out; a note says
 // what area that leaves open, another how many turns are tighter all the same: of links, at the ends of walls, round

@@ -2,8 +2,8 @@
 
 #include "fill/curve_place.hpp"
 #include "fill/cycle.hpp"
-#include "fill/inset.hpp"
 #include "geom/segment_grid.hpp"
+#include "rings/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,19 +125,10 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
     return out;
 }
 
-std::vector<Curve> ring_groups(const polygon::Loops& region, double w, int rings) {
-    const double tolerance = w / 128;
-    const Rings all = nested_rings(inset(region, w / 2), w * (1 - kRingOverlap), kShortestRing * w, tolerance);
-    Rings outer;
-    for (std::size_t i = 0; i < all.loops.size(); ++i)
-        if (all.level[i] < rings) outer.loops.add(all.loops[i]), outer.level.push_back(all.level[i]);
-    return closed_curves(join_rings(even_spacing(outer, region, w, 0, tolerance), w, region));
-}
-
 } // namespace
 
 void splice_rings(const polygon::Loops& region, double w, int rings, std::vector<Curve>& curves, Notes& notes) {
-    const auto groups = ring_groups(region, w, rings);
+    const auto groups = closed_curves(join_rings(rings::lanes(region, {.width = w, .most = rings}), w, region));
     const std::size_t open = curves.size();
     for (const Curve& ring : groups) {
         std::vector<Segment> all;

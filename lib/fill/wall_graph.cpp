@@ -1,8 +1,7 @@
 #include "fill/wall_graph.hpp"
 
-#include "fill/medial_axis.hpp"
 #include "fill/none.hpp"
-#include "fill/thin.hpp"
+#include "fill/thin_edges.hpp"
 #include "polygon/clip.hpp"
 
 #include <algorithm>
@@ -21,11 +20,11 @@ constexpr double kMostTaper = 0.025;           // bead widths, of the half-thick
 constexpr std::size_t kExact = 14;             // odd nodes that are matched exactly
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-bool all_thin(const MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
+bool all_thin(const rings::Axis& axis, const std::vector<std::uint32_t>& edges, double width) {
     double all = 0, thick = 0;
     for (const auto k : edges) {
-        const auto a = axis.a[k], b = axis.b[k];
-        const double l = geom::distance(axis.point[a], axis.point[b]), r = std::max(axis.radius[a], axis.radius[b]);
+        const auto a = axis.from[2 * k], b = axis.to(2 * k);
+        const double l = geom::distance(axis.node[a], axis.node[b]), r = std::max(axis.radius[a], axis.radius[b]);
         if (r > kMost * width) return false;
         all += l, thick += r > kUsual * width ? l : 0;
     }
@@ -83,9 +82,9 @@ void narrow_at_nodes(WallGraph& g) {
 // Follows the axis from node to node.
 class Tracer {
   public:
-    Tracer(const MedialAxis& axis, const std::vector<std::uint32_t>& edges)
-        : axis_(axis), at_(axis.point.size()), node_(axis.point.size(), kNone), done_(axis.a.size(), 1) {
-        for (const auto k : edges) at_[axis.a[k]].push_back(k), at_[axis.b[k]].push_back(k), done_[k] = 0;
+    Tracer(const rings::Axis& axis, const std::vector<std::uint32_t>& edges)
+        : axis_(axis), at_(axis.nodes()), node_(axis.nodes(), kNone), done_(axis.half_edges() / 2, 1) {
+        for (const auto k : edges) at_[axis.from[2 * k]].push_back(k), at_[axis.to(2 * k)].push_back(k), done_[k] = 0;
     }
 
     WallGraph run() {
@@ -102,7 +101,7 @@ class Tracer {
   private:
     void add_node(std::uint32_t v) {
         node_[v] = static_cast<std::uint32_t>(out_.node.size());
-        out_.node.push_back(axis_.point[v]);
+        out_.node.push_back(axis_.node[v]);
     }
     void follow_from(std::uint32_t v) {
         if (node_[v] == kNone) return;
@@ -113,13 +112,13 @@ class Tracer {
         Wall w;
         w.a = node_[v];
         const auto push = [&](std::uint32_t u) {
-            if (!w.line.empty()) w.length += geom::distance(w.line.back(), axis_.point[u]);
-            w.line.push_back(axis_.point[u]), w.radius.push_back(axis_.radius[u]);
+            if (!w.line.empty()) w.length += geom::distance(w.line.back(), axis_.node[u]);
+            w.line.push_back(axis_.node[u]), w.radius.push_back(axis_.radius[u]);
         };
         push(v);
         for (;;) {
             done_[k] = 1;
-            v = axis_.a[k] == v ? axis_.b[k] : axis_.a[k];
+            v = axis_.from[2 * k] == v ? axis_.to(2 * k) : axis_.from[2 * k];
             push(v);
             if (node_[v] != kNone) break;
             k = at_[v][0] == k ? at_[v][1] : at_[v][0];
@@ -128,7 +127,7 @@ class Tracer {
         out_.walls.push_back(std::move(w));
     }
 
-    const MedialAxis& axis_;
+    const rings::Axis& axis_;
     std::vector<std::vector<std::uint32_t>> at_;
     std::vector<std::uint32_t> node_;
     std::vector<char> done_;
@@ -251,8 +250,8 @@ void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& 
 
 std::optional<WallGraph> wall_graph(const Loops& area, double width) {
     if (!polygon::offset(area, -kMost * width).empty()) return std::nullopt;
-    const MedialAxis axis = medial_axis(polygon::simplify(area, width / 64), width / 4);
-    if (axis.point.empty()) return std::nullopt;
+    const rings::Axis axis = axis_for(area, width);
+    if (axis.nodes() == 0) return std::nullopt;
     const auto edges = thin_edges(axis, kPrune * width);
     if (!all_thin(axis, edges, width)) return std::nullopt;
     WallGraph out = Tracer(axis, edges).run();
@@ -264,10 +263,11 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width) {
 
 WallGraph thin_walls(const Loops& area, double width) {
     const double least = width / 2 * (1 + 1e-9);
-    const MedialAxis axis = split_at(medial_axis(polygon::simplify(area, width / 64), width / 4), width / 2);
-    if (axis.point.empty()) return {};
+    const rings::Axis axis = split_at(axis_for(area, width), width / 2);
+    if (axis.nodes() == 0) return {};
     auto edges = thin_edges(axis, width);
-    std::erase_if(edges, [&](auto k) { return std::max(axis.radius[axis.a[k]], axis.radius[axis.b[k]]) > least; });
+    std::erase_if(edges,
+                  [&](auto k) { return std::max(axis.radius[axis.from[2 * k]], axis.radius[axis.to(2 * k)]) > least; });
     WallGraph out = Tracer(axis, edges).run();
     split_tapers(out, width);
     widen_tips(out, width);

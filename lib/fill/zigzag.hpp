@@ -21,10 +21,10 @@ struct ZigzagOptions {
 // region is thinner than two beads the two lanes share what there is.  Rows are from 0.8 to 1.2 bead widths wide,
 // fitted to the flat parts of the outline; every point carries its width.
 //
-// The result is checked: should it cross itself or be more than one curve, it is made again, following the corridors'
-// acute ends too, with finer outlines, with other rows, at last without moving rings; the best is returned.  Order: the
-// longest curve first.  Notes: curves that could not be joined (count), area that no bead reaches (mm2; corners and
-// tips of up to one bead width squared are not counted).
-std::vector<toolpath::Curve> zigzag(const polygon::Loops& region, const ZigzagOptions& options, Notes& notes);
+// The result is checked: should it cross itself or be more than one curve, it is made again with finer lines, then with
+// other rows; the best is returned.  Order: the longest curve first.  Note: curves that could not be joined (count).
+// `unplaced`, where given, is set to the area that no bead reaches, mm2: corners and tips.
+std::vector<toolpath::Curve> zigzag(const polygon::Loops& region, const ZigzagOptions& options, Notes& notes,
+                                    double* unplaced = nullptr);
 
 } // namespace filum::fill

@@ -17,7 +17,6 @@ namespace filum::hollow {
 
 namespace {
 
-using fill::BeadRings;
 using geom::Vec2;
 using polygon::Area;
 using polygon::AreaKind;
@@ -44,6 +43,12 @@ constexpr Try kTries[] = {{kTolerance, true, true},
                           {kFine, true, false, kNeck},
                           {kFine, false, false, kNeck}};
 
+// Closed lines whose points carry a bead width.
+struct BeadRings {
+    Loops loops;
+    std::vector<double> width; // mm, per point
+};
+
 // Closed curves, each of one feature.
 struct Loose {
     BeadRings rings;
@@ -55,7 +60,7 @@ void add(Loose& to, const rings::Rings& from, std::uint32_t walls) {
     for (std::size_t r = 0; r < from.size(); ++r) {
         to.rings.loops.add({from.points.data() + from.start[r], from.start[r + 1] - from.start[r]});
         const auto lane = static_cast<std::uint32_t>(from.lane[r]);
-        to.feature.push_back(lane > walls ? Feature::skin : lane == 1 ? Feature::outer_wall : Feature::wall);
+        to.feature.push_back(lane > walls ? Feature::solid : lane == 1 ? Feature::outer_wall : Feature::wall);
     }
     to.rings.width.insert(to.rings.width.end(), from.width.begin(), from.width.end());
 }
@@ -143,7 +148,7 @@ bool is_top(const Region& r, Vec2 p) {
 
 // Of a region that is no part.
 Feature feature_beside(const Region& r, Vec2 p) {
-    if (r.is == polygon::RegionClass::rim) return Feature::brim;
+    if (r.is == polygon::RegionClass::rim) return Feature::skirt;
     return is_top(r, p) ? Feature::interface : Feature::support;
 }
 
@@ -161,18 +166,18 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
                 continue;
             }
             double best = 2 * w;
-            Feature feature = Feature::skin;
+            Feature feature = Feature::solid;
             grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t k) {
                 const double d = geom::point_segment_distance(segments[k].a, segments[k].b, p);
                 if (d < best) best = d, feature = from.feature[loop_of[k]];
             });
-            c.feature.push_back(feature == Feature::skin && is_top(r, p) ? Feature::top : feature);
+            c.feature.push_back(feature == Feature::solid && is_top(r, p) ? Feature::top : feature);
         }
 }
 
 Vec2 snapped(Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
 
-std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& rings, double w, const Try& how) {
+std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& beads, double w, const Try& how) {
     const auto edges = polygon::segments(r.loops);
     const geom::SegmentGrid grid(edges, 1.5 * w);
     const auto room = [&](Vec2 p) {
@@ -182,6 +187,8 @@ std::vector<toolpath::Curve> joined(const Region& r, const BeadRings& rings, dou
         });
         return best;
     };
+    const rings::Rings rings{beads.loops.points, beads.width, beads.loops.start,
+                             std::vector<int>(beads.loops.size(), 1)};
     std::vector<toolpath::Curve> out;
     for (fill::ClosedLine& line : fill::join_rings(rings, w, r.loops, how.wind)) {
         if (how.round) line = fill::rounded(fill::with_wide_turns(line, w, room), w, kRound * w, room);

@@ -46,7 +46,7 @@ void emit_by_feature(toolpath::Span bead, std::span<const toolpath::Curve> curve
     std::vector<toolpath::Feature> feature;
     for (std::size_t i = 0; i + 1 < bead.points.size(); ++i) {
         const auto at = index.nearest(geom::lerp(bead.points[i].xy(), bead.points[i + 1].xy(), 0.5));
-        feature.push_back(at ? curves[at->curve].feature_at(at->segment) : toolpath::Feature::plain);
+        feature.push_back(at ? curves[at->curve].feature_at(at->segment) : toolpath::Feature::none);
     }
     extend_long(bead, feature);
     for (std::size_t i = 0, j = 0; i < feature.size(); i = j) {

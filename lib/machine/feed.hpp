@@ -12,7 +12,7 @@ struct Laid {
     std::uint32_t layer = 0;
     double length = 0, rise = 0; // mm
     double volume = 0;           // mm3
-    toolpath::Feature feature = toolpath::Feature::plain;
+    toolpath::Feature feature = toolpath::Feature::none;
 };
 Laid laid(const toolpath::Span& span, std::size_t i); // by the segment i -> i + 1
 

@@ -26,23 +26,6 @@ void pipeline(const std::vector<Stage>& stages, std::vector<std::string>& lines)
     }
 }
 
-void remarks(const Notes& notes, std::vector<std::string>& lines) {
-    Notes sums;
-    for (const Note& n : notes) {
-        auto it = sums.begin();
-        while (it != sums.end() && (it->stage != n.stage || it->what != n.what || it->unit != n.unit)) ++it;
-        if (it == sums.end())
-            sums.push_back(n);
-        else
-            it->amount += n.amount, it->count += n.count;
-    }
-    for (const Note& n : sums) {
-        std::string text = " note: " + n.stage + ": " + n.what + ", " + std::to_string(n.count) + " x";
-        if (!n.unit.empty() && std::isfinite(n.amount)) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
-        for (auto& line : wrapped(text, kWidth, "     ")) lines.push_back(std::move(line));
-    }
-}
-
 // Where the axes pass, which the numbers of joints depend on.
 std::string pivots(const kinematics::Chain& c) {
     using kinematics::Carrier;
@@ -147,6 +130,87 @@ void totals(const machine::Profile& profile, const Survey& s, std::vector<std::s
     for (auto& line : job_lines(profile, s)) lines.push_back(std::move(line));
 }
 
+double fact(const Facts& facts, const std::string& stage, const std::string& name) {
+    double out = -1;
+    for (const Fact& f : facts)
+        if (f.stage == stage && f.name == name) out = f.value;
+    return out;
+}
+
+std::string counted(std::uint64_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+// The strokes of the finished program, and how few `sequence` proved that there can be: of the order of regions, which
+// is all that it knows.  What a fill breaks within a region comes on top.
+std::string strokes(const Survey& s, const Facts& facts) {
+    std::string out = counted(s.strokes, "stroke");
+    const double bound = fact(facts, "sequence", "lower-bound"), planned = fact(facts, "sequence", "planned-strokes");
+    const auto made = static_cast<double>(s.strokes);
+    if (planned >= 0 && planned < made)
+        out += ", " + fixed_text(planned, 0) + " by the order of the regions and the rest within them";
+    if (bound >= 0 && bound <= made)
+        out += bound == made ? ", proven the fewest" : ", at least " + fixed_text(bound, 0) + " for any order";
+    return out + "; " + counted(s.strokes > 0 ? s.strokes - 1 : 0, "stop");
+}
+
+std::string material(const machine::Profile& profile, const Survey& s) {
+    const Used used = postproc::used(profile, s);
+    std::string out = "prints in " + duration(s.seconds) + "; " + fixed_text(used.volume / 1000, 2) + " cm3";
+    if (profile.extrusion.feeding == machine::Feeding::filament)
+        out += ", " + fixed_text(used.units / 1000, 2) + " m of filament";
+    if (profile.extrusion.density > 0)
+        out += ", " + fixed_text(used.volume / 1000 * profile.extrusion.density, 2) + " g";
+    double fibre = 0;
+    for (const auto& [number, tool] : s.tools) fibre += tool.fibre_len;
+    if (fibre > 0) out += ", " + fixed_text(fibre / 1000, 2) + " m of fibre";
+    return out;
+}
+
+std::string size(const machine::Profile& profile, const Survey& s, Vec2 shift) {
+    std::string out;
+    for (std::size_t k = 0; k < 3; ++k)
+        out += (k > 0 ? " x " : "") + fixed_text(s.part_high[k] - (k < 2 ? s.part_low[k] : 0), 2);
+    out += " mm in " + counted(s.layers, "layer");
+    if (profile.axes.active()) return out;
+    const std::array<double, 2> by{shift.x, shift.y};
+    for (const std::size_t k : {0U, 1U})
+        out += std::string(k == 0 ? "; on the bed x " : ", y ") + fixed_text(s.part_low[k] + by[k], 1) + " to " +
+               fixed_text(s.part_high[k] + by[k], 1);
+    return out;
+}
+
+Notes summed(const Notes& notes) {
+    Notes sums;
+    for (const Note& n : notes) {
+        auto it = sums.begin();
+        while (it != sums.end() && (it->stage != n.stage || it->what != n.what || it->unit != n.unit)) ++it;
+        if (it == sums.end())
+            sums.push_back(n);
+        else
+            it->amount += n.amount, it->count += n.count;
+    }
+    return sums;
+}
+
+std::string noted(const Notes& notes) {
+    std::string out;
+    for (const Note& n : summed(notes)) {
+        out += (out.empty() ? "" : "; ") + n.what + " (" + std::to_string(n.count) + " x";
+        if (!n.unit.empty() && std::isfinite(n.amount)) out += ", " + fixed_text(n.amount, 2) + " " + n.unit;
+        out += ")";
+    }
+    return out.empty() ? "nothing hangs, nothing was left out" : "noted: " + out;
+}
+
+void remarks(const Notes& notes, std::vector<std::string>& lines) {
+    for (const Note& n : summed(notes)) {
+        std::string text = " note: " + n.stage + ": " + n.what + ", " + std::to_string(n.count) + " x";
+        if (!n.unit.empty() && std::isfinite(n.amount)) text += ", " + fixed_text(n.amount, 4) + " " + n.unit;
+        for (auto& line : wrapped(text, kWidth, "     ")) lines.push_back(std::move(line));
+    }
+}
+
 } // namespace
 
 void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
@@ -180,13 +244,26 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
                          e.lean_at.x, e.lean_at.y});
 }
 
-std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
-                               const Notes& notes, const Facts& facts) {
+std::vector<std::string> summary(const machine::Profile& profile, const Survey& survey, Vec2 shift, const Notes& notes,
+                                 const Facts& facts) {
+    return {strokes(survey, facts), material(profile, survey), size(profile, survey, shift), noted(notes)};
+}
+
+std::vector<std::string> about(const machine::Profile& profile, const Survey& survey,
+                               const std::vector<std::string>& summary) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
+    for (const auto& line : summary)
+        for (auto& part : wrapped(" " + line, kWidth, "     ")) lines.push_back(std::move(part));
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
     lines.push_back(merged(profile));
     if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
+    totals(profile, survey, lines);
+    return lines;
+}
+
+std::vector<std::string> history(const std::vector<Stage>& stages, const Notes& notes, const Facts& facts) {
+    std::vector<std::string> lines;
     pipeline(stages, lines);
     remarks(notes, lines);
     for (const Fact& f : facts) {
@@ -194,7 +271,6 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
         for (auto& line : wrapped(" " + f.stage + ": " + f.name + " = " + value, kWidth, "     "))
             lines.push_back(std::move(line));
     }
-    totals(profile, survey, lines);
     return lines;
 }
 

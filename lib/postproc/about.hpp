@@ -1,4 +1,4 @@
-// The comments at the head of a program: what it is, how it was made, what it takes.
+// The comments at the head and the end of a program: what it is, what it takes, how it was made.
 #pragma once
 
 #include "base/fact.hpp"
@@ -21,9 +21,17 @@ struct Stage {
 void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
                  Facts& facts);
 
-// The lines, without comment marks.  `notes` (of all stages) are summed by stage and phrase, in the order they came;
-// `facts` stand as they are.
-std::vector<std::string> about(const machine::Profile& profile, const Survey& survey, const std::vector<Stage>& stages,
-                               const Notes& notes, const Facts& facts);
+// What the program makes, in four lines: its strokes, the fewest that there can be and its stops; time and material;
+// size and place on the bed, which is the survey's moved by `shift`; what hangs or was left out.  One number for
+// strokes: those of the finished program.  `notes` (of all stages) are summed by stage and phrase, as they came.
+std::vector<std::string> summary(const machine::Profile& profile, const Survey& survey, Vec2 shift, const Notes& notes,
+                                 const Facts& facts);
+
+// The lines at the head of the program, without comment marks: what it is for, the summary, what its numbers mean.
+std::vector<std::string> about(const machine::Profile& profile, const Survey& survey,
+                               const std::vector<std::string>& summary);
+
+// Those at its end: how it was made.  `facts` stand as they are.
+std::vector<std::string> history(const std::vector<Stage>& stages, const Notes& notes, const Facts& facts);
 
 } // namespace filum::postproc

@@ -1,7 +1,10 @@
 #include "postproc/job.hpp"
 
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 #include "postproc/digits.hpp"
+
+#include <optional>
 
 namespace filum::postproc {
 
@@ -9,6 +12,7 @@ namespace {
 
 // A tool's, or everyone's.
 struct Sum {
+    std::optional<std::uint32_t> tool; // none: everyone's
     std::string name;
     ToolTotals totals;
     double volume = 0, mass = 0; // mm3 with the flow factor, g
@@ -19,13 +23,17 @@ Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t
     const auto& e = machine::of_tool(p, number).extrusion;
     const double density = t.fibre ? p.fibre.density : e.density;
     const double volume = t.volume * (t.fibre ? 1 : e.flow);
-    return {"tool " + std::to_string(number) + (t.fibre ? " (fibre)" : ""), t, volume, volume / 1000 * density,
+    return {number,
+            "tool " + std::to_string(number) + (t.fibre ? " (fibre)" : ""),
+            t,
+            volume,
+            volume / 1000 * density,
             density > 0 || volume == 0};
 }
 
 std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
     std::vector<Sum> out;
-    Sum all{"job", {}, 0, 0, true};
+    Sum all{{}, "job", {}, 0, 0, true};
     for (const auto& [number, totals] : survey.tools) {
         out.push_back(of_tool(profile, number, totals));
         const Sum& s = out.back();
@@ -47,15 +55,21 @@ metrics::figures::Figures job(const machine::Profile& profile, const Survey& sur
     metrics::figures::Figures out;
     for (const Sum& s : sums(profile, survey)) {
         const ToolTotals& t = s.totals;
-        out.push_back({s.name, "strokes", t.strokes});
-        out.push_back({s.name, "cuts", t.cuts});
-        out.push_back({s.name, "laid", t.path_len, 1, "mm"});
-        if (t.fibre) out.push_back({s.name, "fibre used", t.fibre_len, 1, "mm"});
-        out.push_back({s.name, "travel", t.travel_len, 1, "mm"});
-        out.push_back({s.name, "material", s.volume, 2, "mm3"});
-        if (s.weighed) out.push_back({s.name, "mass", s.mass, 3, "g"});
-        out.push_back({s.name, "print time", t.print_seconds, 1, "s"});
-        out.push_back({s.name, "travel time", t.travel_seconds, 1, "s"});
+        const std::size_t first = out.size();
+        const auto tell = [&](const std::string& key, decltype(metrics::figures::Figure::value) value) {
+            metrics::figures::tell(out, metrics::figures::job_meanings(), (s.tool ? "tool.*." : "job.") + key,
+                                   std::move(value), s.tool ? std::to_string(*s.tool) : "");
+        };
+        tell("strokes", t.strokes);
+        tell("cuts", t.cuts);
+        tell("laid_mm", t.path_len);
+        if (t.fibre) tell("fibre_used_mm", t.fibre_len);
+        tell("travel_mm", t.travel_len);
+        tell("material_mm3", s.volume);
+        if (s.weighed) tell("mass_g", s.mass);
+        tell("print_time_s", t.print_seconds);
+        tell("travel_time_s", t.travel_seconds);
+        for (std::size_t k = first; k < out.size(); ++k) out[k].group = s.name;
     }
     return out;
 }

@@ -15,6 +15,7 @@ struct Options {
     std::string set;                     // "key=value,..."
     std::string short_strokes = "error"; // of fibre, below its least path: error | drop
     std::string job;                     // file
+    std::string summary;                 // file
     std::string modules;                 // folder
     bool flatten = false;                // an upright nozzle may follow a path that leans the tool
     std::vector<double> path_tolerance;  // mm; none: machine::standard_merging

@@ -24,9 +24,12 @@ bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
 
 // What viewers know a kind of bead by (the names of PrusaSlicer, so that they get its colours).
 const char* type_name(Role role, Feature feature) {
-    constexpr const char* kNames[] = {
-        "Solid infill",  "External perimeter", "Perimeter",        "Top solid infill",           "Solid infill",
-        "Bridge infill", "Internal infill",    "Support material", "Support material interface", "Skirt/Brim"};
+    constexpr std::array<const char*, toolpath::kFeatures> kNames{
+        "Solid infill",    "External perimeter", "Perimeter",
+        "Internal infill", "Solid infill",       "Top solid infill",
+        "Solid infill",    "Bridge infill",      "Gap fill",
+        "Ironing",         "Support material",   "Support material interface",
+        "Skirt/Brim",      "Wipe tower"};
     switch (role) {
     case Role::lift:
         return "Perimeter";
@@ -94,9 +97,10 @@ void Program::reset_extruder() {
     e_ = 0;
 }
 
-void Program::end() {
+void Program::end(const std::vector<std::string>& history) {
     end_axes();
     code(profile_->templates.end);
+    for (const auto& line : history) comment(line);
     comment("end of program, " + std::to_string(lines_) + " moves");
     flush();
 }

@@ -19,7 +19,7 @@ class Program final : public Writer {
   public:
     Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
     void begin(const std::vector<std::string>& about) override;
-    void end() override;
+    void end(const std::vector<std::string>& history) override;
 
   private:
     void layer(const Step& step) override;
@@ -57,7 +57,7 @@ class Program final : public Writer {
     std::int64_t e_ = 0;             // where the controller believes the extruder to be
     bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;
-    Feature feature_ = Feature::plain;
+    Feature feature_ = Feature::none;
     double width_ = 0, height_ = 0; // as last told to viewers
     std::uint64_t lines_ = 0;       // moves written
 };

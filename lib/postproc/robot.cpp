@@ -39,9 +39,10 @@ void RobotProgram::begin(const std::vector<std::string>& about) {
     if (split_) begin_module();
 }
 
-void RobotProgram::end() {
+void RobotProgram::end(const std::vector<std::string>& history) {
     settle(0);
     if (split_) run_modules();
+    for (const auto& line : history) comment(line);
     comment("end of program, " + std::to_string(lines_) + " moves");
     code(profile_->templates.end);
     flush();

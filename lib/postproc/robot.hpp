@@ -22,7 +22,7 @@ class RobotProgram final : public Writer {
   public:
     RobotProgram(const machine::Profile& profile, const Survey& survey, Text out, ModuleFile modules);
     void begin(const std::vector<std::string>& about) override;
-    void end() override;
+    void end(const std::vector<std::string>& history) override;
 
   private:
     void layer(const Step& step) override;

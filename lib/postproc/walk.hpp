@@ -49,7 +49,7 @@ enum class Act : std::uint8_t {
 struct Step {
     Act act = Act::travel;
     Role role = Role::bead;
-    Feature feature = Feature::plain;
+    Feature feature = Feature::none;
     std::uint32_t layer = 0;
     Vec3 to;                      // mm, not yet placed on the bed
     double feed = 0;              // mm/s

@@ -21,7 +21,7 @@ class Writer {
     virtual ~Writer() = default;
     virtual void begin(const std::vector<std::string>& about) = 0; // `about`: lines for the head, see about.hpp
     void add(std::span<const Step> steps);
-    virtual void end() = 0;
+    virtual void end(const std::vector<std::string>& history) = 0; // lines for the end
 
   protected:
     // What a step becomes, where languages differ.

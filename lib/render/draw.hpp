@@ -20,10 +20,13 @@ struct Options {
     std::int64_t layer = -1, from_layer = 0, to_layer = UINT32_MAX; // layer -1: all, in perspective
     std::int64_t samples = 4;                                       // per pixel
     std::vector<double> size = {1024, 768};                         // pixels
-    std::string collisions = {};     // file of the places where the head meets something: collisions.hpp
-    std::string part = {};           // mesh files that stand there then, commas between
-    machine::HeadChoice head = {};   // what meets them
-    std::vector<double> around = {}; // x, y, z, radius in mm: what a surface's picture shows
+    std::string collisions = {};           // file of the places where the head meets something: collisions.hpp
+    std::string figures = {}, beside = {}; // files for a report: figures as TSV, another stream
+    std::string title = {};                // of a report
+    std::string part = {};                 // mesh files that stand there then, commas between
+    machine::HeadChoice head = {};         // what meets them
+    std::vector<double> around = {};       // x, y, z, radius in mm: what a surface's picture shows
+    bool html = false;                     // a report is made instead of a picture
     bool svg = false, vtp = false, travels = false, no_centres = false, no_table = false;
 
     [[nodiscard]] bool flat() const { return layer >= 0; }

@@ -59,7 +59,7 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     for (const auto& s : scene.spans) {
         strokes.insert(s.stroke);
         lo = std::min(lo, s.layer), hi = std::max(hi, s.layer);
-        if (s.feature == Feature::plain || s.role != Role::bead)
+        if (s.feature == Feature::none || s.role != Role::bead)
             out.roles[static_cast<std::size_t>(s.role)] = true;
         else
             out.features[static_cast<std::size_t>(s.feature)] = true;
@@ -97,19 +97,9 @@ Rgb role_colour(Role role) {
     return {};
 }
 
-namespace {
-
-const char* feature_name(Feature feature) {
-    constexpr const char* kNames[] = {"plain",  "outer wall", "wall",    "top",       "skin",
-                                      "bridge", "infill",     "support", "interface", "brim"};
-    return kNames[static_cast<std::size_t>(feature)];
-}
-
-} // namespace
-
 Rgb feature_colour(Feature feature) {
     switch (feature) {
-    case Feature::plain:
+    case Feature::none:
         return role_colour(Role::bead);
     case Feature::outer_wall:
         return oklch(0.62, 0.17, 45);
@@ -117,8 +107,16 @@ Rgb feature_colour(Feature feature) {
         return oklch(0.80, 0.14, 80);
     case Feature::top:
         return oklch(0.60, 0.17, 330);
-    case Feature::skin:
+    case Feature::solid:
         return oklch(0.66, 0.12, 250);
+    case Feature::bottom:
+        return oklch(0.58, 0.12, 220);
+    case Feature::gap:
+        return oklch(0.75, 0.12, 20);
+    case Feature::ironing:
+        return oklch(0.70, 0.10, 0);
+    case Feature::tower:
+        return oklch(0.60, 0.05, 200);
     case Feature::bridge:
         return oklch(0.55, 0.18, 285);
     case Feature::infill:
@@ -127,7 +125,7 @@ Rgb feature_colour(Feature feature) {
         return oklch(0.78, 0.04, 100);
     case Feature::interface:
         return oklch(0.62, 0.07, 110);
-    case Feature::brim:
+    case Feature::skirt:
         return oklch(0.70, 0.03, 60);
     }
     return {};
@@ -172,8 +170,7 @@ void add_legend(Key& key, const Tint& tint) {
         for (std::size_t r = 0; r < tint.roles.size(); ++r)
             if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));
         for (std::size_t f = 0; f < tint.features.size(); ++f)
-            if (tint.features[f])
-                key.swatch(feature_colour(static_cast<Feature>(f)), feature_name(static_cast<Feature>(f)));
+            if (tint.features[f]) key.swatch(feature_colour(static_cast<Feature>(f)), toolpath::kFeatureNames[f]);
     }
 }
 

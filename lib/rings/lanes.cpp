@@ -128,6 +128,15 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
 
 Rings lanes(const Loops& region, const LaneOptions& o) { return first_lanes(region, o).lanes; }
 
+std::vector<toolpath::Curve> curves_of(const Rings& rings) {
+    std::vector<toolpath::Curve> out;
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        out.push_back({true,
+                       {rings.points.begin() + rings.start[i], rings.points.begin() + rings.start[i + 1]},
+                       {rings.width.begin() + rings.start[i], rings.width.begin() + rings.start[i + 1]}});
+    return out;
+}
+
 double laid_area(const Rings& rings) {
     double out = 0;
     for (std::size_t r = 0; r < rings.size(); ++r)

@@ -31,6 +31,9 @@ struct FirstLanes {
 // than o.most lanes on a side, nothing is left.  Parts no larger than what the edge of a bead flows over are left out.
 FirstLanes first_lanes(const Loops& region, const LaneOptions& o);
 
+// The rings as curves, in their order.
+std::vector<toolpath::Curve> curves_of(const Rings& rings);
+
 // What the beads of rings lay, mm2.
 double laid_area(const Rings& rings);
 

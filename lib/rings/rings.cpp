@@ -138,6 +138,14 @@ class Walk {
 
 } // namespace
 
+void Rings::add(const Rings& more) {
+    const auto base = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), more.points.begin(), more.points.end());
+    width.insert(width.end(), more.width.begin(), more.width.end());
+    lane.insert(lane.end(), more.lane.begin(), more.lane.end());
+    for (std::size_t i = 1; i < more.start.size(); ++i) start.push_back(base + more.start[i]);
+}
+
 Rings rings(const Beading& beading, int most, double least_void, double tolerance) {
     return Walk(beading, least_void, tolerance).run(most);
 }

@@ -16,6 +16,7 @@ struct Rings {
     std::vector<int> lane; // per ring, counted from 1 along the outline; ascending
 
     [[nodiscard]] std::size_t size() const { return lane.size(); }
+    void add(const Rings& more);
 };
 
 // The rings of lanes 1 to `most` (all: 0), lane by lane.  Arcs are off by at most `tolerance` mm.  Rings inside others

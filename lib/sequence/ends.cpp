@@ -78,7 +78,7 @@ std::vector<Index> tally(const std::vector<End>& ends) {
 }
 
 std::string table(const Graph& g, const std::vector<End>& ends) {
-    std::string out = "stroke\tregion\tlayer\tz\tx\ty\tcause\tahead\tawaited\trise\tdistance\n";
+    std::string out = "stroke\tregion\tlayer\tz_mm\tx_mm\ty_mm\tcause\tahead\tawaited\trise_mm\tdistance_mm\n";
     const auto region = [](Index v) { return v == kNone ? std::string("-") : std::to_string(v); };
     for (const End& e : ends) {
         const Node& n = g.node[e.region];

@@ -4,6 +4,7 @@
 #include "base/join.hpp"
 #include "geom/vec.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,38 +14,39 @@ namespace filum::toolpath {
 using geom::Vec2;
 using geom::Vec3;
 
-// What a stretch of bead is of its part: speeds, flows and fans depend on it.
+// What a bead is for, as `skins` and `supports` or the program of a slicer say it: speeds and flows depend on it;
+// `none` where nobody does.
 enum class Feature : std::uint8_t {
-    plain,      // of a part that is solid all through
-    outer_wall, // beside the outline
-    wall,       // the rings inside it
-    top,        // solid, seen from above
-    skin,       // solid otherwise
-    bridge,     // laid over air
-    infill,     // sparse
-    support,    // of no part: carries one
-    interface,  // of a support, next to the part
-    brim,       // of no part: beside the first layer
+    none,
+    outer_wall,
+    wall,
+    infill, // sparse
+    solid,
+    top,
+    bottom,
+    bridge,
+    gap,
+    ironing,
+    support,
+    interface,
+    skirt, // or brim, or raft
+    tower, // where tools are primed
 };
-inline constexpr std::size_t kFeatures = 10;
-
-// As profiles and streams name it: "outer_wall".
-inline const char* name(Feature f) {
-    constexpr const char* kNames[] = {"plain",  "outer_wall", "wall",    "top",       "skin",
-                                      "bridge", "infill",     "support", "interface", "brim"};
-    return kNames[static_cast<std::size_t>(f)];
-}
+inline constexpr std::array<const char*, 14> kFeatureNames{"none",    "outer-wall", "wall",   "infill", "solid",
+                                                           "top",     "bottom",     "bridge", "gap",    "ironing",
+                                                           "support", "interface",  "skirt",  "tower"};
+inline constexpr std::size_t kFeatures = kFeatureNames.size();
 
 // One bead line.  A closed one runs on from its last point to its first.
 struct Curve {
     bool closed = false;
     std::vector<Vec2> points;
     std::vector<double> width;      // mm, per point, or one for all
-    std::vector<Feature> feature{}; // per segment, the first from point 0 to point 1; one for all; none: plain
+    std::vector<Feature> feature{}; // per segment, the first from point 0 to point 1; one for all; none: not told
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] Feature feature_at(std::size_t segment) const {
-        return feature.empty() ? Feature::plain : feature[feature.size() == 1 ? 0 : segment];
+        return feature.empty() ? Feature::none : feature[feature.size() == 1 ? 0 : segment];
     }
 };
 
@@ -73,6 +75,13 @@ enum class Role : std::uint8_t {
 };
 inline constexpr std::size_t kRoles = 6;
 
+// What happens to the material on a travel.
+enum class Retraction : std::uint8_t {
+    by_machine, // what the profile of the machine says: most take some back
+    none,       // it is not taken back: known of a program that was read
+    taken,      // it is
+};
+
 inline bool extrudes(Role r) { return r != Role::travel; }
 inline bool fills(Role r) { return r == Role::bead || r == Role::hairpin; }
 
@@ -88,7 +97,8 @@ struct Span {
     // A travel with normals is to be followed as it is; one without may be raised above what is printed.
     std::vector<Vec3> normals{};
     std::uint32_t tool = 0; // of the machine, by number; of a travel, the one of the bead that follows
-    Feature feature = Feature::plain;
+    Retraction retraction = Retraction::by_machine; // of a travel
+    Feature feature = Feature::none;                // of what extrudes
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] double height_at(std::size_t i) const { return height.size() == 1 ? height[0] : height[i]; }

@@ -292,6 +292,8 @@ toolpath::Span span(const RawFrame& frame) {
     out.normals = normals(m, xy.size());
     if (m.tool() > 1000) bad_frame("span", "a tool above 1000");
     out.tool = m.tool();
+    if (m.retraction() < 0 || m.retraction() > 2) bad_frame("span", "unknown retraction");
+    out.retraction = static_cast<toolpath::Retraction>(m.retraction());
     out.feature = feature(m.feature(), "span");
     return out;
 }
@@ -303,6 +305,7 @@ RawFrame frame(const toolpath::Span& span) {
     m.set_layer(span.layer);
     m.set_region(span.region);
     m.set_tool(span.tool);
+    m.set_retraction(static_cast<proto::Retraction>(span.retraction));
     m.set_feature(static_cast<proto::Feature>(span.feature));
     const auto n = static_cast<int>(span.points.size());
     m.mutable_x()->Reserve(n);

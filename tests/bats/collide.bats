@@ -29,7 +29,7 @@ setup_file() {
 setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 
 # figure GROUP NAME < TSV
-figure() { awk -F '\t' -v group="$1" -v name="$2" '$1 == group && $2 == name {print $3}'; }
+figure() { awk -F '\t' -v name="$1" '$1 == name {print $2}'; }
 said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
 
 @test "a toolpath that meets nothing goes on unchanged, with facts" {
@@ -81,8 +81,8 @@ said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
     collide towers.toolpath "${head[@]}" --bed > free
     postproc --machine marlin --place as-is towers.toolpath > towers.gcode
     collide --program towers.gcode --machine marlin "${head[@]}" --bed --format tsv > figures.tsv
-    [[ $(figure moves colliding < figures.tsv) == 0 ]]
-    awk -v a="$(said free clearance-beads)" -v b="$(figure clearance beads < figures.tsv)" \
+    [[ $(figure collisions < figures.tsv) == 0 ]]
+    awk -v a="$(said free clearance-beads)" -v b="$(figure clearance_beads_mm < figures.tsv)" \
         'BEGIN { d = a - b; exit !(a > 0 && d * d < 0.01) }'
     expect 1 collide --program towers.gcode --machine marlin --cone-height 3
     complaint collide
@@ -97,14 +97,14 @@ said() { peek "$1" | sed -n "s/^fact  *collide: $2 \([^ ]*\).*/\1/p"; }
             bowl.toolpath > $form.ngc
         collide --program $form.ngc --machine linuxcnc-xyzac --set "kinematics.numbers=$form,kinematics.tilt_point_z=-9,kinematics.orientation_deg=0.01" \
             "${head[@]}" --part bowl.off --format tsv > $form.tsv
-        [[ $(figure moves colliding < $form.tsv) == 0 ]]
+        [[ $(figure collisions < $form.tsv) == 0 ]]
         for against in part beads; do
-            awk -v a="$(said free clearance-$against)" -v b="$(figure clearance $against < $form.tsv)" \
+            awk -v a="$(said free clearance-$against)" -v b="$(figure "clearance_${against}_mm" < $form.tsv)" \
                 'BEGIN { exit !(b >= a - 0.25 && b <= a + 0.25) }' || { echo "$form $against"; said free clearance-$against; cat $form.tsv; false; }
         done
     done
     # the two forms are one way
-    awk -v a="$(figure clearance part < tip.tsv)" -v b="$(figure clearance part < joints.tsv)" \
+    awk -v a="$(figure clearance_part_mm < tip.tsv)" -v b="$(figure clearance_part_mm < joints.tsv)" \
         'BEGIN { d = a - b; exit !(d * d < 0.07) }'
 }
 

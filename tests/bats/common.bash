@@ -97,6 +97,7 @@ make_inputs() {
     sequence Regions --output sequenced
     fill sequenced --output Paths
     link3d Paths --output Toolpath
+    postproc Toolpath --set purge=0 --output part.gcode # without a line before the part, which ingest notes
     disc 15 > disc.off
     geodesic disc.off --source boundary --spacing 2 --output Surface
 }
@@ -110,6 +111,7 @@ input_of() {
     in=$(fact "$1" in)
     case $1:$in in
         fill:*) echo sequenced ;;
+        ingest:*) echo part.gcode ;;
         *:file) echo part.stl ;;
         *:'stream unknown') echo Paths ;;
         *:'stream '*) echo "${in#stream }" ;;

@@ -17,11 +17,19 @@ setup() { top=$BATS_TEST_DIRNAME/../..; }
     [ "$(wc -c <"$BATS_TEST_TMPDIR/1/link3d-lane.png")" -lt 60000 ]
 }
 
+@test "what the fill works with is drawn from its own functions; without the program for that: exit 1, told" {
+    run "$top/scripts/draw-docs" --build "$BATS_TEST_TMPDIR" --out "$BATS_TEST_TMPDIR" fill-axis
+    [ "$status" -eq 1 ]
+    [[ "$output" == *"--target draw_axis"* ]]
+    for f in fill-axis fill-levels; do grep -q '<path' "$top/docs/algorithms/pictures/$f.svg"; done
+}
+
 @test "all pictures of the script are in the tree, and none besides" {
-    # shellcheck disable=SC2016
-    drawn=$(sed -nE 's/^    "([a-z0-9-]+)": (["f'"'"']).*/\1.png/p' "$top/scripts/draw-docs" | sort)
-    [ -n "$drawn" ]
-    diff <(echo "$drawn") <(cd "$top/docs/algorithms/pictures" && ls -- *.png | sort)
+    drawn=$("$top/scripts/draw-docs" --list | sort)
+    [ "$(wc -l <<<"$drawn")" -gt 20 ]
+    cd "$top"
+    diff <(grep '^docs/algorithms/.*png' <<<"$drawn") <(ls docs/algorithms/pictures/*.png | sort)
+    while read -r file; do [ -s "$file" ]; done <<<"$drawn"
 }
 
 @test "an unknown picture: exit 2; a program that fails: exit 1" {
@@ -34,4 +42,29 @@ setup() { top=$BATS_TEST_DIRNAME/../..; }
     run "$top/scripts/draw-docs" --build "$BATS_TEST_TMPDIR" --out "$BATS_TEST_TMPDIR" link3d-lane
     [ "$status" -eq 1 ]
     [[ "$output" == *"cannot draw 'link3d-lane'"* ]]
+}
+
+@test "captions of the README say what its pictures show" {
+    says() { python3 - "$top/docs/pictures/$1.png" << 'END'
+import struct, sys
+data = open(sys.argv[1], "rb").read()
+at = 8
+while at < len(data):
+    size, kind = struct.unpack(">I4s", data[at:at + 8])
+    if kind == b"tEXt":
+        print(data[at + 8:at + 8 + size].partition(b"\0")[2].decode("latin-1"))
+    at += size + 12
+END
+    }
+    strokes=$(sed -nE 's/^!\[3DBenchy in ([0-9]+) strokes.*/\1/p' "$top/README.md")
+    stops=$(sed -nE 's/^\| \*\*Filum\*\*.* \*\*([0-9]+)\*\* \| \*\*([0-9]+)\*\* \| \*\*0.*/\2/p' "$top/README.md")
+    [ "$(says benchy)" = "strokes $strokes, stops $stops" ]
+    [ "$(says benchy-layer)" = "strokes $strokes, stops $stops" ]
+    grep -q "^| \*\*Filum\*\*, default | \*\*$strokes\*\* |" "$top/README.md"
+    grep -q "^$strokes is proven" "$top/README.md"
+    [ "$(says scaffold)" = "strokes 1, stops 0" ]
+    # and it is still so
+    "$top/scripts/draw-docs" --build "$FILUM_BUILD" --out "$BATS_TEST_TMPDIR" benchy-layer scaffold
+    cmp "$BATS_TEST_TMPDIR/benchy-layer.png" "$top/docs/pictures/benchy-layer.png"
+    cmp "$BATS_TEST_TMPDIR/scaffold.png" "$top/docs/pictures/scaffold.png"
 }

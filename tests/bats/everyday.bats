@@ -24,7 +24,7 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
 
 @test "walls, skins and infill are told apart, and rows turn from layer to layer" {
     skins large.regions | sequence | fill | link3d --quiet | peek --text > large.text
-    for feature in outer_wall wall skin infill; do grep -q "feature $feature" large.text; done
+    for feature in outer_wall wall solid infill; do grep -q "feature $feature" large.text; done
     skins large.regions | peek --text | awk '/area kind sparse/ { for (i = 1; i < NF; i++) if ($i == "direction") print $(i + 1) }' |
         sort -u > directions
     [[ $(wc -l < directions) == 2 ]]
@@ -87,6 +87,6 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
 
 @test "a brim and a skirt are laid with the first layer only" {
     slice part.stl | regions | supports --brim 3 --skirt 2 | sequence | fill | link3d --quiet | peek --text > brim.text
-    grep -q 'feature brim' brim.text
-    ! grep 'feature brim' brim.text | grep -qv 'layer 0 '
+    grep -q 'feature skirt' brim.text
+    ! grep 'feature skirt' brim.text | grep -qv 'layer 0 '
 }

@@ -26,7 +26,7 @@ END
 }
 
 # figure NAME: its value in figures.tsv
-figure() { awk -F '\t' -v name="$1" '$2 == name {print $3}' figures.tsv; }
+figure() { awk -F '\t' -v name="$1" '$1 == name {print $2}' figures.tsv; }
 
 # chain MESH SEQUENCE FILL LINK: regions, then the stages with those options, and figures.tsv of the result
 chain() {
@@ -45,10 +45,10 @@ chain() {
     chain wedge.stl "" "" ""
     awk -v w="$(wrong)" 'BEGIN { exit !(w < 0.045) }'
     chain bar.stl "" "--method sun2019" "--links sun2019"
-    baseline=$(figure 'sharp-turn share')
+    baseline=$(figure sharp_turn_share)
     chain bar.stl "" "" ""
-    echo "sharp turns: $baseline, by default $(figure 'sharp-turn share')"
-    awk -v b="$baseline" -v d="$(figure 'sharp-turn share')" 'BEGIN { exit !(b > 0.004 && 2 * d <= b) }'
+    echo "sharp turns: $baseline, by default $(figure sharp_turn_share)"
+    awk -v b="$baseline" -v d="$(figure sharp_turn_share)" 'BEGIN { exit !(b > 0.004 && 2 * d <= b) }'
 }
 
 # F11: a start at or near the axis puts the seams of all layers on one line.
@@ -57,16 +57,16 @@ chain() {
 # layers, nine pairs.
 @test "F11: the main axis puts all starts on one line" {
     chain bar.stl "" "--method sun2019" "--links sun2019"
-    [ "$(figure pairs)" = 9 ]
-    [ "$(figure 'nearer than three beads')" = 9 ]
+    [ "$(figure seam_pairs)" = 9 ]
+    [ "$(figure seams_near)" = 9 ]
     chain bar.stl "" "--method sun2019 --start-shift 10" "--links sun2019 --start-shift 10"
-    [ "$(figure 'nearer than three beads')" = 0 ]
+    [ "$(figure seams_near)" = 0 ]
     [ "$(figure crossings)" -ge 9 ]
     for scheme in alternate golden random; do
         chain bar.stl "" "" "--interlace $scheme"
         [ "$(figure crossings)" = 0 ]
-        [ "$(figure pairs)" = 9 ]
-        [ "$(figure 'nearer than three beads')" = 0 ]
+        [ "$(figure seam_pairs)" = 9 ]
+        [ "$(figure seams_near)" = 0 ]
         [ "$(figure strokes)" = 1 ]
     done
 }
@@ -90,12 +90,12 @@ chain() {
 # Property: no two moves of a layer cross, connectors included, and how many connectors there are is told.
 @test "F13: connectors cut through the parts" {
     chain towers.stl "--order sun2019" "" "--links sun2019"
-    [ "$(figure 'joins by connector')" = 60 ]
+    [ "$(figure joins_connector)" = 60 ]
     [ "$(figure crossings)" -ge 60 ]
     for connect in break outside; do
         chain towers.stl "" "" "--connect $connect"
         [ "$(figure crossings)" = 0 ]
-        [ "$(figure 'joins by connector')" = "$(figure 'link3d: connectors')" ]
+        [ "$(figure joins_connector)" = "$(figure said.link3d.connectors)" ]
         [ "$(figure strokes)" -le 4 ]
     done
 }

@@ -83,11 +83,11 @@ setup() {
     grep -q '^( tool 0: ' job.ngc
     grep -q '^( tool 1 \[fibre\]: ' job.ngc
     grep -q '^( job: ' job.ngc
-    of() { awk -F'\t' -v g="$1" -v n="$2" '$1 == g && $2 == n { print $3 }' job.tsv; }
-    [ "$(of 'tool 1 (fibre)' cuts)" = "$(grep -c '^M64 P0' job.ngc)" ]
-    awk -v a="$(of 'tool 0' laid)" -v b="$(of 'tool 1 (fibre)' laid)" -v c="$(of job laid)" \
+    of() { awk -F'\t' -v key="$1" '$1 == key { print $2 }' job.tsv; }
+    [ "$(of tool.1.cuts)" = "$(grep -c '^M64 P0' job.ngc)" ]
+    awk -v a="$(of tool.0.laid_mm)" -v b="$(of tool.1.laid_mm)" -v c="$(of job.laid_mm)" \
         'BEGIN { exit !(b > 100 && a + b - c < 0.11 && c - a - b < 0.11) }'
-    awk -v m="$(of 'tool 1 (fibre)' material)" -v g="$(of 'tool 1 (fibre)' mass)" \
+    awk -v m="$(of tool.1.material_mm3)" -v g="$(of tool.1.mass_g)" \
         'BEGIN { d = m * 1.4 / 1000 - g; exit !(g > 0 && d < 0.001 && d > -0.001) }'
 }
 
@@ -95,19 +95,19 @@ setup() {
     set_to=fibre.cut_to_nozzle=12.5,fibre.feed=8
     postproc --flatten --machine fibre-marlin --set $set_to --job job.tsv job.toolpath > job.gcode
     metrics --machine fibre-marlin --set $set_to --format tsv job.toolpath > metrics.tsv
-    for name in strokes cuts laid "print time" mass; do
-        for group in "tool 0" "tool 1 (fibre)" job; do
-            awk -F'\t' -v g="$group" -v n="$name" '$1 == g && $2 == n { v[++k] = $3 }
-                END { exit !(k == 2 && v[1] > 0 + (n == "cuts" ? -1 : 0) && (v[1] - v[2]) ^ 2 <= 1e-4 * (v[1] + 0.05) ^ 2) }' \
+    for name in strokes cuts laid_mm print_time_s mass_g; do
+        for group in tool.0 tool.1 job; do
+            awk -F'\t' -v key="$group.$name" '$1 == key { v[++k] = $2 }
+                END { exit !(k == 2 && v[1] > 0 + (key ~ /cuts/ ? -1 : 0) && (v[1] - v[2]) ^ 2 <= 1e-4 * (v[1] + 0.05) ^ 2) }' \
                 job.tsv metrics.tsv || { echo "$group: $name"; cat job.tsv metrics.tsv; false; }
         done
     done
     # who has no fibre head is told of no cuts, and one tool alone needs no table
-    metrics --format tsv job.toolpath | awk -F'\t' '$1 == "tool 1" && $2 == "cuts" { exit !($3 == 0) }'
+    metrics --format tsv job.toolpath | awk -F'\t' '$1 == "tool.1.cuts" { seen = $2 == 0 } END { exit !seen }'
     run metrics core.toolpath
     [[ "$output" != *"tool 0"* ]]
     metrics --machine fibre-marlin --set fibre.cut_to_nozzle=40 --format tsv lines.fibre |
-        awk -F'\t' '$1 == "job" && $2 ~ /too short/ { n = $3 } END { exit !(n == 5) }'
+        awk -F'\t' '$1 == "job.too_short" { n = $2 } END { exit !(n == 5) }'
 }
 
 @test "a toolpath of two tools needs a machine that has them" {

@@ -119,6 +119,98 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     [[ -s first && ! -s err ]] || { cat err; false; }
 }
 
+@test "on a terminal filum print says in five lines what it made, and the same stands first in the program" {
+    command -v script > /dev/null || skip "no script(1)"
+    script -qec "filum print part.stl -o made.gcode" /dev/null < /dev/null | tr -d '\r' | sed 's/\x1b\[K//g' > tty.out
+    [[ $(wc -l < tty.out) -eq 5 && $(head -n 1 tty.out) == made.gcode ]] || { cat tty.out; false; }
+    for n in 2 3 4 5; do
+        [[ "; $(sed -n "${n}s/^  //p" tty.out)" == "$(sed -n ${n}p made.gcode)" ]] || { cat tty.out; head -n 6 made.gcode; false; }
+    done
+    [[ $(sed -n 2p made.gcode) == '; 1 stroke, proven the fewest; 0 stops' ]]
+    filum print part.stl -o plain.gcode 2> err
+    [[ ! -s err ]]
+    cmp plain.gcode made.gcode
+    # the history is at the end
+    [[ $(grep -n '^; made by' plain.gcode | cut -d : -f 1) -gt $(grep -n '^M84' plain.gcode | cut -d : -f 1) ]]
+}
+
+@test "a stage says how far it is where it is told to, and filum print draws that" {
+    slice part.stl | regions | sequence > sequenced
+    FILUM_PROGRESS=3 fill sequenced -o paths 3> told
+    grep -qx "fill 5 5" told
+}
+
+@test "filum print --keep leaves every stage's stream, --picture a picture; a failure leaves nothing" {
+    filum print part.stl --keep kept --picture part.png -o kept.gcode
+    [[ $(ls kept) == $'1-slice.layers\n2-regions.regions\n3-sequence.regions\n4-fill.paths\n5-link3d.toolpath' ]]
+    for s in kept/*; do peek --check "$s"; done
+    postproc kept/5-link3d.toolpath | cmp - kept.gcode
+    [[ $(head -c 4 part.png | tail -c 3) == PNG ]]
+    expect 1 filum print part.stl --set limits.section=0.01 --keep none --picture none.png -o none.gcode
+    [[ -z $(ls none) && ! -e none.png && ! -e none.gcode ]]
+}
+
+@test "filum machines and filum patterns list what there is to choose" {
+    expect 0 filum machines
+    [[ $out == *marlin* && $out == *linuxcnc-xyzac* && $(wc -l <<< "$out") -ge 15 ]]
+    expect 0 filum patterns
+    [[ $out == *'fill --pattern spiral'* && $out == *'surfpath fina'* ]]
+    expect 2 filum machines extra
+}
+
+@test "filum NAME runs filum-NAME of the PATH, but nothing hides a stage" {
+    mkdir -p own
+    printf '#!/bin/sh\necho "mine: $*"\n' > own/filum-mine
+    cp own/filum-mine own/filum-slice
+    chmod +x own/*
+    PATH=$PATH:$PWD/own expect 0 filum mine 1 2
+    [[ $out == 'mine: 1 2' ]]
+    PATH=$PATH:$PWD/own expect 0 filum list
+    [[ $out == *"'filum-mine' on the PATH"* && $(grep -c '^slice' <<< "$out") -eq 1 ]]
+    PATH=$PATH:$PWD/own filum slice part.stl | peek --check -
+    expect 2 filum mine
+}
+
+@test "filum print --stage puts a program of one's own in the chain" {
+    printf '#!/bin/sh\nexec %s --pattern contour\n' "$(command -v fill)" > my-fill
+    chmod +x my-fill
+    filum print part.stl --stage fill=./my-fill -o mine.gcode
+    filum print part.stl --pattern contour | cmp - mine.gcode
+    expect 2 filum print part.stl --stage fll=./my-fill
+    [[ $err == *"did you mean 'fill'?"* ]]
+    expect 2 filum print part.stl --stage fill=./none
+    complaint filum
+    expect 2 filum print part.stl --stage fill
+    complaint filum
+}
+
+@test "filum check finds the promises that a program breaks" {
+    expect 0 filum check "$(command -v fill)" --as fill
+    [[ $out == *'all promises kept'* && $out != *BROKEN* ]] || { echo "$out"; false; }
+    printf '#!/bin/sh\nexec cat\n' > passes
+    chmod +x passes
+    expect 1 filum check ./passes --as fill
+    for broken in 'it carries Paths' 'a truncated input' 'a flipped byte' 'another payload' 'an unknown option'; do
+        grep -q "^BROKEN  $broken" <<< "$out" || { echo "$out"; false; }
+    done
+    expect 2 filum check ./passes --as fll
+    [[ $err == *"did you mean 'fill'?"* ]]
+    expect 2 filum check ./none --as fill
+}
+
+@test "names of other slicers are answered with ours" {
+    expect 2 slice part.stl --layer_height 0.2
+    [[ $err == *"here it is '--layer-height'"* ]]
+    expect 2 filum print part.stl --line-width 0.5
+    [[ $err == *"here it is '--bead-width'"* ]]
+    expect 2 filum print part.stl --print-speed 80
+    [[ $err == *"here it is '--set feeds.bead=50'"* ]]
+    expect 2 fill --fill-pattern zigzag part.stl
+    [[ $err == *"here it is '--pattern'"* ]]
+    expect 2 filum print part.stl --export-gcode x
+    [[ $err == *"here it is '--output'"* ]]
+}
+
 @test "an option that does nothing in any stage is refused by the stage that has it" {
     expect 2 filum print part.stl --spacing 1.2
     [[ $err == *"fill: cannot use --spacing: it does nothing without --pattern scaffold"* ]]

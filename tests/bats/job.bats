@@ -42,8 +42,8 @@ at() { grep -n "$1" job.ngc | tail -n 1 | cut -d: -f1; }
     collide --machine ./machine.toml --program job.ngc --format tsv > whole.tsv
     sed -n '/^T2 M6/,$p' job.ngc > half.ngc
     collide --machine ./machine.toml --part block.off --program half.ngc --format tsv > half.tsv
-    for file in whole.tsv half.tsv; do awk -F '\t' '$2 == "colliding" {exit $3 != 0}' $file; done
-    awk -F '\t' '$1 == "clearance" && ($2 == "beads" || $2 == "part") && $3 <= 0 {exit 1}' whole.tsv half.tsv
+    for file in whole.tsv half.tsv; do awk -F '\t' '$1 == "collisions" {exit $2 != 0}' $file; done
+    awk -F '\t' '$1 ~ /^clearance_(beads|part)_mm$/ {++n; if ($2 <= 0) exit 1} END {exit n == 0}' whole.tsv half.tsv
 }
 
 # The tool is level at the side: its cone reaches below the part's foot.

@@ -48,7 +48,7 @@ facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
     baseline fina s > t
     facts t | grep -qx 'pieces 23' # 12 on one side, 11 on the other
     metrics --surface s --format tsv t | awk -F '\t' '
-        $2 == "chains" && $3 != 1 || $2 == "fibre" && ($3 < 385 || $3 > 392) { print; bad = 1 } END { exit bad }'
+        $1 == "chains" && $2 != 1 || $1 == "fibre_mm" && ($2 < 385 || $2 > 392) { print; bad = 1 } END { exit bad }'
 }
 
 @test "the paper's own distances go through" {

@@ -18,7 +18,7 @@ said() {
     shift
     postproc --machine klipper ${set_to:+--set "$set_to"} --job job.tsv part.toolpath > part.gcode
     plan part.gcode "$@" > real
-    awk -F'\t' 'NR == FNR { real = $1; next } $1 == "job" && $2 == "print time" { d = $3 / real - 1; print $3, real; n = 1
+    awk -F'\t' 'NR == FNR { real = $1; next } $1 == "job.print_time_s" { d = $2 / real - 1; print $2, real; n = 1
         ok = real > 10 && d ^ 2 <= 0.05 ^ 2 } END { exit !(n && ok) }' real job.tsv
 }
 
@@ -51,6 +51,6 @@ said() {
             END { print n, want; exit !(want > 1000 && n / want < 1.01 && n / want > 0.99) }'
     done
     # nothing crawls, the first travel neither
-    awk -F'\t' 'NR == FNR { real = $1; next } $1 == "job" && $2 == "print time" { d = $3 / real - 1; print $3, real
+    awk -F'\t' 'NR == FNR { real = $1; next } $1 == "job.print_time_s" { d = $2 / real - 1; print $2, real
         ok = real > 10 && d ^ 2 <= 0.05 ^ 2 } END { exit !ok }' real job.tsv
 }

@@ -49,7 +49,7 @@ beads() { peek --text "$1" | awk '/^[a-z]/ {on = /^span/ && !/travel/} on'; }
     route towers.toolpath "${head[@]}" > routed
     postproc --machine marlin --place as-is routed > routed.gcode
     collide --program routed.gcode --machine marlin "${head[@]}" --format tsv > figures.tsv
-    [[ $(awk -F '\t' '$2 == "colliding" {print $3}' figures.tsv) == 0 ]]
+    [[ $(awk -F '\t' '$1 == "collisions" {print $2}' figures.tsv) == 0 ]]
     # each place of each travel, one after the other, with nothing between but what stays where it is
     peek --text routed > text
     python3 - << 'END'

@@ -18,7 +18,7 @@ setup_file() {
 
 setup() { cd "$BATS_FILE_TMPDIR"; }
 
-value() { awk -F'\t' -v name="$1" '$2 == name { print $3; exit }' m.tsv; }
+value() { awk -F'\t' -v name="$1" '$1 == name { print $2; exit }' m.tsv; }
 
 # strokes and stops of a program
 unbroken() { "$FILUM_SOURCE/scripts/gcode-strokes" "$1" | awk -F'\t' 'NR == 2 { print $2, $3 }'; }
@@ -31,8 +31,8 @@ unbroken() { "$FILUM_SOURCE/scripts/gcode-strokes" "$1" | awk -F'\t' 'NR == 2 { 
     [ "$(value stops)" -eq 0 ]
     [ "$(value crossings)" -eq 0 ]
     [ "$(value strands)" -eq 200 ]
-    [ "$(value 'openings through all layers')" -eq 361 ]
-    awk -v p="$(value 'porosity by volume')" -v s="$(value 'pore size')" -v t="$(value 'lateral throat')" \
+    [ "$(value openings_through)" -eq 361 ]
+    awk -v p="$(value porosity_volume)" -v s="$(value pore_mm)" -v t="$(value throat_lateral_mm)" \
         'BEGIN { exit !(p > 0.594 && p < 0.606 && s > 0.597 && s < 0.603 && t == 0.2) }'
 }
 

@@ -9,14 +9,12 @@ setup_file() {
     source_tree=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
     # The interpreter that knows protobuf: Debian's, even where another one comes first.
     for python in python3 /usr/bin/python3; do
-        "$python" -c 'import google.protobuf' 2> /dev/null && break
+        "$python" -c 'import google.protobuf, numpy' 2> /dev/null && break
         python=
     done
-    [[ -n $python ]] || skip "no python3-protobuf"
-    command -v protoc > /dev/null || skip "no protoc"
-    protoc --python_out=. -I "$source_tree/proto" filum/stream.proto filum/planar.proto filum/surface.proto
-    cp "$source_tree/examples/swap-a-stage/walls" "$source_tree/examples/swap-a-stage/filum_stream.py" .
-    printf '#!/bin/sh\nPYTHONDONTWRITEBYTECODE=1 PYTHONPATH="%s" exec "%s" "%s/walls" "$@"\n' "$PWD" "$python" "$PWD" > stage
+    [[ -n $python ]] || skip "no python3-protobuf, python3-numpy"
+    printf '#!/bin/sh\nPYTHONDONTWRITEBYTECODE=1 PYTHONPATH="%s/python" exec "%s" "%s/examples/swap-a-stage/walls" "$@"\n' \
+        "$FILUM_BUILD" "$python" "$source_tree" > stage
     chmod +x stage
     ask_all
     make_inputs

@@ -19,10 +19,10 @@ setup() {
         filum print $part.stl --thin single --machine marlin -o $part.gcode
         slice $part.stl | regions > $part.regions
         sequence $part.regions | fill --thin single | link3d | metrics --regions $part.regions --format tsv > m.tsv
-        value() { awk -F'\t' -v name="$1" '$2 == name { print $3; exit }' m.tsv; }
+        value() { awk -F'\t' -v name="$1" '$1 == name { print $2; exit }' m.tsv; }
         [ "$("$FILUM_SOURCE/scripts/gcode-strokes" $part.gcode | awk -F'\t' 'NR == 2 { print $2, $3 }')" = "1 0" ]
         [ "$(value crossings)" -eq 0 ]
-        awk -v c="$(value coverage)" -v w="$(value median)" -v o="$(value overfill)" \
+        awk -v c="$(value coverage)" -v w="$(value width_median_mm)" -v o="$(value overfill)" \
             'BEGIN { exit !(c > 0.99 && w > 0.35 && w < 0.37 && o < 0.001) }'
     done
 }
@@ -43,5 +43,5 @@ setup() {
     peek --check hair.paths
     peek --json hair.paths | grep -q '"stacked"'
     link3d hair.paths | metrics --regions hair.regions --format tsv > m.tsv
-    awk -F'\t' '$2 == "material" { exit !($3 > 0.95 && $3 < 1.02) }' m.tsv
+    awk -F'\t' '$1 == "material" { exit !($2 > 0.95 && $2 < 1.02) }' m.tsv
 }

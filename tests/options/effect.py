@@ -44,7 +44,7 @@ def run(line, option):
 
 
 def input_of(command):
-    special = {"fill": "sequenced", "metrics": "Toolpath"}
+    special = {"fill": "sequenced", "ingest": "part.gcode", "metrics": "Toolpath"}
     return special.get(command.name, INPUTS.get(command.into))
 
 

@@ -45,9 +45,11 @@ def edges(option):
     return [",".join([repr(v)] * numbers_of(option)) for v in ends]
 
 
-FAILED = []
+# All numbers are read by the same code, so each gets every fourth of the odd values, in turn.
+FAILED, turn = [], 0
 for one in commands():
     for o in one.options.values():
+        turn += 1
         name = f"{one.name} --{o.name}"
         if o.is_number() and not all(map(math.isfinite, o.range[:2])):
             FAILED.append(f"{name} has no limits: {o.range}")
@@ -55,7 +57,7 @@ for one in commands():
         if input_of(one) is None or o.unit == "":
             continue
         needed = settings_for(one, o) or []
-        tries = [(v, False) for v in ODD] + [(v, True) for v in (edges(o) if o.is_number() else [])]
+        tries = [(v, False) for v in (ODD[turn % 4 :: 4] if o.is_number() else ODD)] + [(v, True) for v in (edges(o) if o.is_number() else [])]
         for value, within in tries:
             if why := wrong(one, [*needed, f"--{o.name}={value}"], within):
                 FAILED.append(f"{name}={value!r}: {why}")

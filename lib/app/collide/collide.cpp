@@ -4,6 +4,7 @@
 #include "cli/output.hpp"
 #include "collision/report.hpp"
 #include "mesh/read.hpp"
+#include "metrics/figures/meanings.hpp"
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
 
@@ -35,15 +36,16 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
     const collision::Answer answer{read.moves, found, o.check, collision::Source::line};
     write_places(o.places, answer);
     auto figures = collision::summary(answer);
-    figures.push_back({"program", "lines that move", read.lines});
-    figures.push_back({"program", "from or to an unknown place", read.unknown});
-    figures.push_back({"program", "other lines", read.ignored});
+    for (const auto& [key, count] : {std::pair{"program_lines", read.lines},
+                                     {"program_lines_unknown", read.unknown},
+                                     {"program_lines_other", read.ignored}})
+        metrics::figures::tell(figures, metrics::figures::head_meanings(), key, count);
     cli::Report report(io);
     for (Note& note : t.notes) note.stage = io.program, report.add(note);
     report.say();
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
     stream::Sink sink(io.output, stream::Sink::Content::text);
-    sink.write(metrics::figures::text(figures, metrics::figures::format_named(o.format)));
+    sink.write(metrics::figures::text(figures, metrics::figures::format_named(o.format), "collide"));
     sink.commit();
 }
 

@@ -1,49 +1,80 @@
 #include "app/filum/front.hpp"
 
+#include "app/filum/check.hpp"
+#include "app/filum/print.hpp"
 #include "app/filum/process.hpp"
-#include "app/filum/route.hpp"
 #include "app/filum/stage.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/shell.hpp"
 #include "machine/profile.hpp"
 #include "stream/sink.hpp"
 
 #include <algorithm>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <set>
-#include <unistd.h>
+#include <sstream>
 
 namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kPlanar[] = {"slice", "regions", "skins", "supports", "sequence", "fill", "link3d", "postproc"};
-constexpr const char* kByWish[] = {"skins",
-                                   "supports"}; // take part where one of the options that they alone have is given
-
-void print(const std::string& text) {
+void show(const std::string& text) {
     stream::Sink out("-", stream::Sink::Content::text);
     out.write(text);
     out.commit();
+}
+
+// Left-aligned in a column of that width.
+std::string cell(std::string text, std::size_t width) {
+    text.resize(std::max(text.size() + 2, width), ' ');
+    return text;
 }
 
 void list() {
     std::string out;
     for (const auto& name : stage_names()) {
         const Stage s = ask(name);
-        std::string left = s.name;
-        left.resize(std::max<std::size_t>(left.size() + 2, 13), ' ');
         const auto port = [](const std::string& p) {
             if (p == "stream unknown") return std::string("any stream");
             return p.starts_with("stream ") ? p.substr(7) : p;
         };
-        std::string ports = port(s.in) + " -> " + port(s.out);
-        ports.resize(std::max<std::size_t>(ports.size() + 2, 24), ' ');
-        out += left + ports + s.synopsis + "\n";
+        const std::string ports = port(s.in) + " -> " + port(s.out);
+        out += cell(s.name, 13) + cell(ports, 24) + s.synopsis + "\n";
     }
-    print(out);
+    for (const std::string& name : extra_names()) out += cell(name, 13) + "'filum-" + name + "' on the PATH\n";
+    show(out);
+}
+
+void machines() {
+    std::string out;
+    for (const std::string& name : machine::profile_names()) {
+        const machine::Profile p = machine::load_profile(name);
+        const auto size = [](double lo, double hi) { return fixed_text(hi - lo, 1); };
+        const std::string reach = size(p.bed.x_min, p.bed.x_max) + " x " + size(p.bed.y_min, p.bed.y_max) + " x " +
+                                  size(p.bed.z_min, p.bed.z_max) + " mm";
+        out += cell(name, 20) + cell(reach, 26) + p.about + "\n";
+    }
+    show(out);
+}
+
+// What the option of a stage can be, as its contract says.
+std::string choices(const std::string& stage, const std::string& option) {
+    std::istringstream answer(output_of({stage_program(stage), "--print-contract"}));
+    const std::string key = "option " + option + " ";
+    for (std::string line; std::getline(answer, line);)
+        if (line.starts_with(key)) return line.substr(key.size());
+    return "";
+}
+
+void patterns() {
+    std::string out;
+    const auto add = [&](const std::string& stage, const std::string& option, const std::string& typed) {
+        std::istringstream all(choices(stage, option));
+        for (std::string one; std::getline(all, one, '|');) out += cell(one, 20) + stage + " " + typed + one + "\n";
+    };
+    add("fill", "pattern", "--pattern ");
+    add("surfpath", "algorithm", "");
+    show(out + "\nfilum help fill, filum help surfpath explain them.\n");
 }
 
 // Lines for eval in a shell.
@@ -55,126 +86,7 @@ void env() {
     const auto completion = share / "bash-completion" / "completions" / "filum";
     if (std::filesystem::is_regular_file(completion))
         out += "if [ -n \"${BASH_VERSION:-}\" ]; then . " + shell_word(completion.string()) + "; fi\n";
-    print(out);
-}
-
-bool by_wish(const Stage& stage) {
-    return std::find(std::begin(kByWish), std::end(kByWish), stage.name) != std::end(kByWish);
-}
-
-// Whether one of the words is an option that no other stage has, or one of this stage by its name.
-bool wished(const std::vector<std::string>& words, const std::vector<Stage>& stages, const Stage& stage) {
-    const auto has = [](const Stage& s, const std::string& name) {
-        return std::any_of(s.options.begin(), s.options.end(), [&](const StageOption& o) { return o.name == name; });
-    };
-    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-        if (word.starts_with("--" + stage.name + ".")) return true;
-        const std::string name = word.starts_with("--") ? word.substr(2, word.find('=') - 2) : "";
-        return has(stage, name) && std::none_of(stages.begin(), stages.end(), [&](const Stage& other) {
-                   return other.name != stage.name && has(other, name);
-               });
-    });
-}
-
-// Leaves out the stages that nobody asks for.
-void keep_wished(const std::vector<std::string>& words, Request& request, std::vector<Stage>& stages) {
-    const std::vector<Stage> all = stages;
-    const Request given = request;
-    stages.clear(), request.arguments.clear();
-    for (std::size_t s = 0; s < all.size(); ++s) {
-        if (by_wish(all[s]) && !wished(words, all, all[s])) continue;
-        stages.push_back(all[s]), request.arguments.push_back(given.arguments[s]);
-    }
-}
-
-std::string print_help(const std::vector<Stage>& stages) {
-    std::string out = "usage: filum print [OPTIONS] [MESH]\n\n"
-                      "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
-    for (const auto& s : stages) {
-        out += (&s == stages.data() ? " " : " | ");
-        out += by_wish(s) ? "[" + s.name + "]" : s.name;
-    }
-    out += "\n\nA stage in brackets takes part where an option is given that it alone has.\nAn option goes to every "
-           "stage that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
-           "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
-           "If a stage fails, the exit code is its own, and a file named by --output does not appear.\n\n"
-           "  -o, --output FILE   where to write\n  -q, --quiet         no warnings\n"
-           "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";
-    for (const auto& s : stages) {
-        out += "  " + s.name + ":";
-        for (const auto& o : s.options)
-            if (o.name != "output" && o.name != "threads" && o.name != "quiet" && o.name != "help" &&
-                o.name != "version")
-                out += " --" + o.name;
-        out += "\n";
-    }
-    return out + "\nfilum help STAGE explains them.\n";
-}
-
-// What --NAME= says in the words of a stage, the last time; else `otherwise`.
-std::string value_in(const std::vector<std::string>& words, const std::string& name, const std::string& otherwise) {
-    const std::string start = "--" + name + "=";
-    std::string out = otherwise;
-    for (const std::string& word : words)
-        if (word.starts_with(start)) out = word.substr(start.size());
-    return out;
-}
-
-// Reads the profiles that stages will read, so that what is wrong with one is told once, before any work.
-void check_profiles(const Request& request, const std::vector<Stage>& stages) {
-    std::set<std::pair<std::string, std::string>> seen; // name, --set
-    for (std::size_t s = 0; s < stages.size(); ++s) {
-        const auto& words = request.arguments[s];
-        std::string usual;
-        for (const StageOption& o : stages[s].options)
-            if (o.name == "machine") usual = o.value;
-        const std::string set = value_in(words, "set", "");
-        const std::string machine = value_in(words, "machine", set.empty() ? "" : usual);
-        const std::string head = value_in(words, "head", "");
-        if (!machine.empty() && seen.insert({machine, set}).second) machine::load_profile(machine, set);
-        if (head.empty() || head == "ordinary" || head == "none" || head == machine) continue;
-        if (seen.insert({head, ""}).second) machine::load_profile(head);
-    }
-}
-
-int print_part(const std::vector<std::string>& words) {
-    std::vector<Stage> stages;
-    for (const char* name : kPlanar) stages.push_back(ask(name));
-    if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return print(print_help(stages)), 0;
-    Request request = route(words, stages);
-    keep_wished(words, request, stages);
-    check_profiles(request, stages);
-    std::vector<Command> commands;
-    for (std::size_t i = 0; i < stages.size(); ++i) {
-        Command command{stages[i].program};
-        command.insert(command.end(), request.arguments[i].begin(), request.arguments[i].end());
-        if (i + 1 == stages.size() && request.output != "-") command.push_back("--output=" + request.output);
-        if (i == 0 && request.input.starts_with("-") && request.input != "-") command.emplace_back("--");
-        if (i == 0 && request.input != "-") command.push_back(request.input);
-        commands.push_back(std::move(command));
-    }
-    if (request.dry_run) {
-        std::string line;
-        for (std::size_t i = 0; i < commands.size(); ++i) {
-            line += (i > 0 ? " | " : "") + stages[i].name;
-            for (std::size_t w = 1; w < commands[i].size(); ++w) line += " " + shell_word(commands[i][w]);
-        }
-        return print(line + "\n"), 0;
-    }
-    if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
-        throw Error(Exit::usage,
-                    "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");
-    const auto ended = run_piped(commands);
-    std::size_t who = 0;
-    const int code = verdict(ended, who);
-    if (code == 0) return 0;
-    if (code == 128 + SIGPIPE) return code; // whoever read the program had enough
-    if (ended[who].by_signal)
-        throw Error(Exit::failure,
-                    "stage '" + stages[who].name + "' was killed by signal " + std::to_string(code - 128));
-    if (code == static_cast<int>(Exit::truncated) && who > 0)
-        throw Error(Exit::truncated, "stage '" + stages[who].name + "' received an incomplete stream");
-    return code; // the stage has said why
+    show(out);
 }
 
 } // namespace
@@ -186,12 +98,17 @@ int front(const std::vector<std::string>& words) {
     if (what == "help" && rest.size() == 1 && rest[0] == "print") return print_part({"--help"});
     if (what == "help" && rest.empty()) become({"/proc/self/exe", "--help"});
     if (what == "help" && rest.size() == 1) become({stage_program(rest[0]), "--help"});
-    if (what == "list" || what == "env") {
+    const std::pair<const char*, void (*)()> tables[] = {
+        {"list", list}, {"env", env}, {"machines", machines}, {"patterns", patterns}};
+    for (const auto& [name, tell] : tables) {
+        if (what != name) continue;
         if (!rest.empty()) throw Error(Exit::usage, "unexpected argument '" + rest[0] + "'; see 'filum --help'");
-        what == "list" ? list() : env();
+        tell();
         return 0;
     }
-    Command command{stage_program(what)};
+    if (what == "check") return check_foreign(rest);
+    const std::string extra = is_stage(what) ? "" : extra_program(what);
+    Command command{extra.empty() ? stage_program(what) : extra};
     command.insert(command.end(), rest.begin(), rest.end());
     become(command);
 }

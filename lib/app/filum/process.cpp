@@ -2,10 +2,12 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <optional>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +17,7 @@ namespace filum::app::filum {
 namespace {
 
 constexpr int kPipe = 1 << 20;
+constexpr const char* kTee = "/usr/bin/tee"; // of coreutils
 
 [[noreturn]] void fail(const std::string& what) {
     throw Error(Exit::failure, "cannot " + what + ": " + std::strerror(errno));
@@ -62,19 +65,33 @@ pid_t spawn(const Command& command, int in, int out, bool chained) {
     return pid;
 }
 
-Ended wait_for(pid_t pid) {
-    int status = 0;
-    while (::waitpid(pid, &status, 0) < 0)
-        if (errno != EINTR) return {1, false};
+Ended how(int status) {
     if (WIFSIGNALED(status)) return {128 + WTERMSIG(status), true};
     return {WEXITSTATUS(status), false};
 }
 
+Ended wait_for(pid_t pid) {
+    int status = 0;
+    while (::waitpid(pid, &status, 0) < 0)
+        if (errno != EINTR) return {1, false};
+    return how(status);
+}
+
+std::optional<Ended> ended_by_now(pid_t pid) {
+    int status = 0;
+    if (::waitpid(pid, &status, WNOHANG) != pid) return std::nullopt;
+    return how(status);
+}
+
 } // namespace
 
-std::string output_of(const Command& command) {
+std::string output_of(const Command& command, bool silently) {
     Pipe pipe;
-    const pid_t pid = spawn(command, -1, pipe.write, false);
+    int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC); // who does not know the question may wait for input
+    const pid_t pid =
+        spawn(silently ? Command{"/bin/sh", "-c", "exec \"$0\" \"$@\" 2>/dev/null", command[0], command[1]} : command,
+              nothing, pipe.write, false);
+    close_if_open(nothing);
     close_if_open(pipe.write);
     std::string out;
     char block[4096];
@@ -94,23 +111,65 @@ void become(const Command& command) {
     fail("start '" + command[0] + "'");
 }
 
-std::vector<Ended> run_piped(const std::vector<Command>& commands) {
-    std::vector<pid_t> children;
+namespace {
+
+// The children of a chain, each with the place of its command; those that copy have none.
+struct Children {
+    std::vector<pid_t> pids;
+    std::vector<bool> copies;
+};
+
+Children start_all(const std::vector<Command>& commands, const std::vector<std::string>& copies) {
+    Children out;
     int in = -1;
-    for (std::size_t i = 0; i < commands.size(); ++i) {
-        int out = -1, next = -1;
-        if (i + 1 < commands.size()) {
+    const auto add = [&](const Command& command, bool last, bool chained, bool copy) {
+        int to = -1, next = -1;
+        if (!last) {
             const Pipe pipe;
-            out = pipe.write, next = pipe.read;
+            to = pipe.write, next = pipe.read;
         }
-        children.push_back(spawn(commands[i], in, out, i > 0));
+        out.pids.push_back(spawn(command, in, to, chained));
+        out.copies.push_back(copy);
         close_if_open(in);
-        close_if_open(out);
+        close_if_open(to);
         in = next;
+    };
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        add(commands[i], i + 1 == commands.size(), i > 0, false);
+        if (i + 1 < commands.size() && i < copies.size() && !copies[i].empty())
+            add({kTee, copies[i]}, false, true, true);
     }
-    std::vector<Ended> ended;
-    for (const pid_t pid : children) ended.push_back(wait_for(pid));
-    return ended;
+    return out;
+}
+
+} // namespace
+
+std::vector<Ended> run_piped(const std::vector<Command>& commands, const std::vector<std::string>& copies,
+                             const Look& look) {
+    const Children children = start_all(commands, copies);
+    std::vector<std::optional<Ended>> ended(children.pids.size());
+    const auto all = [&] {
+        return std::all_of(ended.begin(), ended.end(), [](const auto& e) { return e.has_value(); });
+    };
+    while (look && !all()) {
+        std::vector<bool> done;
+        for (std::size_t i = 0; i < ended.size(); ++i) {
+            if (!ended[i]) ended[i] = ended_by_now(children.pids[i]);
+            if (!children.copies[i]) done.push_back(ended[i].has_value());
+        }
+        look(done);
+    }
+    std::vector<Ended> out;
+    bool copied = true;
+    for (std::size_t i = 0; i < ended.size(); ++i) {
+        const Ended end = ended[i] ? *ended[i] : wait_for(children.pids[i]);
+        if (!children.copies[i])
+            out.push_back(end);
+        else
+            copied = copied && (end.code == 0 || end.by_signal);
+    }
+    if (!copied) throw Error(Exit::io, "cannot keep the streams: a copy could not be written; is the disk full?");
+    return out;
 }
 
 int verdict(const std::vector<Ended>& ended, std::size_t& who) {

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/nearest.hpp"
 #include "cli/needs.hpp"
+#include "cli/other_names.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -122,19 +123,36 @@ void keep_effective(const std::vector<Stage>& stages, std::vector<Given>& to) {
 }
 
 [[noreturn]] void unknown(const Word& word, const std::string& typed, const std::vector<Stage>& stages) {
-    std::vector<std::string> names, folders;
+    std::vector<std::string> names{"output", "keep", "picture", "report", "stage", "dry-run", "quiet"}, folders;
+    const std::size_t own = names.size();
     for (const Stage& s : stages) {
         folders.push_back(s.name);
         if (word.stage.empty() || word.stage == s.name)
             for (const StageOption& o : s.options) names.push_back(o.name);
     }
-    const bool stage = !word.stage.empty() && names.empty();
-    const std::string meant = stage
+    const bool stage = !word.stage.empty() && names.size() == own;
+    const std::string known = stage ? "" : cli::in_our_words(word.name, names);
+    const std::string meant = !known.empty() ? known
+                              : stage
                                   ? did_you_mean(word.stage, folders, "--")
                                   : did_you_mean(word.name, names, word.stage.empty() ? "--" : "--" + word.stage + ".");
     throw Error(Exit::usage, "unknown option '" + typed +
                                  "': " + (stage ? "the chain has no such stage" : "no stage of the chain has it") +
                                  (meant.empty() ? kSee : meant));
+}
+
+} // namespace
+
+namespace {
+
+// Where the value of an option of `print` itself goes; nothing for an option of the stages.
+std::string* own_option(const std::string& word, Request& to) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name == "--keep") return &to.keep;
+    if (name == "--picture") return &to.picture;
+    if (name == "--report") return &to.report;
+    if (name == "--stage") return &to.swapped; // taken before
+    return nullptr;
 }
 
 } // namespace
@@ -159,7 +177,12 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
             out.output = word.substr(9);
         else if (option && word == "--dry-run")
             out.dry_run = true;
-        else if (option && word == "-q") {
+        else if (std::string* own = option ? own_option(word, out) : nullptr) {
+            const auto equal = word.find('=');
+            *own = equal == std::string::npos ? next() : word.substr(equal + 1);
+            if (own->empty()) throw Error(Exit::usage, "cannot use '" + word + "' without a name" + kSee);
+        } else if (option && (word == "-q" || word == "--quiet")) {
+            out.quiet = true;
             for (auto& g : given) g.all.emplace_back("--quiet");
         } else if (option && word.starts_with("--")) {
             const std::string typed = word;

@@ -11,8 +11,16 @@ namespace filum::app::filum {
 // What `filum print` was asked to do.
 struct Request {
     std::string input = "-", output = "-";
-    bool dry_run = false;                            // show the pipeline only
+    std::string keep;            // folder for the streams of all stages
+    std::string picture, report; // files
+    bool dry_run = false;        // show the pipeline only
+    bool quiet = false;
+    std::string swapped;                             // the last NAME=FILE of --stage
     std::vector<std::vector<std::string>> arguments; // for each stage, without input and output
+
+    [[nodiscard]] bool shows() const {
+        return !picture.empty() || !report.empty();
+    } // something is made of the toolpath
 };
 
 // Gives every option to each stage that has it, so that one --bead-width serves all; --fill.bead-width goes to `fill`

@@ -5,6 +5,7 @@
 #include "base/nearest.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <unistd.h>
@@ -27,6 +28,24 @@ bool is_program(const fs::path& file) {
     return fs::is_regular_file(file, failed) && ::access(file.c_str(), X_OK) == 0;
 }
 
+constexpr std::string_view kExtra = "filum-";
+
+std::vector<std::string> path_folders() {
+    const char* path = std::getenv("PATH");
+    std::vector<std::string> out;
+    std::istringstream all(path != nullptr ? path : "");
+    for (std::string folder; std::getline(all, folder, ':');)
+        if (!folder.empty()) out.push_back(folder);
+    return out;
+}
+
+// The first program of that name on the PATH, or "".
+std::string on_path(const std::string& name) {
+    for (const std::string& folder : path_folders())
+        if (const fs::path file = fs::path(folder) / name; is_program(file)) return file.string();
+    return "";
+}
+
 } // namespace
 
 std::string prefix() { return own_folder().parent_path().string(); }
@@ -37,11 +56,18 @@ std::string stage_folder() {
     return (fs::is_directory(installed, failed) ? installed : own_folder()).string();
 }
 
+bool is_stage(const std::string& name) {
+    return !name.empty() && name != "filum" && name.find('/') == std::string::npos &&
+           is_program(fs::path(stage_folder()) / name);
+}
+
 std::string stage_program(const std::string& name) {
     const fs::path file = fs::path(stage_folder()) / name;
-    if (name.empty() || name == "filum" || name.find('/') != std::string::npos || !is_program(file)) {
+    if (!is_stage(name)) {
         std::vector<std::string> names = stage_names();
-        for (const char* own : {"print", "list", "env", "help"}) names.emplace_back(own);
+        for (const char* own : {"print", "list", "env", "help", "machines", "patterns", "check"})
+            names.emplace_back(own);
+        for (const std::string& extra : extra_names()) names.push_back(extra);
         const std::string meant = did_you_mean(name, names);
         throw Error(Exit::usage, "unknown command '" + name + "'" + (meant.empty() ? "; see 'filum list'" : meant));
     }
@@ -73,9 +99,10 @@ void add_to_option(Stage& stage, const std::string& key, const std::string& line
 
 } // namespace
 
-Stage ask(const std::string& name) {
-    Stage out{name, stage_program(name), "", "", "", {}};
-    std::istringstream answer(output_of({out.program, "--print-contract"}));
+namespace {
+
+Stage answered(Stage out, const std::string& text) {
+    std::istringstream answer(text);
     for (std::string line; std::getline(answer, line);) {
         const auto space = std::min(line.find(' '), line.size());
         const std::string key = line.substr(0, space), rest = line.substr(std::min(space + 1, line.size()));
@@ -92,9 +119,57 @@ Stage ask(const std::string& name) {
         else if (key == "default" || key == "needs")
             add_to_option(out, key, rest);
     }
+    return out;
+}
+
+} // namespace
+
+Stage ask(const std::string& name) {
+    const std::string program = stage_program(name);
+    Stage out = answered({name, program, "", "", "", {}}, output_of({program, "--print-contract"}));
     if (out.in.empty())
         throw Error(Exit::failure, "cannot use '" + out.program + "' as a stage: it says nothing about itself");
     return out;
+}
+
+Stage foreign(const Stage& stage, const std::string& file) {
+    const std::string found = file.find('/') != std::string::npos ? file : on_path(file);
+    if (!is_program(found))
+        throw Error(Exit::usage, "cannot use '" + file + "' as the stage '" + stage.name +
+                                     "': it is no program; name its file, as ./mine, and make it executable");
+    Stage out{stage.name, found, stage.synopsis, stage.in, stage.out, {}};
+    std::string text;
+    try {
+        text = output_of({found, "--print-contract"}, true);
+    } catch (const Error&) {
+        return out; // it knows nothing of contracts: then it takes no options
+    }
+    Stage said = answered(out, text);
+    const std::vector<StageOption> options = said.options;
+    out.options = options;
+    return out;
+}
+
+std::vector<std::string> extra_names() {
+    std::vector<std::string> out;
+    const std::vector<std::string> own = stage_names();
+    for (const std::string& folder : path_folders()) {
+        std::error_code failed;
+        for (const auto& entry : fs::directory_iterator(folder, failed)) {
+            const std::string name = entry.path().filename();
+            if (!name.starts_with(kExtra) || !is_program(entry.path())) continue;
+            const std::string bare = name.substr(kExtra.size());
+            if (!bare.empty() && std::find(own.begin(), own.end(), bare) == own.end()) out.push_back(bare);
+        }
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+std::string extra_program(const std::string& name) {
+    const bool plain = !name.empty() && name.find('/') == std::string::npos;
+    return plain ? on_path(std::string(kExtra) + name) : "";
 }
 
 } // namespace filum::app::filum

@@ -31,8 +31,19 @@ std::string prefix();
 // The file of a stage.  Throws Error(usage) if there is none of that name.
 std::string stage_program(const std::string& name);
 
+bool is_stage(const std::string& name);
+
 // Names of all stages, in alphabetical order.
 std::vector<std::string> stage_names();
+
+// A program of somebody's own in place of `stage`: it takes the options that it answers with to --print-contract, or
+// none where it does not answer.  Throws Error(usage) if the file is no program.
+Stage foreign(const Stage& stage, const std::string& file);
+
+// Programs "filum-NAME" on the PATH, by NAME and in its order; none that hide a stage.
+std::vector<std::string> extra_names();
+// The file of one, or "".
+std::string extra_program(const std::string& name);
 
 // Asks the stage.  Throws Error: usage if there is none of that name, failure if it gives no answer.
 Stage ask(const std::string& name);

@@ -1,3 +1,4 @@
+#include "base/json.hpp"
 #include "app/peek/text.hpp"
 #include "base/number.hpp"
 
@@ -7,30 +8,12 @@ namespace filum::app::peek {
 
 namespace {
 
-// A JSON string.  What is no UTF-8 passes as it is: protobuf has checked that it is.
-std::string quoted(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            out += '\\', out += c;
-        else if (static_cast<unsigned char>(c) >= 0x20)
-            out += c;
-        else {
-            constexpr const char* kHex = "0123456789abcdef";
-            out += "\\u00";
-            out += kHex[static_cast<unsigned char>(c) >> 4];
-            out += kHex[c & 15];
-        }
-    }
-    return out + '"';
-}
-
 std::string number(double v) { return std::isfinite(v) ? shortest_text(v) : "null"; }
 
 // "name": value, with a comma before all but the first.
 void member(std::string& out, const std::string& name, const std::string& value) {
     if (out.back() != '{') out += ',';
-    out += quoted(name) + ":" + value;
+    out += json_text(name) + ":" + value;
 }
 
 std::string numbers(const std::vector<double>& values) {
@@ -61,14 +44,14 @@ std::string table_members(const Table& table) {
 
 std::string json(const Record& record) {
     std::string out = "{";
-    member(out, "kind", quoted(record.kind));
+    member(out, "kind", json_text(record.kind));
     for (const auto& [name, unit, value] : record.entries) {
         if (const auto* v = std::get_if<double>(&value))
             member(out, name, number(*v));
         else if (const auto* i = std::get_if<std::int64_t>(&value))
             member(out, name, std::to_string(*i));
         else if (const auto* word = std::get_if<Word>(&value))
-            member(out, name, quoted(word->text));
+            member(out, name, json_text(word->text));
         else if (const auto* table = std::get_if<Table>(&value))
             member(out, name, table_members(*table));
         else
@@ -81,17 +64,17 @@ std::string json(const stream::Header& header) {
     std::string runs = "[";
     for (const auto& run : header.history) {
         std::string settings = "{", parents;
-        for (const auto& s : run.settings) member(settings, s.name, quoted(s.value));
+        for (const auto& s : run.settings) member(settings, s.name, json_text(s.value));
         for (const auto p : run.parents) parents += (parents.empty() ? "" : ",") + std::to_string(p);
         std::string one = "{";
-        member(one, "program", quoted(run.program));
-        member(one, "version", quoted(run.version));
+        member(one, "program", json_text(run.program));
+        member(one, "version", json_text(run.version));
         member(one, "settings", settings + "}");
         member(one, "parents", "[" + parents + "]");
         runs += (runs.size() > 1 ? "," : "") + one + "}";
     }
     std::string out = "{";
-    member(out, "payload", quoted(stream::name(header.payload)));
+    member(out, "payload", json_text(stream::name(header.payload)));
     member(out, "units", "\"mm\"");
     member(out, "history", runs + "]");
     return out + "}";
@@ -105,20 +88,20 @@ std::string json(const Summary& s) {
     for (const auto& [name, r] : s.ranges) member(ranges, name, "[" + number(r.lo) + "," + number(r.hi) + "]");
     for (const Note& n : s.notes) {
         std::string one = "{";
-        member(one, "stage", quoted(n.stage));
-        member(one, "what", quoted(n.what));
+        member(one, "stage", json_text(n.stage));
+        member(one, "what", json_text(n.what));
         member(one, "amount", number(n.amount));
-        member(one, "unit", quoted(n.unit));
+        member(one, "unit", json_text(n.unit));
         member(one, "count", std::to_string(n.count));
         notes += (notes.size() > 1 ? "," : "") + one + "}";
     }
     std::string facts = "[";
     for (const Fact& f : s.facts) {
         std::string one = "{";
-        member(one, "stage", quoted(f.stage));
-        member(one, "name", quoted(f.name));
+        member(one, "stage", json_text(f.stage));
+        member(one, "name", json_text(f.name));
         member(one, "value", number(f.value));
-        member(one, "unit", quoted(f.unit));
+        member(one, "unit", json_text(f.unit));
         facts += (facts.size() > 1 ? "," : "") + one + "}";
     }
     member(out, "records", kinds + "}");

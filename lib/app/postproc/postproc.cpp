@@ -81,18 +81,24 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     said.say();
     if (!o.job.empty())
         cli::write_text(o.job, filum::metrics::figures::text(filum::postproc::job(profile, survey),
-                                                             filum::metrics::figures::Format::tsv));
+                                                             filum::metrics::figures::Format::tsv, "job"));
     Modules modules(o.modules);
     const auto program = filum::postproc::writer(
         profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
-    program->begin(filum::postproc::about(profile, survey, stages(reader.header(), io, profile), notes, facts));
+    const auto told = filum::postproc::summary(profile, survey, measure.program_shift(), notes, facts);
+    program->begin(filum::postproc::about(profile, survey, told));
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
     while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
     written->end();
-    program->end();
+    program->end(filum::postproc::history(stages(reader.header(), io, profile), notes, facts));
     modules.commit();
     sink.commit();
+    if (!o.summary.empty()) {
+        std::string text;
+        for (const std::string& line : told) text += line + "\n";
+        cli::write_text(o.summary, text);
+    }
 }
 
 } // namespace filum::app::postproc

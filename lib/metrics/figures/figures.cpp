@@ -1,8 +1,10 @@
 #include "metrics/figures/figures.hpp"
 
+#include "base/json.hpp"
 #include "base/printable.hpp"
 
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -29,25 +31,8 @@ std::string value(const Figure& f) {
     return std::get<std::string>(f.value);
 }
 
-std::string quoted(const std::string& s) {
-    constexpr const char* kHex = "0123456789abcdef";
-    std::string out = "\"";
-    for (const char c : s) {
-        const auto u = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\')
-            out += '\\', out += c;
-        else if (u < 0x20)
-            out += "\\u00", out += kHex[u >> 4], out += kHex[u & 15];
-        else
-            out += c;
-    }
-    return out + "\"";
-}
-
 std::string key(const Figure& f) {
-    std::string out = f.name + (f.unit.empty() ? "" : "_" + f.unit);
-    std::replace(out.begin(), out.end(), ' ', '_');
-    return out;
+    return !f.key.empty() ? f.key : key_text(f.name + (f.unit.empty() ? "" : "_" + f.unit));
 }
 
 std::string table(const Figures& figures) {
@@ -70,30 +55,25 @@ std::string table(const Figures& figures) {
     return out;
 }
 
-std::string tsv(const Figures& figures) {
-    std::string out = "group\tname\tvalue\tunit\n";
-    for (const Figure& f : figures)
-        out += printable(f.group) + "\t" + printable(f.name) + "\t" + printable(value(f)) + "\t" + f.unit + "\n";
+std::string tsv(const Figures& figures, std::string_view report) {
+    std::string out =
+        "key\tvalue\tunit\nreport\t" + std::string(report) + "\t\nversion\t" + std::to_string(kReportVersion) + "\t\n";
+    for (const Figure& f : figures) out += printable(key(f)) + "\t" + printable(value(f)) + "\t" + f.unit + "\n";
     return out;
 }
 
-std::string json(const Figures& figures) {
-    std::string out = "{";
-    const std::string* group = nullptr;
+std::string json(const Figures& figures, std::string_view report) {
+    std::string out =
+        "{\n  \"report\": " + json_text(std::string(report)) + ",\n  \"version\": " + std::to_string(kReportVersion);
     for (const Figure& f : figures) {
-        if (group == nullptr || *group != f.group)
-            out += (group == nullptr ? "\n  " : "\n  },\n  ") + quoted(f.group) + ": {\n    ";
-        else
-            out += ",\n    ";
-        group = &f.group;
         std::string v = value(f);
         if (std::holds_alternative<std::string>(f.value))
-            v = quoted(v);
+            v = json_text(v);
         else if (v == "-")
             v = "null";
-        out += quoted(key(f)) + ": " + v;
+        out += ",\n  " + json_text(key(f)) + ": " + v;
     }
-    return out + (group == nullptr ? "}\n" : "\n  }\n}\n");
+    return out + "\n}\n";
 }
 
 } // namespace
@@ -102,14 +82,14 @@ Format format_named(std::string_view name) {
     return name == "tsv" ? Format::tsv : name == "json" ? Format::json : Format::table;
 }
 
-std::string text(const Figures& figures, Format format) {
+std::string text(const Figures& figures, Format format, std::string_view report) {
     switch (format) {
     case Format::table:
         return table(figures);
     case Format::tsv:
-        return tsv(figures);
+        return tsv(figures, report);
     case Format::json:
-        return json(figures);
+        return json(figures, report);
     }
     return {};
 }

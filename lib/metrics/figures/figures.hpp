@@ -16,6 +16,7 @@ struct Figure {
     std::variant<std::uint64_t, double, std::string> value;
     int decimals = 3;
     std::string unit = {}; // "mm", "mm2", "s"; empty for counts and shares
+    std::string key = {};  // for programs: meanings.hpp
 };
 
 using Figures = std::vector<Figure>;
@@ -23,8 +24,12 @@ using Figures = std::vector<Figure>;
 enum class Format { table, tsv, json };
 Format format_named(std::string_view name); // table for any other name
 
-// table: groups under headings, values aligned.  tsv: a head line, then group, name, value, unit.
-// json: {"group": {"name_unit": value}}, blanks as '_', numbers as numbers.
-std::string text(const Figures& figures, Format format);
+// Of all reports of figures: goes up when a key goes away or changes its meaning.
+constexpr int kReportVersion = 1;
+
+// table: groups under headings, values aligned.  tsv: a head line, then key, value, unit.  json: {"key": value},
+// numbers as numbers.  Those two begin with the name of the report and its version.  A figure without a key gets its
+// name and unit.
+std::string text(const Figures& figures, Format format, std::string_view report = "metrics");
 
 } // namespace filum::metrics::figures

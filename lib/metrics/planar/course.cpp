@@ -15,10 +15,11 @@ std::size_t index(Role r) { return static_cast<std::size_t>(r); }
 // The gap ends here, before an extruding move at layer height `height`.
 void close_gap(Course& c, double height) {
     const double aside = geom::distance(c.gap_start.xy(), c.at.xy()), up = std::abs(c.at.z - c.gap_start.z);
-    const bool stop = c.gap_xy > kStop;
+    const bool stop = c.gap_xy > kStop || c.gap_taken;
+    const bool held = c.gap_held && !c.gap_taken && aside <= kHop;
     c.stops += stop ? 1 : 0;
     c.longest_gap = std::max(c.longest_gap, c.gap_xy);
-    if (stop || up > 2.01 * height) {
+    if ((stop && !held) || up > 2.01 * height) {
         ++c.breaks;
         if (aside <= kHop && up <= 2.01 * height)
             ++c.hops;
@@ -28,9 +29,20 @@ void close_gap(Course& c, double height) {
     c.in_gap = false;
 }
 
-void move(Course& c, geom::Vec3 to, bool extruding) {
+void enter_gap(Course& c, toolpath::Retraction retraction) {
+    if (!c.in_gap) {
+        c.in_gap = c.gap_held = true;
+        c.gap_taken = false;
+        c.gap_start = c.at;
+        c.gap_xy = 0;
+    }
+    c.gap_taken = c.gap_taken || retraction == toolpath::Retraction::taken;
+    c.gap_held = c.gap_held && retraction == toolpath::Retraction::none;
+}
+
+void move(Course& c, geom::Vec3 to, bool extruding, toolpath::Retraction retraction) {
     if (!extruding && c.begun) {
-        if (!c.in_gap) c.in_gap = true, c.gap_start = c.at, c.gap_xy = 0;
+        enter_gap(c, retraction);
         c.gap_xy += geom::distance(c.at.xy(), to.xy());
     }
     c.at = to;
@@ -48,9 +60,10 @@ void follow(Course& c, const toolpath::Span& span) {
     if (c.begun && !(span.points.front() == c.at)) {
         ++c.jumps;
         c.length[index(Role::travel)] += geom::distance(c.at, span.points.front());
-        move(c, span.points.front(), false);
+        move(c, span.points.front(), false, toolpath::Retraction::by_machine);
     }
     c.at = span.points.front();
+    if (!extruding && c.begun && span.retraction == toolpath::Retraction::taken) enter_gap(c, span.retraction);
     bool fresh = true; // nothing of this span yet
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const double d = geom::distance(span.points[i], span.points[i + 1]);
@@ -72,7 +85,7 @@ void follow(Course& c, const toolpath::Span& span) {
             ++c.joins[index(span.role)];
         }
         fresh = false;
-        move(c, span.points[i + 1], extruding);
+        move(c, span.points[i + 1], extruding, span.retraction);
     }
 }
 

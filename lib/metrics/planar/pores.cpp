@@ -1,5 +1,7 @@
 #include "metrics/planar/pores.hpp"
 
+#include "metrics/figures/meanings.hpp"
+
 #include "base/number.hpp"
 #include "geom/angle.hpp"
 #include "parallel/parallel.hpp"
@@ -285,27 +287,29 @@ void pore_figures(const Pores& p, Figures& out) {
         if (l.spacing <= 0) continue;
         spacing.push_back(l.spacing), width.push_back(l.width), lateral.push_back(l.lateral);
     }
-    const std::string g = "pores";
-    out.push_back({g, "porosity by volume", p.part > 0 ? 1 - p.material / p.part : 0, 5});
-    out.push_back({g, "porosity by area", p.area > 0 ? 1 - p.covered / p.area : 0, 5});
-    if (!spacing.empty()) out.push_back({g, "lattice porosity", 1 - median(width) / median(spacing), 5});
-    out.push_back({g, "strands", count});
-    out.push_back({g, "strands per layer", median(strands), 1});
+    const auto tell = [](Figures& to, std::string_view key, decltype(metrics::figures::Figure::value) value) {
+        metrics::figures::tell(to, metrics::figures::planar_meanings(), key, std::move(value));
+    };
+    tell(out, "porosity_volume", p.part > 0 ? 1 - p.material / p.part : 0);
+    tell(out, "porosity_area", p.area > 0 ? 1 - p.covered / p.area : 0);
+    if (!spacing.empty()) tell(out, "porosity_lattice", 1 - median(width) / median(spacing));
+    tell(out, "strands", count);
+    tell(out, "strands_per_layer", median(strands));
     if (!spacing.empty()) {
-        out.push_back({g, "strand spacing", median(spacing), 3, "mm"});
-        out.push_back({g, "strand width", median(width), 3, "mm"});
+        tell(out, "strand_spacing_mm", median(spacing));
+        tell(out, "strand_width_mm", median(width));
     }
     const auto range = [&](const std::string& name, const std::vector<double>& v) {
         if (v.empty()) return;
-        out.push_back({g, name, median(v), 3, "mm"});
-        out.push_back({g, name + " smallest", *std::min_element(v.begin(), v.end()), 3, "mm"});
-        out.push_back({g, name + " largest", *std::max_element(v.begin(), v.end()), 3, "mm"});
+        tell(out, name + "_mm", median(v));
+        tell(out, name + "_least_mm", *std::min_element(v.begin(), v.end()));
+        tell(out, name + "_greatest_mm", *std::max_element(v.begin(), v.end()));
     };
-    out.push_back({g, "openings of layers", std::uint64_t{circles.size()}});
-    range("pore size", circles);
-    out.push_back({g, "openings through all layers", std::uint64_t{p.through.size()}});
-    range("vertical throat", p.through);
-    range("lateral throat", lateral);
+    tell(out, "openings", std::uint64_t{circles.size()});
+    range("pore", circles);
+    tell(out, "openings_through", std::uint64_t{p.through.size()});
+    range("throat_vertical", p.through);
+    range("throat_lateral", lateral);
 }
 
 std::string pore_columns() {

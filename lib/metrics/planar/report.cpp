@@ -1,6 +1,7 @@
 #include "metrics/planar/report.hpp"
 
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 #include "metrics/figures/said.hpp"
 #include "metrics/planar/directions.hpp"
 
@@ -14,6 +15,11 @@ namespace {
 
 using toolpath::Role;
 
+void tell(Figures& out, std::string_view key, decltype(metrics::figures::Figure::value) value,
+          std::string_view of = {}) {
+    metrics::figures::tell(out, metrics::figures::planar_meanings(), key, std::move(value), of);
+}
+
 constexpr double kLargeLayer = 1; // mm2; smaller layers cannot be the worst
 
 std::uint64_t count(std::size_t n) { return n; }
@@ -21,18 +27,17 @@ std::uint64_t count(std::size_t n) { return n; }
 std::size_t role(Role r) { return static_cast<std::size_t>(r); }
 
 void continuity(const Course& c, Figures& out) {
-    const std::string g = "continuity";
-    out.push_back({g, "strokes", count(c.strokes())});
-    out.push_back({g, "stops", count(c.stops)});
-    out.push_back({g, "breaks", count(c.breaks)});
-    out.push_back({g, "breaks by hop of 0.5 mm or less", count(c.hops)});
-    out.push_back({g, "breaks by travel in the layer", count(c.travels)});
-    out.push_back({g, "breaks by travel to another layer", count(c.climbs)});
-    out.push_back({g, "longest gap", c.longest_gap, 3, "mm"});
-    out.push_back({g, "joins by lift", count(c.joins[role(Role::lift)] + c.bare_climbs)});
-    out.push_back({g, "joins by jog over material", count(c.joins[role(Role::jog)])});
-    out.push_back({g, "joins by connector", count(c.joins[role(Role::connector)])});
-    if (c.jumps > 0) out.push_back({g, "unmarked jumps", count(c.jumps)});
+    tell(out, "strokes", count(c.strokes()));
+    tell(out, "stops", count(c.stops));
+    tell(out, "breaks", count(c.breaks));
+    tell(out, "breaks_hop", count(c.hops));
+    tell(out, "breaks_travel", count(c.travels));
+    tell(out, "breaks_climb", count(c.climbs));
+    tell(out, "longest_gap_mm", c.longest_gap);
+    tell(out, "joins_lift", count(c.joins[role(Role::lift)] + c.bare_climbs));
+    tell(out, "joins_jog", count(c.joins[role(Role::jog)]));
+    tell(out, "joins_connector", count(c.joins[role(Role::connector)]));
+    if (c.jumps > 0) tell(out, "unmarked_jumps", count(c.jumps));
 }
 
 double fibre_volume(const Input& input) {
@@ -47,16 +52,17 @@ double mass(const Options& o, double plastic, double fibre) {
     return plastic / 1000 * o.density + (fibre > 0 ? fibre / 1000 * known : 0);
 }
 
-void tool_figures(const std::string& g, const ToolShare& t, double mass, Figures& out) {
-    out.push_back({g, "strokes", count(t.strokes)});
-    out.push_back({g, "cuts", count(t.cuts)});
-    if (t.fibre) out.push_back({g, "fibre strokes too short to be laid", count(t.too_short)});
-    out.push_back({g, "laid", t.laid, 1, "mm"});
-    out.push_back({g, "travel", t.travel, 1, "mm"});
-    out.push_back({g, "volume", t.volume, 2, "mm3"});
-    out.push_back({g, "mass", mass, 3, "g"});
-    out.push_back({g, "print time", t.print_seconds, 1, "s"});
-    out.push_back({g, "travel time", t.travel_seconds, 1, "s"});
+// The figures of tool `of`, or of all: what = "tool.*." or "job.".
+void tool_figures(const std::string& what, std::string_view of, const ToolShare& t, double mass, Figures& out) {
+    tell(out, what + "strokes", count(t.strokes), of);
+    tell(out, what + "cuts", count(t.cuts), of);
+    if (t.fibre) tell(out, what + "too_short", count(t.too_short), of);
+    tell(out, what + "laid_mm", t.laid, of);
+    tell(out, what + "travel_mm", t.travel, of);
+    tell(out, what + "volume_mm3", t.volume, of);
+    tell(out, what + "mass_g", mass, of);
+    tell(out, what + "print_time_s", t.print_seconds, of);
+    tell(out, what + "travel_time_s", t.travel_seconds, of);
 }
 
 // A group per tool and one of the job, where there are several or one lays fibre.
@@ -66,15 +72,17 @@ void tools(const Input& input, const Options& o, Figures& out) {
     ToolShare all;
     double plastic = 0;
     for (const auto& [number, t] : input.tools) {
-        tool_figures("tool " + std::to_string(number) + (t.fibre ? " (fibre)" : ""), t,
-                     mass(o, t.fibre ? 0 : t.volume, t.fibre ? t.volume : 0), out);
+        const std::size_t first = out.size();
+        tool_figures("tool.*.", std::to_string(number), t, mass(o, t.fibre ? 0 : t.volume, t.fibre ? t.volume : 0),
+                     out);
+        for (std::size_t k = first; k < out.size(); ++k) out[k].group += t.fibre ? " (fibre)" : "";
         all.fibre = all.fibre || t.fibre;
         all.strokes += t.strokes, all.cuts += t.cuts, all.too_short += t.too_short;
         all.laid += t.laid, all.travel += t.travel, all.volume += t.volume;
         all.print_seconds += t.print_seconds, all.travel_seconds += t.travel_seconds;
         plastic += t.fibre ? 0 : t.volume;
     }
-    tool_figures("job", all, mass(o, plastic, all.volume - plastic), out);
+    tool_figures("job.", {}, all, mass(o, plastic, all.volume - plastic), out);
 }
 
 void lengths(const Input& input, const Options& o, Figures& out) {
@@ -83,23 +91,21 @@ void lengths(const Input& input, const Options& o, Figures& out) {
     double extruded = 0, volume = 0;
     for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector, Role::hairpin})
         extruded += c.length[role(r)], volume += c.volume[role(r)];
-    const std::string g = "length";
-    out.push_back({g, "extruded", extruded, 1, "mm"});
-    out.push_back({g, "of it beads", c.length[role(Role::bead)], 1, "mm"});
-    out.push_back({g, "of it lifts", c.length[role(Role::lift)], 1, "mm"});
-    out.push_back({g, "of it jogs", c.length[role(Role::jog)], 1, "mm"});
-    out.push_back({g, "of it connectors", c.length[role(Role::connector)], 1, "mm"});
-    if (const double l = c.length[role(Role::hairpin)]; l > 0) out.push_back({g, "of it hairpins", l, 1, "mm"});
-    out.push_back({g, "travel", c.length[role(Role::travel)], 1, "mm"});
-    out.push_back({g, "moves", count(c.extruding_moves)});
-    const std::string m = "time and material";
-    if (seconds >= 0) out.push_back({m, "print time", seconds, 1, "s"});
+    tell(out, "extruded_mm", extruded);
+    tell(out, "beads_mm", c.length[role(Role::bead)]);
+    tell(out, "lifts_mm", c.length[role(Role::lift)]);
+    tell(out, "jogs_mm", c.length[role(Role::jog)]);
+    tell(out, "connectors_mm", c.length[role(Role::connector)]);
+    if (const double l = c.length[role(Role::hairpin)]; l > 0) tell(out, "hairpins_mm", l);
+    tell(out, "travel_mm", c.length[role(Role::travel)]);
+    tell(out, "moves", count(c.extruding_moves));
+    if (seconds >= 0) tell(out, "print_time_s", seconds);
     const double filament =
         (volume - of_fibre) / (std::numbers::pi * o.filament_diameter * o.filament_diameter / 4) / 1000;
-    out.push_back({m, "volume", volume, 2, "mm3"});
-    out.push_back({m, "of it to be removed", c.volume[role(Role::connector)], 2, "mm3"});
-    if (o.filament_diameter > 0) out.push_back({m, "filament", filament, 3, "m"});
-    out.push_back({m, "mass", mass(o, volume - of_fibre, of_fibre), 2, "g"});
+    tell(out, "volume_mm3", volume);
+    tell(out, "removed_mm3", c.volume[role(Role::connector)]);
+    if (o.filament_diameter > 0) tell(out, "filament_m", filament);
+    tell(out, "mass_g", mass(o, volume - of_fibre, of_fibre));
 }
 
 Cover total(const std::vector<LayerFigures>& layers) {
@@ -119,37 +125,35 @@ const LayerFigures* worst_layer(const std::vector<LayerFigures>& layers) {
 }
 
 void areas(const std::vector<LayerFigures>& layers, double claimed, Figures& out) {
-    const std::string g = "coverage";
     const Cover all = total(layers);
     if (all.area <= 0) return;
     std::size_t crossed = 0;
     for (const auto& l : layers) crossed += l.crossings;
-    out.push_back({g, "area", all.area, 2, "mm2"});
-    out.push_back({g, "coverage", coverage(all), 5});
-    out.push_back({g, "outside", all.outside() / all.area, 5});
-    out.push_back({g, "overfill", all.overfill() / all.area, 5});
-    out.push_back({g, "material", all.deposited / all.area, 5});
-    out.push_back({g, "unplaced", all.unplaced(), 3, "mm2"});
-    if (claimed > 0) out.push_back({g, "unplaced as the fill says", claimed, 3, "mm2"});
+    tell(out, "area_mm2", all.area);
+    tell(out, "coverage", coverage(all));
+    tell(out, "outside", all.outside() / all.area);
+    tell(out, "overfill", all.overfill() / all.area);
+    tell(out, "material", all.deposited / all.area);
+    tell(out, "unplaced_mm2", all.unplaced());
+    if (claimed > 0) tell(out, "unplaced_claimed_mm2", claimed);
     if (const auto* w = worst_layer(layers)) {
-        out.push_back({g, "worst layer", std::uint64_t{w->layer}});
-        out.push_back({g, "coverage of the worst layer", coverage(w->cover), 5});
+        tell(out, "worst_layer", std::uint64_t{w->layer});
+        tell(out, "worst_layer_coverage", coverage(w->cover));
     }
     const auto below = std::count_if(layers.begin(), layers.end(), [](const LayerFigures& l) {
         return l.cover.area > kLargeLayer && coverage(l.cover) < 0.9;
     });
-    out.push_back({g, "layers below 0.90", count(static_cast<std::size_t>(below))});
+    tell(out, "layers_below_090", count(static_cast<std::size_t>(below)));
 }
 
 void air_figures(const Air& a, Figures& out) {
-    const std::string g = "in the air";
-    out.push_back({g, "area in the air", a.area, 2, "mm2"});
-    out.push_back({g, "length in the air", a.length, 1, "mm"});
-    out.push_back({g, "layers with any", count(a.layers)});
+    tell(out, "air_area_mm2", a.area);
+    tell(out, "air_length_mm", a.length);
+    tell(out, "air_layers", count(a.layers));
     if (a.longest <= 0) return;
-    out.push_back({g, "longest stretch", a.longest, 2, "mm"});
-    out.push_back({g, "where it begins",
-                   "layer " + std::to_string(a.layer) + " at " + fixed_text(a.at.x, 2) + "," + fixed_text(a.at.y, 2)});
+    tell(out, "air_longest_mm", a.longest);
+    tell(out, "air_longest_at",
+         "layer " + std::to_string(a.layer) + " at " + fixed_text(a.at.x, 2) + "," + fixed_text(a.at.y, 2));
 }
 
 void crossing_figures(const std::vector<LayerFigures>& layers, Figures& out) {
@@ -159,13 +163,12 @@ void crossing_figures(const std::vector<LayerFigures>& layers, Figures& out) {
         crossed += l.crossings, on += l.crossings > 0 ? 1 : 0;
         if (first == nullptr && l.crossings > 0) first = &l;
     }
-    const std::string g = "crossings";
-    out.push_back({g, "crossings", count(crossed)});
-    out.push_back({g, "layers with crossings", count(on)});
+    tell(out, "crossings", count(crossed));
+    tell(out, "crossing_layers", count(on));
     if (first == nullptr) return;
-    out.push_back({g, "first",
-                   "layer " + std::to_string(first->layer) + " at " + fixed_text(first->crossing[0].x, 3) + "," +
-                       fixed_text(first->crossing[0].y, 3)});
+    tell(out, "first_crossing",
+         "layer " + std::to_string(first->layer) + " at " + fixed_text(first->crossing[0].x, 3) + "," +
+             fixed_text(first->crossing[0].y, 3));
 }
 
 void region_figures(const std::vector<LayerFigures>& layers, Figures& out) {
@@ -187,58 +190,51 @@ void region_figures(const std::vector<LayerFigures>& layers, Figures& out) {
     const auto above = [&](double v) {
         return count(static_cast<std::size_t>(share.end() - std::lower_bound(share.begin(), share.end(), v)));
     };
-    const std::string g = "regions";
-    out.push_back({g, "regions", count(share.size())});
-    out.push_back({g, "with exactly one curve", count(one)});
-    out.push_back({g, "with no curve", count(none)});
-    out.push_back({g, "with crossings", count(crossed)});
-    out.push_back({g, "mean coverage", mean, 5});
-    out.push_back({g, "coverage p5", share[share.size() / 20], 5});
-    out.push_back({g, "covered 0.98 and more", above(0.98)});
-    out.push_back({g, "covered 0.99 and more", above(0.99)});
-    out.push_back({g, "coverage of the worst region", share.front(), 5});
-    out.push_back({g, "worst region",
-                   "region " + std::to_string(worst->region) + " of layer " + std::to_string(worst->layer) + ", " +
-                       fixed_text(worst->cover.area, 3) + " mm2, at " + fixed_text(worst->at.x, 2) + "," +
-                       fixed_text(worst->at.y, 2)});
+    tell(out, "regions", count(share.size()));
+    tell(out, "regions_one_curve", count(one));
+    tell(out, "regions_no_curve", count(none));
+    tell(out, "regions_crossed", count(crossed));
+    tell(out, "region_coverage_mean", mean);
+    tell(out, "region_coverage_p5", share[share.size() / 20]);
+    tell(out, "regions_covered_098", above(0.98));
+    tell(out, "regions_covered_099", above(0.99));
+    tell(out, "region_coverage_worst", share.front());
+    tell(out, "worst_region",
+         "region " + std::to_string(worst->region) + " of layer " + std::to_string(worst->layer) + ", " +
+             fixed_text(worst->cover.area, 3) + " mm2, at " + fixed_text(worst->at.x, 2) + "," +
+             fixed_text(worst->at.y, 2));
 }
 
 void shape(const Beads& beads, const std::vector<polygon::Region>& regions, const Widths& w, const Options& o,
            int threads, Figures& out) {
     if (w.share.empty()) return;
     const Turns t = turns(beads, w.median, static_cast<std::size_t>(o.turn_samples), threads);
-    const std::string g = "turns";
-    out.push_back({g, "sharp-turn share", t.share(), 5});
-    out.push_back({g, "samples", count(t.samples)});
-    out.push_back({g, "smallest radius", t.min_radius, 3, "mm"});
+    tell(out, "sharp_turn_share", t.share());
+    tell(out, "turn_samples", count(t.samples));
+    tell(out, "turn_radius_least_mm", t.min_radius);
     const Seams s = seams(beads, regions, w.median);
     if (s.pairs > 0) {
-        const std::string q = "seams of neighbouring layers";
-        out.push_back({q, "pairs", count(s.pairs)});
-        out.push_back({q, "mean distance", s.mean, 3, "mm"});
-        out.push_back({q, "median distance", s.median, 3, "mm"});
-        out.push_back({q, "smallest distance", s.min, 3, "mm"});
-        out.push_back({q, "median distance in bead widths", s.median / w.median, 2});
-        out.push_back({q, "smallest distance in bead widths", s.min / w.median, 2});
-        out.push_back({q, "nearer than three beads", count(s.near)});
+        tell(out, "seam_pairs", count(s.pairs));
+        tell(out, "seam_mean_mm", s.mean);
+        tell(out, "seam_median_mm", s.median);
+        tell(out, "seam_least_mm", s.min);
+        tell(out, "seam_median_widths", s.median / w.median);
+        tell(out, "seam_least_widths", s.min / w.median);
+        tell(out, "seams_near", count(s.near));
     }
     const Directions along = directions(beads);
     for (std::size_t k = 0; k < Directions::kBins; ++k)
-        if (along.share[k] > 0)
-            out.push_back({"bead direction", "share at " + std::to_string(15 * k) + " degrees", along.share[k], 5});
-    const std::string h = "bead width";
-    out.push_back({h, "smallest", w.min, 3, "mm"});
-    out.push_back({h, "median", w.median, 3, "mm"});
-    out.push_back({h, "mean", w.mean, 3, "mm"});
-    out.push_back({h, "largest", w.max, 3, "mm"});
+        if (along.share[k] > 0) tell(out, "direction_share.*", along.share[k], std::to_string(15 * k));
+    tell(out, "width_least_mm", w.min);
+    tell(out, "width_median_mm", w.median);
+    tell(out, "width_mean_mm", w.mean);
+    tell(out, "width_greatest_mm", w.max);
     for (std::size_t k = 0; k < w.share.size(); ++k) {
         if (w.share[k] <= 0) continue;
         const double lo = w.first + static_cast<double>(k) * w.bin;
         const bool open = k + 1 == w.share.size() && lo + w.bin < w.max;
-        out.push_back(
-            {h,
-             "share " + (open ? "from " + fixed_text(lo, 4) : fixed_text(lo, 4) + " to " + fixed_text(lo + w.bin, 4)),
-             w.share[k], 5});
+        const std::string from = fixed_text(lo, 4);
+        tell(out, "width_share.*", w.share[k], open ? "from " + from : from + " to " + fixed_text(lo + w.bin, 4));
     }
 }
 
@@ -261,7 +257,7 @@ Figures report(const Input& input, const Beads& beads, const std::vector<polygon
         tools(input, options, out);
         lengths(input, options, out);
     }
-    if (beads.misplaced > 0) out.push_back({"doubts", "moves above the top layer", std::uint64_t{beads.misplaced}});
+    if (beads.misplaced > 0) tell(out, "moves_above_top", std::uint64_t{beads.misplaced});
     metrics::figures::said_before(input.notes, input.facts, out);
     return out;
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 #include "metrics/surface/curvature.hpp"
 #include "metrics/surface/load.hpp"
 #include "metrics/surface/plies.hpp"
@@ -18,6 +19,11 @@ namespace filum::metrics::surface {
 namespace {
 
 using metrics::figures::Figures;
+
+void tell(Figures& out, std::string_view key, decltype(metrics::figures::Figure::value) value,
+          std::string_view of = {}) {
+    metrics::figures::tell(out, metrics::figures::surface_meanings(), key, std::move(value), of);
+}
 
 constexpr double kWidest = 20;       // bead widths: how far apart strands may be
 constexpr double kMostSamples = 2e7; //
@@ -44,19 +50,18 @@ struct Job {
 };
 
 void continuity(const Fibres& fibres, double area, Figures& out) {
-    const std::string g = "continuity";
     std::vector<Weighted> lengths;
     for (const Chain& c : fibres.chains) lengths.push_back({c.length(), 1});
     const std::size_t cuts = lengths.empty() ? 0 : lengths.size() - 1;
-    out.push_back({g, "chains", std::uint64_t{lengths.size()}});
-    out.push_back({g, "cuts", std::uint64_t{cuts}});
-    out.push_back({g, "cuts per 1000 mm2", share(1000.0 * static_cast<double>(cuts), area), 2});
-    out.push_back({g, "shortest fibre", quantile(lengths, 0), 2, "mm"});
-    out.push_back({g, "fibre p10", quantile(lengths, 0.1), 2, "mm"});
-    out.push_back({g, "fibre p50", quantile(lengths, 0.5), 2, "mm"});
-    out.push_back({g, "fibre", length(fibres), 1, "mm"});
-    out.push_back({g, "travel", fibres.travel, 1, "mm"});
-    if (fibres.jumps > 0) out.push_back({g, "unmarked jumps", std::uint64_t{fibres.jumps}});
+    tell(out, "chains", std::uint64_t{lengths.size()});
+    tell(out, "cuts", std::uint64_t{cuts});
+    tell(out, "cuts_per_1000_mm2", share(1000.0 * static_cast<double>(cuts), area));
+    tell(out, "fibre_least_mm", quantile(lengths, 0));
+    tell(out, "fibre_p10_mm", quantile(lengths, 0.1));
+    tell(out, "fibre_p50_mm", quantile(lengths, 0.5));
+    tell(out, "fibre_mm", length(fibres));
+    tell(out, "travel_mm", fibres.travel);
+    if (fibres.jumps > 0) tell(out, "unmarked_jumps", std::uint64_t{fibres.jumps});
 }
 
 std::vector<Bends> bend(const Job& job, const Feet& feet) {
@@ -97,66 +102,61 @@ void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
             most_plain = std::max(most_plain, p.total());
         }
     }
-    const std::string g = "curvature";
-    out.push_back({g, "paper: mean of the top 1 % of angles at d",
-                   paper_angle(job.fibres, job.options.spacing) * kDegrees, 2, "deg"});
-    out.push_back({g, "paper: mean of the top 1 % of angles at the step",
-                   paper_angle(job.fibres, job.options.step) * kDegrees, 2, "deg"});
-    out.push_back({g, "step", job.options.step, 4, "mm"});
-    out.push_back({g, "geodesic p99", quantile(geodesic, 0.99), 4, "1/mm"});
-    out.push_back({g, "geodesic max", quantile(geodesic, 1), 4, "1/mm"});
-    out.push_back({g, "normal p99", quantile(normal, 0.99), 4, "1/mm"});
-    out.push_back({g, "normal max", quantile(normal, 1), 4, "1/mm"});
-    out.push_back({g, "least radius", 1 / quantile(total, 1), 3, "mm"});
-    out.push_back({g, "least radius outside hairpins", 1 / most_plain, 3, "mm"});
-    out.push_back({g, "limit", job.options.max_curvature, 4, "1/mm"});
-    out.push_back({g, "share above the limit, geodesic", share(sharp, all), 5});
-    out.push_back({g, "share above the limit, geodesic, outside hairpins", share(sharp_plain, plain), 5});
-    out.push_back({g, "share above the limit, total", share(sharp_total, all), 5});
-    out.push_back({g, "share above the limit, total, outside hairpins", share(total_plain, plain), 5});
-    out.push_back({g, "length of declared hairpins", all - plain, 1, "mm"});
-    out.push_back({g, "turns of more than 90 degrees", std::uint64_t{turns}});
+    tell(out, "paper_angle_deg", paper_angle(job.fibres, job.options.spacing) * kDegrees);
+    tell(out, "paper_angle_step_deg", paper_angle(job.fibres, job.options.step) * kDegrees);
+    tell(out, "step_mm", job.options.step);
+    tell(out, "geodesic_p99_per_mm", quantile(geodesic, 0.99));
+    tell(out, "geodesic_greatest_per_mm", quantile(geodesic, 1));
+    tell(out, "normal_p99_per_mm", quantile(normal, 0.99));
+    tell(out, "normal_greatest_per_mm", quantile(normal, 1));
+    tell(out, "radius_least_mm", 1 / quantile(total, 1));
+    tell(out, "radius_least_plain_mm", 1 / most_plain);
+    tell(out, "curvature_limit_per_mm", job.options.max_curvature);
+    tell(out, "sharp_geodesic", share(sharp, all));
+    tell(out, "sharp_geodesic_plain", share(sharp_plain, plain));
+    tell(out, "sharp_total", share(sharp_total, all));
+    tell(out, "sharp_total_plain", share(total_plain, plain));
+    tell(out, "hairpins_mm", all - plain);
+    tell(out, "turns_over_90", std::uint64_t{turns});
 }
 
 void tight_turns(const Job& job, const Feet& feet, Figures& out) {
     const TightTurns t = tight(job.fibres, feet.normals, 1 / job.options.max_curvature);
-    const std::string g = "tight turns";
-    out.push_back({g, "radius", 1 / job.options.max_curvature, 3, "mm"});
-    out.push_back({g, "turns within less", std::uint64_t{t.count}});
-    out.push_back({g, "length", t.length, 2, "mm"});
-    out.push_back({g, "length not declared", t.undeclared, 2, "mm"});
-    out.push_back({g, "least radius by three points", t.least, 3, "mm"});
-    if (t.count > 0) out.push_back({g, "tightest at", place(t.tightest)});
-    if (t.undeclared > 0) out.push_back({g, "tightest not declared at", place(t.undeclared_at)});
+    tell(out, "tight_limit_mm", 1 / job.options.max_curvature);
+    tell(out, "tight_turns", std::uint64_t{t.count});
+    tell(out, "tight_mm", t.length);
+    tell(out, "tight_undeclared_mm", t.undeclared);
+    tell(out, "tight_radius_least_mm", t.least);
+    if (t.count > 0) tell(out, "tight_at", place(t.tightest));
+    if (t.undeclared > 0) tell(out, "tight_undeclared_at", place(t.undeclared_at));
 }
 
 void area(const Plies& plies, Figures& out) {
-    const std::string g = "area";
     const Area& a = plies.area;
     const double fill = share(plies.laid, a.surface), coverage = share(a.covered, a.surface);
     const auto n = static_cast<double>(plies.count);
-    out.push_back({g, "surface", a.surface / n, 2, "mm2"});
-    if (plies.count > 1) out.push_back({g, "plies", std::uint64_t{plies.count}});
-    out.push_back({g, "paper: share within d of points", plies.paper / n, 4});
-    out.push_back({g, "coverage", coverage, 4});
-    if (plies.count > 1) out.push_back({g, "coverage of the worst ply", plies.least, 4});
-    out.push_back({g, "fill ratio", fill, 4});
-    out.push_back({g, "overlap", fill - coverage, 4});
-    out.push_back({g, "largest void beyond beads", a.void_radius, 3, "mm"});
-    if (a.void_radius > 0) out.push_back({g, "largest void at", place(a.void_at)});
-    if (a.unreached > 0) out.push_back({g, "parts of the surface without a path", a.unreached, 2, "mm2"});
+    tell(out, "surface_mm2", a.surface / n);
+    if (plies.count > 1) tell(out, "plies", std::uint64_t{plies.count});
+    tell(out, "paper_coverage", plies.paper / n);
+    tell(out, "coverage", coverage);
+    if (plies.count > 1) tell(out, "worst_ply_coverage", plies.least);
+    tell(out, "fill_ratio", fill);
+    tell(out, "overlap", fill - coverage);
+    tell(out, "void_mm", a.void_radius);
+    if (a.void_radius > 0) tell(out, "void_at", place(a.void_at));
+    if (a.unreached > 0) tell(out, "unreached_mm2", a.unreached);
     if (a.strip > 0) {
-        out.push_back({g, "share within d of a rim", share(a.strip, a.surface), 4});
-        out.push_back({g, "coverage within d of a rim", share(a.strip_covered, a.strip), 4});
-        out.push_back({g, "coverage elsewhere", share(a.covered - a.strip_covered, a.surface - a.strip), 4});
+        tell(out, "rim_share", share(a.strip, a.surface));
+        tell(out, "rim_coverage", share(a.strip_covered, a.strip));
+        tell(out, "inner_coverage", share(a.covered - a.strip_covered, a.surface - a.strip));
     }
-    if (plies.beside > 0) out.push_back({g, "path beside the surface", plies.beside, 2, "mm"});
-    if (plies.aloft > 0) out.push_back({g, "path above the surface", plies.aloft, 2, "mm"});
-    if (plies.lost > 0) out.push_back({g, "path across gaps of the surface", plies.lost, 2, "mm"});
+    if (plies.beside > 0) tell(out, "beside_mm", plies.beside);
+    if (plies.aloft > 0) tell(out, "above_mm", plies.aloft);
+    if (plies.lost > 0) tell(out, "across_gaps_mm", plies.lost);
 }
 
 void spacing(const Job& job, bool turns, Figures& out) {
-    const std::string g = turns ? "spacing" : "spacing outside turns";
+    const std::string of = turns ? "" : "plain_";
     std::vector<Weighted> signed_error, error;
     for (const Gap& gap : gaps(job.samples, job.spread, turns, job.threads)) {
         signed_error.push_back({gap.error, gap.length});
@@ -166,14 +166,13 @@ void spacing(const Job& job, bool turns, Figures& out) {
     for (const Sample& s : job.samples) sides += s.hairpin || (s.turning && !turns) ? 0 : 2 * s.length;
     for (const Weighted& w : error) found += w.weight;
     if (turns)
-        out.push_back({g, "d", job.options.spacing, 4, "mm"});
+        tell(out, "d_mm", job.options.spacing);
     else
-        out.push_back({g, "share of the path", share(sides / 2, length(job.fibres)), 4});
-    out.push_back({g, "sides with a neighbour", share(found, sides), 4});
+        tell(out, "plain_path_share", share(sides / 2, length(job.fibres)));
+    tell(out, of + "sides_neighboured", share(found, sides));
     for (const int p : {1, 50, 99})
-        out.push_back({g, "gap / d - 1, p" + std::to_string(p), quantile(signed_error, p / 100.0), 4});
-    for (const int p : {50, 99})
-        out.push_back({g, "|gap / d - 1|, p" + std::to_string(p), quantile(error, p / 100.0), 4});
+        tell(out, of + "gap_error_p*", quantile(signed_error, p / 100.0), std::to_string(p));
+    for (const int p : {50, 99}) tell(out, of + "gap_off_p*", quantile(error, p / 100.0), std::to_string(p));
 }
 
 void load(const Job& job, Figures& out) {
@@ -188,32 +187,31 @@ void load(const Job& job, Figures& out) {
         for (const auto& e : each) out = std::min(out, e.*of);
         return out;
     };
-    const std::string g = "load";
-    out.push_back({g, "load cases", std::uint64_t{cases.size()}});
-    out.push_back({g, "paper: mean |t . d1| of the best case at each point", paper.mean, 4});
-    out.push_back({g, "paper: upper bound", paper.best, 4});
-    out.push_back({g, "paper: at random", paper.random, 4});
-    out.push_back({g, "|t . d1|, least of cases", least(&LoadFigures::mean), 4});
-    out.push_back({g, "along the surface, least of cases", least(&LoadFigures::tangential), 4});
-    out.push_back({g, "along the surface, by |s1|, least of cases", least(&LoadFigures::weighted), 4});
+    tell(out, "load_cases", std::uint64_t{cases.size()});
+    tell(out, "paper_load", paper.mean);
+    tell(out, "paper_load_best", paper.best);
+    tell(out, "paper_load_random", paper.random);
+    tell(out, "load_mean", least(&LoadFigures::mean));
+    tell(out, "load_along", least(&LoadFigures::tangential));
+    tell(out, "load_along_weighted", least(&LoadFigures::weighted));
     for (std::size_t k = 0; k < each.size(); ++k) {
-        const std::string h = "load case " + cases[k].name;
-        out.push_back({h, "|t . d1|", each[k].mean, 4});
-        out.push_back({h, "|t . d1|, upper bound", each[k].best, 4});
-        out.push_back({h, "along the surface", each[k].tangential, 4});
-        out.push_back({h, "along the surface, by |s1|", each[k].weighted, 4});
-        out.push_back({h, "along the surface, at random", each[k].random, 4});
-        out.push_back({h, "share within 15 degrees", each[k].within, 4});
-        if (each[k].known < 1) out.push_back({h, "share of the path with a known stress", each[k].known, 4});
+        const std::string& of = cases[k].name;
+        tell(out, "load.*.mean", each[k].mean, of);
+        tell(out, "load.*.best", each[k].best, of);
+        tell(out, "load.*.along", each[k].tangential, of);
+        tell(out, "load.*.along_weighted", each[k].weighted, of);
+        tell(out, "load.*.along_random", each[k].random, of);
+        tell(out, "load.*.within_15_deg", each[k].within, of);
+        if (each[k].known < 1) tell(out, "load.*.known", each[k].known, of);
     }
 }
 
 void off_surface(const Feet& feet, const std::vector<Sample>& samples, Figures& out) {
     std::vector<Weighted> off = feet.off;
     for (const Sample& s : samples) off.push_back({s.off, s.length});
-    out.push_back({"off the surface", "p50", quantile(off, 0.5), 4, "mm"});
-    out.push_back({"off the surface", "p99", quantile(off, 0.99), 4, "mm"});
-    out.push_back({"off the surface", "max", quantile(off, 1), 4, "mm"});
+    tell(out, "off_p50_mm", quantile(off, 0.5));
+    tell(out, "off_p99_mm", quantile(off, 0.99));
+    tell(out, "off_greatest_mm", quantile(off, 1));
 }
 
 // Options that nothing sensible, or nothing in sensible time, could be measured by.
@@ -250,7 +248,7 @@ Measured measure(const Fibres& fibres, const filum::surface::Sheet& sheet, const
     mark_turns(bent, job.samples);
     auto plies = measure_plies(fibres, job.ground, job.samples, {options.spacing, distance}, threads);
     continuity(fibres, plies.area.surface, out.figures);
-    out.figures.push_back({"continuity", "retraced", retraced(job.samples, threads), 1, "mm"});
+    tell(out.figures, "retraced_mm", retraced(job.samples, threads));
     curvature(job, bent, out.figures);
     tight_turns(job, touch, out.figures);
     area(plies, out.figures);

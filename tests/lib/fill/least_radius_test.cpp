@@ -2,6 +2,7 @@
 #include "fill/least_radius.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
+#include "rings/lanes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,14 +42,15 @@ TEST(LeastRadius, OfASquareIsThatOfItsCorners) {
 
 TEST(LeastRadius, RingsKeepTheirDistanceAndLoseTheirCorners) {
     Note open;
-    const Rings rings = nested_round_rings(rectangle(0, 0, 10, 10), kWidth, 1.3 * kWidth, 0.0005, 1, open);
-    EXPECT_GE(rings.loops.size(), 10U);
-    for (std::size_t r = 0; r + 4 < rings.loops.size(); ++r) {
-        const Curve c{true, {rings.loops[r].begin(), rings.loops[r].end()}, {kWidth}};
-        EXPECT_EQ(tight_turns({c}, 0.2, 0.95).count, 0U) << r;
-        EXPECT_NEAR(polygon::bounds(rings.loops[r]).lo.x, static_cast<double>(r) * kWidth, 0.01);
+    const rings::Rings lanes = rings::lanes(rectangle(0, 0, 10, 10), {.width = kWidth, .tolerance = 0.0005});
+    const auto round = rings::curves_of(with_round_corners(lanes, kWidth, 0.0005, 1, open));
+    EXPECT_GE(round.size(), 10U);
+    for (std::size_t r = 0; r + 4 < round.size(); ++r) {
+        EXPECT_EQ(tight_turns({round[r]}, 0.2, 0.95).count, 0U) << r;
+        EXPECT_NEAR(polygon::bounds(round[r].points).lo.x, (static_cast<double>(r) + 0.5) * kWidth, 0.02);
+        for (const double w : round[r].width) EXPECT_NEAR(w, kWidth, 0.1 * kWidth);
     }
-    EXPECT_GT(open.amount, 4 - 3.15); // the outer ring's four corners alone
+    EXPECT_GT(open.amount, kWidth * (8 - 2 * 3.15)); // the outer ring's four corners alone
 }
 
 class RoundRegion : public testing::TestWithParam<std::uint32_t> {};

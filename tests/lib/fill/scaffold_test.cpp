@@ -222,7 +222,7 @@ TEST(Scaffold, RingsBelongToTheStroke) {
             EXPECT_EQ(curves.size(), parts) << name << ", " << rings;
             if (rings > 1) continue;
             const Loops rim = polygon::subtract(area, inset(area, 0.4)); // is dense
-            EXPECT_GT(coverage(rim, curves, 0.15), 0.95) << name;
+            EXPECT_GT(coverage(rim, curves, 0.05), 0.94) << name; // where two lanes share a wall, one is narrower
         }
 }
 

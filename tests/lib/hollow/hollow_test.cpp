@@ -92,7 +92,7 @@ TEST(Hollow, FeaturesTellWhereABeadLies) {
     const auto of = [&](Feature f) { return laid[static_cast<std::size_t>(f)]; };
     EXPECT_NEAR(of(Feature::outer_wall), 118.4, 3);
     EXPECT_NEAR(of(Feature::wall), 115.2, 3);
-    EXPECT_NEAR(of(Feature::skin) * kWidth, 19.2 * 18.4, 8);
+    EXPECT_NEAR(of(Feature::solid) * kWidth, 19.2 * 18.4, 8);
     EXPECT_NEAR(of(Feature::infill) * kWidth, 19.2 * 18.4 * 0.4 / 3 + 0.4 * 37, 15);
 }
 

@@ -15,19 +15,47 @@ TEST(About, NotesAreSummedAndFactsStand) {
     a.amount = 1.5, b.amount = 0.25, b.count = 3;
     postproc::Survey survey;
     survey.layers = 7;
+    survey.strokes = 12;
     survey.seconds = 3725;
+    const Facts facts{{"sequence", "planned-strokes", 12, ""}, {"sequence", "lower-bound", 11, "strokes"}};
     const auto lines =
-        postproc::about(sample::profile(), survey, {{"slice", {{"layer-height", "0.2"}, {"set", ""}}}, {"fill", {}}},
-                        {a, b}, {{"sequence", "strokes", 12, ""}, {"sequence", "travel", 1.25, "mm"}});
+        postproc::history({{"slice", {{"layer-height", "0.2"}, {"set", ""}}}, {"fill", {}}}, {a, b}, facts);
+    const auto told = postproc::summary(sample::profile(), survey, {}, {a, b}, facts);
+    const auto head = postproc::about(sample::profile(), survey, told);
     const auto has = [&](const std::string& line) {
         return std::find(lines.begin(), lines.end(), line) != lines.end();
     };
     EXPECT_TRUE(has(" - slice --layer-height=0.2 |"));
     EXPECT_TRUE(has(" - fill"));
     EXPECT_TRUE(has(" note: fill: area not reached, 4 x, 1.75 mm2"));
-    EXPECT_TRUE(has(" sequence: strokes = 12"));
-    EXPECT_TRUE(has(" sequence: travel = 1.25 mm"));
-    EXPECT_TRUE(has("TIME:3725"));
-    EXPECT_TRUE(has(" estimated printing time (normal mode) = 1h 2m 5s"));
+    EXPECT_TRUE(has(" sequence: planned-strokes = 12"));
+    EXPECT_TRUE(has(" sequence: lower-bound = 11 strokes"));
+    const auto told_first = [&](const std::string& line) {
+        return std::find(head.begin(), head.end(), line) != head.end();
+    };
+    EXPECT_TRUE(told_first("TIME:3725"));
+    EXPECT_TRUE(told_first(" estimated printing time (normal mode) = 1h 2m 5s"));
+    ASSERT_EQ(told.size(), 4u);
+    EXPECT_EQ(head[1], " " + told[0]);
     for (const auto& line : lines) EXPECT_LE(line.size(), 100u);
+    for (const auto& line : head) EXPECT_LE(line.size(), 100u);
+}
+
+// One number for strokes, the program's own: what sequence planned stands beside it only where a fill broke more.
+TEST(About, StrokesAreThoseOfTheProgram) {
+    postproc::Survey survey;
+    const auto says = [&](std::uint64_t strokes, double planned, double bound) {
+        survey.strokes = strokes;
+        return postproc::summary(sample::profile(), survey, {}, {},
+                                 {{"sequence", "planned-strokes", planned, ""}, {"sequence", "lower-bound", bound, ""}})
+            .front();
+    };
+    EXPECT_EQ(says(19, 19, 19), "19 strokes, proven the fewest; 18 stops");
+    EXPECT_EQ(says(1, 1, 1), "1 stroke, proven the fewest; 0 stops");
+    EXPECT_EQ(says(19, 19, 14), "19 strokes, at least 14 for any order; 18 stops");
+    EXPECT_EQ(says(8, 2, 2),
+              "8 strokes, 2 by the order of the regions and the rest within them, at least 2 for any order; 7 stops");
+    survey.strokes = 3;
+    EXPECT_EQ(postproc::summary(sample::profile(), survey, {}, {}, {}).front(), "3 strokes; 2 stops");
+    EXPECT_EQ(postproc::summary(sample::profile(), survey, {}, {}, {}).back(), "nothing hangs, nothing was left out");
 }

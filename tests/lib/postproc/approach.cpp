@@ -25,7 +25,7 @@ std::string first_program(const machine::Profile& p, const std::vector<toolpath:
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
     walk->end();
-    writer->end();
+    writer->end({});
     return out;
 }
 

@@ -29,7 +29,7 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans) {
     const auto w = walker(p, measure.walk_shift(), [&](auto steps) { to->add(steps); });
     for (const Span& s : spans) w->add(s);
     w->end();
-    to->end();
+    to->end({});
     return out;
 }
 

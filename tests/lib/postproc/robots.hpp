@@ -61,11 +61,11 @@ inline Written written(const Asked& asked, const std::vector<toolpath::Span>& sp
     const auto writer = postproc::writer(
         p, out.survey, {}, [&](std::string_view text) { out.text += text; },
         [&](const std::string& name) { return [&to = out.modules[name]](std::string_view text) { to += text; }; });
-    writer->begin(postproc::about(p, out.survey, {}, {}, {}));
+    writer->begin(postproc::about(p, out.survey, {}));
     const auto walk = postproc::walker(p, {}, [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
     walk->end();
-    writer->end();
+    writer->end({});
     return out;
 }
 

@@ -81,11 +81,11 @@ inline Written write(const filum::machine::Profile& p, const std::vector<Span>& 
     out.shift = placement(out.survey, p.bed, place);
     check_limits(out.survey, p, out.shift);
     Program program(p, out.survey, out.shift, [&](std::string_view t) { out.text += t; });
-    program.begin(about(p, out.survey, {{"link3d", {}}, {"postproc", {{"machine", p.name}}}}, {}, {}));
+    program.begin(about(p, out.survey, {}));
     Walk walk(p, [&](auto steps) { program.add(steps); });
     for (const auto& s : spans) walk.add(s);
     walk.end();
-    program.end();
+    program.end(history({{"link3d", {}}, {"postproc", {{"machine", p.name}}}}, {}, {}));
     return out;
 }
 

@@ -65,11 +65,11 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans, p
     Notes notes;
     Facts facts;
     postproc::add_efforts(p, survey, "postproc", notes, facts);
-    program.begin(postproc::about(p, survey, {}, notes, facts));
+    program.begin(postproc::about(p, survey, postproc::summary(p, survey, {}, notes, facts)));
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { program.add(steps); });
     for (const Span& s : spans) walk->add(s);
     walk->end();
-    program.end();
+    program.end(postproc::history({}, notes, facts));
     return out;
 }
 

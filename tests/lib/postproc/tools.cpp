@@ -50,7 +50,7 @@ std::string two_tools(const std::string& profile, const std::vector<toolpath::Sp
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
     walk->end();
-    writer->end();
+    writer->end({});
     return out;
 }
 
@@ -153,7 +153,7 @@ TEST(tools, the_inkredible_opens_the_valve_of_the_head_in_use) {
         const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
         for (const auto& s : spans) walk->add(s);
         walk->end();
-        writer->end();
+        writer->end({});
         return out;
     }());
     std::string codes;

@@ -15,15 +15,6 @@ using toolpath::Curve;
 
 constexpr double kWidth = 0.4;
 
-std::vector<Curve> curves_of(const Rings& rings) {
-    std::vector<Curve> out;
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        out.push_back({true,
-                       {rings.points.begin() + rings.start[i], rings.points.begin() + rings.start[i + 1]},
-                       {rings.width.begin() + rings.start[i], rings.width.begin() + rings.start[i + 1]}});
-    return out;
-}
-
 // The region with every point (x, y) at (a x + b y, c x + d y); the order is kept up where that mirrors.
 Loops mapped(const Loops& region, double a, double b, double c, double d) {
     Loops out;

@@ -100,7 +100,8 @@ TEST(Ends, AreBindingInRandomWorlds) {
 TEST(Ends, AsATable) {
     const Result r = sequence(towers_apart(10), {});
     const std::string text = table(r.graph, r.ends);
-    EXPECT_EQ(text.substr(0, text.find('\n')), "stroke\tregion\tlayer\tz\tx\ty\tcause\tahead\tawaited\trise\tdistance");
+    EXPECT_EQ(text.substr(0, text.find('\n')),
+              "stroke\tregion\tlayer\tz_mm\tx_mm\ty_mm\tcause\tahead\tawaited\trise_mm\tdistance_mm");
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\t'), 5 * 10);
     EXPECT_NE(text.find("\tcarriage\t"), std::string::npos);

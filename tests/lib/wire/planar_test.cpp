@@ -44,7 +44,7 @@ toolpath::RegionPaths good_paths() {
     p.region = 4, p.layer = 3, p.z = 0.6, p.height = 0.2, p.area = 100, p.join = Join::vertical, p.unplaced = 0.5;
     p.curves = {{true, {{0, 0}, {1, 0}, {1, 1}}, {0.4}}, {false, {{0, 0}, {1, 0}}, {0.4, 0.5}}};
     p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
-    p.curves[1].feature = {toolpath::Feature::skin};
+    p.curves[1].feature = {toolpath::Feature::solid};
     p.stacked = {{{0, 0}, {1, 0}}};
     return p;
 }
@@ -59,6 +59,7 @@ toolpath::Span good_span() {
             {0.2},
             {{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}},
             5,
+            toolpath::Retraction::by_machine,
             toolpath::Feature::bridge};
 }
 
@@ -88,7 +89,7 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_EQ(p.curves[1].width, (std::vector<double>{0.4, 0.5}));
     EXPECT_EQ(p.unplaced, 0.5);
     EXPECT_EQ(p.curves[0].feature, good_paths().curves[0].feature);
-    EXPECT_EQ(p.curves[1].feature_at(0), toolpath::Feature::skin);
+    EXPECT_EQ(p.curves[1].feature_at(0), toolpath::Feature::solid);
     EXPECT_EQ(p.stacked, good_paths().stacked);
     const auto s = span(frame(good_span()));
     EXPECT_EQ(s.points, good_span().points);

@@ -69,17 +69,16 @@ TEST(collide, checks_a_program_by_its_lines_alone) {
         run(o, io("collide", "-", at("figures")));
         std::istringstream lines(at.text("figures"));
         for (std::string line; std::getline(lines, line);)
-            if (const auto place = line.find("\t" + name + "\t"); place != std::string::npos)
-                return std::stod(line.substr(place + name.size() + 2));
+            if (line.starts_with(name + "\t")) return std::stod(line.substr(name.size() + 1));
         return -1.0;
     };
-    EXPECT_EQ(figure("lines that move"), 4);
-    EXPECT_EQ(figure("other lines"), 3);
-    EXPECT_EQ(figure("colliding"), 0);
+    EXPECT_EQ(figure("program_lines"), 4);
+    EXPECT_EQ(figure("program_lines_other"), 3);
+    EXPECT_EQ(figure("collisions"), 0);
     o.part = box(at, "post.off", {19, -1, 0}, {21, 1, 5});
-    EXPECT_GT(figure("colliding"), 0);
+    EXPECT_GT(figure("collisions"), 0);
     o.shift = {0, 0, 100}; // far above
-    EXPECT_EQ(figure("colliding"), 0);
+    EXPECT_EQ(figure("collisions"), 0);
 }
 
 TEST(collide, refuses_what_does_not_go_together) {

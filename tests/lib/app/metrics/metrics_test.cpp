@@ -17,15 +17,15 @@ using stream::Payload;
 using toolpath::Role;
 using toolpath::Span;
 
-// "group/name": value, of what was written as TSV.
+// key: value, of what was written as TSV.
 std::map<std::string, std::string> measured(const Folder& at, Options o, const std::string& input) {
     o.plane.format = "tsv";
     run(o, io("metrics", input, at("figures")));
     std::map<std::string, std::string> out;
     std::istringstream lines(at.text("figures"));
     for (std::string line; std::getline(lines, line);) {
-        const auto a = line.find('\t'), b = line.find('\t', a + 1), c = line.find('\t', b + 1);
-        out[line.substr(0, a) + "/" + line.substr(a + 1, b - a - 1)] = line.substr(b + 1, c - b - 1);
+        const auto a = line.find('\t'), b = line.find('\t', a + 1);
+        out[line.substr(0, a)] = line.substr(a + 1, b - a - 1);
     }
     return out;
 }
@@ -66,19 +66,19 @@ TEST(planar, measures_rows_of_known_area) {
     Options o;
     o.plane.regions = rectangle(at);
     const auto figures = measured(at, o, rows(at));
-    EXPECT_EQ(number(figures, "continuity/strokes"), 4);
-    EXPECT_EQ(number(figures, "continuity/stops"), 3);
-    EXPECT_NEAR(number(figures, "coverage/coverage"), 4 * kRow / 40, 1e-3);
-    EXPECT_NEAR(number(figures, "coverage/material"), 36.0 / 40, 1e-5);
-    EXPECT_EQ(number(figures, "crossings/crossings"), 0);
-    EXPECT_EQ(number(figures, "regions/regions"), 1);
+    EXPECT_EQ(number(figures, "strokes"), 4);
+    EXPECT_EQ(number(figures, "stops"), 3);
+    EXPECT_NEAR(number(figures, "coverage"), 4 * kRow / 40, 1e-3);
+    EXPECT_NEAR(number(figures, "material"), 36.0 / 40, 1e-5);
+    EXPECT_EQ(number(figures, "crossings"), 0);
+    EXPECT_EQ(number(figures, "regions"), 1);
 }
 
 TEST(planar, tells_without_outlines_what_needs_none) {
     const Folder at;
     const auto figures = measured(at, {}, rows(at));
-    EXPECT_EQ(number(figures, "continuity/strokes"), 4);
-    EXPECT_FALSE(figures.contains("coverage/coverage"));
+    EXPECT_EQ(number(figures, "strokes"), 4);
+    EXPECT_FALSE(figures.contains("coverage"));
 }
 
 TEST(planar, takes_the_curves_of_a_fill) {
@@ -89,10 +89,10 @@ TEST(planar, takes_the_curves_of_a_fill) {
     Options o;
     o.plane.regions = rectangle(at);
     const auto figures = measured(at, o, write_stream(at("paths"), Payload::paths, {wire::frame(p)}));
-    EXPECT_NEAR(number(figures, "coverage/coverage"), 4 * kRow / 40, 1e-3);
-    EXPECT_EQ(number(figures, "coverage/unplaced as the fill says"), 0.5);
-    EXPECT_NEAR(number(figures, "coverage/unplaced"), 40 - 4 * kRow, 0.05); // what is so
-    EXPECT_FALSE(figures.contains("continuity/stops"));                     // each curve counts by itself
+    EXPECT_NEAR(number(figures, "coverage"), 4 * kRow / 40, 1e-3);
+    EXPECT_EQ(number(figures, "unplaced_claimed_mm2"), 0.5);
+    EXPECT_NEAR(number(figures, "unplaced_mm2"), 40 - 4 * kRow, 0.05); // what is so
+    EXPECT_FALSE(figures.contains("stops"));                           // each curve counts by itself
 }
 
 TEST(planar, lists_layers_and_regions_in_files) {
@@ -145,11 +145,8 @@ TEST(curved, rows_at_one_width_cover_a_plate) {
     Options o;
     o.surface = plate(at), o.voids = at("voids");
     const auto figures = measured(at, o, fibres(at));
-    double coverage = -1;
-    for (const auto& [name, value] : figures)
-        if (name.ends_with("/coverage")) coverage = std::stod(value);
-    EXPECT_NEAR(coverage, 1, 1e-3);
-    EXPECT_FALSE(figures.contains("continuity/stops")); // that speaks of layers
+    EXPECT_NEAR(number(figures, "coverage"), 1, 1e-3);
+    EXPECT_FALSE(figures.contains("stops")); // that speaks of layers
     const auto voids = read_stream(o.voids, Payload::surface);
     ASSERT_EQ(voids.frames.size(), 1U);
     EXPECT_EQ(voids.told.header.history.back().parents.size(), 2U); // of the plate and of the path

@@ -79,9 +79,12 @@ TEST(Report, RepeatsWhatStagesSaid) {
                        {"fill", "ring not joined", 3, "", 3}};
     job.input.facts = {{"sequence", "lower-bound", 3, "strokes"}};
     const Figures f = job.figures();
-    EXPECT_EQ(std::get<std::string>(find(f, "sequence: lower-bound")->value), "3 strokes");
-    EXPECT_EQ(std::get<std::string>(find(f, "slice: gap closed")->value), "3 cases, 0.75 mm");
-    EXPECT_EQ(std::get<std::string>(find(f, "fill: ring not joined")->value), "3 cases");
+    EXPECT_EQ(number(f, "sequence: lower-bound"), 3);
+    EXPECT_EQ(std::get<std::uint64_t>(find(f, "slice: gap closed")->value), 3U);
+    EXPECT_EQ(number(f, "slice: gap closed, in all"), 0.75);
+    EXPECT_EQ(find(f, "slice: gap closed, in all")->key, "noted.slice.gap_closed.mm");
+    EXPECT_EQ(std::get<std::uint64_t>(find(f, "fill: ring not joined")->value), 3U);
+    EXPECT_EQ(find(f, "fill: ring not joined, in all"), nullptr); // without a unit there is no amount
 }
 
 TEST(Report, HoldsFarFromTheOrigin) {

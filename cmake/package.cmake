@@ -1,0 +1,37 @@
+# Debian packages and the source tarball: scripts/package, or by hand `cmake --build build --target package_source`.
+set(CPACK_PACKAGE_NAME filum)
+set(CPACK_PACKAGE_VENDOR "Filum")
+set(CPACK_PACKAGE_CONTACT "Filum <filum@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "unbroken toolpaths from parts, for printers that cannot stop")
+set(CPACK_PACKAGE_DESCRIPTION_FILE ${CMAKE_SOURCE_DIR}/cmake/description.txt)
+set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_GENERATOR DEB)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_THREADS 0)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL filum python3)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_FILUM_PACKAGE_NAME filum)
+set(CPACK_DEBIAN_FILUM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_NAME python3-filum)
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS "python3, python3-numpy, python3-protobuf")
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_RECOMMENDS "filum (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS python3-matplotlib)
+# STEP files need a large library: who reads them installs it beside.
+if(TARGET read-step)
+    list(APPEND CPACK_COMPONENTS_ALL step)
+    set(CPACK_DEBIAN_STEP_PACKAGE_NAME filum-step)
+    set(CPACK_DEBIAN_STEP_PACKAGE_SHLIBDEPS ON)
+    set(CPACK_DEBIAN_STEP_PACKAGE_DEPENDS "filum (= ${PROJECT_VERSION})")
+endif()
+
+set(CPACK_SOURCE_GENERATOR TXZ)
+set(CPACK_SOURCE_PACKAGE_FILE_NAME filum-${PROJECT_VERSION})
+# What is no source: every hidden folder's, and what builds and examples leave.
+set(CPACK_SOURCE_IGNORE_FILES "/\\.git(/|$)" "^${CMAKE_SOURCE_DIR}/build[^/]*/" "^${CMAKE_SOURCE_DIR}/out/" "/__pycache__/"
+    "\\.pyc$" "^${CMAKE_SOURCE_DIR}/python/(build|dist)/" "\\.egg-info/")
+include(CPack)

@@ -1,0 +1,107 @@
+#include "app/filum/kept.hpp"
+
+#include "app/filum/process.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace filum::app::filum {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kStream = "stream ";
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+std::string folder_for_a_while() {
+    const char* where = std::getenv("TMPDIR");
+    std::string name = std::string(where != nullptr && *where != 0 ? where : "/tmp") + "/filum-print-XXXXXX";
+    if (::mkdtemp(name.data()) == nullptr)
+        throw Error(Exit::io, "cannot make a folder in '" + fs::path(name).parent_path().string() +
+                                  "': " + std::strerror(errno) + "; name another by TMPDIR");
+    return name;
+}
+
+} // namespace
+
+Kept::Kept(const Request& request, const std::vector<Stage>& stages) : folder_(folder_for_a_while()) {
+    std::error_code failed;
+    if (!request.keep.empty() && (fs::create_directories(request.keep, failed), failed))
+        throw Error(Exit::io, "cannot make the folder '" + request.keep + "': " + failed.message());
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+        const bool stream = stages[s].out.starts_with(kStream);
+        payloads_.push_back(stream ? stages[s].out.substr(kStream.size()) : "");
+        const std::string name = std::to_string(s + 1) + "-" + stages[s].name + "." + lower(payloads_.back());
+        const bool wanted = request.keep.empty() ? request.shows() : true;
+        names_.push_back(stream && !request.keep.empty() ? request.keep + "/" + name : "");
+        files_.push_back(!stream || !wanted     ? ""
+                         : request.keep.empty() ? folder_ + "/" + name
+                                                : names_.back() + ".part");
+        if (!names_.back().empty()) unfinished_.push_back(files_.back());
+    }
+}
+
+Kept::~Kept() {
+    std::error_code failed;
+    for (const std::string& file : unfinished_) fs::remove(file, failed);
+    fs::remove_all(folder_, failed);
+}
+
+void Kept::commit() {
+    for (std::size_t s = 0; s < files_.size(); ++s) {
+        if (names_[s].empty()) continue;
+        std::error_code failed;
+        fs::rename(files_[s], names_[s], failed);
+        if (failed) throw Error(Exit::io, "cannot write '" + names_[s] + "': " + failed.message());
+        files_[s] = names_[s];
+    }
+    unfinished_.clear();
+}
+
+std::string Kept::last(const std::string& payload) const {
+    for (std::size_t s = files_.size(); s-- > 0;)
+        if (payloads_[s] == payload) return files_[s];
+    return "";
+}
+
+void Kept::draw(const std::vector<std::string>& words, const std::string& output) const {
+    Command command{stage_program("render"), last("Toolpath"), "--output=" + output};
+    command.insert(command.end(), words.begin(), words.end());
+    const Ended ended = run_piped({command}, {""}).front();
+    if (ended.code != 0)
+        throw Error(Exit::failure, "cannot draw '" + output + "': render ended with " + std::to_string(ended.code));
+}
+
+void Kept::report(const std::string& input, const std::string& machine, const std::string& output) const {
+    const std::string figures = folder_ + "/figures.tsv", regions = last("Regions");
+    std::vector<std::string> words;
+    if (!machine.empty()) words.push_back("--machine=" + machine);
+    if (!regions.empty()) words.push_back("--regions=" + regions);
+    Command measure{stage_program("metrics"), last("Toolpath"), "--format=tsv", "--output=" + figures};
+    measure.insert(measure.end(), words.begin(), words.end());
+    if (const Ended ended = run_piped({measure}).front(); ended.code != 0)
+        throw Error(Exit::failure,
+                    "cannot make the report '" + output + "': metrics ended with " + std::to_string(ended.code));
+    words.push_back("--figures=" + figures);
+    words.push_back("--title=" + fs::path(input).filename().string());
+    draw(words, output);
+}
+
+std::string Kept::told(const std::string& output) const {
+    std::string out = (output == "-" ? "standard output" : printable(output)) + "\n";
+    std::ifstream text(summary());
+    for (std::string line; std::getline(text, line);) out += "  " + printable(line) + "\n";
+    return out;
+}
+
+} // namespace filum::app::filum

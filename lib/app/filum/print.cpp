@@ -1,0 +1,214 @@
+#include "app/filum/print.hpp"
+
+#include "app/filum/kept.hpp"
+#include "app/filum/route.hpp"
+#include "app/filum/watch.hpp"
+#include "base/error.hpp"
+#include "base/nearest.hpp"
+#include "base/shell.hpp"
+#include "machine/profile.hpp"
+#include "stream/sink.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <set>
+#include <unistd.h>
+
+namespace filum::app::filum {
+
+namespace {
+
+constexpr const char* kPlanar[] = {"slice", "regions", "skins", "supports", "sequence", "fill", "link3d", "postproc"};
+constexpr const char* kByWish[] = {"skins", "supports"}; // only where one of the options that they alone have is given
+
+int tell(const std::string& text) {
+    stream::Sink out("-", stream::Sink::Content::text);
+    out.write(text);
+    out.commit();
+    return 0;
+}
+
+bool by_wish(const Stage& stage) {
+    return std::find(std::begin(kByWish), std::end(kByWish), stage.name) != std::end(kByWish);
+}
+
+// Whether one of the words is an option that no other stage has, or one of this stage by its name.
+bool wished(const std::vector<std::string>& words, const std::vector<Stage>& stages, const Stage& stage) {
+    const auto has = [](const Stage& s, const std::string& name) {
+        return std::any_of(s.options.begin(), s.options.end(), [&](const StageOption& o) { return o.name == name; });
+    };
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        if (word.starts_with("--" + stage.name + ".") || word.starts_with("--stage=" + stage.name + "=") ||
+            word.starts_with(stage.name + "="))
+            return true;
+        const std::string name = word.starts_with("--") ? word.substr(2, word.find('=') - 2) : "";
+        return has(stage, name) && std::none_of(stages.begin(), stages.end(), [&](const Stage& other) {
+                   return other.name != stage.name && has(other, name);
+               });
+    });
+}
+
+// Leaves out the stages that nobody asks for.
+void keep_wished(const std::vector<std::string>& words, Request& request, std::vector<Stage>& stages) {
+    const std::vector<Stage> all = stages;
+    const Request given = request;
+    stages.clear(), request.arguments.clear();
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        if (by_wish(all[s]) && !wished(words, all, all[s])) continue;
+        stages.push_back(all[s]), request.arguments.push_back(given.arguments[s]);
+    }
+}
+
+std::string print_help(const std::vector<Stage>& stages) {
+    std::string out = "usage: filum print [OPTIONS] [MESH]\n\n"
+                      "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
+    for (const auto& s : stages) {
+        out += &s == stages.data() ? " " : " | ";
+        out += by_wish(s) ? "[" + s.name + "]" : s.name;
+    }
+    out +=
+        "\n\nA stage in brackets takes part where an option is given that it alone has.\nAn option goes to every stage "
+        "that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
+        "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
+        "On a terminal it shows the slowest stage, and at the end in five lines what was made; the same lines stand\n"
+        "first in the program.\n"
+        "If a stage fails, the exit code is its own, and no file appears.\n\n"
+        "  -o, --output FILE   where to write\n"
+        "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
+        "  --report FILE       a page to look around in, x.html: every bead, figures, places, how it was made\n"
+        "  --stage NAME=FILE   your own program in place of a stage, as fill=./mine; several times for several\n"
+        "  --picture FILE      a picture of the toolpath, too: FILE as render's --output\n"
+        "  -q, --quiet         no warnings\n"
+        "  --dry-run           print the pipeline instead of running it\n\noptions of the stages:\n";
+    for (const auto& s : stages) {
+        out += "  " + s.name + ":";
+        for (const auto& o : s.options)
+            if (o.name != "output" && o.name != "threads" && o.name != "quiet" && o.name != "help" &&
+                o.name != "version")
+                out += " --" + o.name;
+        out += "\n";
+    }
+    return out + "\nfilum help STAGE explains them.\n";
+}
+
+// What --NAME= says in the words of a stage, the last time; else `otherwise`.
+std::string value_in(const std::vector<std::string>& words, const std::string& name, const std::string& otherwise) {
+    const std::string start = "--" + name + "=";
+    std::string out = otherwise;
+    for (const std::string& word : words)
+        if (word.starts_with(start)) out = word.substr(start.size());
+    return out;
+}
+
+// Reads the profiles that stages will read, so that what is wrong with one is told once, before any work.
+void check_profiles(const Request& request, const std::vector<Stage>& stages) {
+    std::set<std::pair<std::string, std::string>> seen; // name, --set
+    for (std::size_t s = 0; s < stages.size(); ++s) {
+        const auto& words = request.arguments[s];
+        std::string usual;
+        for (const StageOption& o : stages[s].options)
+            if (o.name == "machine") usual = o.value;
+        const std::string set = value_in(words, "set", "");
+        const std::string machine = value_in(words, "machine", set.empty() ? "" : usual);
+        const std::string head = value_in(words, "head", "");
+        if (!machine.empty() && seen.insert({machine, set}).second) machine::load_profile(machine, set);
+        if (head.empty() || head == "ordinary" || head == "none" || head == machine) continue;
+        if (seen.insert({head, ""}).second) machine::load_profile(head);
+    }
+}
+
+std::vector<Command> commands_of(const Request& request, const std::vector<Stage>& stages) {
+    std::vector<Command> out;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        Command command{stages[i].program};
+        command.insert(command.end(), request.arguments[i].begin(), request.arguments[i].end());
+        if (i + 1 == stages.size() && request.output != "-") command.push_back("--output=" + request.output);
+        if (i == 0 && request.input.starts_with("-") && request.input != "-") command.emplace_back("--");
+        if (i == 0 && request.input != "-") command.push_back(request.input);
+        out.push_back(std::move(command));
+    }
+    return out;
+}
+
+std::string pipeline(const std::vector<Command>& commands, const std::vector<Stage>& stages) {
+    std::string line;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        line += (i > 0 ? " | " : "") + stages[i].name;
+        for (std::size_t w = 1; w < commands[i].size(); ++w) line += " " + shell_word(commands[i][w]);
+    }
+    return line + "\n";
+}
+
+// The exit code of the chain, where it is not 0 and the stage has said why; else throws.
+int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
+    std::size_t who = 0;
+    const int code = verdict(ended, who);
+    if (code == 0) return 0;
+    if (code == 128 + SIGPIPE) return code; // whoever read the program had enough
+    if (ended[who].by_signal)
+        throw Error(Exit::failure,
+                    "stage '" + stages[who].name + "' was killed by signal " + std::to_string(code - 128));
+    if (code == static_cast<int>(Exit::truncated) && who > 0)
+        throw Error(Exit::truncated, "stage '" + stages[who].name + "' received an incomplete stream");
+    return code;
+}
+
+// Puts the programs that --stage names in place of the stages.
+void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
+    const std::string option = "--stage";
+    for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+        if (words[i] != option && !words[i].starts_with(option + "=")) continue;
+        const bool apart = words[i] == option;
+        const std::string what = !apart ? words[i].substr(option.size() + 1) : i + 1 < words.size() ? words[i + 1] : "";
+        const auto equal = what.find('=');
+        const std::string name = what.substr(0, equal);
+        if (equal == std::string::npos || equal + 1 == what.size())
+            throw Error(Exit::usage, "cannot use --stage '" + what + "': it is no NAME=FILE, as fill=./mine");
+        const auto found = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == name; });
+        if (found == stages.end()) {
+            std::vector<std::string> names;
+            for (const Stage& s : stages) names.push_back(s.name);
+            const std::string meant = did_you_mean(name, names);
+            throw Error(Exit::usage, "cannot put in the stage '" + name + "': the chain has none of that name" +
+                                         (meant.empty() ? "; see 'filum help print'" : meant));
+        }
+        *found = foreign(*found, what.substr(equal + 1));
+    }
+}
+
+} // namespace
+
+int print_part(const std::vector<std::string>& words) {
+    std::vector<Stage> stages;
+    for (const char* name : kPlanar) stages.push_back(ask(name));
+    if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return tell(print_help(stages));
+    swap(words, stages);
+    Request request = route(words, stages);
+    keep_wished(words, request, stages);
+    if (!request.report.empty() && !request.report.ends_with(".html"))
+        throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
+    check_profiles(request, stages);
+    std::vector<Command> commands = commands_of(request, stages);
+    if (request.dry_run) return tell(pipeline(commands, stages));
+    if (request.output == "-" && ::isatty(STDOUT_FILENO) != 0)
+        throw Error(Exit::usage,
+                    "cannot write machine code to a terminal; add -o FILE, as in -o part.gcode, or pipe it on");
+    const bool talks = ::isatty(STDERR_FILENO) != 0 && !request.quiet;
+    Kept kept(request, stages);
+    if (talks) commands.back().push_back("--summary=" + kept.summary());
+    std::vector<std::string> names;
+    for (const Stage& s : stages) names.push_back(s.name);
+    const auto ended = talks ? run_watched(commands, kept.files(), names) : run_piped(commands, kept.files());
+    if (const int code = judge(ended, stages); code != 0) return code;
+    kept.commit();
+    if (!request.picture.empty()) kept.draw({}, request.picture);
+    if (!request.report.empty()) {
+        const std::string machine = value_in(request.arguments.back(), "machine", "");
+        kept.report(request.input == "-" ? "part" : request.input, machine, request.report);
+    }
+    if (talks) std::cerr << kept.told(request.output) << std::flush;
+    return 0;
+}
+
+} // namespace filum::app::filum

@@ -1,0 +1,55 @@
+#include "app/ingest/ingest.hpp"
+
+#include "base/error.hpp"
+#include "cli/output.hpp"
+#include "mesh/read.hpp"
+#include "stream/crc32c.hpp"
+#include "wire/planar.hpp"
+
+#include <cstdio>
+
+namespace filum::app::ingest {
+
+namespace {
+
+// The first bytes of what is no text: a NUL among them.
+bool is_binary(std::string_view bytes) {
+    constexpr std::size_t looked_at = 4096;
+    return bytes.substr(0, looked_at).find('\0') != std::string_view::npos;
+}
+
+std::string checksum(const mesh::Bytes& bytes) {
+    char text[9];
+    std::snprintf(text, sizeof text, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
+    return text;
+}
+
+} // namespace
+
+void run(const Options& o, const cli::Io& given) {
+    machine::Profile profile;
+    if (!o.machine.empty()) profile = machine::load_profile(o.machine, o.set);
+    if (profile.axes.chain.carrier == kinematics::Carrier::frame)
+        throw Error(Exit::usage,
+                    "cannot read a program of the robot '" + profile.name + "': only G-code is understood");
+    const mesh::Bytes bytes = mesh::load(given.input);
+    const std::string name = mesh::spoken_name(given.input);
+    if (bytes.size == 0) throw Error(Exit::truncated, "cannot follow the program in " + name + ": it is empty");
+    if (is_binary(bytes.view()))
+        throw Error(Exit::bad_input, "cannot follow the program in " + name +
+                                         ": it is no text; export G-code, not binary G-code or a mesh");
+    cli::Io io = given;
+    if (!profile.name.empty())
+        io.settings.push_back({"machine_profile", profile.name + " " + profile.fingerprint, true});
+    io.settings.push_back({"input_crc32c", checksum(bytes), true});
+    cli::Output output(io, cli::header(io, stream::Payload::toolpath));
+    auto found = filum::ingest::read(bytes.view(), name, profile, o,
+                                     [&](const toolpath::Span& span) { output.write(wire::frame(span)); });
+    for (Fact& f : found.facts) f.stage = io.program;
+    for (Note& n : found.notes) n.stage = io.program;
+    output.add(found.notes);
+    output.add(found.facts);
+    output.close();
+}
+
+} // namespace filum::app::ingest

@@ -1,0 +1,17 @@
+// The whole job of `ingest`: a program in, a toolpath out.
+#pragma once
+
+#include "cli/command.hpp"
+#include "ingest/reader.hpp"
+
+#include <string>
+
+namespace filum::app::ingest {
+
+struct Options : filum::ingest::Options {
+    std::string machine, set; // profile; none: three axes and an extruder word E
+};
+
+void run(const Options& options, const cli::Io& io);
+
+} // namespace filum::app::ingest

@@ -1,0 +1,169 @@
+#include "ingest/remarks.hpp"
+
+#include "machine/codes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace filum::ingest {
+
+namespace {
+
+using machine::trimmed;
+using toolpath::Feature;
+using toolpath::Role;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+// Without regard to case.
+bool same(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+// What stands behind `key` at the begin of `text`; nothing if it does not.
+std::optional<std::string_view> behind(std::string_view text, std::string_view key) {
+    if (text.size() < key.size() || !same(text.substr(0, key.size()), key)) return std::nullopt;
+    return trimmed(text.substr(key.size()));
+}
+
+std::optional<double> number(std::string_view text) {
+    double v = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), v).ec != std::errc{}) return std::nullopt;
+    return v;
+}
+
+// The names of PrusaSlicer and SuperSlicer, of OrcaSlicer and Bambu Studio, of Cura.
+constexpr std::pair<std::string_view, Feature> kNames[] = {
+    {"External perimeter", Feature::outer_wall},
+    {"Perimeter", Feature::wall},
+    {"Internal perimeter", Feature::wall},
+    {"Overhang perimeter", Feature::wall},
+    {"Internal infill", Feature::infill},
+    {"Solid infill", Feature::solid},
+    {"Top solid infill", Feature::top},
+    {"Ironing", Feature::ironing},
+    {"Bridge infill", Feature::bridge},
+    {"Internal bridge infill", Feature::bridge},
+    {"Gap fill", Feature::gap},
+    {"Thin wall", Feature::outer_wall},
+    {"Skirt", Feature::skirt},
+    {"Skirt/Brim", Feature::skirt},
+    {"Support material", Feature::support},
+    {"Support material interface", Feature::interface},
+    {"Wipe tower", Feature::tower},
+    {"Outer wall", Feature::outer_wall},
+    {"Inner wall", Feature::wall},
+    {"Overhang wall", Feature::wall},
+    {"Sparse infill", Feature::infill},
+    {"Internal solid infill", Feature::solid},
+    {"Top surface", Feature::top},
+    {"Bottom surface", Feature::bottom},
+    {"Bridge", Feature::bridge},
+    {"Internal Bridge", Feature::bridge},
+    {"Gap infill", Feature::gap},
+    {"Brim", Feature::skirt},
+    {"Support", Feature::support},
+    {"Support interface", Feature::interface},
+    {"Support transition", Feature::support},
+    {"Prime tower", Feature::tower},
+    {"WALL-OUTER", Feature::outer_wall},
+    {"WALL-INNER", Feature::wall},
+    {"SKIN", Feature::solid},
+    {"FILL", Feature::infill},
+    {"SUPPORT-INTERFACE", Feature::interface},
+    {"PRIME-TOWER", Feature::tower},
+};
+
+// How our own programs name roles, so that viewers know them; see postproc.
+constexpr std::pair<std::string_view, Role> kOwnNames[] = {{"Solid infill", Role::bead},
+                                                           {"Perimeter", Role::lift},
+                                                           {"Gap fill", Role::jog},
+                                                           {"Support material", Role::connector}};
+
+constexpr const char* kOwn = "filum";
+
+// "; filament_diameter = 1.75,2.85"
+void diameters(std::string_view text, std::vector<double>& to) {
+    to.clear();
+    while (!text.empty()) {
+        const auto comma = std::min(text.find_first_of(",;"), text.size());
+        if (const auto v = number(trimmed(text.substr(0, comma))); v && *v > 0) to.push_back(*v);
+        text.remove_prefix(std::min(comma + 1, text.size()));
+    }
+}
+
+void maker(std::string_view comment, Told& to) {
+    if (!to.by.empty()) return;
+    if (behind(comment, "filum program for")) to.by = kOwn;
+    for (const auto& [sign, name] : {std::pair{"PrusaSlicer", "PrusaSlicer"},
+                                     {"SuperSlicer", "SuperSlicer"},
+                                     {"OrcaSlicer", "OrcaSlicer"},
+                                     {"BambuStudio", "Bambu Studio"},
+                                     {"Cura_SteamEngine", "Cura"},
+                                     {"Slic3r", "Slic3r"}})
+        if (to.by.empty() && comment.find(sign) != std::string_view::npos) to.by = name;
+}
+
+} // namespace
+
+Remark remark_in(std::string_view comment, const Told& told) {
+    Remark out;
+    if (comment.empty()) return out;
+    const auto kind = [&](std::string_view name) {
+        if (told.by == kOwn) {
+            for (const auto& [own, role] : kOwnNames)
+                if (same(own, name)) out.role = role;
+            return;
+        }
+        out.feature = Feature::none;
+        for (const auto& [known, feature] : kNames)
+            if (same(known, name)) out.feature = feature;
+    };
+    if (const auto n = behind(comment, "LAYER:")) {
+        out.layer = true;
+        if (const auto index = number(*n)) out.layer_index = static_cast<std::int64_t>(*index);
+    } else if (same(comment, "LAYER_CHANGE") || same(comment, "CHANGE_LAYER"))
+        out.layer = true;
+    else if (const auto type = behind(comment, "TYPE:"))
+        kind(*type);
+    else if (const auto type_of_bambu = behind(comment, "FEATURE:"))
+        kind(*type_of_bambu);
+    else if (const auto width = behind(comment, "WIDTH:"))
+        out.width = number(*width);
+    else if (const auto width_of_bambu = behind(comment, "LINE_WIDTH:"))
+        out.width = number(*width_of_bambu);
+    else if (const auto height = behind(comment, "HEIGHT:"))
+        out.height = number(*height);
+    else if (const auto height_of_bambu = behind(comment, "LAYER_HEIGHT:"))
+        out.height = number(*height_of_bambu);
+    if (out.width && !(*out.width > 0)) out.width.reset();
+    if (out.height && !(*out.height > 0)) out.height.reset();
+    return out;
+}
+
+Told told_by(std::string_view program) {
+    Told out;
+    while (!program.empty()) {
+        const std::size_t end = std::min(program.find('\n'), program.size());
+        const std::string_view line = program.substr(0, end);
+        program.remove_prefix(std::min(end + 1, program.size()));
+        if (line.find_first_of(";(") == std::string_view::npos) continue;
+        const machine::CodeLine split(line);
+        const std::string_view comment = split.comment();
+        maker(comment, out);
+        const Remark remark = remark_in(comment, out);
+        out.layers = out.layers || remark.layer;
+        if (remark.layer_index) out.lowest_layer = std::min(out.lowest_layer, *remark.layer_index);
+        if (const auto d = behind(comment, "filament_diameter =")) diameters(*d, out.diameters);
+        if (const auto d = behind(comment, "filament_diameter:")) diameters(*d, out.diameters);
+        if (const auto flavour = behind(comment, "FLAVOR:")) {
+            out.volumetric = out.volumetric || same(*flavour, "UltiGCode");
+            out.marlin = out.marlin || behind(*flavour, "Marlin").has_value();
+        }
+        if (const auto flavour = behind(comment, "gcode_flavor =")) out.marlin = behind(*flavour, "marlin").has_value();
+    }
+    return out;
+}
+
+} // namespace filum::ingest

@@ -1,0 +1,131 @@
+#include "machine/codes.hpp"
+
+#include "base/number.hpp"
+#include "geom/angle.hpp"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace filum::machine {
+
+namespace {
+
+constexpr double kFarthestNumber = 1e7; // mm, degrees
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+bool is_place(char letter) { return letter >= 'X' && letter <= 'Z'; }
+
+} // namespace
+
+std::string_view trimmed(std::string_view s) {
+    while (!s.empty() && is_blank(s.front())) s.remove_prefix(1);
+    while (!s.empty() && is_blank(s.back())) s.remove_suffix(1);
+    return s;
+}
+
+std::string first_line(const std::string& text) { return std::string(trimmed(text.substr(0, text.find('\n')))); }
+
+CodeLine::CodeLine(std::string_view text) {
+    const std::size_t mark = text.find_first_of(";(*");
+    if (mark == std::string_view::npos || text[mark] == ';') {
+        code_ = trimmed(text.substr(0, mark));
+        comment_ = mark == std::string_view::npos ? std::string_view() : trimmed(text.substr(mark + 1));
+        return;
+    }
+    bool inside = false, checksum = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == ';' && !inside) {
+            inner_ += text.substr(i + 1);
+            break;
+        }
+        if (c == '*' && !inside) checksum = true;
+        if (c == '(' || c == ')')
+            inside = c == '(';
+        else if (inside)
+            inner_ += c;
+        else if (!checksum)
+            own_ += c;
+    }
+    own_ = trimmed(own_);
+    inner_ = trimmed(inner_);
+}
+
+void split(std::string_view code, Words& to) {
+    to.words.clear();
+    to.own = false, to.fault = "";
+    for (std::size_t i = 0; i < code.size();) {
+        if (is_blank(code[i])) {
+            ++i;
+            continue;
+        }
+        const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(code[i++])));
+        if (letter < 'A' || letter > 'Z') {
+            if (!to.words.empty() && is_place(to.words.back().letter)) to.fault = "holds what is no word";
+            to.own = true;
+            return;
+        }
+        while (i < code.size() && (is_blank(code[i]) || code[i] == '+')) ++i;
+        double v = 0;
+        const char* const begin = code.data() + i;
+        const auto [end, error] = std::from_chars(begin, code.data() + code.size(), v, std::chars_format::fixed);
+        if (error != std::errc{} || !(std::abs(v) <= kFarthestNumber)) {
+            if (letter == 'G' || is_place(letter)) to.fault = "holds a word without a proper number";
+            to.own = true;
+            return;
+        }
+        const auto text = std::string_view(begin, static_cast<std::size_t>(end - begin));
+        const auto point = text.find('.');
+        to.words.push_back({letter, v, point == text.npos ? 0 : static_cast<int>(text.size() - point - 1)});
+        i = static_cast<std::size_t>(end - code.data());
+    }
+}
+
+std::map<std::string, std::uint32_t> tool_lines(const Profile& p) {
+    std::map<std::string, std::set<std::uint32_t>> holders;
+    std::map<std::uint32_t, std::vector<std::string>> codes;
+    std::set<std::uint32_t> tools{0};
+    for (const auto& [tool, own] : p.own) tools.insert(tool);
+    if (p.fibre.active()) tools.insert(static_cast<std::uint32_t>(p.fibre.tool));
+    for (const std::uint32_t tool : tools) {
+        std::istringstream text(change_codes(p, tool));
+        for (std::string line; std::getline(text, line);) {
+            constexpr std::string_view number = "{tool_no}";
+            if (const auto at = line.find(number); at != std::string::npos)
+                line.replace(at, number.size(), shortest_text(p.tools.first + static_cast<double>(tool)));
+            if (line.find('{') != std::string::npos) continue; // what only the whole job knows
+            line = std::string(CodeLine(line).code());
+            if (line.empty()) continue;
+            codes[tool].push_back(line);
+            holders[line].insert(tool);
+        }
+    }
+    std::map<std::string, std::uint32_t> out;
+    for (const auto& [tool, lines] : codes)
+        for (const auto& line : lines)
+            if (holders[line].size() == 1) {
+                out[line] = tool;
+                break;
+            }
+    return out;
+}
+
+kinematics::Joints joints_of(const Profile& profile, std::uint32_t tool, const AxisNumbers& a, bool tip) {
+    using geom::kDegree;
+    const Profile& own = of_tool(profile, tool);
+    const geom::Vec3 xyz{a[0], a[1], a[2]};
+    if (tip) return kinematics::place(own.axes.chain, xyz, a[3] * kDegree, a[4] * kDegree);
+    return {xyz + own.offset, a[3] * kDegree, a[4] * kDegree}; // the axes count where tool 0's tip is
+}
+
+std::size_t axis_of(const Profile& profile, char letter) {
+    if (is_place(letter)) return static_cast<std::size_t>(letter - 'X');
+    if (!profile.axes.active()) return 5;
+    return letter == profile.axes.tilt_letter ? 3 : letter == profile.axes.turn_letter ? 4 : 5;
+}
+
+} // namespace filum::machine

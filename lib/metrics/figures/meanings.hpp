@@ -1,0 +1,35 @@
+// What every figure of every report is called by programs and by people, in which unit, and what it says.
+#pragma once
+
+#include "metrics/figures/figures.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace filum::metrics::figures {
+
+// A key is short, in lower case, and ends with its unit; it never changes its meaning.  '*' in key, group and name
+// stands for what the figure is of: a tool, a load case, a range of widths.
+struct Meaning {
+    std::string_view key, group, name, unit;
+    int decimals;
+    std::string_view says; // the definition
+};
+
+std::span<const Meaning> planar_meanings();  // metrics, of layers
+std::span<const Meaning> surface_meanings(); // metrics --surface
+std::span<const Meaning> head_meanings();    // collide
+std::span<const Meaning> job_meanings();     // postproc --job
+
+// Appends the figure of that key, `of` in the place of '*'; std::logic_error if `meanings` lack it.
+void tell(Figures& out, std::span<const Meaning> meanings, std::string_view key, decltype(Figure::value) value,
+          std::string_view of = {});
+
+// Text as part of a key: lower case, whatever is no letter, figure or point as '_'.
+std::string key_text(std::string_view text);
+
+// docs/metrics.md.
+std::string meanings_page();
+
+} // namespace filum::metrics::figures

@@ -1,0 +1,89 @@
+'use strict';
+// What colours mean.
+Filum.RAMP = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+Filum.ramp = t => {
+    const at = Math.min(0.99999, Math.max(0, t)) * (Filum.RAMP.length - 1), k = Math.floor(at), f = at - k;
+    return Filum.RAMP[k].map((v, i) => v + (Filum.RAMP[k + 1][i] - v) * f);
+};
+Filum.distinct = i => { // hues by the golden angle
+    const h = (i * 0.381966 + 0.58) % 1, l = 0.5 + 0.12 * (i % 3 - 1) / 1.5, s = 0.62;
+    const f = n => { const k = (n + h * 12) % 12; return l - s * Math.min(l, 1 - l) * Math.max(-1, Math.min(k - 3, 9 - k, 1)); };
+    return [255 * f(0), 255 * f(8), 255 * f(4)];
+};
+Filum.ROLE_COLOURS = [[106, 168, 214], [235, 160, 60], [220, 80, 150], [210, 70, 60], [140, 146, 155], [170, 110, 220]];
+Filum.css = c => 'rgb(' + c.map(Math.round).join(',') + ')';
+
+// By name: kind 'ramp' with a value per segment, or 'kinds' with a number and a word per span.
+Filum.COLOURS = {
+    stroke: { kinds: (p, s) => p.c.stroke[s], word: k => 'stroke ' + (k + 1) },
+    progress: { ramp: (p, i) => i, unit: '', ends: ['start', 'end'] },
+    role: {
+        kinds: (p, s) => p.c.feature[s] ? 100 + p.c.feature[s] : p.c.role[s],
+        word: k => k >= 100 ? Filum.FEATURES[k - 100] : Filum.ROLES[k],
+        colour: k => k >= 100 ? Filum.distinct(k - 100) : Filum.ROLE_COLOURS[k]
+    },
+    layer: { ramp: (p, i) => p.c.layer[p.spanOf[i]], unit: '' },
+    width: { ramp: (p, i) => p.c.width[i] / 1000, unit: 'mm' },
+    speed: { ramp: (p, i) => p.c.speed[i] / 1000, unit: 'mm/s' },
+    tool: { kinds: (p, s) => p.c.tool[s], word: k => 'tool ' + k },
+    ply: { kinds: (p, s) => p.c.layer[s], word: k => 'ply ' + (k + 1) }
+};
+Filum.kindColour = (how, k) => (how.colour || Filum.distinct)(k);
+
+// The range that a ramp spans over all programs: from the first to the last percent of the moves that lay something.
+Filum.range = (how, programs) => {
+    const values = [];
+    for (const p of programs) {
+        const step = Math.max(1, Math.floor(p.n / 20000));
+        for (let i = 0; i < p.n; i += step) if (p.lays(i)) values.push(how.ramp(p, i));
+    }
+    values.sort((a, b) => a - b);
+    if (!values.length) return [0, 1];
+    const lo = values[Math.floor(values.length * 0.01)], hi = values[Math.ceil(values.length * 0.99) - 1];
+    return [lo, hi > lo ? hi : lo + 1];
+};
+
+// RGBA per point, of the segment that begins there.
+Filum.tones = (p, name, range) => {
+    const how = Filum.COLOURS[name], out = new Uint8Array(4 * p.n), known = new Map();
+    for (let i = 0; i < p.n; i++) {
+        let c;
+        if (how.ramp) c = Filum.ramp((how.ramp(p, i) - range[0]) / (range[1] - range[0]));
+        else {
+            const k = how.kinds(p, p.spanOf[i]);
+            c = known.get(k);
+            if (!c) known.set(k, c = Filum.kindColour(how, k));
+        }
+        out[4 * i] = c[0]; out[4 * i + 1] = c[1]; out[4 * i + 2] = c[2]; out[4 * i + 3] = 255;
+    }
+    return out;
+};
+
+Filum.legend = (element, programs, name, range) => {
+    const how = Filum.COLOURS[name];
+    element.textContent = '';
+    const add = (tag, css, text, to) => {
+        const e = document.createElement(tag);
+        if (css) e.className = css;
+        if (text) e.textContent = text;
+        return (to || element).appendChild(e);
+    };
+    add('div', '', name);
+    if (how.ramp) {
+        add('div', 'ramp').style.background = 'linear-gradient(to right,' +
+            [0, 0.25, 0.5, 0.75, 1].map(t => Filum.css(Filum.ramp(t))).join(',') + ')';
+        const text = v => v.toFixed(Math.abs(v) < 10 && how.unit ? 2 : 0);
+        add('div', '', how.ends ? how.ends.join(' to ') : text(range[0]) + ' to ' + text(range[1]) + ' ' + how.unit);
+        return;
+    }
+    const kinds = new Set();
+    for (const p of programs)
+        for (let s = 0; s < p.c.start.length; s++) if (p.c.role[s] !== Filum.TRAVEL) kinds.add(how.kinds(p, s));
+    const most = 12, sorted = [...kinds].sort((a, b) => a - b);
+    for (const k of sorted.slice(0, most)) {
+        const row = add('div', 'row');
+        add('span', 'chip', '', row).style.background = Filum.css(Filum.kindColour(how, k));
+        add('span', '', how.word(k), row);
+    }
+    if (sorted.length > most) add('div', '', 'and ' + (sorted.length - most) + ' more');
+};

@@ -1,0 +1,220 @@
+'use strict';
+// One program in three dimensions.  All views share one camera: `where`, about the middle of the first program.
+Filum.where = { turn: -0.9, rise: 0.6, far: 3, at: [0, 0, 0] };
+Filum.LOOKS = { iso: [-0.9, 0.6], top: [-Math.PI / 2, 1.5699], front: [-Math.PI / 2, 0], right: [0, 0] };
+
+Filum.View = class {
+    constructor(p, parent, changed) {
+        this.p = p;
+        this.changed = changed; // called where the camera was moved
+        this.element = parent.appendChild(document.createElement('div'));
+        this.element.className = 'view';
+        this.canvas = this.element.appendChild(document.createElement('canvas'));
+        this.canvas.tabIndex = 0;
+        for (const name of ['name', 'said']) {
+            this[name] = this.element.appendChild(document.createElement('div'));
+            this[name].className = name;
+        }
+        this.name.textContent = p.name;
+        this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true, preserveDrawingBuffer: true });
+        this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+        this.scene = new THREE.Scene();
+        this.camera = new THREE.PerspectiveCamera(35, 1, 0.1, 1000);
+        this.camera.up.set(0, 0, 1);
+        this.scene.add(new THREE.HemisphereLight(0xffffff, 0x667788, 0.9));
+        const lamp = new THREE.DirectionalLight(0xffffff, 0.45);
+        lamp.position.set(1, -2, 3);
+        this.scene.add(lamp);
+        if (p.n > 1) this.scene.add((this.beads = new Filum.Beads(p)).object);
+        this.addTravels();
+        this.addOutlines();
+        this.addSurfaces();
+        this.addNozzle();
+        this.drawn = 0;
+        this.handle();
+    }
+    lines(points, colour) {
+        const g = new THREE.BufferGeometry();
+        g.setAttribute('position', new THREE.BufferAttribute(new Float32Array(points), 3));
+        const l = new THREE.LineSegments(g, new THREE.LineBasicMaterial({ color: colour }));
+        l.frustumCulled = false;
+        this.scene.add(l);
+        return l;
+    }
+    addTravels() {
+        const p = this.p, points = [];
+        this.travelEnds = []; // the point that each line ends at, ascending
+        for (let s = 0; s < p.c.start.length; s++) {
+            if (p.c.role[s] !== Filum.TRAVEL) continue;
+            for (let i = p.c.start[s]; i + 1 < p.end(s); i++) {
+                points.push(...this.place(i), ...this.place(i + 1));
+                this.travelEnds.push(i + 1);
+            }
+        }
+        this.travels = this.lines(points, 0xe0902a);
+        this.travels.visible = false;
+    }
+    addOutlines() {
+        const p = this.p, c = p.c, points = [];
+        for (let k = 0; k < c.ostart.length; k++) {
+            const a = c.ostart[k], b = p.loopEnd(k), z = c.oz[k] / 1000 - p.middle[2];
+            for (let i = a; i < b; i++) {
+                const j = i + 1 < b ? i + 1 : a;
+                points.push(c.ox[i] / 1000 - p.middle[0], c.oy[i] / 1000 - p.middle[1], z, c.ox[j] / 1000 - p.middle[0], c.oy[j] / 1000 - p.middle[1], z);
+            }
+        }
+        this.outlines = this.lines(points, 0x8896a6);
+        this.outlines.visible = p.n < 2;
+    }
+    addSurfaces() {
+        this.surfaces = this.p.surfaces.map((_, k) => {
+            const p = this.p, at = n => p.c['s' + k + n], n = at('x').length, xyz = new Float32Array(3 * n);
+            for (let i = 0; i < n; i++) [at('x'), at('y'), at('z')].forEach((col, d) => { xyz[3 * i + d] = col[i] / 1000 - p.middle[d]; });
+            const g = new THREE.BufferGeometry();
+            g.setAttribute('position', new THREE.BufferAttribute(xyz, 3));
+            g.setAttribute('color', new THREE.BufferAttribute(new Float32Array(3 * n).fill(0.7), 3));
+            g.setIndex(new THREE.BufferAttribute(Uint32Array.from(at('corner')), 1));
+            g.computeVertexNormals();
+            const m = new THREE.Mesh(g, new THREE.MeshLambertMaterial({ vertexColors: THREE.VertexColors, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 }));
+            m.frustumCulled = false;
+            this.scene.add(m);
+            return m;
+        });
+    }
+    // Colours surfaces by a field; 'void': what is farther from the path than half a bead.
+    field(name) {
+        this.surfaces.forEach((m, k) => {
+            const which = this.p.surfaces[k].findIndex(f => f[0] === name), colour = m.geometry.attributes.color;
+            const values = which < 0 ? null : this.p.c['s' + k + 'f' + which];
+            for (let i = 0; i < colour.count; i++) {
+                const c = !values ? [170, 178, 188] : values[i] < 0 ? [90, 90, 90] : Filum.ramp(values[i] / 65535);
+                colour.setXYZ(i, c[0] / 255, c[1] / 255, c[2] / 255);
+            }
+            colour.needsUpdate = true;
+        });
+        this.ask();
+    }
+    addNozzle() {
+        const g = new THREE.ConeGeometry(1, 2.5, 16);
+        g.rotateX(-Math.PI / 2);
+        g.translate(0, 0, 1.25);
+        this.nozzle = new THREE.Mesh(g, new THREE.MeshLambertMaterial({ color: 0x0a6cff, transparent: true, opacity: 0.75 }));
+        this.nozzle.scale.setScalar(Math.max(0.4, this.p.radius / 40));
+        this.nozzle.visible = false;
+        this.scene.add(this.nozzle);
+    }
+    place(i) { const p = this.p, c = p.c; return [c.x[i] / 1000 - p.middle[0], c.y[i] / 1000 - p.middle[1], c.z[i] / 1000 - p.middle[2]]; }
+
+    // --- what is shown ---
+    path(count) {
+        if (!this.beads) return;
+        this.beads.show(count);
+        let n = 0, last = this.travelEnds.length;
+        while (n < last) { const m = n + last >> 1; if (this.travelEnds[m] <= count) n = m + 1; else last = m; }
+        this.travels.geometry.setDrawRange(0, 2 * n);
+        this.nozzle.visible = count < this.p.n - 1;
+        this.nozzle.position.set(...this.place(Math.min(count, this.p.n - 1)));
+        this.ask();
+    }
+    layers(low, high) { if (this.beads) this.beads.layers(low, high); this.ask(); }
+    colour(tones) { if (this.beads) this.beads.colour(tones); this.ask(); }
+    fly(x, y, z, radius) {
+        const m = this.p.middle;
+        Object.assign(Filum.where, { at: [x - m[0], y - m[1], z - m[2]] });
+        if (radius) Filum.where.far = radius / this.p.radius * 3;
+        this.changed();
+    }
+
+    // --- drawing, when asked ---
+    ask() {
+        if (this.asked) return;
+        this.asked = requestAnimationFrame(() => { this.asked = 0; this.draw(false); this.settle(); });
+    }
+    settle() { // what stands still may be drawn finely
+        clearTimeout(this.settling);
+        const patience = 500, dearer = 6; // ms for a still picture; what a tube costs beside a ribbon
+        if (this.beads && dearer * this.cost * this.beads.shown < patience) this.settling = setTimeout(() => this.draw(true), 250);
+    }
+    draw(fine) {
+        const w = this.element.clientWidth, h = this.element.clientHeight, at = Filum.where;
+        if (!w || !h) return;
+        if (this.canvas.clientWidth !== this.w || h !== this.h) this.renderer.setSize(this.w = w, this.h = h, false);
+        const r = this.p.radius, far = at.far * r * Math.max(1, h / w), k = Math.cos(at.rise);
+        this.camera.aspect = w / h;
+        this.camera.near = far / 200;
+        this.camera.far = far + 4 * r;
+        this.camera.updateProjectionMatrix();
+        this.camera.position.set(at.at[0] + far * k * Math.cos(at.turn), at.at[1] + far * k * Math.sin(at.turn), at.at[2] + far * Math.sin(at.rise));
+        this.camera.lookAt(...at.at);
+        if (this.beads) {
+            const few = 60000;
+            this.beads.fine(fine || this.beads.shown < few);
+            this.beads.uniforms.eye.value.copy(this.camera.position);
+        }
+        this.renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue('--back').trim());
+        const began = performance.now(), first = this.beads && this.cost === undefined;
+        this.renderer.render(this.scene, this.camera);
+        if (first) { // ms per bead: reading a pixel waits until it is drawn
+            const gl = this.renderer.getContext();
+            gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+            this.cost = (performance.now() - began) / Math.max(1, this.beads.shown);
+        }
+        this.drawn++;
+    }
+
+    // --- the hand ---
+    handle() {
+        let held = null;
+        this.canvas.addEventListener('contextmenu', e => e.preventDefault());
+        this.canvas.addEventListener('pointerdown', e => { held = { x: e.clientX, y: e.clientY, far: 0, shift: e.button === 2 || e.shiftKey }; this.canvas.setPointerCapture(e.pointerId); });
+        this.canvas.addEventListener('pointermove', e => {
+            if (!held) return;
+            const dx = e.clientX - held.x, dy = e.clientY - held.y, at = Filum.where;
+            held.x = e.clientX; held.y = e.clientY; held.far += Math.abs(dx) + Math.abs(dy);
+            if (held.shift) this.slide(dx, dy);
+            else {
+                at.turn -= dx * 0.008;
+                at.rise = Math.max(-1.5699, Math.min(1.5699, at.rise + dy * 0.008));
+            }
+            this.changed();
+        });
+        this.canvas.addEventListener('pointerup', e => { if (held && held.far < 4) this.pick(e); held = null; });
+        this.canvas.addEventListener('wheel', e => {
+            e.preventDefault();
+            Filum.where.far = Math.max(0.005, Math.min(20, Filum.where.far * Math.exp(e.deltaY * 0.001)));
+            this.changed();
+        }, { passive: false });
+    }
+    slide(dx, dy) {
+        const unit = 2 * Math.tan(35 / 2 * Math.PI / 180) * Filum.where.far * this.p.radius / this.h, m = this.camera.matrix.elements;
+        Filum.where.at = Filum.where.at.map((v, k) => v - dx * unit * m[k] + dy * unit * m[4 + k]);
+    }
+    // The shown bead nearest to the eye under the pointer.
+    pick(e) {
+        if (!this.beads) return;
+        const box = this.canvas.getBoundingClientRect(), u = this.beads.uniforms;
+        const px = e.clientX - box.left, py = e.clientY - box.top, m = new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).elements;
+        const d = this.beads.points, at = i => {
+            const x = d[6 * i], y = d[6 * i + 1], z = d[6 * i + 2], w = m[3] * x + m[7] * y + m[11] * z + m[15];
+            return [(1 + (m[0] * x + m[4] * y + m[8] * z + m[12]) / w) * box.width / 2, (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) * box.height / 2, w];
+        };
+        let best = -1, nearest = Infinity;
+        for (let i = 0; i < this.beads.shown; i++) {
+            const layer = d[6 * i + 5];
+            if (layer < u.low.value - 0.5 || layer > u.high.value + 0.5) continue;
+            const a = at(i), b = at(i + 1), wx = b[0] - a[0], wy = b[1] - a[1];
+            const t = Math.max(0, Math.min(1, ((px - a[0]) * wx + (py - a[1]) * wy) / (wx * wx + wy * wy || 1)));
+            const off = Math.hypot(a[0] + t * wx - px, a[1] + t * wy - py), w = a[2] + t * (b[2] - a[2]);
+            if (off < 5 && w < nearest) { nearest = w; best = i; }
+        }
+        this.tell(best);
+    }
+    tell(i) {
+        const p = this.p, c = p.c;
+        if (i < 0) { this.said.textContent = ''; return; }
+        const s = p.spanOf[i], kind = Filum.FEATURES[c.feature[s]] || Filum.ROLES[c.role[s]];
+        this.said.textContent = kind + ', stroke ' + (c.stroke[s] + 1) + ', layer ' + c.layer[s] + ', tool ' + c.tool[s] + '\n' +
+            'at ' + [c.x[i], c.y[i], c.z[i]].map(v => (v / 1000).toFixed(3)).join(', ') + ' mm, point ' + i + '\n' +
+            (c.role[s] === Filum.TRAVEL ? '' : (c.width[i] / 1000).toFixed(3) + ' wide, ' + (c.height[i] / 1000).toFixed(3) + ' high, ' + (c.speed[i] / 1000).toFixed(1) + ' mm/s');
+    }
+};

@@ -1,0 +1,102 @@
+#!/usr/bin/env bats
+# Every command of the README and of the pages for its four readers: run, in the order of the page.
+# shellcheck disable=SC2154
+
+load common
+
+setup_file() {
+    source_tree=$(cd "$BATS_TEST_DIRNAME/../.." && pwd)
+    export source_tree PROFILES=$source_tree/lib/machine/profiles PYTHONDONTWRITEBYTECODE=1
+    cd "$BATS_FILE_TMPDIR" || exit 1
+    for link in scripts examples python cmake; do ln -s "$source_tree/$link" $link; done
+    ln -s "$FILUM_BUILD" build
+    box_stl > part.stl
+    examples/scaffold/make-part block 6 6 2 block.stl
+    cp examples/bracket/patch_A.ply face.ply
+    cp examples/bracket/bracket.frd.gz result.frd.gz
+    for python in python3 /usr/bin/python3; do
+        "$python" -c 'import google.protobuf, numpy' 2> /dev/null && break
+        python=
+    done
+    export python PYTHONPATH=$FILUM_BUILD/python
+}
+
+setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
+
+# What is tested elsewhere, or is what runs this: the tests that run it.
+elsewhere() {
+    case $1 in
+        scripts/setup*) grep -q 'scripts/setup' "$source_tree/tests/bats/setup.bats" ;;
+        'cmake --preset release && cmake --build build --target programs') [ -f "$FILUM_BUILD/build.ninja" ] ;;
+        scripts/demo*) grep -q 'scripts/demo' "$source_tree/tests/bats/readme.bats" ;;
+        *) false ;;
+    esac
+}
+
+# The lines of page $1 that are code, without what they say behind #; python blocks as files python-N.
+commands() { sed -nE '/^```/,/^```/d; s/^    ([^ ].*)$/\1/p' "$1" | sed -E 's/ +# .*$//'; }
+
+run_page() {
+    local line count=0
+    while IFS= read -r line; do
+        elsewhere "$line" && continue
+        echo "+ $line"
+        bash -euo pipefail -c "$line" > out 2> err < /dev/null || { echo "failed: $line"; head -n 5 err; return 1; }
+        count=$((count + 1))
+    done < <(commands "$1")
+    [ "$count" -ge "$2" ]
+}
+
+@test "the README, two screens of it" {
+    [ "$(wc -l < "$source_tree/README.md")" -le 80 ]
+    run_page "$source_tree/README.md" 3
+    [ "$(grep -c '^G1 ' part.gcode)" -gt 20 ]
+}
+
+@test "scripts/demo, on a small part" {
+    [ "$(realpath "$FILUM_BUILD")" = "$(realpath "$source_tree/build")" ] || skip "these programs are not in build/"
+    "$source_tree/scripts/demo" --out "$PWD/demo" bar > said
+    tail -n 1 said | grep -q "look at the picture: $PWD/demo/part.png"
+    [ -s demo/part.png ] && [ -s demo/part.gcode ] && [ -s demo/face.ngc ]
+}
+
+@test "bioprinting" {
+    run_page "$source_tree/docs/bioprinting.md" 8
+    [ "$(metrics --format tsv block.toolpath | awk -F'\t' '$1 == "strokes" || $1 == "stops" { print $2 }' | tr '\n' ' ')" = '1 0 ' ]
+}
+
+@test "paste and filament" { run_page "$source_tree/docs/paste-and-filament.md" 8; }
+
+@test "fibre" { run_page "$source_tree/docs/fibre.md" 8; }
+
+@test "stage authors: python first, then the pipes" {
+    [ -n "$python" ] || skip "no python3-protobuf, python3-numpy"
+    awk '/^```python/ { ++n; on = 1; next } /^```/ { on = 0 } on { print > ("block-" n ".py") }' "$source_tree/docs/stage-authors.md"
+    mv block-1.py walls.py
+    mkdir -p bin
+    ln -sf "$(command -v "$python")" bin/python3
+    PATH=$PWD/bin:$PATH run_page "$source_tree/docs/stage-authors.md" 4
+    "$python" block-2.py | grep -q '^1 strokes'
+}
+
+@test "python/README" {
+    [ -n "$python" ] || skip "no python3-protobuf, python3-numpy"
+    # its first block is Python; the second a stage; what is shell there is pip's, and tested in python.bats
+    sed -nE '/^    import filum$/,/^[A-Z#]/s/^    //p' "$source_tree/python/README.md" > all.py
+    awk '/^import filum$/ { ++n } { print > ("readme-" n ".py") }' all.py
+    /usr/bin/python3 -c 'import matplotlib' 2> /dev/null || sed -i '/plot/d' readme-1.py
+    sed -i 's/plot.layer(path, 10)/plot.layer(path, 3)/' readme-1.py
+    MPLBACKEND=Agg "$python" readme-1.py
+    slice part.stl | regions | sequence | "$python" readme-2.py --bead-width 0.5 | link3d | peek --check
+}
+
+@test "the site: every page of the four, and a search index" {
+    command -v mkdocs > /dev/null || skip "no mkdocs"
+    "$source_tree/scripts/site" --out "$PWD/site"
+    for page in index docs/bioprinting docs/fibre docs/paste-and-filament docs/stage-authors docs/metrics python/index; do
+        [ -s "site/html/$page.html" ] || { echo "missing: $page" && return 1; }
+    done
+    grep -q 'cut_to_nozzle' site/html/search/search_index.json
+    [ -s site/html/docs/pictures/benchy.png ]
+    grep -q 'src="docs/pictures/benchy.png"' site/html/index.html
+}
