@@ -83,8 +83,7 @@ rings::Rings with_round_corners(const rings::Rings& lanes, double width, double 
         Loops now;
         for (; next < lanes.size() && lanes.lane[next] == lane; ++next)
             now.add(std::span(lanes.points).subspan(lanes.start[next], lanes.start[next + 1] - lanes.start[next]));
-        now = lane == 1 ? polygon::unite(now)
-                              : polygon::intersect(now, polygon::offset(outer, -width / 2, tolerance));
+        now = lane == 1 ? polygon::unite(now) : polygon::intersect(now, polygon::offset(outer, -width / 2, tolerance));
         Loops kept;
         const auto parts = polygon::split(now).part;
         for (const Loops& part : parts) {

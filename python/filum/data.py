@@ -9,12 +9,13 @@ import math
 import numpy as np
 
 from . import stream_pb2
-from .planar import Curve, Join, Layer, Line, Loops, Overlap, Paths, Region, Role, Span, ints, listed
+from .planar import (Curve, Feature, Join, Layer, Line, Loops, Overlap, Paths, Region, Retraction, Role, Span, ints,
+                     listed)
 from .surface import Field, Isolines, Sources, Surface
 
 Payload = enum.IntEnum("Payload", stream_pb2.Payload.items())
 Payload.__doc__ = "What a stream carries: LAYERS, REGIONS, PATHS, TOOLPATH or SURFACE."
-_ENUMS = {"Join": Join, "Role": Role, "Payload": Payload}
+_ENUMS = {e.__name__: e for e in (Feature, Join, Payload, Retraction, Role)}
 
 
 @dataclasses.dataclass(eq=False)

@@ -12,6 +12,10 @@ from . import planar_pb2
 
 Join = enum.IntEnum("Join", planar_pb2.Join.items())
 Join.__doc__ = "How a region continues the one printed before: START (a new stroke), VERTICAL (above it), BESIDE."
+Retraction = enum.IntEnum("Retraction", planar_pb2.Retraction.items())
+Retraction.__doc__ = "What happens to the material on a travel: BY_MACHINE (as the profile says), NOT_TAKEN, TAKEN_BACK."
+Feature = enum.IntEnum("Feature", planar_pb2.Feature.items())
+Feature.__doc__ = "What a bead is for, as the program of a slicer says it: OUTER_WALL, WALL, INFILL and so on; UNTOLD."
 Role = enum.IntEnum("Role", planar_pb2.Role.items())
 Role.__doc__ = "What a span is: BEAD, LIFT, JOG, CONNECTOR, HAIRPIN extrude; TRAVEL does not."
 
@@ -252,6 +256,8 @@ class Span:
     x, y: mm
     z, width, height: mm, per point, or one for all; a travel has no width and no height
     nx, ny, nz: unit, per point: where the tool comes from; none: from above
+    retraction: Retraction, of a travel
+    feature: Feature, of what extrudes
     """
 
     message = planar_pb2.Span
@@ -268,6 +274,8 @@ class Span:
     ny: np.ndarray = floats()
     nz: np.ndarray = floats()
     tool: int = 0
+    retraction: int = Retraction.BY_MACHINE
+    feature: int = Feature.UNTOLD
 
     @property
     def points(self):

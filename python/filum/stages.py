@@ -1,14 +1,14 @@
 """A stage of one's own: a function from an item to what it becomes, as a program like the others.
 
     @filum.stage(reads="regions", writes="paths")
-    def walls(region, width: "MM" = 0.4):
+    def walls(region, width: filum.MM = 0.4):
         "one bead along the outline"
         return region.filled([filum.Curve.of(region.loops[0], width)])
 
     if __name__ == "__main__":
         walls.main()
 
-The keyword arguments are its options, their annotations the units.  The program has --output, --quiet, --threads,
+The keyword arguments are its options, their annotations the units (any text; filum.MM, DEG, SECONDS, SHARE, COUNT).  The program has --output, --quiet, --threads,
 --help and --version, the exit codes of the others, hands on notes and facts, and writes its end frame only when its
 input's was read.  In Python it is `stream.apply(walls, width=0.5)`.
 """
@@ -22,6 +22,9 @@ from . import framing
 from .data import CLASSES, FRAME_OF, PAYLOAD_OF, Note, Payload, Run, from_message, to_message
 from .errors import Error, FileError, InputError, Truncated, UsageError, WorkError
 from .streams import Stream, whole_file
+
+# Units of options, for annotations.
+MM, DEG, SECONDS, SHARE, COUNT = "MM", "DEG", "S", "SHARE", "N"
 
 _COMMON = (("output", "FILE", "-", "where to write; a named file appears only when it is complete"),
            ("threads", "N", 0, "taken and not needed: one thread does it all"),

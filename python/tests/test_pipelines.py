@@ -13,7 +13,7 @@ import parts
 
 
 @filum.stage(reads="layers", writes="layers")
-def mirrored(layer, about: "MM" = 0.0):
+def mirrored(layer, about: filum.MM = 0.0):
     """turns layers left to right"""
     layer.contours = filum.Loops.of([[2 * about, 0] + loop[::-1] * [-1, 1] for loop in layer.contours])
     return layer

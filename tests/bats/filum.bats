@@ -249,8 +249,9 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     [[ $(head -n 1 appended) == kept && $(wc -l < appended) -gt 3 ]]
     mkfifo tube
     cat tube > through &
+    local reader=$!
     slice part.stl -o tube
-    wait
+    wait "$reader"
     cmp through mine
 }
 

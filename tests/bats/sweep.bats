@@ -12,7 +12,7 @@ setup() {
 # A table of four jobs that take long enough to be killed.
 small_table() {
     printf 'axis\tname\tvalue\toptions\n'
-    printf 'part\tbracket\tbracket\t--layer-height 1\npart\tbar\tbar\t\n'
+    printf 'part\tbracket\tbracket\t--layer-height 0.5\npart\tbar\tbar\t\n'
     printf 'pattern\tspiral\tfill --pattern spiral\t\nwidth\t0.6\t\t\nwidth\t0.8\t\t\n'
 }
 
@@ -44,7 +44,7 @@ make_sweep() {
 
 @test "sweep: only what a change of the table concerns is done again" {
     disc 15 > disc.off
-    printf 'axis\tname\tvalue\toptions\npart\tbar\tbar\t--layer-height 1\npattern\tspiral\tfill\t\nwidth\t0.8\t\t\n' > t.tsv
+    printf 'axis\tname\tvalue\toptions\npart\tbar\tbar\t--layer-height 0.5\npattern\tspiral\tfill\t\nwidth\t0.8\t\t\n' > t.tsv
     make_sweep SWEEP="$PWD/t.tsv"
     [ "$jobs" -eq 1 ]
     printf 'pattern\tzigzag\tfill --pattern zigzag\t\nwidth\t1\t\t\n' >> t.tsv

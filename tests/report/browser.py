@@ -31,7 +31,7 @@ class Browser:
         words = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader",
                  "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--force-device-scale-factor=1",
                  f"--window-size={width},{height}", f"--user-data-dir={self.home}"]
-        wanted = {"browserName": "chrome", "goog:chromeOptions": {"args": words, "binary": shutil.which("chromium")},
+        wanted = {"browserName": "chrome", "timeouts": {"script": 170_000, "pageLoad": 170_000}, "goog:chromeOptions": {"args": words, "binary": shutil.which("chromium")},
                   "goog:loggingPrefs": {"browser": "ALL"}}
         self.session = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})["sessionId"]
 

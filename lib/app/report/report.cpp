@@ -3,6 +3,7 @@
 #include "app/peek/text.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "metrics/figures/meanings.hpp"
 #include "report/page.hpp"
 #include "stream/reader.hpp"
 #include "stream/sink.hpp"
@@ -129,9 +130,10 @@ void run(const Options& o, const cli::Io& io) {
     }
     if (!o.figures.empty()) {
         decltype(first.figures) measured;
-        for (const auto& row : table(o.figures, {"key", "value", "unit"}))
-            if (row[0] != "report" && row[0] != "version" && !row[0].starts_with("said"))
-                measured.push_back({"measured", row[0], row[1], row[2]});
+        for (const auto& row : table(o.figures, {"key", "value", "unit"})) {
+            const auto at = metrics::figures::spoken(row[0], !o.surface.empty());
+            if (!at.name.empty()) measured.push_back({at.group, at.name, row[1], row[2]});
+        }
         first.figures.insert(first.figures.begin(), measured.begin(), measured.end());
     }
     if (!o.collisions.empty()) add_collisions(first, o.collisions);

@@ -99,6 +99,20 @@ void tell(Figures& out, std::span<const Meaning> meanings, std::string_view key,
                    with(m->key, m->key.find('*') == std::string_view::npos ? of : key_text(of))});
 }
 
+Spoken spoken(std::string_view key, bool on_surface) {
+    for (const Meaning& m : on_surface ? surface_meanings() : planar_meanings()) {
+        const auto star = std::min(m.key.find('*'), m.key.size());
+        const auto before = m.key.substr(0, star), after = star < m.key.size() ? m.key.substr(star + 1) : "";
+        const bool fits = star == m.key.size() ? key == m.key
+                                               : key.size() > before.size() + after.size() && key.starts_with(before) &&
+                                                     key.ends_with(after);
+        if (!fits) continue;
+        const auto of = key.substr(before.size(), key.size() - before.size() - after.size());
+        return {with(m.group, of), with(m.name, of)};
+    }
+    return {};
+}
+
 std::string meanings_page() {
     std::string out = kBegin;
     section(out, "Layers: metrics", "Of a toolpath laid in layers, or of the curves of `fill`.", planar_meanings());

@@ -26,6 +26,12 @@ std::span<const Meaning> job_meanings();     // postproc --job
 void tell(Figures& out, std::span<const Meaning> meanings, std::string_view key, decltype(Figure::value) value,
           std::string_view of = {});
 
+// Heading and name that tables have for a key of `metrics`; both empty for any other.  Of a path on a surface its own.
+struct Spoken {
+    std::string group, name;
+};
+Spoken spoken(std::string_view key, bool on_surface);
+
 // Text as part of a key: lower case, whatever is no letter, figure or point as '_'.
 std::string key_text(std::string_view text);
 
