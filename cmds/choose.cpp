@@ -57,7 +57,7 @@ cli::Spec spec(Options& o) {
                  .when("algorithm=best")
                  .a_limit(),
              Option{"spacing", &plan.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
-             Option{"least-radius", &plan.least_radius, "MM", "of turns, where there is room"}
+             Option{"min-radius", &plan.least_radius, "MM", "of turns, where there is room"}
                  .within(0, 1e5)
                  .a_limit()
                  .a_limit(),
@@ -78,7 +78,10 @@ cli::Spec spec(Options& o) {
 void run(const Options& o, const cli::Io& io) {
     choose::Options how = o.how;
     how.weights = choose::weights(o.weights);
-    if (o.algorithm != "best") how.plan.algorithm = o.algorithm, how.by_hand = true;
+    if (const auto asked = surfpath::algorithm(o.algorithm)) {
+        how.plan.algorithm = *asked;
+        how.by_hand = true;
+    }
     std::vector<surface::Sheet> sheets;
     const cli::Whole before = cli::read_all(io.input, stream::Payload::surface,
                                             [&](const stream::RawFrame& f) { sheets.push_back(wire::sheet(f)); });
@@ -93,7 +96,10 @@ void run(const Options& o, const cli::Io& io) {
         Notes own;
         const auto choice = choose::choose(sheets[k], how, io.threads, own);
         const bool several = sheets.size() > 1;
-        for (Note& note : own) note.what += several ? " on patch " + name : "", notes.push_back(std::move(note));
+        for (Note& note : own) {
+            note.what += several ? " on patch " + name : "";
+            notes.push_back(std::move(note));
+        }
         for (Fact& fact : choose::facts(choice))
             facts.push_back({"", (several ? "patch." + name + "." : "") + fact.name, fact.value, fact.unit});
         area += choice.area;

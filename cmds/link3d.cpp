@@ -39,9 +39,8 @@ constexpr const char* kDescription =
     "layers and parts are linked straight or around the box of all, unchecked.";
 
 struct Options {
-    link3d::Options link; // what needs no name
-    link3d::Names names;
-    std::string links = "free";
+    link3d::Options link;
+    enum class Links : std::uint8_t { free, sun2019 } links = Links::free;
     baselines::sun2019::LinkOptions sun2019;
     machine::HeadChoice head;
 };
@@ -57,17 +56,17 @@ std::vector<cli::Option> free_options(Options& o) {
         Option{"look-ahead", &o.link.look_ahead, "REGIONS", "how many regions are read before one is printed"}
             .within(1, 1000)
             .a_limit(),
-        Option{"connect", &o.names.connect, "", "how to reach a region that lies aside"}
+        Option{"connect", &o.link.connect, "", "how to reach a region that lies aside"}
             .one_of({"break", "inside", "outside"})
             .a_limit(),
-        Option{"strand", &o.names.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
+        Option{"strand", &o.link.strand, "", "what carries connectors outside: nothing need, or the bed or one below"}
             .one_of({"free", "carried"})
             .when("connect=outside")
             .a_limit(),
-        Option{"seam", &o.names.seam, "", "where a stroke begins"}.one_of({"nearest", "inside"}),
-        Option{"lift", &o.names.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
+        Option{"seam", &o.link.seam, "", "where a stroke begins"}.one_of({"nearest", "inside"}),
+        Option{"lift", &o.link.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
             .one_of({"plain", "ramp", "helical"}),
-        Option{"interlace", &o.names.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
+        Option{"interlace", &o.link.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
             {"none", "alternate", "golden", "random"}),
         Option{"seed", &o.link.seed, "N", "of random starts"}.within(0, 1e15).when("interlace=random"),
         Option{"alternate-direction", &o.link.alternate_direction, "",
@@ -118,9 +117,9 @@ void link(Linker linker, const cli::Io& io) {
 }
 
 void run(const Options& o, const cli::Io& given) {
-    if (o.links == "sun2019") return link(baselines::sun2019::Linker(o.sun2019), given);
+    if (o.links == Options::Links::sun2019) return link(baselines::sun2019::Linker(o.sun2019), given);
     cli::Io io = given;
-    link3d::Options how = link3d::named(o.link, o.names);
+    link3d::Options how = o.link;
     how.head = machine::head(o.head);
     for (const auto& [name, value, changed] : machine::settings(how.head))
         io.settings.push_back({name, value, changed});

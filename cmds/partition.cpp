@@ -24,7 +24,7 @@ constexpr const char* kDescription =
     "are always borders, those between CAD faces with --faces, and lines drawn onto the surface by --seam, a text of "
     "points, three numbers a line, lines of points apart by an empty line; one that ends within a patch stays a "
     "slit.\n\n"
-    "Patches below --least-area are joined to a neighbour; what edges keep from any is left out, and so is, with "
+    "Patches below --min-area are joined to a neighbour; what edges keep from any is left out, and so is, with "
     "--mask, what bears less load; both are noted with place and area. Facts tell for each patch its area, the mean "
     "cosine between directions and their mean (coherence), and what 95 % of angles and bends stay below.";
 
@@ -68,7 +68,7 @@ cli::Spec spec(app::partition::Options& o) {
                  .at_most(10000)
                  .when("!as-is")
                  .a_limit(),
-             Option{"least-area", &o.how.limits.least_area, "MM2", "of a patch; 0: a hundredth of the surface"}
+             Option{"min-area", &o.how.limits.least_area, "MM2", "of a patch; 0: a hundredth of the surface"}
                  .within(0, 1e12)
                  .when("!as-is")
                  .a_limit(),

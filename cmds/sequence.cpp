@@ -15,8 +15,10 @@ namespace {
 
 using namespace filum;
 
+enum class Order : std::uint8_t { columns, layers, sun2019 };
+
 struct Options {
-    std::string order = "columns";
+    Order order = Order::columns;
     machine::HeadChoice head;
     std::string budget = "600", ends;
     bool report = false;
@@ -73,8 +75,8 @@ void run(const Options& o, const cli::Io& given) {
     options.head = machine::head(o.head);
     for (const auto& [name, value, changed] : machine::settings(options.head))
         io.settings.push_back({name, value, changed});
-    options.by_layers = o.order != "columns";
-    if (o.order == "sun2019") options.layers = baselines::sun2019::order;
+    options.by_layers = o.order != Order::columns;
+    if (o.order == Order::sun2019) options.layers = baselines::sun2019::order;
     options.budget = sequence::budget(o.budget);
     std::vector<stream::RawFrame> frames;
     std::vector<polygon::Region> regions;

@@ -16,7 +16,7 @@ constexpr const char* kDescription =
     "they follow is where `geodesic` measured from: fina, rows at equal distances from a line; fexa, rows in "
     "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
     "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Rows are taken "
-    "some apart, so that turns are wide; those that must be tighter than --least-radius are spans of their own, "
+    "some apart, so that turns are wide; those that must be tighter than --min-radius are spans of their own, "
     "declared as hairpins. What cannot be placed is noted.\n\n"
     "Of several surfaces, patches of one part, each is filled in its turn. What `choose` has planned for a surface "
     "travels with it, and is followed unless an algorithm is named; without any plan it is geo-fiso. A patch without "
@@ -26,7 +26,7 @@ constexpr const char* kDescription =
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
     "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
     "All options from --plane on are for this method only. What the paper does not give: --resample, --savgol-window, "
-    "--savgol-degree, --least-spacing. Smoothing takes the path off the surface.";
+    "--savgol-degree, --min-spacing. Smoothing takes the path off the surface.";
 
 std::vector<Option> paper_options(Options& o) {
     return {Option{"plane", &o.plane, "NX,NY,NZ,D", "beside which rows lie; none: that of the sources"}
@@ -43,7 +43,7 @@ std::vector<Option> paper_options(Options& o) {
                 .zero_or_at_least(0.001)
                 .at_most(1e4)
                 .when("algorithm=planned|ortheo"),
-            Option{"least-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}
+            Option{"min-spacing", &o.paper.least_spacing, "MM", "where ortheo ends lines; 0: 0.4 d"}
                 .within(0, 1e4)
                 .when("algorithm=planned|ortheo")
                 .a_limit(),
@@ -66,15 +66,15 @@ cli::Spec spec(Options& o) {
         .out = cli::writes(stream::Payload::toolpath),
         .memory = "the model, and windows of distance",
         .options = cli::with(
-            {Option{"algorithm", &o.plan.algorithm, "", "what lines the path follows; the first word may say it"}
-                 .one_of({"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+            {Option{"algorithm", &o.algorithm, "", "what lines the path follows; the first word may say it"}.one_of(
+                 {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
                  .within(0.001, 1000)
                  .same_as({"choose.spacing"}),
-             Option{"least-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5).same_as(
-                 {"choose.least-radius"}),
-             Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --least-radius"}
+             Option{"min-radius", &o.plan.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5).same_as(
+                 {"choose.min-radius"}),
+             Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}
                  .a_limit(),
              Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
                  .one_of({"none", "hairpin", "wide"})
@@ -83,7 +83,7 @@ cli::Spec spec(Options& o) {
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|ortheo")
                  .a_limit(),
-             Option{"height", &o.laying.height, "MM", "of the bead"}.within(0.001, 100),
+             Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),
              Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()},

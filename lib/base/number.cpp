@@ -28,7 +28,10 @@ void append_fixed(std::string& out, double value, int decimals) {
         auto units = static_cast<std::uint64_t>(std::nearbyint(scaled));
         if (value < 0 && units != 0) out.push_back('-');
         int digits = decimals;
-        while (digits > 0 && units % 10 == 0) units /= 10, --digits;
+        while (digits > 0 && units % 10 == 0) {
+            units /= 10;
+            --digits;
+        }
         char buffer[24];
         char* end = buffer + sizeof buffer;
         char* at = end;

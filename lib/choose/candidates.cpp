@@ -11,6 +11,8 @@ namespace filum::choose {
 
 namespace {
 
+using surfpath::Algorithm;
+
 constexpr int kDirections = 8;       // over 180 degrees
 constexpr double kAlike = 0.9962;    // cosine of 5 degrees: nearer directions are one
 constexpr double kUpright = 0.99985; // cosine of a degree
@@ -22,7 +24,7 @@ struct Frame {
     Vec3 pull;                 // in that plane; 0: none
 };
 
-Vec3 unit(const Vec3& v) { return norm(v) > 0 ? 1 / norm(v) * v : v; }
+Vec3 unit(const Vec3& v) { return geom::unit(v, v); }
 Vec3 of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -49,7 +51,8 @@ Frame frame(const Sheet& sheet, const std::vector<Vec3>& pull) {
         const auto [a, b, c] = s.triangles[t];
         const Vec3 n = 0.5 * cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a]);
         centre = centre + norm(n) / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
-        normal = normal + n, area += norm(n);
+        normal = normal + n;
+        area += norm(n);
     }
     Frame out{1 / area * centre, {}, {}, {}};
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero(), pulled = Eigen::Matrix3d::Zero();
@@ -86,7 +89,8 @@ std::vector<Vec3> directions(const Frame& f) {
         const double a = std::numbers::pi * k / kDirections;
         add(std::cos(a) * lead + std::sin(a) * side);
     }
-    add(f.axis), add(cross(f.normal, f.axis));
+    add(f.axis);
+    add(cross(f.normal, f.axis));
     return out;
 }
 
@@ -99,7 +103,10 @@ Seed plane(const Surface& s, const Vec3& centre, const Vec3& normal, double part
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
         if (std::abs(dot(n, axis)) > kUpright) n = axis;
     double low = dot(n, centre), high = low;
-    for (const Vec3& p : s.vertices) low = std::min(low, dot(n, p)), high = std::max(high, dot(n, p));
+    for (const Vec3& p : s.vertices) {
+        low = std::min(low, dot(n, p));
+        high = std::max(high, dot(n, p));
+    }
     const double offset = part > 0 ? low + part * (high - low) : dot(n, centre), grain = (high - low) / 1000;
     out.plane = {n, grain > 0 ? std::round(offset / grain) * grain : offset};
     return out;
@@ -112,12 +119,13 @@ void add_given(const Sheet& sheet, std::vector<Candidate>& out) {
     seed.kind = Seed::Kind::given;
     const bool lines =
         std::any_of(given.segments.begin(), given.segments.end(), [](const surface::Segment& s) { return s.a != s.b; });
-    if (!sheet.algorithm.empty())
-        out.push_back({sheet.algorithm, seed});
+    if (const auto planned = surfpath::algorithm(sheet.algorithm))
+        out.push_back({*planned, seed});
     else if (lines)
-        for (const char* algorithm : {"fina", "fexa", "ortheo"}) out.push_back({algorithm, seed});
+        for (const Algorithm algorithm : {Algorithm::fina, Algorithm::fexa, Algorithm::ortheo})
+            out.push_back({algorithm, seed});
     else
-        for (const char* algorithm : {"geo-spiral", "ortheo"}) out.push_back({algorithm, seed});
+        for (const Algorithm algorithm : {Algorithm::geo_spiral, Algorithm::ortheo}) out.push_back({algorithm, seed});
 }
 
 std::vector<Vec3> places(const Sheet& sheet, const Vec3& centre) {
@@ -139,23 +147,26 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
     const Frame f = frame(sheet, pull);
     std::vector<Candidate> out;
     add_given(sheet, out);
-    if (!s.rims.empty()) out.push_back({"geo-contour", {}}), out.push_back({"geo-fiso", {}});
+    if (!s.rims.empty()) {
+        out.push_back({Algorithm::geo_contour, {}});
+        out.push_back({Algorithm::geo_fiso, {}});
+    }
     const auto spots = places(sheet, f.centre);
     const auto through = [](Seed::Kind kind, const Vec3& p) { return Seed{kind, {}, p, {}}; };
-    for (const Vec3& p : spots) out.push_back({"geo-spiral", through(Seed::Kind::point, p)});
+    for (const Vec3& p : spots) out.push_back({Algorithm::geo_spiral, through(Seed::Kind::point, p)});
     if (!pull.empty())
         for (const Vec3& p : spots) {
-            out.push_back({"fina", through(Seed::Kind::along, p)});
-            out.push_back({"ortheo", through(Seed::Kind::across, p)});
+            out.push_back({Algorithm::fina, through(Seed::Kind::along, p)});
+            out.push_back({Algorithm::ortheo, through(Seed::Kind::across, p)});
         }
     for (const Vec3& d : directions(f)) {
         const Vec3 across = signed_way(unit(cross(d, f.normal)));
-        out.push_back({"fexa", plane(s, f.centre, across, 0)});
-        for (const double part : {0.0, 0.2, 0.8}) out.push_back({"fina", plane(s, f.centre, across, part)});
-        for (const double part : {0.0, 0.05, 0.95}) out.push_back({"ortheo", plane(s, f.centre, d, part)});
+        out.push_back({Algorithm::fexa, plane(s, f.centre, across, 0)});
+        for (const double part : {0.0, 0.2, 0.8}) out.push_back({Algorithm::fina, plane(s, f.centre, across, part)});
+        for (const double part : {0.0, 0.05, 0.95}) out.push_back({Algorithm::ortheo, plane(s, f.centre, d, part)});
     }
     for (const RimSide& side : longest_sides(s, kSides))
-        for (const char* algorithm : {"fina", "ortheo"})
+        for (const Algorithm algorithm : {Algorithm::fina, Algorithm::ortheo})
             out.push_back({algorithm, {Seed::Kind::side, {}, side.from, side.to}});
     return out;
 }

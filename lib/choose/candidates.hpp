@@ -2,14 +2,14 @@
 #pragma once
 
 #include "choose/seed.hpp"
+#include "surfpath/algorithm.hpp"
 
-#include <string>
 #include <vector>
 
 namespace filum::choose {
 
 struct Candidate {
-    std::string algorithm;
+    surfpath::Algorithm algorithm;
     Seed seed;
 };
 

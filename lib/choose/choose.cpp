@@ -3,7 +3,7 @@
 #include "base/error.hpp"
 #include "geodesic/measure.hpp"
 #include "parallel/parallel.hpp"
-#include "surface/curve/carry.hpp"
+#include "surface/curve/transfer.hpp"
 #include "surface/remesh.hpp"
 
 #include <algorithm>
@@ -14,11 +14,14 @@ namespace filum::choose {
 
 namespace {
 
+using surfpath::Algorithm;
+
 constexpr double kRough = 2;               // spacings and radii of the rough patch, of those asked for
 constexpr double kSmall = 25;              // spacings square: smaller patches are not laid roughly
 constexpr double kStable[] = {2e-3, 1e-4}; // of the area: to what coverage is measured, roughly and at last
 constexpr double kFine = 0.75;             // of the sides asked for: a mean edge below is made longer
-const std::map<std::string, std::size_t> kPromising{{"fina", 4}, {"fexa", 2}, {"ortheo", 2}}; // others: 1
+const std::map<Algorithm, std::size_t> kPromising{
+    {Algorithm::fina, 4}, {Algorithm::fexa, 2}, {Algorithm::ortheo, 2}}; // others: 1
 
 // A patch to lay candidates on, by these options.
 struct Ground {
@@ -31,13 +34,14 @@ struct Ground {
 Ground rough(const Sheet& sheet, const Options& o, double area) {
     Ground out{{}, {}, o.plan, kStable[0]};
     const double scale = area < kSmall * kSmall * o.plan.spacing * o.plan.spacing ? 1 : kRough;
-    out.plan.spacing *= scale, out.plan.least_radius *= scale;
+    out.plan.spacing *= scale;
+    out.plan.least_radius *= scale;
     const double edge = out.plan.spacing;
     out.sheet = sheet;
     if (surface::mean_edge(sheet.surface) < kFine * edge) try {
             Notes unsaid;
             Sheet coarse{surface::remesh(sheet.surface, edge, unsaid), {}, {}};
-            coarse.fields = surface::curve::carried(sheet.surface, sheet.fields, coarse.surface);
+            coarse.fields = surface::curve::transferred(sheet.surface, sheet.fields, coarse.surface);
             out.sheet = std::move(coarse);
         } catch (const Error&) { // of CGAL: then on the patch as it is
         }
@@ -76,7 +80,7 @@ std::vector<std::size_t> promising(const std::vector<Trial>& trials) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto worth = [&](std::size_t i) { return std::isnan(trials[i].estimate) ? 0 : trials[i].estimate; };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return worth(a) > worth(b); });
-    std::map<std::string, std::size_t> taken;
+    std::map<Algorithm, std::size_t> taken;
     for (const std::size_t i : order) {
         const Candidate& c = trials[i].candidate;
         if (!trials[i].failed.empty() || c.seed.kind == Seed::Kind::given) continue;
@@ -117,7 +121,7 @@ std::vector<Candidate> by_hand(const Options& o) {
 Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     Choice out;
     out.area = surface::area(sheet.surface);
-    const bool rings = o.plan.algorithm == "geo-fiso" || o.plan.algorithm == "geo-contour";
+    const bool rings = o.plan.algorithm == Algorithm::geo_fiso || o.plan.algorithm == Algorithm::geo_contour;
     if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
     const Ground ground{sheet, pulls(sheet), o.plan, kStable[1]};
     for (Candidate& c : o.by_hand ? by_hand(o) : candidates(sheet, ground.pull))
@@ -146,7 +150,7 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
         return out;
     }
     const Candidate& best = out.trials[out.best].candidate;
-    sheet.algorithm = best.algorithm;
+    sheet.algorithm = surfpath::name(best.algorithm);
     geodesic::measure(sheet, sources(sheet, ground.pull, best.seed), {}, notes);
     return out;
 }

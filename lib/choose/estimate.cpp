@@ -19,7 +19,7 @@ double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candida
     const Surface& s = sheet.surface;
     const auto loads = metrics::surface::load_cases(sheet);
     if (loads.empty()) return std::nan("");
-    const bool planes = candidate.algorithm == "fexa" && candidate.seed.kind == Seed::Kind::plane;
+    const bool planes = candidate.algorithm == surfpath::Algorithm::fexa && candidate.seed.kind == Seed::Kind::plane;
     const auto from = sources(sheet, pull, candidate.seed);
     const auto distance = planes ? std::vector<double>{} : geodesic::exact_distances(s, from).distance;
     double along = 0, most = 0;
@@ -28,11 +28,12 @@ double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candida
         const Vec3 a = s.vertices[corners[0]];
         const Vec3 n = cross(s.vertices[corners[1]] - a, s.vertices[corners[2]] - a);
         const Vec3 up = planes ? candidate.seed.plane.normal : slope(s, t, distance);
-        const Vec3 way = candidate.algorithm == "ortheo" ? up : cross(n, up);
+        const Vec3 way = candidate.algorithm == surfpath::Algorithm::ortheo ? up : cross(n, up);
         if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;
         for (const std::uint32_t v : corners) {
             const auto at = metrics::surface::pull(loads, v, 1 / norm(way) * way);
-            along += norm(n) * at.along, most += norm(n) * at.most;
+            along += norm(n) * at.along;
+            most += norm(n) * at.most;
         }
     }
     return most > 0 ? along / most : std::nan("");

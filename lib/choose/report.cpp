@@ -10,7 +10,7 @@ namespace {
 std::string number(double v, int decimals) { return std::isfinite(v) ? fixed_text(v, decimals) : "-"; }
 
 std::string line(const std::string& patch, const Choice& choice, const Trial& t, bool best) {
-    std::string out = patch + "\t" + number(choice.area, 1) + "\t" + t.candidate.algorithm + "\t" +
+    std::string out = patch + "\t" + number(choice.area, 1) + "\t" + surfpath::name(t.candidate.algorithm) + "\t" +
                       spoken(t.candidate.seed) + "\t" + number(t.estimate, 4) + "\t" +
                       (t.rough ? number(t.rough_score, 4) : "-");
     if (t.found) {

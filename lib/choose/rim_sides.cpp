@@ -28,7 +28,7 @@ Loop loop(const Surface& s, const surface::Rim& rim) {
     Loop out{{}, {0}};
     for (const std::uint32_t h : rim.sides) {
         out.points.push_back(s.vertices[s.tail(h)]);
-        out.ways.push_back(out.ways.back() + distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+        out.ways.push_back(out.ways.back() + surface::side_length(s, h));
     }
     return out;
 }

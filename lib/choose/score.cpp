@@ -72,7 +72,8 @@ double score(const Criteria& c, const Weights& w, double cut_length) {
     double sum = 0, all = 0;
     const auto add = [&](double weight, double term) {
         if (std::isnan(term)) return;
-        sum += weight * std::clamp(term, 0.0, 1.0), all += weight;
+        sum += weight * std::clamp(term, 0.0, 1.0);
+        all += weight;
     };
     add(w.coverage, c.coverage);
     add(w.load, c.load);

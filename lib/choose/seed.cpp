@@ -30,8 +30,10 @@ OnRim nearest_on_rims(const Surface& s, const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < s.rims.size(); ++r)
         for (std::size_t k = 0; k < s.rims[r].sides.size(); ++k)
-            if (const double d = distance(s.vertices[s.tail(s.rims[r].sides[k])], p); d < least)
-                least = d, out = {r, k};
+            if (const double d = distance(s.vertices[s.tail(s.rims[r].sides[k])], p); d < least) {
+                least = d;
+                out = {r, k};
+            }
     return out;
 }
 
@@ -60,7 +62,7 @@ Vec3 pull_at(const Surface& s, const std::vector<Vec3>& pull, const Place& at, c
         const Vec3& lead = norm(heading) > 0 ? heading : sum;
         sum = sum + (dot(v, lead) < 0 ? -1 : 1) * std::max(0.0, w[k]) * v;
     }
-    return norm(sum) > 0 ? 1 / norm(sum) * sum : sum;
+    return geom::unit(sum, sum);
 }
 
 // From `from` along the pull, at first to the side that `heading` points to, up to a rim.
@@ -87,11 +89,8 @@ surface::Sources stress_line(const Sheet& sheet, const std::vector<Vec3>& pull, 
     const auto spot = surface::nearest(s, seed.a);
     const Place start{spot.triangle, spot.a};
     const Vec3 ahead = pull_at(s, pull, start, {}, across);
-    geom::Box3 box{start.point, start.point};
-    for (const Vec3& p : s.vertices) {
-        box.lo = {std::min(box.lo.x, p.x), std::min(box.lo.y, p.y), std::min(box.lo.z, p.z)};
-        box.hi = {std::max(box.hi.x, p.x), std::max(box.hi.y, p.y), std::max(box.hi.z, p.z)};
-    }
+    geom::Box3 box = geom::box_of(s.vertices);
+    box.add(start.point);
     const double step = kPart * surface::mean_edge(s), longest = kLongest * distance(box.lo, box.hi);
     Line line = half(s, pull, start, -1 * ahead, across, step, longest);
     surface::curve::reverse(line);
@@ -142,7 +141,9 @@ std::vector<Vec3> pulls(const Sheet& sheet) {
             const double s = load.s1 != nullptr ? std::max(0.0, load.s1->values[v]) : 1;
             if (!std::isfinite(d.x + d.y + d.z + s)) continue;
             const double a = dot(d, x), b = dot(d, y);
-            xx += s * a * a, xy += s * a * b, yy += s * b * b;
+            xx += s * a * a;
+            xy += s * a * b;
+            yy += s * b * b;
         }
         // Of a symmetric matrix: the main axis lies at half the angle of (xx - yy, 2 xy).
         const double size = std::hypot(xx - yy, 2 * xy), angle = std::atan2(2 * xy, xx - yy) / 2;

@@ -58,8 +58,12 @@ void Report::add(const Note& note) {
     if (note.stage != io_->program) return;
     for (Note& sum : sums_) {
         if (sum.what != note.what || sum.unit != note.unit) continue;
-        if (note.amount > sum.amount / static_cast<double>(sum.count))
-            sum.layer = note.layer, sum.x = note.x, sum.y = note.y, sum.z = note.z;
+        if (note.amount > sum.amount / static_cast<double>(sum.count)) {
+            sum.layer = note.layer;
+            sum.x = note.x;
+            sum.y = note.y;
+            sum.z = note.z;
+        }
         sum.amount += note.amount;
         sum.count += note.count;
         return;
@@ -83,7 +87,10 @@ Progress::Progress(const Io& io, std::uint64_t expected) : program_(io.program),
     struct stat info {};
     const bool piped = ::fstat(STDOUT_FILENO, &info) == 0 && S_ISFIFO(info.st_mode);
     active_ = !io.quiet && ::isatty(STDERR_FILENO) != 0 && !piped;
-    if (const char* told = std::getenv("FILUM_PROGRESS")) told_ = std::atoi(told), active_ = false;
+    if (const char* told = std::getenv("FILUM_PROGRESS")) {
+        told_ = std::atoi(told);
+        active_ = false;
+    }
 }
 
 Progress::~Progress() {

@@ -61,10 +61,15 @@ std::string wrap(const std::string& text, std::size_t indent) {
     while (at < text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
         const std::string word = text.substr(at, end - at);
-        if (!line.empty() && line.size() + 1 + word.size() + indent > 100)
-            out += line + "\n" + std::string(indent, ' '), line.clear();
+        if (!line.empty() && line.size() + 1 + word.size() + indent > 100) {
+            out += line + "\n" + std::string(indent, ' ');
+            line.clear();
+        }
         line += (line.empty() ? "" : " ") + word;
-        if (end < text.size() && text[end] == '\n') out += line + "\n" + std::string(indent, ' '), line.clear();
+        if (end < text.size() && text[end] == '\n') {
+            out += line + "\n" + std::string(indent, ' ');
+            line.clear();
+        }
         at = end + 1;
     }
     return out + line;
@@ -116,6 +121,7 @@ std::string value_text(const Option& o) {
     if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) return std::to_string(**i);
     if (auto* const* b = std::get_if<bool*>(&o.target)) return **b ? "true" : "false";
     if (auto* const* s = std::get_if<std::string*>(&o.target)) return **s;
+    if (const auto* e = std::get_if<Enumerated>(&o.target)) return o.choices[e->choice(e->field)];
     std::string out;
     for (const double v : **std::get_if<std::vector<double>*>(&o.target))
         out += (out.empty() ? "" : ",") + shortest_text(v);

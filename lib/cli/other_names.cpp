@@ -7,11 +7,15 @@ namespace filum::cli {
 
 namespace {
 
-// Theirs, with '-'; ours: an option, and what to give it where that is a key of the profile.
+// Theirs, or ours of before, with '-'; ours: an option, and what to give it where that is a key of the profile.
 struct Name {
     std::string_view theirs, option, value;
 };
 constexpr Name kOtherNames[] = {
+    {"least-radius", "min-radius", ""},
+    {"least-spacing", "min-spacing", ""},
+    {"least-area", "min-area", ""},
+    {"height", "layer-height", ""},
     {"line-width", "bead-width", ""},
     {"extrusion-width", "bead-width", ""},
     {"nozzle-diameter", "bead-width", ""},

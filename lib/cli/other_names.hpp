@@ -1,4 +1,4 @@
-// What other slicers call the options of Filum.
+// What other slicers call the options of Filum, and what Filum called them before.
 #pragma once
 
 #include <span>

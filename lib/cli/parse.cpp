@@ -49,8 +49,10 @@ std::vector<double> number_list(const Option& o, const std::string& text) {
     return out;
 }
 
-void check_choice(const Option& o, const std::string& text) {
-    if (o.choices.empty() || std::find(o.choices.begin(), o.choices.end(), text) != o.choices.end()) return;
+// The number of the choice that `text` is; 0 if there are none.
+std::size_t choice(const Option& o, const std::string& text) {
+    const auto found = std::find(o.choices.begin(), o.choices.end(), text);
+    if (o.choices.empty() || found != o.choices.end()) return static_cast<std::size_t>(found - o.choices.begin());
     std::string all;
     for (const auto& c : o.choices) all += (all.empty() ? "" : ", ") + c;
     misused("cannot use '" + text + "' for --" + o.name + ": it must be one of " + all + did_you_mean(text, o.choices));
@@ -61,9 +63,12 @@ void store(const Option& o, const std::string& text) {
         **d = number(o, text);
     else if (auto* const* l = std::get_if<std::vector<double>*>(&o.target))
         **l = number_list(o, text);
-    else if (auto* const* s = std::get_if<std::string*>(&o.target))
-        check_choice(o, text), ** s = text;
-    else if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) {
+    else if (const auto* e = std::get_if<Enumerated>(&o.target))
+        e->set(e->field, choice(o, text));
+    else if (auto* const* s = std::get_if<std::string*>(&o.target)) {
+        choice(o, text);
+        **s = text;
+    } else if (auto* const* i = std::get_if<std::int64_t*>(&o.target)) {
         const double v = number(o, text);
         if (v != std::floor(v) || std::abs(v) > 9e15)
             misused("cannot use '" + text + "' for --" + o.name + ": it must be a whole number");

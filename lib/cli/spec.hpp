@@ -3,17 +3,31 @@
 
 #include "stream/frame.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace filum::cli {
 
+// A field that is an enum, its values numbered as the option's choices are.
+struct Enumerated {
+    void* field;
+    void (*set)(void* field, std::size_t choice);
+    std::size_t (*choice)(const void* field);
+
+    template <class E>
+    requires std::is_enum_v<E> Enumerated(E* of) // NOLINT(google-explicit-constructor): &o.field says it all
+        : field(of), set([](void* f, std::size_t k) { *static_cast<E*>(f) = static_cast<E>(k); }),
+          choice([](const void* f) { return static_cast<std::size_t>(*static_cast<const E*>(f)); }) {}
+};
+
 // One option: `--name VALUE`, bound to a field of the command's Options.
 struct Option {
-    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*>;
+    using Target = std::variant<double*, std::int64_t*, bool*, std::string*, std::vector<double>*, Enumerated>;
     std::string name; // without the dashes
     Target target;
     std::string unit; // "mm", "deg", "FILE"; shown as the value's name
@@ -22,7 +36,7 @@ struct Option {
     double max = std::numeric_limits<double>::infinity();
     bool open_min = false;                 // min itself is not allowed
     bool zero = false;                     // 0 is, though below min
-    std::vector<std::string> choices = {}; // for texts
+    std::vector<std::string> choices = {}; // for texts, and for enums in their order
     std::size_t count = 0;                 // for lists: how many numbers exactly, 0 for any
     bool setting = true;                   // false for files and whatever must not enter the history
     std::string needs = "";                // what other options it needs to have an effect: see when()
@@ -30,14 +44,45 @@ struct Option {
     std::string group = "";                // heading in the help
     bool limit = false;                    // acts only where the input reaches it: nothing may change, rightly
 
-    Option& at_least(double v) { return min = v, *this; }
-    Option& above(double v) { return min = v, open_min = true, *this; }
-    Option& zero_or_at_least(double v) { return min = v, zero = true, *this; }
-    Option& at_most(double v) { return max = v, *this; }
-    Option& within(double from, double to) { return min = from, max = to, *this; }
-    Option& one_of(std::vector<std::string> c) { return choices = std::move(c), *this; }
-    Option& numbers(std::size_t n) { return count = n, *this; }
-    Option& not_a_setting() { return setting = false, *this; }
+    Option& at_least(double v) {
+        min = v;
+        return *this;
+    }
+    Option& above(double v) {
+        min = v;
+        open_min = true;
+        return *this;
+    }
+    Option& zero_or_at_least(double v) {
+        min = v;
+        zero = true;
+        return *this;
+    }
+    Option& at_most(double v) {
+        max = v;
+        return *this;
+    }
+    Option& within(double from, double to) {
+        min = from;
+        max = to;
+        return *this;
+    }
+    Option& one_of(std::vector<std::string> c) {
+        choices = std::move(c);
+        return *this;
+    }
+    template <std::size_t N>
+    Option& one_of(const std::array<const char*, N>& names) {
+        return one_of(std::vector<std::string>(names.begin(), names.end()));
+    }
+    Option& numbers(std::size_t n) {
+        count = n;
+        return *this;
+    }
+    Option& not_a_setting() {
+        setting = false;
+        return *this;
+    }
     // Where it has an effect: given elsewhere, not at its default, it is an error.  Conditions with blanks between, all
     // of which must hold: "pattern=spiral|zigzag", the other option has one of these values; "surface", it is not at
     // its default; with '/' one of several; with '!' in front none of them.  As "method=cyc !surface/regions".
@@ -46,8 +91,14 @@ struct Option {
         return *this;
     }
     // A stage before that was told otherwise is told of in a warning and a note.
-    Option& same_as(std::vector<std::string> settings) { return same = std::move(settings), *this; }
-    Option& a_limit() { return limit = true, *this; }
+    Option& same_as(std::vector<std::string> settings) {
+        same = std::move(settings);
+        return *this;
+    }
+    Option& a_limit() {
+        limit = true;
+        return *this;
+    }
 };
 
 // Options under one heading, or under one more condition.

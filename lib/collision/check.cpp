@@ -24,7 +24,7 @@ Vec3 any_across(const Vec3& v) {
 
 // Unit vectors; even speed along the great circle.
 Vec3 turned(const Vec3& a, const Vec3& b, double share) {
-    const double all = kinematics::angle(a, b);
+    const double all = geom::angle(a, b);
     if (all < 1e-9) return share < 0.5 ? a : b;
     const Vec3 across = b - dot(a, b) * a;
     const double l = norm(across);
@@ -64,7 +64,8 @@ struct Search {
         double cutoff = std::max(best, demanded(c.against));
         if (c.found) cutoff = std::min(cutoff, c.worst.clearance);
         Probe p = probe(at(m, middle), m, c.against, cutoff);
-        p.shift = half * c.motion.length, p.turn = half * c.motion.turn;
+        p.shift = half * c.motion.length;
+        p.turn = half * c.motion.turn;
         p.sink = half * std::abs(dot(c.motion.way, p.stance.axis));
         const auto near = tree.any(shapes.of(m.tool), p, {at(m, begin), at(m, end)}, options.step);
         if (near == Tree::Near::nothing) return;
@@ -112,7 +113,8 @@ struct Search {
         const double turn = norm(last.axis - first.axis) + (round ? 0 : 2 * norm(last.side - first.side));
         if (p.turn > 0.5 || turn > 0.5 || most > 0.5) return true;
         // chords into angles, and how far arcs are off their chords
-        sweep.lean = kArc * (sweep.lean + (turn * turn + most * most) / 8), p.turn *= kArc;
+        sweep.lean = kArc * (sweep.lean + (turn * turn + most * most) / 8);
+        p.turn *= kArc;
         return scene[static_cast<std::size_t>(against)].any(shapes.of(moves[begin].tool), p, sweep, 0) !=
                Tree::Near::nothing;
     }
@@ -171,8 +173,8 @@ Stance at(const Move& m, double along) {
 }
 
 Motion motion(const Move& m) {
-    double turn = kinematics::angle(m.from.axis, m.to.axis);
-    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += kinematics::angle(m.from.side, m.to.side);
+    double turn = geom::angle(m.from.axis, m.to.axis);
+    if (m.from.side != Vec3{} && m.to.side != Vec3{}) turn += geom::angle(m.from.side, m.to.side);
     return {m.to.tip - m.from.tip, distance(m.from.tip, m.to.tip), turn};
 }
 
@@ -200,7 +202,10 @@ Found check(const Scene& scene, const Heads& heads, const std::vector<Move>& mov
 std::vector<Solid> bed(const std::vector<Move>& moves) {
     constexpr double around = 300;
     geom::Box2 box;
-    for (const Move& m : moves) box.add(m.from.tip.xy()), box.add(m.to.tip.xy());
+    for (const Move& m : moves) {
+        box.add(m.from.tip.xy());
+        box.add(m.to.tip.xy());
+    }
     if (box.empty()) return {};
     const double x0 = box.lo.x - around, x1 = box.hi.x + around, y0 = box.lo.y - around, y1 = box.hi.y + around;
     return {{{Vec3{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, 0, 0}};

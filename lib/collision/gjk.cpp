@@ -68,7 +68,10 @@ Vec3 Simplex::add(const Vec3& w) {
             outside = true;
             best = nearer(best, of(p, q, r));
         };
-        face(a, b, c, d), face(a, b, d, c), face(a, c, d, b), face(b, c, d, a);
+        face(a, b, c, d);
+        face(a, b, d, c);
+        face(a, c, d, b);
+        face(b, c, d, a);
         if (!outside) return {};
     }
     count_ = best.count;

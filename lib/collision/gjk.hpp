@@ -42,7 +42,8 @@ double gjk_distance(const First& first, const Second& second, const Vec3& start,
         const Vec3 next = simplex.add(w);
         const double nn = dot(next, next);
         if (i > 0 && nn >= vv) break; // nothing is left but rounding
-        v = next, vv = nn;
+        v = next;
+        vv = nn;
     }
     return vv > kZero ? std::sqrt(vv) : 0;
 }

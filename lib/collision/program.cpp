@@ -66,7 +66,8 @@ class Reader {
             number_ = unsized_;
             fail("lays a bead of unknown size; give --bead");
         }
-        out_.moves = std::move(growth_.moves), out_.beads = std::move(growth_.beads);
+        out_.moves = std::move(growth_.moves);
+        out_.beads = std::move(growth_.beads);
         return std::move(out_);
     }
 
@@ -83,7 +84,10 @@ class Reader {
             double v = 0;
             if (std::from_chars(value.data(), value.data() + value.size(), v).ec == std::errc{} && v > 0) out = v;
         };
-        if (!(o_.width > 0)) number("WIDTH:", width_), number("HEIGHT:", height_);
+        if (!(o_.width > 0)) {
+            number("WIDTH:", width_);
+            number("HEIGHT:", height_);
+        }
         double layer = -1;
         number("LAYER:", layer);
         if (layer >= 0) layer_ = static_cast<std::uint32_t>(layer);
@@ -99,13 +103,37 @@ class Reader {
             return true;
         }
         const auto& e = machine::of_tool(p_, tool_).extrusion;
-        if (is(machine::first_line(e.on))) return open_ = true, ++out_.ignored, true;
-        if (is(machine::first_line(e.off))) return open_ = false, ++out_.ignored, true;
-        if (p_.fibre.active() && is(p_.fibre.on)) return open_ = true, ++out_.ignored, true;
-        if (p_.fibre.active() && is(p_.fibre.off)) return open_ = false, ++out_.ignored, true;
+        if (is(machine::first_line(e.on))) {
+            open_ = true;
+            ++out_.ignored;
+            return true;
+        }
+        if (is(machine::first_line(e.off))) {
+            open_ = false;
+            ++out_.ignored;
+            return true;
+        }
+        if (p_.fibre.active() && is(p_.fibre.on)) {
+            open_ = true;
+            ++out_.ignored;
+            return true;
+        }
+        if (p_.fibre.active() && is(p_.fibre.off)) {
+            open_ = false;
+            ++out_.ignored;
+            return true;
+        }
         if (!a.active() || a.numbers != machine::Numbers::tip) return false;
-        if (is(a.tcp_on)) return switch_to(true), ++out_.ignored, true;
-        if (is(a.tcp_off)) return switch_to(false), ++out_.ignored, true;
+        if (is(a.tcp_on)) {
+            switch_to(true);
+            ++out_.ignored;
+            return true;
+        }
+        if (is(a.tcp_off)) {
+            switch_to(false);
+            ++out_.ignored;
+            return true;
+        }
         return false;
     }
 
@@ -120,7 +148,9 @@ class Reader {
         if (tip == tip_ || !known(at_)) return void(tip_ = tip);
         const Joints j = joints(at_);
         const Vec3 now = tip ? kinematics::forward(chain(), j).tip : j.xyz;
-        at_[0] = now.x, at_[1] = now.y, at_[2] = now.z;
+        at_[0] = now.x;
+        at_[1] = now.y;
+        at_[2] = now.z;
         tip_ = tip;
     }
 
@@ -151,11 +181,13 @@ class Reader {
         const bool counts = machine::of_tool(p_, tool_).extrusion.feeding != machine::Feeding::valve;
         for (const auto& [letter, v, decimals] : words_.words) {
             const std::size_t k = machine::axis_of(p_, letter);
-            if (k < to.size())
-                to[k] = v, moves = true;
-            else if (letter == 'G' && (v == 0 || v == 1))
-                mode_ = static_cast<int>(v), says_so = true;
-            else if (letter == 'G')
+            if (k < to.size()) {
+                to[k] = v;
+                moves = true;
+            } else if (letter == 'G' && (v == 0 || v == 1)) {
+                mode_ = static_cast<int>(v);
+                says_so = true;
+            } else if (letter == 'G')
                 other = std::max(other, g(v));
             else if (letter == 'M')
                 other = std::max(other, m(v));
@@ -226,8 +258,8 @@ class Reader {
             const Stance true_middle = stance(middle);
             const Stance straight = at(Move{from, to, 0, 0, 0, 0, false}, 0.5);
             const bool near = distance(true_middle.tip, straight.tip) <= kChord &&
-                              kinematics::angle(true_middle.axis, straight.axis) <= kLean &&
-                              kinematics::angle(from.axis, to.axis) + kinematics::angle(from.side, to.side) <= kTurn;
+                              geom::angle(true_middle.axis, straight.axis) <= kLean &&
+                              geom::angle(from.axis, to.axis) + geom::angle(from.side, to.side) <= kTurn;
             if (!near) {
                 part(a, middle, from, true_middle, lays, depth + 1);
                 part(middle, b, true_middle, to, lays, depth + 1);

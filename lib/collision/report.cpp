@@ -68,9 +68,13 @@ Notes notes(const Answer& a) {
         for (const Place& p : a.found.collisions) {
             if (static_cast<std::size_t>(p.against) != k) continue;
             const double depth = std::max(0.0, a.options.margin - p.clearance);
-            if (note.count++ == 0 || depth > note.amount)
-                note.amount = depth, note.layer = a.moves[p.move].layer, note.x = p.tip.x, note.y = p.tip.y,
+            if (note.count++ == 0 || depth > note.amount) {
+                note.amount = depth;
+                note.layer = a.moves[p.move].layer;
+                note.x = p.tip.x;
+                note.y = p.tip.y;
                 note.z = p.tip.z;
+            }
         }
         if (note.count > 0) out.push_back(note);
     }

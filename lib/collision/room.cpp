@@ -46,7 +46,8 @@ std::optional<double> Room::blocked(const Move& m) const {
         if (tree.empty()) continue;
         const auto found = first(0, out.value_or(1), 0, [&](double middle, double half) {
             Probe p = probe(collision::at(m, middle), m.before, k);
-            p.shift = half * all.length, p.turn = half * all.turn;
+            p.shift = half * all.length;
+            p.turn = half * all.turn;
             p.sink = half * std::abs(dot(all.way, p.stance.axis));
             auto near = tree.any(*shape_, p, {collision::at(m, middle - half), collision::at(m, middle + half)}, kStep);
             if (near != Tree::Near::steady) return near;

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 4;
 
-double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-Vec3 least(const Vec3& a, const Vec3& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-Vec3 most(const Vec3& a, const Vec3& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
-
 Vec3 centre(const Solid& s) { return 0.25 * (s.corner[0] + s.corner[1] + s.corner[2] + s.corner[3]); }
 
 // How far from its middle a box reaches along the unit vector d.
@@ -39,11 +34,15 @@ void clip(const Solid& s, const Frame& f, double low, Corners& out) {
     const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
     out.count = 0;
     double top = low;
-    for (std::size_t i = 0; i < n; ++i) p[i].z = dot(s.corner[i] - f.tip, f.z), top = std::max(top, p[i].z);
+    for (std::size_t i = 0; i < n; ++i) {
+        p[i].z = dot(s.corner[i] - f.tip, f.z);
+        top = std::max(top, p[i].z);
+    }
     if (top <= low) return;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 d = s.corner[i] - f.tip;
-        p[i].x = dot(d, f.x), p[i].y = dot(d, f.y);
+        p[i].x = dot(d, f.x);
+        p[i].y = dot(d, f.y);
     }
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 &a = p[i], &b = p[(i + 1) % n];
@@ -68,8 +67,10 @@ double at_least(const Shape& shape, const Corners& polygon) {
     double top = polygon.point[0].z, x0 = polygon.point[0].x, x1 = x0, y0 = polygon.point[0].y, y1 = y0;
     for (const Vec3& p : polygon.all()) {
         top = std::max(top, p.z);
-        x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-        y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
+        x0 = std::min(x0, p.x);
+        x1 = std::max(x1, p.x);
+        y0 = std::min(y0, p.y);
+        y1 = std::max(y1, p.y);
     }
     const double x = std::max({0.0, x0, -x1}), y = std::max({0.0, y0, -y1});
     return shape.at_least(std::sqrt(x * x + y * y), top);
@@ -132,7 +133,8 @@ bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) co
     std::array<double, 2> height{}, count{};
     for (std::uint32_t i = first; i < last; ++i) {
         const std::size_t later = solids_[i].born > age ? 1 : 0;
-        height[later] += dot(centre(solids_[i]), node.normal), count[later] += 1;
+        height[later] += dot(centre(solids_[i]), node.normal);
+        count[later] += 1;
     }
     if (count[0] == 0 || count[1] == 0) return false;
     return std::abs(height[1] / count[1] - height[0] / count[0]) > kPart * 2 * node.thick;
@@ -143,33 +145,33 @@ bool Tree::layered(const Node& node, std::uint32_t first, std::uint32_t last) co
 std::uint32_t Tree::build(std::uint32_t first, std::uint32_t last) {
     const auto at = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    Vec3 lo{inf, inf, inf}, hi = -1 * lo, low = lo, high = hi; // of all, of centres
+    geom::Box3 all, centres;
     std::uint32_t born = solids_[first].born;
     for (std::uint32_t i = first; i < last; ++i) {
         const Solid& s = solids_[i];
-        const Vec3 r{s.radius, s.radius, s.radius};
-        for (const Vec3& p : s.corner) lo = least(lo, p - r), hi = most(hi, p + r);
-        const Vec3 c = centre(s);
-        low = least(low, c), high = most(high, c);
+        for (const Vec3& p : s.corner) all.add(geom::grown({p, p}, s.radius));
+        centres.add(centre(s));
         born = std::min(born, s.born);
     }
     Node node;
-    node.middle = 0.5 * (lo + hi), node.half = 0.5 * (hi - lo), node.born = born;
-    node.first = first, node.count = last - first;
+    node.middle = 0.5 * (all.lo + all.hi);
+    node.half = 0.5 * all.size();
+    node.born = born;
+    node.first = first;
+    node.count = last - first;
     bound(node, first, last);
     if (last - first > kLeaf) {
-        const Vec3 size = high - low;
         const bool by_age = layered(node, first, last);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const int axis = geom::longest_axis(centres.size());
         const std::uint32_t half = first + (last - first) / 2;
         const auto begin = solids_.begin();
         std::nth_element(begin + first, begin + half, begin + last, [&](const Solid& a, const Solid& b) {
-            const double u = along(centre(a), axis), v = along(centre(b), axis);
+            const double u = coordinate(centre(a), axis), v = coordinate(centre(b), axis);
             return !by_age && u != v ? u < v : a.born < b.born;
         });
         build(first, half);
-        node.first = build(half, last), node.count = 0;
+        node.first = build(half, last);
+        node.count = 0;
     }
     nodes_[at] = node;
     return at;
@@ -201,9 +203,10 @@ class Tree::View {
           b_(middle_) {
         if (sweep == nullptr) return;
         moves_ = true;
-        a_ = frame(sweep->from), b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
+        a_ = frame(sweep->from);
+        b_ = round_ ? carried(a_, sweep->to) : frame(sweep->to);
         // axis and side turn evenly each for itself: twice as much covers what that leaves to the frame
-        const double turn = kinematics::angle(a_.z, b_.z) + (round_ ? 0 : 2 * kinematics::angle(a_.x, b_.x));
+        const double turn = geom::angle(a_.z, b_.z) + (round_ ? 0 : 2 * geom::angle(a_.x, b_.x));
         stray_ = sweep->stray + turn * distance(a_.tip, b_.tip) / 4;
         lean_ = sweep->lean + turn * turn / 8;
         wild_ = turn > 1;
@@ -268,7 +271,10 @@ class Tree::View {
     void along(const Solid& s, double low) {
         const std::size_t n = s.corner[2] == s.corner[3] ? 3 : 4;
         std::array<Vec3, 8> points;
-        for (std::size_t i = 0; i < n; ++i) points[i] = a_(s.corner[i]), points[n + i] = b_(s.corner[i]);
+        for (std::size_t i = 0; i < n; ++i) {
+            points[i] = a_(s.corner[i]);
+            points[n + i] = b_(s.corner[i]);
+        }
         clip({points.data(), 2 * n}, low, corners_);
     }
 

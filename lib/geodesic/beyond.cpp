@@ -70,7 +70,10 @@ void Beyond::join_across(std::uint32_t triangle, const Inside& above) {
         const double length = distance(a, b);
         for (const Stretch& g : on(h))
             for (const double x : {g.from, g.to})
-                if (x > 0 && x < length) ++crossings, sum = sum + a + x / length * (b - a);
+                if (x > 0 && x < length) {
+                    ++crossings;
+                    sum = sum + a + x / length * (b - a);
+                }
     }
     if (crossings <= 2 || above(triangle, 1.0 / static_cast<double>(crossings) * sum) < 0) return;
     std::uint32_t first = kNone;

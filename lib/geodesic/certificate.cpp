@@ -51,7 +51,7 @@ double excess(const Surface& s, std::span<const double> distance) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const double a = distance[s.tail(h)], b = distance[s.head(h)];
         if (!std::isfinite(a) || !std::isfinite(b)) continue;
-        out = std::max(out, std::abs(a - b) - geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+        out = std::max(out, std::abs(a - b) - surface::side_length(s, h));
     }
     return out;
 }
@@ -77,7 +77,10 @@ DistanceError distance_error(std::span<const double> truth, std::span<const doub
 Facts certificate(const Surface& s, std::span<const double> distance) {
     double farthest = 0, reached = 0;
     for (const double d : distance)
-        if (std::isfinite(d)) farthest = std::max(farthest, d), ++reached;
+        if (std::isfinite(d)) {
+            farthest = std::max(farthest, d);
+            ++reached;
+        }
     const SlopeError e = slope_error(s, distance);
     Facts out{{"", "reached", reached, "vertices"},
               {"", "unreached", static_cast<double>(distance.size()) - reached, "vertices"},

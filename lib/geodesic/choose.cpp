@@ -53,7 +53,8 @@ void add_point(Sources& out, const Surface& s, std::string_view word, std::strin
     const double off = distance(p, out.segments.back().a);
     if (off > surface::mean_edge(s)) {
         Note n{.stage = "", .what = "source point moved to the surface", .amount = off, .unit = "mm"};
-        n.x = p.x, n.y = p.y;
+        n.x = p.x;
+        n.y = p.y;
         notes.push_back(std::move(n));
     }
 }

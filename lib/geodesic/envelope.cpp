@@ -93,8 +93,10 @@ void Propagation::insert(Side& exit, const Window& w) {
     const auto continued = [&](const Window& o) { // by w
         return o.b1 >= w.b0 - kNarrow * length && same_source(o, w, w.b0, w.b1, 10 * slack(w.at(w.b0), length));
     };
-    while (first != kNone && windows[first].b1 <= w.b0 && !continued(windows[first]))
-        before = first, first = windows[first].next;
+    while (first != kNone && windows[first].b1 <= w.b0 && !continued(windows[first])) {
+        before = first;
+        first = windows[first].next;
+    }
     exit.cursor = before;
     owners_.assign(1, w);
     pieces_.clear();
@@ -129,7 +131,8 @@ void Propagation::rewrite(Side& exit, std::uint32_t before, std::uint32_t first,
             node = fresh();
         Window& n = field_.windows[node];
         n = owners_[p.owner];
-        n.b0 = p.b0, n.b1 = p.b1;
+        n.b0 = p.b0;
+        n.b1 = p.b1;
         (before == kNone ? field_.first[exit.list] : field_.windows[before].next) = node;
         before = node;
     }

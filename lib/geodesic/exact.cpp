@@ -197,7 +197,8 @@ ExactDistances exact_distances(const Surface& surface, const Sources& sources, d
     ExactDistances out;
     out.known = p.run(farthest, most);
     ExactField field = p.take();
-    out.distance = std::move(field.distance), out.propagated = field.propagated;
+    out.distance = std::move(field.distance);
+    out.propagated = field.propagated;
     return out;
 }
 

@@ -27,14 +27,7 @@ Cotangents cotangents(double x1, double x2, double y2) {
     return {{x1 * x2 / twice, x1 * (x1 - x2) / twice, (x2 * (x2 - x1) + y2 * y2) / twice}};
 }
 
-double box_diagonal(const Surface& s) {
-    Vec3 lo = s.vertices.front(), hi = lo;
-    for (const Vec3& v : s.vertices) {
-        lo = {std::min(lo.x, v.x), std::min(lo.y, v.y), std::min(lo.z, v.z)};
-        hi = {std::max(hi.x, v.x), std::max(hi.y, v.y), std::max(hi.z, v.z)};
-    }
-    return distance(lo, hi);
-}
+double box_diagonal(const Surface& s) { return norm(geom::box_of(s.vertices).size()); }
 
 std::uint32_t nearest_corner(const Surface& s, std::uint32_t triangle, const Vec3& p) {
     const auto& t = s.triangles[triangle];
@@ -81,9 +74,10 @@ void Heat::start(const Sources& sources) {
     reached_.assign(s.components, 0);
     for (const std::uint32_t v : sources.vertices) start_at(v);
     for (const Segment& e : sources.segments) {
-        if (options_.paper)
-            start_at(nearest_corner(s, e.triangle, e.a)), start_at(nearest_corner(s, e.triangle, e.b));
-        else
+        if (options_.paper) {
+            start_at(nearest_corner(s, e.triangle, e.a));
+            start_at(nearest_corner(s, e.triangle, e.b));
+        } else
             start_on(e);
     }
     if (options_.paper) return;
@@ -109,7 +103,9 @@ void Heat::start_on(const Segment& e) {
     const auto part = [&](const Vec3& u, const Vec3& v) {
         return std::max(0.0, dot(cross(v - u, m - u), n) / dot(n, n));
     };
-    initial_[t[0]] += share * part(b, c), initial_[t[1]] += share * part(c, a), initial_[t[2]] += share * part(a, b);
+    initial_[t[0]] += share * part(b, c);
+    initial_[t[1]] += share * part(c, a);
+    initial_[t[2]] += share * part(a, b);
 }
 
 // Leaves one vertex known in each component.
@@ -130,7 +126,10 @@ void Heat::shift(VectorXd& phi) const {
         return surface_.component[surface_.outgoing[static_cast<std::size_t>(v)] / 3];
     };
     for (Eigen::Index v = 0; v < phi.size(); ++v)
-        if (initial_[v] > 0) sum[of(v)] += phi[v], count[of(v)] += 1;
+        if (initial_[v] > 0) {
+            sum[of(v)] += phi[v];
+            count[of(v)] += 1;
+        }
     for (Eigen::Index v = 0; v < phi.size(); ++v)
         if (count[of(v)] > 0) phi[v] -= sum[of(v)] / count[of(v)];
 }
@@ -140,8 +139,7 @@ void Heat::assemble() {
     const auto n = static_cast<Eigen::Index>(s.vertices.size());
     std::vector<double> length(s.twin.size());
     double lack = 0;
-    for (std::uint32_t h = 0; h < length.size(); ++h)
-        length[h] = geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+    for (std::uint32_t h = 0; h < length.size(); ++h) length[h] = surface::side_length(s, h);
     const double least = kSliver * surface::mean_edge(s);
     for (std::uint32_t h = 0; h < length.size(); ++h)
         lack = std::max(lack, least + length[h] - length[surface::next(h)] - length[surface::prev(h)]);
@@ -198,7 +196,8 @@ VectorXd Heat::divergence(const VectorXd& u) const {
         double gx = ub / x1, gy = (uc - gx * x2) / y2;
         const double l = std::sqrt(gx * gx + gy * gy);
         if (!(l > 0)) continue;
-        gx /= -l, gy /= -l;
+        gx /= -l;
+        gy /= -l;
         const Cotangents cot = cotangents(x1, x2, y2);
         const double ab = gx * x1, bc = gx * (x2 - x1) + gy * y2, ca = -(gx * x2 + gy * y2); // along the sides
         out[a] += (cot.c[2] * ab - cot.c[1] * ca) / 2;
@@ -259,7 +258,8 @@ void Heat::fit(VectorXd& phi) const {
         if (std::isnan(pinned_[v])) continue;
         const std::uint32_t c = s.component[s.outgoing[v] / 3];
         const double weight = pinned_[v] + 1e-3 * inner;
-        sum[c] += weight * (pinned_[v] - phi[static_cast<Eigen::Index>(v)]), weights[c] += weight;
+        sum[c] += weight * (pinned_[v] - phi[static_cast<Eigen::Index>(v)]);
+        weights[c] += weight;
     }
     for (std::size_t v = 0; v < pinned_.size(); ++v) {
         const std::uint32_t c = s.component[s.outgoing[v] / 3];

@@ -78,8 +78,10 @@ void Tracer::join(std::uint32_t triangle) {
     }
     for (std::size_t i = out; i < n + out; i += 2) {
         const std::uint32_t from = around_[i % n], to = around_[(near_joined ? i + 1 : i + n - 1) % n];
-        crossings_[from].after = to, crossings_[from].after_triangle = triangle;
-        crossings_[to].before = from, crossings_[to].before_triangle = triangle;
+        crossings_[from].after = to;
+        crossings_[from].after_triangle = triangle;
+        crossings_[to].before = from;
+        crossings_[to].before_triangle = triangle;
     }
 }
 
@@ -123,7 +125,7 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
         if (s.twin[h] < h) continue;
         const double a = distance[s.tail(h)], b = distance[s.head(h)];
         if (!std::isfinite(a) || !std::isfinite(b)) continue;
-        const double l = geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+        const double l = surface::side_length(s, h);
         auto level = std::lower_bound(levels.begin(), levels.end(), std::min({a, b, (a + b - l) / 2}));
         for (; level != levels.end() && within_reach(a, b, l, *level); ++level) {
             cross(h, *level, places);
@@ -166,7 +168,7 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
             out.clear();
             const double a = distance[s.tail(h)], b = distance[s.head(h)];
             if ((a < level) == (b < level)) return;
-            out.push_back((level - a) / (b - a) * geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+            out.push_back((level - a) / (b - a) * surface::side_length(s, h));
         },
         [](std::uint32_t, const Vec3&) { return 0.0; }); // two crossings at most
 }

@@ -24,8 +24,7 @@ double farthest_on_edges(const Surface& s, std::span<const double> distance) {
     double out = 0;
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const double sum = distance[s.tail(h)] + distance[s.head(h)];
-        if (std::isfinite(sum))
-            out = std::max(out, (sum + geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)])) / 2);
+        if (std::isfinite(sum)) out = std::max(out, (sum + surface::side_length(s, h)) / 2);
     }
     return out;
 }
@@ -89,8 +88,8 @@ bool wants_lines(const Options& o) { return !o.levels.empty() || o.spacing > 0; 
 // about the time of heat, or in a second to compare with.
 ExactDistances exact_part(const Surface& s, const Sources& sources, const Options& o) {
     constexpr double kAll = std::numeric_limits<double>::infinity();
-    if (o.method == "heat") return exact_distances(s, sources, kAll, kChecked);
-    if (o.method == "auto" && s.triangles.size() > kExactTriangles)
+    if (o.method == Method::heat) return exact_distances(s, sources, kAll, kChecked);
+    if (o.method == Method::either && s.triangles.size() > kExactTriangles)
         return exact_distances(s, sources, kAll, kTried * s.triangles.size());
     if (wants_lines(o) || s.triangles.size() <= kSmall) return {{}, kAll, 0}; // windows are wanted, or no matter
     return exact_distances(s, sources);
@@ -100,9 +99,9 @@ ExactDistances exact_part(const Surface& s, const Sources& sources, const Option
 
 Facts measure(surface::Sheet& sheet, const Sources& sources, const Options& o, Notes& notes) {
     const Surface& s = sheet.surface;
-    if (o.paper && o.method != "heat") throw Error(Exit::usage, "cannot use --paper without --method heat");
+    if (o.paper && o.method != Method::heat) throw Error(Exit::usage, "cannot use --paper without --method heat");
     ExactDistances found = exact_part(s, sources, o);
-    const bool by_windows = o.method != "heat" && !std::isfinite(found.known);
+    const bool by_windows = o.method != Method::heat && !std::isfinite(found.known);
     Facts facts{{"", "exact", by_windows ? 1.0 : 0.0, ""}};
     std::vector<double> distance;
     const auto levels = [&] { return levels_up_to(farthest_on_edges(s, distance), o); };

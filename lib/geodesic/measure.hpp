@@ -8,14 +8,19 @@
 
 namespace filum::geodesic {
 
+enum class Method : std::uint8_t {
+    either, // exact up to 300,000 triangles, and beyond if 8 windows per triangle are enough; else heat
+    exact,
+    heat,
+};
+
 struct Options {
-    std::string method = "auto"; // exact, heat, or auto: exact up to 300,000 triangles, and beyond if 8
-                                 // windows per triangle are enough
-    bool paper = false;          // heat as Kipping et al. 2022 did it
-    std::vector<double> levels;  // mm: of isolines
-    double spacing = 0;          // mm: isolines also at first, first + spacing, ... up to the farthest place; 0: none
-    double first = 0;            // mm; 0: one spacing
-    bool with_sides = false;     // distances and levels are negative on the negative side of the sources
+    Method method = Method::either;
+    bool paper = false;         // heat as Kipping et al. 2022 did it
+    std::vector<double> levels; // mm: of isolines
+    double spacing = 0;         // mm: isolines also at first, first + spacing, ... up to the farthest place; 0: none
+    double first = 0;           // mm; 0: one spacing
+    bool with_sides = false;    // distances and levels are negative on the negative side of the sources
 };
 
 // Puts the field "distance" into the sheet, in place of one it had, and its isolines.  Returns what is known of it as

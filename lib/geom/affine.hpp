@@ -31,7 +31,9 @@ inline Affine then(const Affine& inner, const Affine& outer) {
             for (int k = 0; k < 3; ++k) out.a[i][j] += inner.a[i][k] * outer.a[k][j];
         }
     const Vec3 t = outer({inner.t[0], inner.t[1], inner.t[2]});
-    out.t[0] = t.x, out.t[1] = t.y, out.t[2] = t.z;
+    out.t[0] = t.x;
+    out.t[1] = t.y;
+    out.t[2] = t.z;
     return out;
 }
 

@@ -9,12 +9,6 @@ namespace {
 
 constexpr std::uint32_t kLeafPoints = 8;
 
-double distance2(const Box2& box, Vec2 p) {
-    const double x = std::max({0.0, box.lo.x - p.x, p.x - box.hi.x}),
-                 y = std::max({0.0, box.lo.y - p.y, p.y - box.hi.y});
-    return x * x + y * y;
-}
-
 } // namespace
 
 NearestPoints::NearestPoints(std::vector<Vec2> points)
@@ -78,7 +72,10 @@ std::optional<std::uint32_t> NearestPoints::nearest(Vec2 p) const {
                 const std::uint32_t i = order_[k];
                 if (present_[i] == 0) continue;
                 const double d = norm2(points_[i] - p);
-                if (d < best || (d == best && i < found)) best = d, found = i;
+                if (d < best || (d == best && i < found)) {
+                    best = d;
+                    found = i;
+                }
             }
             continue;
         }

@@ -1,22 +1,31 @@
-// Open lines through points.
+// Open lines through points: their lengths.
 #pragma once
 
 #include "geom/vec.hpp"
 
 #include <span>
+#include <vector>
 
 namespace filum::geom {
 
 // mm from the first point to the last; 0 for fewer than two.
-inline double length(std::span<const Vec2> line) {
+template <class V>
+double length_of(std::span<const V> line) {
     double sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += distance(line[i], line[i + 1]);
+    for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);
     return sum;
 }
-inline double length(std::span<const Vec3> line) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += distance(line[i], line[i + 1]);
-    return sum;
+inline double length(std::span<const Vec2> line) { return length_of(line); }
+inline double length(std::span<const Vec3> line) { return length_of(line); }
+
+// Per point mm along the line from its first.
+template <class V>
+std::vector<double> arc_lengths_of(std::span<const V> line) {
+    std::vector<double> out(line.size(), 0);
+    for (std::size_t i = 1; i < line.size(); ++i) out[i] = out[i - 1] + distance(line[i - 1], line[i]);
+    return out;
 }
+inline std::vector<double> arc_lengths(std::span<const Vec2> line) { return arc_lengths_of(line); }
+inline std::vector<double> arc_lengths(std::span<const Vec3> line) { return arc_lengths_of(line); }
 
 } // namespace filum::geom

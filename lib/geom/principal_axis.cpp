@@ -12,7 +12,9 @@ Axis principal_axis(std::span<const Vec2> points) {
     double xx = 0, xy = 0, yy = 0;
     for (const Vec2 p : points) {
         const Vec2 d = p - mean;
-        xx += d.x * d.x, xy += d.x * d.y, yy += d.y * d.y;
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        yy += d.y * d.y;
     }
     const double angle = std::atan2(2 * xy, xx - yy) / 2; // in [-90, 90] degrees
     Vec2 direction{std::cos(angle), std::sin(angle)};
@@ -29,7 +31,8 @@ std::optional<Vec2> leaves(const Axis& axis, std::span<const Vec2> points) {
         if ((ha > 0) == (hb > 0)) continue;
         const Vec2 at = lerp(a, b, ha / (ha - hb));
         if (dot(at, axis.direction) <= farthest) continue;
-        farthest = dot(at, axis.direction), out = axis.mean + at;
+        farthest = dot(at, axis.direction);
+        out = axis.mean + at;
     }
     return out;
 }

@@ -14,6 +14,12 @@ inline double nearest_parameter(Vec2 a, Vec2 b, Vec2 p) {
     return l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0;
 }
 
+inline double nearest_parameter(Vec3 a, Vec3 b, Vec3 p) {
+    const Vec3 d = b - a;
+    const double l2 = norm2(d);
+    return l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0.0;
+}
+
 inline Vec2 nearest_point(Vec2 a, Vec2 b, Vec2 p) { return lerp(a, b, nearest_parameter(a, b, p)); }
 
 inline double point_segment_distance(Vec2 a, Vec2 b, Vec2 p) { return distance(nearest_point(a, b, p), p); }

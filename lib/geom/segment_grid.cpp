@@ -3,30 +3,29 @@
 namespace filum::geom {
 
 template <class F>
-void SegmentGrid::cells_of(const Segment& s, F&& f) const {
-    Vec2 a = s.a, b = s.b;
-    if (a.y > b.y) std::swap(a, b);
-    const int y0 = row(a.y), y1 = row(b.y);
+void SegmentGrid::cells_of(const Segment& s, double margin, F&& f) const {
+    const Vec2 a = s.a.y <= s.b.y ? s.a : s.b, b = s.a.y <= s.b.y ? s.b : s.a;
+    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+    const double beside = margin + 1e-9 * cell_; // one cell more on each side where rounding could have gone either way
+    const int y0 = row(a.y - margin), y1 = row(b.y + margin);
     for (int y = y0; y <= y1; ++y) { // the stretch of the segment within this row of cells
-        double xa = a.x, xb = b.x;
-        if (y0 != y1) {
-            const double slope = (b.x - a.x) / (b.y - a.y), bottom = origin_.y + y * cell_;
-            if (y > y0) xa = a.x + slope * (bottom - a.y);
-            if (y < y1) xb = a.x + slope * (bottom + cell_ - a.y);
-        }
-        // one cell more on each side where rounding could have gone either way
-        const double slack = 1e-9 * cell_;
-        const int x0 = column(std::min(xa, xb) - slack), x1 = column(std::max(xa, xb) + slack);
-        for (int x = x0; x <= x1; ++x)
-            f(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x));
+        const double bottom = origin_.y + y * cell_ - margin, top = bottom + cell_ + 2 * margin;
+        const double xa = y > y0 && bottom > a.y ? a.x + slope * (bottom - a.y) : a.x;
+        const double xb = y < y1 && top < b.y ? a.x + slope * (top - a.y) : b.x;
+        const int x0 = column(std::min(xa, xb) - beside), x1 = column(std::max(xa, xb) + beside);
+        for (int x = x0; x <= x1; ++x) f(cell(x, y));
     }
 }
 
-SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell) : cell_(cell) {
+SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double margin) : cell_(cell) {
     if (segments.empty()) return;
     Box2 box;
     double length = 0;
-    for (const Segment& s : segments) box.add(s.a), box.add(s.b), length += distance(s.a, s.b);
+    for (const Segment& s : segments) {
+        box.add(s.a);
+        box.add(s.b);
+        length += distance(s.a, s.b);
+    }
     origin_ = box.lo;
     const Vec2 size = box.hi - box.lo;
     const double most = std::min(16e6, 64 + 8 * (static_cast<double>(segments.size()) + length / cell));
@@ -36,11 +35,11 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell) : cell_
 
     // how many, then where the next cell begins; each item put in moves that to where its own cell begins
     start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (const Segment& s : segments) cells_of(s, [&](std::size_t c) { ++start_[c]; });
+    for (const Segment& s : segments) cells_of(s, margin, [&](std::size_t c) { ++start_[c]; });
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     item_.resize(start_.back());
     for (auto i = static_cast<std::uint32_t>(segments.size()); i-- > 0;)
-        cells_of(segments[i], [&](std::size_t c) { item_[--start_[c]] = i; });
+        cells_of(segments[i], margin, [&](std::size_t c) { item_[--start_[c]] = i; });
 }
 
 } // namespace filum::geom

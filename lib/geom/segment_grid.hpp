@@ -13,11 +13,18 @@ struct Segment {
     Vec2 a, b;
 };
 
-// Segment i lies in every cell that it touches.  Cells grow where the box would need more than about eight per segment
-// or 16 million, so memory is bounded whatever the coordinates.
+// Segment i lies in every cell that it comes nearer to than `margin`, along x and along y.  Cells grow where the box
+// would need more than about eight per segment or 16 million, so memory is bounded whatever the coordinates.
 class SegmentGrid {
   public:
-    SegmentGrid(std::span<const Segment> segments, double cell);
+    SegmentGrid(std::span<const Segment> segments, double cell, double margin = 0);
+
+    [[nodiscard]] std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
+    // The segments of a cell, ascending.
+    [[nodiscard]] std::span<const std::uint32_t> in(std::size_t cell) const {
+        return {item_.data() + start_[cell], start_[cell + 1] - start_[cell]};
+    }
+    [[nodiscard]] std::size_t cell_at(Vec2 p) const { return cell(column(p.x), row(p.y)); } // the nearest, outside
 
     // Calls f(i) for every segment whose cells meet the box; a segment may come up several times.
     template <class F>
@@ -25,11 +32,8 @@ class SegmentGrid {
         if (columns_ == 0) return;
         const int x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
         for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x) {
-                const std::size_t c =
-                    static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
-                for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k) f(item_[k]);
-            }
+            for (int x = x0; x <= x1; ++x)
+                for (const std::uint32_t i : in(cell(x, y))) f(i);
     }
 
     // True if the open segment p-q properly crosses any segment i for which use(i) holds.
@@ -45,9 +49,12 @@ class SegmentGrid {
   private:
     [[nodiscard]] int column(double x) const { return clamp_to((x - origin_.x) / cell_, columns_); }
     [[nodiscard]] int row(double y) const { return clamp_to((y - origin_.y) / cell_, rows_); }
+    [[nodiscard]] std::size_t cell(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+    }
     static int clamp_to(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
     template <class F>
-    void cells_of(const Segment& s, F&& f) const;
+    void cells_of(const Segment& s, double margin, F&& f) const;
 
     Vec2 origin_;
     double cell_ = 1;

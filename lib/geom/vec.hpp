@@ -37,14 +37,56 @@ constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b
 constexpr Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
 constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
+constexpr double norm2(Vec3 a) { return dot(a, a); }
+inline double norm(Vec3 a) { return std::sqrt(norm2(a)); }
 inline double distance(Vec3 a, Vec3 b) { return norm(b - a); }
+// Rad, in [0, pi]; 0 if either has no length.
+inline double angle(Vec3 a, Vec3 b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
+// Of length 1; `otherwise` for no length.
+inline Vec3 unit(Vec3 v, Vec3 otherwise) {
+    const double l = norm(v);
+    return l > 0 ? (1 / l) * v : otherwise;
+}
+constexpr double coordinate(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+// The axis along which `v` reaches farthest, the first of equals; its parts are not below 0.
+constexpr int longest_axis(Vec3 v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
 
+// Axis-aligned boxes; empty until something is added.
 struct Box3 {
-    Vec3 lo, hi;
+    Vec3 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+            std::numeric_limits<double>::infinity()};
+    Vec3 hi{-1.0 * lo};
+    void add(Vec3 p) {
+        lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+        hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+    }
+    void add(const Box3& b) {
+        lo = {std::min(lo.x, b.lo.x), std::min(lo.y, b.lo.y), std::min(lo.z, b.lo.z)};
+        hi = {std::max(hi.x, b.hi.x), std::max(hi.y, b.hi.y), std::max(hi.z, b.hi.z)};
+    }
+    [[nodiscard]] bool empty() const { return lo.x > hi.x; }
+    [[nodiscard]] Vec3 size() const { return hi - lo; }
 };
+template <class Points>
+Box3 box_of(const Points& points) {
+    Box3 out;
+    for (const Vec3& p : points) out.add(p);
+    return out;
+}
+// `by` wider on every side.
+constexpr Box3 grown(const Box3& b, double by) { return {b.lo - Vec3{by, by, by}, b.hi + Vec3{by, by, by}}; }
 
-// Axis-aligned box; empty until something is added.
+constexpr bool meet(const Box3& a, const Box3& b) {
+    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
+           b.lo.z <= a.hi.z;
+}
+
+// From the box to p; 0 within.
+inline double distance(const Box3& b, Vec3 p) {
+    return norm(Vec3{std::max({0.0, b.lo.x - p.x, p.x - b.hi.x}), std::max({0.0, b.lo.y - p.y, p.y - b.hi.y}),
+                     std::max({0.0, b.lo.z - p.z, p.z - b.hi.z})});
+}
+
 struct Box2 {
     Vec2 lo{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     Vec2 hi{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -57,6 +99,11 @@ struct Box2 {
 
 inline bool meet(const Box2& a, const Box2& b) {
     return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
+}
+
+// From the box to p, squared; 0 within.
+inline double distance2(const Box2& b, Vec2 p) {
+    return norm2(Vec2{std::max({0.0, b.lo.x - p.x, p.x - b.hi.x}), std::max({0.0, b.lo.y - p.y, p.y - b.hi.y})});
 }
 
 // Distance between two boxes, 0 where they touch or overlap.

@@ -95,7 +95,8 @@ Signs signs(const Arm& arm, const Posture& q) {
 
 Arm arm(const std::array<Axis, kAxes>& axes, const Frame& flange) {
     Arm out;
-    out.axes = axes, out.flange = flange;
+    out.axes = axes;
+    out.flange = flange;
     for (Axis& a : out.axes) a.direction = 1 / norm(a.direction) * a.direction;
     classify(out);
     const Vec3 middle = out.build == Build::general ? out.axes[3].point : out.centre;
@@ -110,7 +111,8 @@ Arm arm(const std::array<DhRow, kAxes>& rows, const std::array<Axis, kAxes>& lim
     std::array<Axis, kAxes> axes = limits;
     Frame at;
     for (std::size_t k = 0; k < kAxes; ++k) {
-        axes[k].direction = rows[k].sign * at.turn.z, axes[k].point = at.origin;
+        axes[k].direction = rows[k].sign * at.turn.z;
+        axes[k].point = at.origin;
         at = at * Frame{geom::about({0, 0, 1}, rows[k].theta), {}} * link(rows[k]);
     }
     return arm(axes, at * flange);

@@ -129,6 +129,4 @@ Joints between(const Chain& c, const Vec3& from_tip, const Joints& from, const V
     return place(c, tip, tilt, under + 2 * std::numbers::pi * std::round((turn - under) / (2 * std::numbers::pi)));
 }
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 } // namespace filum::kinematics

@@ -75,6 +75,4 @@ double best_tilt(const Chain& chain, const Vec3& axis, double turn);
 // mm: nearer than that to the turn axis of a polar machine, the tip has no heading.
 inline constexpr double kOnAxis = 1e-6;
 
-double angle(const Vec3& a, const Vec3& b); // rad, between directions
-
 } // namespace filum::kinematics

@@ -33,8 +33,15 @@ Followed followed(const Carried& c, std::span<const Stand> stands, const Posture
     const Follower follower(c);
     Followed out;
     const auto take = [&](const Passing& p, std::size_t i) {
-        if (p.nearest.angle < out.nearest.angle) out.nearest = p.nearest, out.nearest_at = i;
-        if (p.room < out.room) out.room = p.room, out.room_axis = p.room_axis, out.room_at = i;
+        if (p.nearest.angle < out.nearest.angle) {
+            out.nearest = p.nearest;
+            out.nearest_at = i;
+        }
+        if (p.room < out.room) {
+            out.room = p.room;
+            out.room_axis = p.room_axis;
+            out.room_at = i;
+        }
         out.hindrance = p.hindrance;
         out.hindrance.stand = i;
     };
@@ -45,14 +52,17 @@ Followed followed(const Carried& c, std::span<const Stand> stands, const Posture
         out.hindrance = {Trouble::limit, 0, start.room_axis, -start.room};
         return out;
     }
-    out.postures.push_back(first), out.needed.push_back(0), out.axis.push_back(0);
+    out.postures.push_back(first);
+    out.needed.push_back(0);
+    out.axis.push_back(0);
     Frame at = spun(stands[0].tip, spin[0]);
     for (std::size_t i = 1; i < stands.size(); ++i) {
         const Frame to = spun(stands[i].tip, spin[i]);
         const Passing p = follower.pass(at, out.postures.back(), to);
         take(p, i);
         if (p.hindrance.trouble != Trouble::none) return out;
-        out.postures.push_back(p.to), out.needed.push_back(p.needed);
+        out.postures.push_back(p.to);
+        out.needed.push_back(p.needed);
         out.axis.push_back(static_cast<std::uint8_t>(p.axis));
         at = to;
     }
@@ -197,7 +207,10 @@ class Search {
         for (const Posture& q : ways) {
             Passing p;
             follower_.look(q, p);
-            if (-p.room < least) least = -p.room, farthest_ = {Trouble::limit, 0, p.room_axis, -p.room};
+            if (-p.room < least) {
+                least = -p.room;
+                farthest_ = {Trouble::limit, 0, p.room_axis, -p.room};
+            }
         }
     }
 
@@ -239,7 +252,9 @@ class Search {
             double given = 0;
             for (std::size_t j = last + 1; j <= i; ++j) given += stands_[j].seconds;
             to.cost += p.needed + kSlow * std::max(0.0, p.needed - given) + uneasy(p);
-            to.posture = p.to, at = next, last = i;
+            to.posture = p.to;
+            at = next;
+            last = i;
         }
         return true;
     }
@@ -273,7 +288,10 @@ void Followed::forget(std::size_t n) {
     const auto cut = [n](auto& v) {
         v.erase(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(std::min(n, v.size())));
     };
-    cut(postures), cut(spin), cut(needed), cut(axis);
+    cut(postures);
+    cut(spin);
+    cut(needed);
+    cut(axis);
     for (std::size_t* at : {&hindrance.stand, &nearest_at, &room_at}) *at -= std::min(n, *at);
 }
 

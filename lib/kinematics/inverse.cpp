@@ -175,7 +175,10 @@ class Ways {
             for (std::size_t k = 0; k < kAxes; ++k) {
                 constexpr std::array<std::uint32_t, kAxes> bases{2, 3, 5, 7, 11, 13};
                 double share = 0, digit = 1;
-                for (std::uint32_t n = seed; n > 0; n /= bases[k]) digit /= bases[k], share += digit * (n % bases[k]);
+                for (std::uint32_t n = seed; n > 0; n /= bases[k]) {
+                    digit /= bases[k];
+                    share += digit * (n % bases[k]);
+                }
                 const double low = std::max(x_[k].min, -std::numbers::pi), high = std::min(x_[k].max, std::numbers::pi);
                 from[k] = low + share * (high - low);
             }

@@ -21,7 +21,10 @@ void Follower::look(const Posture& q, Passing& p) const {
     if (n.angle < p.nearest.angle) p.nearest = n;
     for (std::size_t k = 0; k < kAxes; ++k) {
         const double room = std::min(q[k] - c_.arm.axes[k].min, c_.arm.axes[k].max - q[k]);
-        if (room < p.room) p.room = room, p.room_axis = k;
+        if (room < p.room) {
+            p.room = room;
+            p.room_axis = k;
+        }
     }
 }
 
@@ -79,7 +82,10 @@ bool Follower::piece(const Frame& a, const Posture& from, const Frame& b, double
     look(p.to, p);
     for (std::size_t k = 0; k < kAxes; ++k) {
         const double time = std::abs(p.to[k] - from[k]) / c_.arm.axes[k].speed / (end - begin);
-        if (time > p.needed) p.needed = time, p.axis = k;
+        if (time > p.needed) {
+            p.needed = time;
+            p.axis = k;
+        }
     }
     if (p.room >= 0) return true;
     p.hindrance = {Trouble::limit, 0, p.room_axis, -p.room};

@@ -9,7 +9,7 @@ namespace filum::kinematics {
 
 namespace {
 
-constexpr double kTrackSlack = 1e-8; // rad beyond limits: what route() allows, and a little
+constexpr double kTrackSlack = 1e-8; // rad beyond limits: what configurations() allows, and a little
 constexpr double kTaut = 0.95;       // share of the tolerance that is used at poses; the rest is for between them
 
 // How far the turn may be off at a pose, rad.
@@ -39,18 +39,28 @@ std::vector<double> taut(std::span<const double> at, std::span<const double> low
         for (; j < n; ++j) {
             const double d = std::max(at[j] - at[i], 1e-12), lo = (low[j] - y) / d, hi = (high[j] - y) / d;
             if (lo > most) {
-                slope = most, end = at_most;
+                slope = most;
+                end = at_most;
                 break;
             }
             if (hi < least) {
-                slope = least, end = at_least;
+                slope = least;
+                end = at_least;
                 break;
             }
-            if (lo >= least) least = lo, at_least = j;
-            if (hi <= most) most = hi, at_most = j;
+            if (lo >= least) {
+                least = lo;
+                at_least = j;
+            }
+            if (hi <= most) {
+                most = hi;
+                at_most = j;
+            }
         }
-        if (end == n)
-            slope = std::clamp(0.0, least, most), end = slope == 0 ? n - 1 : slope == least ? at_least : at_most;
+        if (end == n) {
+            slope = std::clamp(0.0, least, most);
+            end = slope == 0 ? n - 1 : slope == least ? at_least : at_most;
+        }
         const double from = at[i], start = y;
         for (++i;; ++i) {
             out[i] = std::clamp(start + slope * (at[i] - from), low[i], high[i]);
@@ -96,10 +106,10 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             const Limits& limits, std::span<const Lifting> lifting) {
     Track out;
     if (poses.empty()) return out;
-    const Route way = route(chain, poses, before, tolerance, limits, lifting);
-    out.stuck = way.stuck;
-    if (way.stuck < poses.size()) {
-        const auto both = inverse(chain, poses[way.stuck]);
+    const Configurations found = configurations(chain, poses, before, tolerance, limits, lifting);
+    out.stuck = found.stuck;
+    if (found.stuck < poses.size()) {
+        const auto both = inverse(chain, poses[found.stuck]);
         const auto tilts = [&](const Joints& j) {
             return j.tilt >= limits.tilt_min - tolerance && j.tilt <= limits.tilt_max + tolerance;
         };
@@ -108,10 +118,10 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
         return out;
     }
     std::vector<double> turn;
-    for (std::size_t i = 0; i < way.stops.size();) {
-        const std::size_t first = way.stops[i].pose;
-        turn.assign(1, way.stops[i].turn);
-        for (++i; i < way.stops.size() && !way.stops[i].lifted; ++i) turn.push_back(way.stops[i].turn);
+    for (std::size_t i = 0; i < found.stops.size();) {
+        const std::size_t first = found.stops[i].pose;
+        turn.assign(1, found.stops[i].turn);
+        for (++i; i < found.stops.size() && !found.stops[i].lifted; ++i) turn.push_back(found.stops[i].turn);
         const auto part = poses.subspan(first, turn.size());
         if (chain.carrier == Carrier::polar)
             spin_on_axis(part, chain, turn);
@@ -123,9 +133,14 @@ Track track(const Chain& chain, std::span<const Pose> poses, const Joints& befor
             const double wanted = best_tilt(chain, part[k].axis, turn[k]), tilt = clipped(wanted, tolerance, limits);
             piece.joints.push_back(place(chain, part[k].tip, tilt, turn[k]));
             const double off = angle(tool_axis(chain, tilt, turn[k]), part[k].axis);
-            if (off > out.off) out.off = off, out.off_at = first + k;
-            if (std::abs(wanted - tilt) > out.clipped)
-                out.clipped = std::abs(wanted - tilt), out.clipped_at = first + k;
+            if (off > out.off) {
+                out.off = off;
+                out.off_at = first + k;
+            }
+            if (std::abs(wanted - tilt) > out.clipped) {
+                out.clipped = std::abs(wanted - tilt);
+                out.clipped_at = first + k;
+            }
             const bool turned_out = turn[k] < limits.turn_min - kTrackSlack || turn[k] > limits.turn_max + kTrackSlack;
             if (out.stuck == poses.size() &&
                 (turned_out || tilt < limits.tilt_min - kTrackSlack || tilt > limits.tilt_max + kTrackSlack)) {

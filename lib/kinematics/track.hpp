@@ -1,7 +1,7 @@
 // The way of the axes along a whole stroke.
 #pragma once
 
-#include "kinematics/ways.hpp"
+#include "kinematics/configurations.hpp"
 
 #include <span>
 #include <string>

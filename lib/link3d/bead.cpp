@@ -46,7 +46,8 @@ Vec2 along(const toolpath::Curve& curve, const Place& place, double l) {
         const Vec2 b = curve.points[(place.segment + k) % n];
         const double d = geom::distance(at, b);
         if (d > 0 && d >= l) return geom::lerp(at, b, l / d);
-        l -= d, at = b;
+        l -= d;
+        at = b;
     }
     return at;
 }
@@ -71,7 +72,10 @@ Bead cut(const toolpath::Curve& curve, const Place& at, bool against, double gap
         append(b, curve.points[j], curve.width_at(j), per_point);
     }
     append(b, at.point, w, per_point);
-    if (b.points.size() < 2) b.points.push_back(at.point), b.width.push_back(w); // a curve of no length
+    if (b.points.size() < 2) {
+        b.points.push_back(at.point);
+        b.width.push_back(w);
+    } // a curve of no length
     if (!per_point) b.width = {curve.width[0]};
     shorten(b, gap);
     return b;
@@ -103,8 +107,10 @@ void pin(Bead& bead, Vec2 p, double reach) {
     std::size_t best = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < bead.points.size(); ++i)
-        if (const double d = geom::point_segment_distance(bead.points[i], bead.points[i + 1], p); d < least)
-            least = d, best = i;
+        if (const double d = geom::point_segment_distance(bead.points[i], bead.points[i + 1], p); d < least) {
+            least = d;
+            best = i;
+        }
     if (least > reach) return;
     if (bead.points[best] == p || bead.points[best + 1] == p) return;
     const double t = geom::nearest_parameter(bead.points[best], bead.points[best + 1], p);

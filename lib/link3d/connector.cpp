@@ -161,7 +161,10 @@ std::optional<Linker::Entry> Linker::go_inside(const Emit& emit) {
 Box2 Linker::all_bounds() const {
     Box2 box = printed_.bounds();
     for (const auto& w : window_)
-        if (!w.index.empty()) box.add(w.index.bounds().lo), box.add(w.index.bounds().hi);
+        if (!w.index.empty()) {
+            box.add(w.index.bounds().lo);
+            box.add(w.index.bounds().hi);
+        }
     return box;
 }
 

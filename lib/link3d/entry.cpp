@@ -124,8 +124,10 @@ bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     if (l <= kEnds) return true;
     const Vec2 end = geom::lerp(b, a, kEnds / l);
     Box2 box;
-    box.add(a), box.add(end);
-    box.lo = box.lo - Vec2{kMargin, kMargin}, box.hi = box.hi + Vec2{kMargin, kMargin};
+    box.add(a);
+    box.add(end);
+    box.lo = box.lo - Vec2{kMargin, kMargin};
+    box.hi = box.hi + Vec2{kMargin, kMargin};
     bool free = true;
     window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
         return free = s == on || geom::segment_distance(a, end, c, d) > kMargin;

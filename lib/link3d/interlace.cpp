@@ -91,7 +91,8 @@ std::optional<std::vector<Vec2>> Linker::shift(std::uint32_t c, const Bead& bead
     for (const double around : {kAround, 3 * kAround}) {
         const Vec2 margin{around * width, around * width};
         Box2 box;
-        box.add(from), box.add(goal);
+        box.add(from);
+        box.add(goal);
         const auto lines = lines_in(curves, {box.lo - margin, box.hi + margin});
         for (const bool inside : {true, false}) {
             if (inside && options_.seam != Seam::inside) continue;

@@ -119,7 +119,10 @@ std::optional<std::vector<Vec2>> Linker::leave(std::uint32_t c, Bead& bead, cons
     if (next_ == Next::anywhere) return std::nullopt;
     for (const double reach : climb_reaches()) {
         if (ends_well(c, bead, reach)) return std::nullopt;
-        if (Bead b = other(); ends_well(c, b, reach)) return bead = std::move(b), std::nullopt;
+        if (Bead b = other(); ends_well(c, b, reach)) {
+            bead = std::move(b);
+            return std::nullopt;
+        }
         if (auto way = lane(c, bead, reach)) {
             ++counts_.lanes;
             counts_.lane_length += length(*way);

@@ -53,7 +53,8 @@ Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double ste
     Laid out;
     if (ramp.length == 0) {
         for (const auto p : bead.points) out.points.push_back({p.x, p.y, z});
-        out.width = bead.width, out.height = {height};
+        out.width = bead.width;
+        out.height = {height};
         return out;
     }
     const double rise = ramp.length - ramp.lead, all = length(bead.points), fall = all - rise;

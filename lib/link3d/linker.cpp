@@ -109,7 +109,10 @@ std::optional<std::uint32_t> Linker::main_curve() const {
     for (std::uint32_t c = 0; c < curves.size(); ++c) {
         const double l = length(curves[c].points);
         all += l;
-        if (l > longest) longest = l, main = c;
+        if (l > longest) {
+            longest = l;
+            main = c;
+        }
     }
     return longest > all / 2 ? std::optional(main) : std::nullopt;
 }
@@ -131,7 +134,10 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
         joined = go_around(emit, notes);
     else if (at_ && options_.connect == Connect::inside)
         joined = go_inside(emit);
-    if (joined && !above) home_ = joined->place.point, offset_ = 0;
+    if (joined && !above) {
+        home_ = joined->place.point;
+        offset_ = 0;
+    }
     if (joined) return *joined;
     if (at_ && (above || options_.connect != Connect::stop)) {
         ++counts_.broken;
@@ -141,7 +147,8 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     Entry entry = start_entry();
     if (const auto other = other_end(entry)) entry = *other;
     stop_and_travel(entry.place.point, emit);
-    home_ = entry.place.point, offset_ = 0;
+    home_ = entry.place.point;
+    offset_ = 0;
     return entry;
 }
 

@@ -5,7 +5,6 @@
 #include "machine/head.hpp"
 
 #include <cstdint>
-#include <string>
 
 namespace filum::link3d {
 
@@ -31,8 +30,8 @@ enum class Seam : std::uint8_t {
 // How the nozzle gets to the next layer.
 enum class Lift : std::uint8_t {
     plain,   // straight up, then on
-    helical, // rising all the way, where a column has one curve per layer that lies on the one below; else ramps
     ramp,    // rising along the beginning of the next curve, whose end overlaps it with what is missing there
+    helical, // rising all the way, where a column has one curve per layer that lies on the one below; else ramps
 };
 
 struct Options {
@@ -47,13 +46,5 @@ struct Options {
     Lift lift = Lift::plain;
     machine::Head head = {}; // what must pass over what is printed
 };
-
-// What Options takes by the names that the command's options have.
-struct Names {
-    std::string connect = "break", strand = "free", seam = "nearest", interlace = "none", lift = "plain";
-};
-
-// `options` with what is named; the default for an unknown name.
-Options named(Options options, const Names& names);
 
 } // namespace filum::link3d

@@ -12,12 +12,9 @@ namespace {
 
 constexpr std::uint32_t kFan = 16;
 
-void add(Box2& to, const Box2& from) { to.add(from.lo), to.add(from.hi); }
-
-double distance(const Box2& box, Vec2 p) {
-    const double dx = std::max({0.0, box.lo.x - p.x, p.x - box.hi.x});
-    const double dy = std::max({0.0, box.lo.y - p.y, p.y - box.hi.y});
-    return std::sqrt(dx * dx + dy * dy);
+void add(Box2& to, const Box2& from) {
+    to.add(from.lo);
+    to.add(from.hi);
 }
 
 } // namespace
@@ -37,8 +34,10 @@ SegmentIndex::SegmentIndex(std::span<const toolpath::Curve> curves) {
     if (count == 0) return;
     std::vector<Box2> boxes((count + kFan - 1) / kFan);
     for (std::uint32_t c = 0; c + 1 < first_.size(); ++c)
-        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s)
-            boxes[s / kFan].add(points_[s + c]), boxes[s / kFan].add(points_[s + c + 1]);
+        for (std::uint32_t s = first_[c]; s < first_[c + 1]; ++s) {
+            boxes[s / kFan].add(points_[s + c]);
+            boxes[s / kFan].add(points_[s + c + 1]);
+        }
     levels_.push_back(std::move(boxes));
     while (levels_.back().size() > 1) {
         const auto& below = levels_.back();
@@ -80,7 +79,7 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
     if (empty()) return std::nullopt;
     using Node = std::tuple<double, std::size_t, std::uint32_t>; // distance, level, box
     std::priority_queue<Node, std::vector<Node>, std::greater<>> open;
-    open.emplace(distance(levels_.back().front(), p), levels_.size() - 1, 0U);
+    open.emplace(std::sqrt(distance2(levels_.back().front(), p)), levels_.size() - 1, 0U);
     double best = limit;
     std::optional<std::uint32_t> found;
     while (!open.empty()) {
@@ -92,7 +91,7 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
             const auto& below = levels_[level - 1];
             const auto to = std::min<std::uint32_t>(from + kFan, static_cast<std::uint32_t>(below.size()));
             for (std::uint32_t i = from; i < to; ++i)
-                if (const double e = distance(below[i], p); e <= best) open.emplace(e, level - 1, i);
+                if (const double e = std::sqrt(distance2(below[i], p)); e <= best) open.emplace(e, level - 1, i);
             continue;
         }
         const auto to = std::min(from + kFan, first_.back());
@@ -100,7 +99,10 @@ std::optional<Place> SegmentIndex::nearest(Vec2 p, double limit, std::span<const
             while (s >= first_[c + 1]) ++c;
             if (!skip.empty() && skip[c] != 0) continue;
             const double e = geom::point_segment_distance(points_[s + c], points_[s + c + 1], p);
-            if (e < best || (e == best && (!found || s < *found))) best = e, found = s;
+            if (e < best || (e == best && (!found || s < *found))) {
+                best = e;
+                found = s;
+            }
         }
     }
     if (!found) return std::nullopt;
@@ -125,7 +127,8 @@ void SegmentIndex::within(const Box2& box, const std::function<bool(std::uint32_
         for (std::uint32_t s = from, c = curve_of(from); s < to; ++s) {
             while (s >= first_[c + 1]) ++c;
             Box2 own;
-            own.add(points_[s + c]), own.add(points_[s + c + 1]);
+            own.add(points_[s + c]);
+            own.add(points_[s + c + 1]);
             if (meet(own, box) && !visit(s, points_[s + c], points_[s + c + 1])) return;
         }
     }
@@ -136,8 +139,10 @@ bool is_free(const SegmentIndex& index, Vec2 a, Vec2 b, double margin, double sk
     if (length <= skip_a + skip_b) return true;
     const Vec2 p = geom::lerp(a, b, skip_a / length), q = geom::lerp(b, a, skip_b / length);
     Box2 box;
-    box.add(p), box.add(q);
-    box.lo = box.lo - Vec2{margin, margin}, box.hi = box.hi + Vec2{margin, margin};
+    box.add(p);
+    box.add(q);
+    box.lo = box.lo - Vec2{margin, margin};
+    box.hi = box.hi + Vec2{margin, margin};
     bool free = true;
     index.within(box,
                  [&](std::uint32_t, Vec2 c, Vec2 d) { return free = geom::segment_distance(p, q, c, d) > margin; });

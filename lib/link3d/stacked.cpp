@@ -1,5 +1,6 @@
 #include "link3d/stacked.hpp"
 
+#include "geom/polyline.hpp"
 #include "link3d/linker.hpp"
 
 #include <algorithm>
@@ -17,9 +18,7 @@ constexpr double kSameLength = 0.005; // mm; a segment on a line is as long as i
 Stacked::Stacked(const std::vector<std::vector<Vec2>>& lines) : laid_(lines.size()) {
     for (const auto& line : lines) {
         lines_.push_back({false, line, {1}});
-        along_.push_back({0});
-        for (std::size_t i = 1; i < line.size(); ++i)
-            along_.back().push_back(along_.back().back() + geom::distance(line[i - 1], line[i]));
+        along_.push_back(geom::arc_lengths(line));
     }
     if (!lines.empty()) index_.emplace(lines_);
 }
@@ -73,7 +72,10 @@ Stacked::Laid Stacked::lay(const Bead& bead, double z, double height, double ram
 bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
     const auto& r = window_.front().paths;
     if (r.stacked.empty()) return false;
-    if (!stacked_ || stacked_in_ != r.region) stacked_.emplace(r.stacked), stacked_in_ = r.region;
+    if (!stacked_ || stacked_in_ != r.region) {
+        stacked_.emplace(r.stacked);
+        stacked_in_ = r.region;
+    }
     auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
     if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
     at_ = laid.points.back();

@@ -76,7 +76,10 @@ class Search {
             const Face face = door.face;
             const int side = door.side;
             const Vec2 middle = door.middle;
-            if (const int r = rank(middle, reached + 1); r > reached) reached = r, end = at;
+            if (const int r = rank(middle, reached + 1); r > reached) {
+                reached = r;
+                end = at;
+            }
             for (const Face f : {face, face->neighbor(side)})
                 if (!t_.is_infinite(f)) spread(f, at, middle, length);
         }
@@ -103,7 +106,8 @@ class Search {
             const double l = length + geom::distance(from, d.middle);
             if (d.done || l >= d.length) continue;
             if (before != kNone && !is_free(index_, from, d.middle, narrow_, 0, 0)) continue;
-            d.length = l, d.before = before;
+            d.length = l;
+            d.before = before;
             open_.emplace(l, at);
         }
     }

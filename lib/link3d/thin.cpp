@@ -40,14 +40,18 @@ std::vector<Share> shares(const Bead& bead, std::span<const Vec2> lane, double l
                 const double t = geom::nearest_parameter(a, b, m);
                 const Vec2 q = geom::lerp(a, b, t) - m;
                 const std::size_t which = geom::cross(d, q) > 0 ? 0 : 1;
-                if (const double e = geom::norm(q); e < near[which])
-                    near[which] = e, side[which] = {s, t, 0, e > 0 ? (1 / e) * q : Vec2{}};
+                if (const double e = geom::norm(q); e < near[which]) {
+                    near[which] = e;
+                    side[which] = {s, t, 0, e > 0 ? (1 / e) * q : Vec2{}};
+                }
                 return true;
             });
             const int found = static_cast<int>(near[0] < reach) + static_cast<int>(near[1] < reach);
             for (std::size_t w = 0; w < 2; ++w)
-                if (near[w] < reach)
-                    side[w].area = lane_width * l / static_cast<double>(pieces) / found, out.push_back(side[w]);
+                if (near[w] < reach) {
+                    side[w].area = lane_width * l / static_cast<double>(pieces) / found;
+                    out.push_back(side[w]);
+                }
         }
     }
     std::sort(out.begin(), out.end(), [](const Share& a, const Share& b) {
@@ -63,7 +67,10 @@ struct Thinned {
     std::vector<Vec2> away;   // from the lane, weighted by what the lane takes
 
     void push(Vec2 p, double w) {
-        bead.points.push_back(p), bead.width.push_back(w), take.push_back(0), away.emplace_back();
+        bead.points.push_back(p);
+        bead.width.push_back(w);
+        take.push_back(0);
+        away.emplace_back();
     }
     void share(std::size_t i, const Share& s, double part) {
         take[i] += part * s.area;
@@ -142,7 +149,9 @@ std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, doubl
         for (std::size_t i = 0; i + 1 < n; ++i) {
             const Vec2 was = from[i + 1] - from[i], is = out[i + 1] - out[i];
             if (is == was || geom::dot(was, is) >= 0.8 * geom::dot(was, was)) continue;
-            out[i] = from[i], out[i + 1] = from[i + 1], changed = true;
+            out[i] = from[i];
+            out[i + 1] = from[i + 1];
+            changed = true;
         }
     }
     return out;

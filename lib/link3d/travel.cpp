@@ -17,7 +17,8 @@ bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
     const auto clip = [&](double p, double d, double lo, double hi) {
         if (d == 0) return p >= lo && p <= hi;
         const double s = (lo - p) / d, t = (hi - p) / d;
-        from = std::max(from, std::min(s, t)), to = std::min(to, std::max(s, t));
+        from = std::max(from, std::min(s, t));
+        to = std::min(to, std::max(s, t));
         return from <= to;
     };
     return clip(a.x, b.x - a.x, box.lo.x - margin, box.hi.x + margin) &&
@@ -27,14 +28,18 @@ bool passes(Vec2 a, Vec2 b, const Box2& box, double margin) {
 } // namespace
 
 void Printed::add(const Box2& box, double top) {
-    bodies.back().box.add(box.lo), bodies.back().box.add(box.hi);
+    bodies.back().box.add(box.lo);
+    bodies.back().box.add(box.hi);
     bodies.back().top = std::max(bodies.back().top, top);
 }
 
 Box2 Printed::bounds() const {
     Box2 out;
     for (const auto& b : bodies)
-        if (b.part && !b.box.empty()) out.add(b.box.lo), out.add(b.box.hi);
+        if (b.part && !b.box.empty()) {
+            out.add(b.box.lo);
+            out.add(b.box.hi);
+        }
     return out;
 }
 
@@ -47,7 +52,8 @@ bool Printed::blocks(Vec3 a, Vec3 b, double z, double margin, bool own) const {
 void Printed::connector(std::span<const Vec3> way) {
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         Box2 box;
-        box.add(way[i].xy()), box.add(way[i + 1].xy());
+        box.add(way[i].xy());
+        box.add(way[i + 1].xy());
         bodies.push_back({box, std::min(way[i].z, way[i + 1].z), false});
     }
 }

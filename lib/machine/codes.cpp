@@ -57,7 +57,8 @@ CodeLine::CodeLine(std::string_view text) {
 
 void split(std::string_view code, Words& to) {
     to.words.clear();
-    to.own = false, to.fault = "";
+    to.own = false;
+    to.fault = "";
     for (std::size_t i = 0; i < code.size();) {
         if (is_blank(code[i])) {
             ++i;

@@ -53,7 +53,10 @@ std::string contents(const fs::path& path, const std::string& shown, const std::
 // Where models of robots live: beside the folders of profiles, or within them.
 std::vector<fs::path> model_folders() {
     std::vector<fs::path> out;
-    for (const auto& folder : folders()) out.push_back(folder / "robots"), out.push_back(folder / ".." / "robots");
+    for (const auto& folder : folders()) {
+        out.push_back(folder / "robots");
+        out.push_back(folder / ".." / "robots");
+    }
     return out;
 }
 

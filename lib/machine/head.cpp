@@ -20,7 +20,10 @@ Head altered(const Head& from, const HeadChoice& o) {
     if (!o.flat_radius.empty()) h.flat_radius = o.flat_radius[0];
     if (!o.cone_angle_deg.empty()) h.cone_angle = geom::radians(o.cone_angle_deg[0]);
     if (!o.cone_height.empty()) h.cone_height = o.cone_height[0];
-    if (!o.carriage.empty()) h.carriage_x = o.carriage[0], h.carriage_y = o.carriage[1];
+    if (!o.carriage.empty()) {
+        h.carriage_x = o.carriage[0];
+        h.carriage_y = o.carriage[1];
+    }
     if (!o.gantry_height.empty()) h.gantry_height = o.gantry_height[0] > 0 ? o.gantry_height[0] : Head{}.gantry_height;
     return h;
 }

@@ -73,7 +73,8 @@ void LookAhead::move(const PlannedMove& m) {
     const double radius = norm(m.arm), piece = std::clamp(2 * std::numbers::pi * radius / kPieces, kShortest, kLongest);
     const int n = std::max(1, static_cast<int>(std::abs(m.sweep) * radius / piece));
     PlannedMove part = m;
-    part.sweep = 0, part.extruded = m.extruded / n;
+    part.sweep = 0;
+    part.extruded = m.extruded / n;
     geom::Vec2 at = m.arm;
     for (int k = 1; k <= n; ++k) {
         const double angle = m.sweep * k / n, c = std::cos(angle), s = std::sin(angle);
@@ -92,7 +93,9 @@ void LookAhead::straight(const PlannedMove& m) {
     if (!(leg.length > 0)) return;
     const double l = leg.length;
     if (leg.linear) leg.direction = (1 / l) * m.step;
-    leg.extruded = m.extruded / l, leg.tilt = m.tilt / l, leg.turn = m.turn / l;
+    leg.extruded = m.extruded / l;
+    leg.tilt = m.tilt / l;
+    leg.turn = m.turn / l;
     double speed = leg.linear ? std::min(m.feed, motion_.max_speed) : m.feed;
     double a = m.extruding ? motion_.acceleration : motion_.travel_acceleration;
     if (!leg.linear) a = std::numeric_limits<double>::infinity();
@@ -102,7 +105,8 @@ void LookAhead::straight(const PlannedMove& m) {
         speed = std::min({speed, along(axes_.tilt_speed, m.tilt, l), along(axes_.turn_speed, m.turn, l)});
         a = std::min({a, along(axes_.tilt_acceleration, m.tilt, l), along(axes_.turn_acceleration, m.turn, l)});
     }
-    leg.acceleration = a, leg.cruise2 = speed * speed;
+    leg.acceleration = a;
+    leg.cruise2 = speed * speed;
     leg.gain2 = 2 * a * l;
     const bool gently = motion_.controller == Controller::klipper;
     // Klipper keeps the corner speed whatever the acceleration is set to, Marlin the deviation.
@@ -115,7 +119,8 @@ void LookAhead::straight(const PlannedMove& m) {
         leg.most2 = std::min(leg.corner2, before.most2 + before.gain2);
         leg.smooth2 = std::min(leg.most2, before.smooth2 + before.gentle2);
     } else {
-        leg.corner2 = leg.most2 = speed2_, leg.smooth2 = smooth2_;
+        leg.corner2 = leg.most2 = speed2_;
+        leg.smooth2 = smooth2_;
     }
     legs_.push_back(leg);
     if (legs_.size() == 2 * kHeld) settle(kHeld);
@@ -175,7 +180,8 @@ void LookAhead::time_smoothed(std::size_t count) {
             cruise2[i] = std::min({(leg.entry2 + reach2) / 2, leg.cruise2, peak2});
             pending = 0;
         }
-        out2 = leg.entry2, smooth2 = begin2;
+        out2 = leg.entry2;
+        smooth2 = begin2;
     }
     double before2 = 0;
     for (std::size_t i = 0; i < count; ++i) {

@@ -32,7 +32,8 @@ void limits(Document& doc, const std::string& key, double& lo, double& hi) {
     constexpr double endless = std::numeric_limits<double>::infinity();
     doc.pair(key, a, b, {-endless, endless});
     if (!(a < b)) doc.fail(key, "the first number must be below the second");
-    lo = a * kDegree, hi = b * kDegree;
+    lo = a * kDegree;
+    hi = b * kDegree;
 }
 
 void letters(Document& doc, MultiAxis& m) {
@@ -41,7 +42,8 @@ void letters(Document& doc, MultiAxis& m) {
     doc.choice("kinematics.turn_letter", turn, {"A", "B", "C", "U", "V", "W"});
     doc.choice("kinematics.tilt_about", about, {"x", "y", "-x", "-y"});
     if (tilt == turn) doc.fail("kinematics.turn_letter", "it must not be the tilt axis' letter");
-    m.tilt_letter = tilt.front(), m.turn_letter = turn.front();
+    m.tilt_letter = tilt.front();
+    m.turn_letter = turn.front();
     const double sign = about.front() == '-' ? -1 : 1;
     m.chain.tilt_axis = about.back() == 'x' ? geom::Vec3{sign, 0, 0} : geom::Vec3{0, sign, 0};
     bool reversed = false;

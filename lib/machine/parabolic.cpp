@@ -43,7 +43,8 @@ Parabolic::Segment Parabolic::segment(const PlannedMove& m) const {
         out.acceleration *= std::sqrt(std::max(0.0, 1 - across * across));
         const double way = m.sweep > 0 ? 1 / radius : -1 / radius, c = std::cos(m.sweep), s = std::sin(m.sweep);
         const geom::Vec2 end{c * m.arm.x - s * m.arm.y, s * m.arm.x + c * m.arm.y};
-        out.start = {-way * m.arm.y, way * m.arm.x, 0}, out.end = {-way * end.y, way * end.x, 0};
+        out.start = {-way * m.arm.y, way * m.arm.x, 0};
+        out.end = {-way * end.y, way * end.x, 0};
     }
     out.speed = std::min(speed, l / kCycle);
     return out;
@@ -72,7 +73,8 @@ void Parabolic::run(const Segment* next) {
     const double cosine = std::sqrt(std::max(0.0, 0.5 * (1 - dot(s.end, n.start))));
     if (motion_.blend > 0 && cosine > kLeastCosine) {
         const double most = 2 * std::sqrt(a * motion_.blend / cosine);
-        slows = std::min(slows, most), grows = std::min(grows, most);
+        slows = std::min(slows, most);
+        grows = std::min(grows, most);
     }
     if (!(slows > 0)) return;
     const double from = std::min(slows, std::max(peak, 0.0)), during = from / a;
@@ -84,7 +86,8 @@ void Parabolic::move(const PlannedMove& m) {
     const Segment next = segment(m);
     if (!(next.length > 0)) return;
     if (any_) run(&next);
-    at_ = next, any_ = true;
+    at_ = next;
+    any_ = true;
 }
 
 double Parabolic::total() {

@@ -98,7 +98,8 @@ void assign(toml::table& to, const std::string& key, const std::string& value) {
 
 Document::Document(std::string_view text, const std::string& file, const std::string& set, const std::string& kind)
     : state_(std::make_unique<State>()) {
-    state_->kind = kind, state_->file = file;
+    state_->kind = kind;
+    state_->file = file;
     const TomlText known = examine(text);
     if (!known.fault.empty())
         throw Error(Exit::bad_input,
@@ -223,7 +224,8 @@ void Document::choice(const std::string& key, std::string& out, const std::vecto
 void Document::pair(const std::string& key, double& a, double& b, Range range) {
     std::array<double, 2> both{a, b};
     if (!list(key, both, range)) return;
-    a = both[0], b = both[1];
+    a = both[0];
+    b = both[1];
 }
 
 bool Document::list(const std::string& key, std::span<double> out, Range range) {

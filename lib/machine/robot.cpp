@@ -106,7 +106,9 @@ kinematics::Arm table_robot(std::string_view text, const std::string& file) {
         if (sign[k] != 1 && sign[k] != -1) doc.fail("dh.sign", "each must be 1 or -1");
         if (!(min[k] < max[k])) doc.fail("limits.min_deg", "each must be below that of max_deg");
         rows[k] = {a[k], d[k], alpha[k] * kDegree, theta[k] * kDegree, sign[k]};
-        limits[k].min = min[k] * kDegree, limits[k].max = max[k] * kDegree, limits[k].speed = speed[k] * kDegree;
+        limits[k].min = min[k] * kDegree;
+        limits[k].max = max[k] * kDegree;
+        limits[k].speed = speed[k] * kDegree;
     }
     doc.finish();
     return kinematics::arm(rows, limits, flange);

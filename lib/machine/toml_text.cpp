@@ -53,7 +53,10 @@ TomlText examine(std::string_view text) {
     TomlText out;
     std::size_t line = 1;
     const auto fault = [&](const char* why) {
-        if (out.fault.empty()) out.fault = why, out.line = line;
+        if (out.fault.empty()) {
+            out.fault = why;
+            out.line = line;
+        }
     };
     bool fresh = true; // nothing but blanks on this line so far
     for (std::size_t i = text.starts_with("\xef\xbb\xbf") ? 3 : 0; i < text.size();) {

@@ -59,7 +59,8 @@ class Tree {
             if (j->type == "prismatic" || j->type == "planar" || j->type == "floating" || j->mimics)
                 fail("joint '" + j->name + "' does not turn on its own");
             axes[k] = j->axis;
-            axes[k].direction = at.turn * j->axis.direction, axes[k].point = at.origin;
+            axes[k].direction = at.turn * j->axis.direction;
+            axes[k].point = at.origin;
             ++k;
         }
         return kinematics::arm(axes, at);
@@ -97,7 +98,8 @@ class Tree {
     [[nodiscard]] Joint joint(const pugi::xml_node& node) const {
         constexpr double mm = 1000; // URDF counts in m
         Joint out;
-        out.name = node.attribute("name").value(), out.type = node.attribute("type").value();
+        out.name = node.attribute("name").value();
+        out.type = node.attribute("type").value();
         out.parent = node.child("parent").attribute("link").value();
         out.child = node.child("child").attribute("link").value();
         if (out.parent.empty() || out.child.empty()) fail("joint '" + out.name + "' lacks its links");
@@ -115,7 +117,8 @@ class Tree {
         const pugi::xml_node limit = node.child("limit");
         const auto value = [&](const char* name) { return number(limit.attribute(name).value(), name); };
         if (!limit && out.type == "revolute") fail("joint '" + out.name + "' has no limit");
-        out.axis.min = -std::numeric_limits<double>::infinity(), out.axis.max = -out.axis.min;
+        out.axis.min = -std::numeric_limits<double>::infinity();
+        out.axis.max = -out.axis.min;
         if (out.type == "revolute") {
             out.axis.min = limit.attribute("lower") ? value("lower") : 0;
             out.axis.max = limit.attribute("upper") ? value("upper") : 0;

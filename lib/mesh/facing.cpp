@@ -1,4 +1,4 @@
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
 #include "mesh/formats.hpp"
 #include "mesh/holes.hpp"
 #include "mesh/sides.hpp"
@@ -65,14 +65,13 @@ class Rims {
     [[nodiscard]] Vec3 inwards(std::uint32_t side) const {
         const Vec3 a = corner(side, 0), d = corner(side, 1) - a, p = corner(side, 2) - a;
         const Vec3 u = dot(d, d) * p - dot(p, d) * d;
-        return norm(u) > 0 ? 1 / norm(u) * u : Vec3{};
+        return geom::unit(u, {});
     }
     [[nodiscard]] Meeting nearest(std::uint32_t s) const {
         const Vec3 a = corner(s, 0), b = corner(s, 1), m = middle(s), in = inwards(s);
         double best = reach(s);
-        const Vec3 r{best, best, best};
         Meeting out;
-        tree_.visit({m - r, m + r}, [&](std::uint32_t i) {
+        tree_.visit(geom::grown({m, m}, best), [&](std::uint32_t i) {
             const std::uint32_t t = sides_[i];
             if (t / 3 == s / 3 || dot(in, inwards(t)) > kFoldedBack) return;
             const Vec3 c = corner(t, 0), d = corner(t, 1);
@@ -89,7 +88,7 @@ class Rims {
 
     const Mesh& mesh_;
     std::vector<std::uint32_t> sides_;
-    geom::BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 } // namespace

@@ -29,8 +29,10 @@ Affine rotation(int axis, double degrees) {
     const auto [c, s] = turn(degrees);
     const int j = (axis + 1) % 3, k = (axis + 2) % 3;
     Affine out;
-    out.a[j][j] = c, out.a[j][k] = s;
-    out.a[k][j] = -s, out.a[k][k] = c;
+    out.a[j][j] = c;
+    out.a[j][k] = s;
+    out.a[k][j] = -s;
+    out.a[k][k] = c;
     return out;
 }
 
@@ -99,14 +101,7 @@ Affine rigid(const std::vector<double>& rotate_deg, const std::vector<double>& t
     return map;
 }
 
-Box3 bounds(const Mesh& mesh) {
-    Box3 out{mesh.vertices.front(), mesh.vertices.front()};
-    for (const Vec3& v : mesh.vertices) {
-        out.lo = {std::min(out.lo.x, v.x), std::min(out.lo.y, v.y), std::min(out.lo.z, v.z)};
-        out.hi = {std::max(out.hi.x, v.x), std::max(out.hi.y, v.y), std::max(out.hi.z, v.z)};
-    }
-    return out;
-}
+Box3 bounds(const Mesh& mesh) { return geom::box_of(mesh.vertices); }
 
 void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
     drop_unused_vertices(mesh);

@@ -73,8 +73,11 @@ void leave_out_unusable(Mesh& mesh, Notes& notes) {
     const bool all_finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(), finite);
     std::size_t lost = 0;
     std::erase_if(mesh.triangles, [&](const Triangle& t) {
-        if (!all_finite && !(finite(mesh.vertices[t[0]]) && finite(mesh.vertices[t[1]]) && finite(mesh.vertices[t[2]])))
-            return ++lost, true;
+        if (!all_finite &&
+            !(finite(mesh.vertices[t[0]]) && finite(mesh.vertices[t[1]]) && finite(mesh.vertices[t[2]]))) {
+            ++lost;
+            return true;
+        }
         return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     });
     if (lost > 0) {

@@ -115,7 +115,10 @@ Note none_yet(const char* what) {
 
 void count(Note& n, const Mesh& mesh, std::uint32_t triangle) {
     const Triangle& t = mesh.triangles[triangle];
-    if (n.count == 0) n.x = mesh.vertices[t[0]].x, n.y = mesh.vertices[t[0]].y;
+    if (n.count == 0) {
+        n.x = mesh.vertices[t[0]].x;
+        n.y = mesh.vertices[t[0]].y;
+    }
     n.amount += area(mesh, t);
     ++n.count;
 }

@@ -1,4 +1,4 @@
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
 #include "geom/disjoint_sets.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/formats.hpp"
@@ -26,7 +26,7 @@ struct Sums {
 };
 
 struct Shell {
-    Box3 box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    Box3 box{};
     Sums sums;
     std::uint64_t unbalanced = 0;           // 0: closed, see is_closed
     std::vector<std::uint32_t> witnesses{}; // triangles
@@ -45,12 +45,7 @@ void add(Sums& sums, const Mesh& mesh, const Triangle& t, const Vec3& origin) {
 
 std::vector<Shell> measure(const Mesh& mesh, const std::vector<std::uint32_t>& shell, std::size_t count) {
     std::vector<Shell> out(count);
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const Vec3& p = mesh.vertices[v];
-        Box3& b = out[shell[v]].box;
-        b.lo = {std::min(b.lo.x, p.x), std::min(b.lo.y, p.y), std::min(b.lo.z, p.z)};
-        b.hi = {std::max(b.hi.x, p.x), std::max(b.hi.y, p.y), std::max(b.hi.z, p.z)};
-    }
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) out[shell[v]].box.add(mesh.vertices[v]);
     std::vector<std::size_t> triangles(count, 0);
     for (const Triangle& t : mesh.triangles) ++triangles[shell[t[0]]];
     std::vector<std::size_t> seen(count, 0);
@@ -112,11 +107,8 @@ class Surroundings {
     static std::vector<Box3> boxes(const Mesh& mesh) {
         std::vector<Box3> out;
         out.reserve(mesh.triangles.size());
-        for (const Triangle& t : mesh.triangles) {
-            const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-            out.push_back({{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
-                           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}});
-        }
+        for (const Triangle& t : mesh.triangles)
+            out.push_back(geom::box_of(std::array{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}));
         return out;
     }
     [[nodiscard]] Vec3 inner_point(const Triangle& t) const { // not its middle, which lines up with others
@@ -164,7 +156,7 @@ class Surroundings {
 
     const Mesh& mesh_;
     const std::vector<std::uint32_t>& shell_;
-    geom::BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 // Settles which shells are turned, which are cavities, and of which.

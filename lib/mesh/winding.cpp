@@ -17,8 +17,6 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) { // Van Oostero
     return 2 * std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
 }
 
-double along(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 } // namespace
 
 Winding::Winding(const Mesh& mesh, std::span<const Triangle> more) {
@@ -33,7 +31,7 @@ Winding::Winding(const Mesh& mesh, std::span<const Triangle> more) {
 void Winding::split(std::uint32_t node, std::uint32_t first, std::uint32_t last) {
     Node n;
     double area = 0;
-    Vec3 lo{1e300, 1e300, 1e300}, hi{-1e300, -1e300, -1e300};
+    geom::Box3 middles;
     for (std::uint32_t i = first; i < last; ++i) {
         const auto& [a, b, c] = triangles_[i];
         const Vec3 d = 0.5 * cross(b - a, c - a), m = 1.0 / 3 * (a + b + c);
@@ -41,10 +39,9 @@ void Winding::split(std::uint32_t node, std::uint32_t first, std::uint32_t last)
         n.dipole = n.dipole + d;
         n.middle = n.middle + s * m;
         area += s;
-        lo = {std::min(lo.x, m.x), std::min(lo.y, m.y), std::min(lo.z, m.z)};
-        hi = {std::max(hi.x, m.x), std::max(hi.y, m.y), std::max(hi.z, m.z)};
+        middles.add(m);
     }
-    n.middle = area > 0 ? 1 / area * n.middle : 0.5 * (lo + hi);
+    n.middle = area > 0 ? 1 / area * n.middle : 0.5 * (middles.lo + middles.hi);
     for (std::uint32_t i = first; i < last; ++i)
         for (const Vec3& p : {triangles_[i].a, triangles_[i].b, triangles_[i].c})
             n.radius = std::max(n.radius, distance(p, n.middle));
@@ -54,10 +51,11 @@ void Winding::split(std::uint32_t node, std::uint32_t first, std::uint32_t last)
         nodes_[node] = n;
         return;
     }
-    const Vec3 size = hi - lo;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const int axis = geom::longest_axis(middles.size());
     const std::uint32_t middle = first + n.count / 2;
-    const auto key = [&](const Corner3& t) { return along(t.a, axis) + along(t.b, axis) + along(t.c, axis); };
+    const auto key = [&](const Corner3& t) {
+        return coordinate(t.a, axis) + coordinate(t.b, axis) + coordinate(t.c, axis);
+    };
     std::nth_element(triangles_.begin() + first, triangles_.begin() + middle, triangles_.begin() + last,
                      [&](const Corner3& s, const Corner3& t) { return key(s) < key(t); });
     n.first = static_cast<std::uint32_t>(nodes_.size());

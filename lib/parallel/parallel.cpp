@@ -92,7 +92,10 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
     };
     const auto to_sink = [&](Slot slot) {
         if (stop) return;
-        failed = slot.failed ? slot.failed : guarded([&] { return sink(std::move(slot.item)), Item(); }).failed;
+        failed = slot.failed ? slot.failed : guarded([&] {
+                                                 sink(std::move(slot.item));
+                                                 return Item();
+                                             }).failed;
         stop = failed != nullptr;
     };
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));

@@ -34,8 +34,7 @@ Cells cells(const Surface& s) {
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t twin = s.twin[h];
         if (h % 3 == 0) {
-            const auto& [a, b, c] = s.triangles[h / 3];
-            const double area = norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
+            const double area = surface::area(s, h / 3);
             for (const auto v : s.triangles[h / 3]) out.area[v] += area / 3;
             out.total += area;
         }
@@ -43,8 +42,12 @@ Cells cells(const Surface& s) {
         Side side{.a = std::min(s.tail(h), s.head(h)), .b = std::max(s.tail(h), s.head(h))};
         const Vec3 way = s.vertices[side.b] - s.vertices[side.a];
         side.way = 1 / norm(way) * way;
-        side.border = half_border(s, h), side.conductance = cotangent(s, h) / 2;
-        if (twin != kNone) side.border += half_border(s, twin), side.conductance += cotangent(s, twin) / 2;
+        side.border = half_border(s, h);
+        side.conductance = cotangent(s, h) / 2;
+        if (twin != kNone) {
+            side.border += half_border(s, twin);
+            side.conductance += cotangent(s, twin) / 2;
+        }
         side.conductance = std::clamp(side.conductance, kLeastConductance, kMostConductance);
         length += norm(way);
         out.sides.push_back(side);

@@ -23,7 +23,10 @@ std::vector<std::uint32_t> flood(const surface::Surface& s, Joined joined) {
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
                 if (s.twin[h] == surface::kNone || !joined(h)) continue;
                 const std::uint32_t over = s.twin[h] / 3;
-                if (out[over] == surface::kNone) out[over] = count, pending.push_back(over);
+                if (out[over] == surface::kNone) {
+                    out[over] = count;
+                    pending.push_back(over);
+                }
             }
         }
         ++count;

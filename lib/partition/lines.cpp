@@ -42,11 +42,15 @@ class Pen {
             return sum;
         };
         Vec3 heading = s_.vertices[to] - s_.vertices[from];
-        upright_ = cross(heading, normals(from) + normals(to)), foot_ = s_.vertices[from];
+        upright_ = cross(heading, normals(from) + normals(to));
+        foot_ = s_.vertices[from];
         if (!(norm(upright_) > 0)) return false;
         const std::size_t most = 4 * s_.triangles.size();
         for (std::size_t step = 0; step < most; ++step) {
-            if (const std::uint32_t h = side(from, to); h != kNone) return mark(h), true;
+            if (const std::uint32_t h = side(from, to); h != kNone) {
+                mark(h);
+                return true;
+            }
             const std::uint32_t on = next(from, heading);
             if (on == kNone) return false;
             mark(side(from, on));
@@ -86,7 +90,11 @@ class Pen {
             const Vec3 way = s_.vertices[s_.tail(across)] +
                              at * (s_.vertices[s_.head(across)] - s_.vertices[s_.tail(across)]) - s_.vertices[v];
             const double ahead = dot(way, heading) / (norm(way) * norm(heading));
-            if (ahead > most) most = ahead, best = across, share = at;
+            if (ahead > most) {
+                most = ahead;
+                best = across;
+                share = at;
+            }
         });
         if (best == kNone || share < kNear) return best == kNone ? kNone : s_.tail(best);
         return share > 1 - kNear ? s_.head(best) : split(best, share);
@@ -118,8 +126,10 @@ class Pen {
         s_.outgoing.push_back(behind);
         if (g != kNone) {
             const std::uint32_t other = halve(g, w);
-            s_.twin[h] = other, s_.twin[other] = h;
-            s_.twin[g] = behind, s_.twin[behind] = g;
+            s_.twin[h] = other;
+            s_.twin[other] = h;
+            s_.twin[g] = behind;
+            s_.twin[behind] = g;
         }
         return w;
     }
@@ -147,7 +157,8 @@ double draw(Sheet& sheet, std::vector<char>& drawn, std::span<const Vec3> points
     }
     auto& s = sheet.surface;
     s = surface::assemble(std::move(s.vertices), std::move(s.triangles), std::move(s.twin));
-    sheet.isolines.clear(), sheet.sources = {};
+    sheet.isolines.clear();
+    sheet.sources = {};
     return off;
 }
 

@@ -37,7 +37,7 @@ std::vector<Case> cases_of(const surface::Sheet& sheet, const PullOptions& o) {
         throw Error(Exit::usage, "cannot use --field: the surface has no field '" + o.field + "'; see 'peek --text'");
     }
     std::vector<Case> out;
-    if (o.by == "shape") return out;
+    if (o.by == PullOptions::By::shape) return out;
     const auto add = [&](const std::string& name) {
         const Case c{find(sheet, "stress." + name + ".d1", 3), find(sheet, "stress." + name + ".s1", 1)};
         if (c.d == nullptr)
@@ -49,7 +49,7 @@ std::vector<Case> cases_of(const surface::Sheet& sheet, const PullOptions& o) {
     for (const auto& f : sheet.fields)
         if (o.cases.empty() && f.name.starts_with("stress.") && f.name.ends_with(".d1"))
             add(f.name.substr(7, f.name.size() - 10));
-    if (out.empty() && o.by == "stress")
+    if (out.empty() && o.by == PullOptions::By::stress)
         throw Error(Exit::usage, "cannot divide by stress: the surface has no field 'stress.CASE.d1'; use "
                                  "'stressfield', --field or --by shape");
     return out;
@@ -103,7 +103,10 @@ Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& op
     for (std::size_t v = 0; v < n; ++v) {
         for (const Case& c : cases) {
             const Vec3 d = pulled(c, v, cells.normal[v]);
-            if (const double load = norm(d); load > out.load[v]) out.load[v] = load, out.along[v] = 1 / load * d;
+            if (const double load = norm(d); load > out.load[v]) {
+                out.load[v] = load;
+                out.along[v] = 1 / load * d;
+            }
         }
         loads.emplace_back(out.load[v], cells.area[v]);
     }

@@ -16,7 +16,8 @@ struct Pull {
 };
 
 struct PullOptions {
-    std::string by = "auto";        // stress, shape: not pulled anywhere; auto: by stress if there is one, else shape
+    enum class By : std::uint8_t { either, stress, shape };
+    By by = By::either;             // shape: not pulled anywhere; either: by stress if there is one, else shape
     std::vector<std::string> cases; // none: all
     std::string field;              // of vectors, taken instead of stresses; none: stresses
 };

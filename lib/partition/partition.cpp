@@ -27,19 +27,18 @@ std::vector<std::uint32_t> all_triangles(const Sheet& sheet) {
     return out;
 }
 
-double triangle_area(const Surface& s, std::uint32_t t) {
-    const auto& [a, b, c] = s.triangles[t];
-    return norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
-}
-
 // Connected pieces of patches, which can be joined.
 class Pieces {
   public:
     explicit Pieces(const Parts& parts) : s_(parts.sheet.surface), of_(pieces(parts)) {
         for (std::uint32_t t = 0; t < of_.size(); ++t) {
-            if (of_[t] >= area_.size()) area_.push_back(0), facing_.emplace_back(), patch_.push_back(parts.patch[t]);
-            area_[of_[t]] += triangle_area(s_, t);
-            facing_[of_[t]] = facing_[of_[t]] + triangle_area(s_, t) * surface::normal(s_, t);
+            if (of_[t] >= area_.size()) {
+                area_.push_back(0);
+                facing_.emplace_back();
+                patch_.push_back(parts.patch[t]);
+            }
+            area_[of_[t]] += surface::area(s_, t);
+            facing_[of_[t]] = facing_[of_[t]] + surface::area(s_, t) * surface::normal(s_, t);
         }
         into_.assign(area_.size(), kNone);
     }
@@ -59,10 +58,15 @@ class Pieces {
                     to = q;
             if (to == kNone) continue;
             small.erase({area_[to], to});
-            area_[to] += area_[p], facing_[to] = facing_[to] + facing_[p], into_[p] = to;
+            area_[to] += area_[p];
+            facing_[to] = facing_[to] + facing_[p];
+            into_[p] = to;
             for (const auto& [q, length] : border[p]) {
                 border[q].erase(p);
-                if (q != to) border[q][to] += length, border[to][q] += length;
+                if (q != to) {
+                    border[q][to] += length;
+                    border[to][q] += length;
+                }
             }
             if (area_[to] < least_area) small.emplace(area_[to], to);
         }
@@ -76,7 +80,10 @@ class Pieces {
     };
     [[nodiscard]] std::vector<Piece> take() const {
         std::vector<Piece> out(area_.size());
-        for (std::uint32_t p = 0; p < out.size(); ++p) out[p].area = area_[p], out[p].patch = patch_[p];
+        for (std::uint32_t p = 0; p < out.size(); ++p) {
+            out[p].area = area_[p];
+            out[p].patch = patch_[p];
+        }
         for (std::uint32_t t = 0; t < of_.size(); ++t) {
             std::uint32_t p = of_[t];
             while (into_[p] != kNone) p = into_[p];
@@ -91,7 +98,7 @@ class Pieces {
         std::vector<std::map<std::uint32_t, double>> out(area_.size());
         for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
             if (s_.twin[h] != kNone && of_[h / 3] != of_[s_.twin[h] / 3])
-                out[of_[h / 3]][of_[s_.twin[h] / 3]] += distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
+                out[of_[h / 3]][of_[s_.twin[h] / 3]] += surface::side_length(s_, h);
         return out;
     }
 
@@ -111,7 +118,8 @@ struct Left {
     double most = 0;
 
     void add(const Surface& s, const Pieces::Piece& piece) {
-        area += piece.area, ++count;
+        area += piece.area;
+        ++count;
         if (piece.area <= most) return;
         most = piece.area;
         const auto& c = s.triangles[piece.triangles[piece.triangles.size() / 2]];
@@ -161,7 +169,7 @@ std::vector<Sheet> gathered(const Parts& parts, double least_area, Notes& notes)
     });
     left.note(notes);
     if (all.empty())
-        throw Error(Exit::usage, "cannot use --least-area: no patch of " + fixed_text(least_area, 1) +
+        throw Error(Exit::usage, "cannot use --min-area: no patch of " + fixed_text(least_area, 1) +
                                      " mm2 is to be had; ask for less");
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
     std::vector<Sheet> out;
@@ -199,7 +207,8 @@ std::vector<Sheet> divide(Sheet sheet, const Options& o, int threads, Notes& not
     Limits limits = o.limits;
     if (limits.least_area == 0) limits.least_area = kLeastArea * size;
     SeamOptions at = o.seams;
-    at.least_area = limits.least_area, at.detail_area = detail * detail;
+    at.least_area = limits.least_area;
+    at.detail_area = detail * detail;
     Sheet open = opened(sheet, o.lines, at, notes);
     if (o.mask > 0) leave_unloaded(open, o, detail, limits.least_area, notes);
     const Cells c = cells(open.surface);
@@ -231,11 +240,13 @@ Figures figures(const Sheet& patch, const PullOptions& options) {
     double sum = 0;
     for (std::size_t v = 0; v < c.area.size(); ++v) {
         const double angle = angle_from(mean, c.normal[v], p.along[v]), weight = c.area[v] * p.trust[v];
-        angles.emplace_back(angle, weight), sum += weight * std::cos(angle);
+        angles.emplace_back(angle, weight);
+        sum += weight * std::cos(angle);
         bends.emplace_back(bend_from(mean, c.normal[v]), c.area[v]);
     }
     if (out.pulled) out.coherence = sum / mean.weight;
-    out.angle = percentile(std::move(angles), 0.95), out.bend = percentile(std::move(bends), 0.95);
+    out.angle = percentile(std::move(angles), 0.95);
+    out.bend = percentile(std::move(bends), 0.95);
     return out;
 }
 

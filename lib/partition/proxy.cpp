@@ -5,16 +5,7 @@
 
 namespace filum::partition {
 
-namespace {
-
-Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
-    const double length = norm(v);
-    return length > 0 ? 1 / length * v : otherwise;
-}
-
-} // namespace
-
-Vec3 Proxy::normal() const { return unit_or(facing, {0, 0, 1}); }
+Vec3 Proxy::normal() const { return geom::unit(facing, {0, 0, 1}); }
 
 bool may_take(const Vec3& facing, double area, const Vec3& small, double small_area) {
     constexpr double kHalf = 2 / std::numbers::pi;
@@ -29,7 +20,7 @@ Proxy proxy(const Cells& cells, const Pull& pull, std::size_t v) {
 Proxy joined(const Proxy& a, const Proxy& b) {
     Proxy out{a.area + b.area, a.facing + b.facing, a.weight + b.weight, {}, 0};
     const Vec3 n = out.normal();
-    const Vec3 x = unit_or(turned(a.along, a.normal(), n), {}), y = unit_or(turned(b.along, b.normal(), n), {});
+    const Vec3 x = geom::unit(turned(a.along, a.normal(), n), {}), y = geom::unit(turned(b.along, b.normal(), n), {});
     if (norm(x) == 0 || norm(y) == 0) {
         out.along = norm(x) == 0 ? y : x;
         out.agreed = a.agreed + b.agreed;
@@ -39,7 +30,7 @@ Proxy joined(const Proxy& a, const Proxy& b) {
     const double re = a.agreed + b.agreed * std::cos(turn), im = b.agreed * std::sin(turn);
     const double half = std::atan2(im, re) / 2;
     out.agreed = std::hypot(re, im);
-    out.along = unit_or(std::cos(half) * x + std::sin(half) * cross(n, x), {});
+    out.along = geom::unit(std::cos(half) * x + std::sin(half) * cross(n, x), {});
     return out;
 }
 

@@ -82,7 +82,9 @@ std::unique_ptr<Factor> diffusion(const Cells& cells, const Pull* pull, double s
         const int a = static_cast<int>(side.a), b = static_cast<int>(side.b);
         const double factor = pull != nullptr ? border_factor(*pull, side) : 1;
         const double w = step * step * side.conductance * factor;
-        entries.emplace_back(a, a, w), entries.emplace_back(b, b, w), entries.emplace_back(b, a, -w);
+        entries.emplace_back(a, a, w);
+        entries.emplace_back(b, b, w);
+        entries.emplace_back(b, a, -w);
     }
     const auto n = static_cast<int>(cells.area.size());
     DiffusionMatrix m(n, n);
@@ -136,7 +138,10 @@ Eigen::Index settle(Patches& patches, const Values& value) {
         std::uint32_t best = patches.rank(cell);
         for (std::uint32_t r = 0; r < patches.ranks(); ++r)
             if (patches.has(cell, r) && value[r][v] > value[best][v] + 1e-12) best = r;
-        if (best != patches.rank(cell)) patches.move(cell, best), ++moved;
+        if (best != patches.rank(cell)) {
+            patches.move(cell, best);
+            ++moved;
+        }
     }
     return moved;
 }
@@ -162,7 +167,10 @@ std::vector<Part> parts(const Patches& patches, const Cells& cells, const std::v
     };
     for (std::size_t i = 0; i < at.size(); ++i) {
         const auto [a, b] = std::pair{cells.sides[i].a, cells.sides[i].b};
-        if (patches.rank(a) != patches.rank(b)) pass(a, b, at[i]), pass(b, a, 1 - at[i]);
+        if (patches.rank(a) != patches.rank(b)) {
+            pass(a, b, at[i]);
+            pass(b, a, 1 - at[i]);
+        }
     }
     return out;
 }

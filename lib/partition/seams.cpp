@@ -38,7 +38,8 @@ class Creases {
             pending.pop_back();
             surface::each_outgoing(s_, v, [&](std::uint32_t h) {
                 if (count[v] != 1 || seam_[h] == 0) return;
-                set(h, 0), --count[v];
+                set(h, 0);
+                --count[v];
                 if (--count[s_.head(h)] == 1) pending.push_back(s_.head(h));
             });
         }
@@ -68,18 +69,10 @@ class Creases {
     };
 
     [[nodiscard]] bool inner(std::uint32_t h) const { return s_.twin[h] != kNone; }
-    [[nodiscard]] double bend(std::uint32_t h) const {
-        const Vec3 &a = normal_[h / 3], &b = normal_[s_.twin[h] / 3];
-        return std::atan2(norm(cross(a, b)), dot(a, b));
-    }
+    [[nodiscard]] double bend(std::uint32_t h) const { return geom::angle(normal_[h / 3], normal_[s_.twin[h] / 3]); }
     void set(std::uint32_t h, char to) { seam_[h] = seam_[s_.twin[h]] = to; }
-    [[nodiscard]] double length(std::uint32_t h) const {
-        return distance(s_.vertices[s_.tail(h)], s_.vertices[s_.head(h)]);
-    }
-    [[nodiscard]] double size(std::uint32_t t) const {
-        const auto& [a, b, c] = s_.triangles[t];
-        return norm(cross(s_.vertices[b] - s_.vertices[a], s_.vertices[c] - s_.vertices[a])) / 2;
-    }
+    [[nodiscard]] double length(std::uint32_t h) const { return surface::side_length(s_, h); }
+    [[nodiscard]] double size(std::uint32_t t) const { return surface::area(s_, t); }
 
     // Per triangle what seams enclose, numbered.
     [[nodiscard]] std::vector<std::uint32_t> faces() const {
@@ -91,14 +84,18 @@ class Creases {
         std::map<std::uint32_t, Border> all;
         for (const std::uint32_t h : sides) {
             Border& b = all[face[s_.twin[h] / 3]];
-            b.length += length(h), b.bend += length(h) * bend(h);
+            b.length += length(h);
+            b.bend += length(h) * bend(h);
         }
         const auto longest = std::max_element(
             all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
         if (!sharp && longest->second.bend > kBlunt * longest->second.length) return false;
         bool changed = false;
         for (const std::uint32_t h : sides)
-            if (face[s_.twin[h] / 3] == longest->first && seam_[h] != 0) set(h, 0), changed = true;
+            if (face[s_.twin[h] / 3] == longest->first && seam_[h] != 0) {
+                set(h, 0);
+                changed = true;
+            }
         return changed;
     }
 

@@ -34,7 +34,8 @@ Fans fans(const std::vector<std::uint32_t>& old_tail, const std::vector<std::uin
     };
     for (std::uint32_t h = 0; h < twin.size(); ++h) {
         if (out.tail[h] != kNone) continue;
-        give(h, true), give(h, false);
+        give(h, true);
+        give(h, false);
         out.from.push_back(old_tail[h]);
     }
     return out;
@@ -82,10 +83,13 @@ class Splitter {
 
     // The quadrilateral, by its shorter diagonal.
     void put(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t patch) {
-        if (distance(vertices_[a], vertices_[c]) <= distance(vertices_[b], vertices_[d]))
-            put(a, b, c, patch), put(a, c, d, patch);
-        else
-            put(b, c, d, patch), put(b, d, a, patch);
+        if (distance(vertices_[a], vertices_[c]) <= distance(vertices_[b], vertices_[d])) {
+            put(a, b, c, patch);
+            put(a, c, d, patch);
+        } else {
+            put(b, c, d, patch);
+            put(b, d, a, patch);
+        }
     }
 
     void add_two(std::uint32_t alone, std::uint32_t b, std::uint32_t c) {
@@ -103,7 +107,8 @@ class Splitter {
     }
 
     void replace_by_last(std::uint32_t v) {
-        vertices_[v] = vertices_.back(), vertices_.pop_back();
+        vertices_[v] = vertices_.back();
+        vertices_.pop_back();
         for (auto& f : fields_) {
             const std::size_t n = f.components, last = f.values.size() - n;
             for (std::size_t k = 0; k < n; ++k) f.values[n * v + k] = f.values[last + k];
@@ -138,7 +143,8 @@ class Splitter {
             const auto& t = triangles_[h / 3];
             const std::uint32_t a = t[h % 3], b = t[(h + 1) % 3];
             if (const auto other = open.find({b, a}); other != open.end()) {
-                twin[h] = other->second, twin[other->second] = h;
+                twin[h] = other->second;
+                twin[other->second] = h;
                 open.erase(other);
             } else {
                 open.emplace(std::pair{a, b}, h);

@@ -90,7 +90,8 @@ std::optional<Loops> clipped_simple(const Side& s, const Cut& cut) {
         if (a.out == b.out || a.along == b.along) return std::nullopt;
         const Crossing &leaves = a.out ? a : b, &comes = a.out ? b : a;
         next[leaves.chain] = comes.chain;
-        end[leaves.chain] = leaves.along, begin[comes.chain] = comes.along;
+        end[leaves.chain] = leaves.along;
+        begin[comes.chain] = comes.along;
     }
     Loops out = s.whole;
     std::vector<char> seen(s.chains.size(), 0);
@@ -147,7 +148,8 @@ std::optional<Loops> stitched(const Side& lower, const Side& upper, const Cut& c
             out.points.insert(out.points.end(), points.begin(), points.end());
             const Next& n = (*next[at])[chain];
             if (n.over) out.points.push_back(*n.over);
-            chain = n.chain, at = 1 - at;
+            chain = n.chain;
+            at = 1 - at;
         } while (at != 0 || chain != start);
         if (out.points.size() - before >= 3)
             out.close();

@@ -108,7 +108,7 @@ std::string merged(const machine::Profile& profile) {
     return out;
 }
 
-void totals(const machine::Profile& profile, const Survey& s, std::vector<std::string>& lines) {
+void totals(const machine::Profile& profile, const FirstPass& s, std::vector<std::string>& lines) {
     const auto& e = profile.extrusion;
     const Used material = used(profile, s);
     const bool filament = e.feeding == machine::Feeding::filament;
@@ -143,7 +143,7 @@ std::string counted(std::uint64_t n, const std::string& what) {
 
 // The strokes of the finished program, and how few `sequence` proved that there can be: of the order of regions, which
 // is all that it knows.  What a fill breaks within a region comes on top.
-std::string strokes(const Survey& s, const Facts& facts) {
+std::string strokes(const FirstPass& s, const Facts& facts) {
     std::string out = counted(s.strokes, "stroke");
     const double bound = fact(facts, "sequence", "lower-bound"), planned = fact(facts, "sequence", "planned-strokes");
     const auto made = static_cast<double>(s.strokes);
@@ -154,7 +154,7 @@ std::string strokes(const Survey& s, const Facts& facts) {
     return out + "; " + counted(s.strokes > 0 ? s.strokes - 1 : 0, "stop");
 }
 
-std::string material(const machine::Profile& profile, const Survey& s) {
+std::string material(const machine::Profile& profile, const FirstPass& s) {
     const Used used = postproc::used(profile, s);
     std::string out = "prints in " + duration(s.seconds) + "; " + fixed_text(used.volume / 1000, 2) + " cm3";
     if (profile.extrusion.feeding == machine::Feeding::filament)
@@ -167,7 +167,7 @@ std::string material(const machine::Profile& profile, const Survey& s) {
     return out;
 }
 
-std::string size(const machine::Profile& profile, const Survey& s, Vec2 shift) {
+std::string size(const machine::Profile& profile, const FirstPass& s, Vec2 shift) {
     std::string out;
     for (std::size_t k = 0; k < 3; ++k)
         out += (k > 0 ? " x " : "") + fixed_text(s.part_high[k] - (k < 2 ? s.part_low[k] : 0), 2);
@@ -187,8 +187,10 @@ Notes summed(const Notes& notes) {
         while (it != sums.end() && (it->stage != n.stage || it->what != n.what || it->unit != n.unit)) ++it;
         if (it == sums.end())
             sums.push_back(n);
-        else
-            it->amount += n.amount, it->count += n.count;
+        else {
+            it->amount += n.amount;
+            it->count += n.count;
+        }
     }
     return sums;
 }
@@ -213,12 +215,13 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
 
 } // namespace
 
-void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
+void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts) {
     const auto& a = profile.axes;
-    const Efforts& e = survey.efforts;
-    facts.push_back({stage, "moves", static_cast<double>(survey.moves), ""});
-    facts.push_back({stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, survey.laying)), ""});
+    const Efforts& e = first_pass.efforts;
+    facts.push_back({stage, "moves", static_cast<double>(first_pass.moves), ""});
+    facts.push_back(
+        {stage, "segments-merged", static_cast<double>(e.given - std::min(e.given, first_pass.laying)), ""});
     facts.push_back({stage, "largest-merge", e.off, "mm"});
     facts.push_back({stage, "moves-slowed", static_cast<double>(e.slowed), ""});
     constexpr double told = 0.01; // degrees
@@ -244,12 +247,12 @@ void add_efforts(const machine::Profile& profile, const Survey& survey, const st
                          e.lean_at.x, e.lean_at.y});
 }
 
-std::vector<std::string> summary(const machine::Profile& profile, const Survey& survey, Vec2 shift, const Notes& notes,
-                                 const Facts& facts) {
-    return {strokes(survey, facts), material(profile, survey), size(profile, survey, shift), noted(notes)};
+std::vector<std::string> summary(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift,
+                                 const Notes& notes, const Facts& facts) {
+    return {strokes(first_pass, facts), material(profile, first_pass), size(profile, first_pass, shift), noted(notes)};
 }
 
-std::vector<std::string> about(const machine::Profile& profile, const Survey& survey,
+std::vector<std::string> about(const machine::Profile& profile, const FirstPass& first_pass,
                                const std::vector<std::string>& summary) {
     std::vector<std::string> lines;
     lines.push_back(" filum program for '" + profile.name + "', whole only if its last line says \"end of program\"");
@@ -257,8 +260,8 @@ std::vector<std::string> about(const machine::Profile& profile, const Survey& su
         for (auto& part : wrapped(" " + line, kWidth, "     ")) lines.push_back(std::move(part));
     for (auto& line : axes(profile)) lines.push_back(std::move(line));
     lines.push_back(merged(profile));
-    if (!survey.placed.empty()) lines.push_back(" " + survey.placed);
-    totals(profile, survey, lines);
+    if (!first_pass.placed.empty()) lines.push_back(" " + first_pass.placed);
+    totals(profile, first_pass, lines);
     return lines;
 }
 

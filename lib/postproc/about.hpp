@@ -3,7 +3,7 @@
 
 #include "base/fact.hpp"
 #include "base/note.hpp"
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 
 #include <string>
 #include <vector>
@@ -18,17 +18,17 @@ struct Stage {
 };
 
 // What the axes cost the path, as notes and facts of `stage`: added where there is any.
-void add_efforts(const machine::Profile& profile, const Survey& survey, const std::string& stage, Notes& notes,
+void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts);
 
 // What the program makes, in four lines: its strokes, the fewest that there can be and its stops; time and material;
-// size and place on the bed, which is the survey's moved by `shift`; what hangs or was left out.  One number for
+// size and place on the bed, which is the first pass's moved by `shift`; what hangs or was left out.  One number for
 // strokes: those of the finished program.  `notes` (of all stages) are summed by stage and phrase, as they came.
-std::vector<std::string> summary(const machine::Profile& profile, const Survey& survey, Vec2 shift, const Notes& notes,
-                                 const Facts& facts);
+std::vector<std::string> summary(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift,
+                                 const Notes& notes, const Facts& facts);
 
 // The lines at the head of the program, without comment marks: what it is for, the summary, what its numbers mean.
-std::vector<std::string> about(const machine::Profile& profile, const Survey& survey,
+std::vector<std::string> about(const machine::Profile& profile, const FirstPass& first_pass,
                                const std::vector<std::string>& summary);
 
 // Those at its end: how it was made.  `facts` stand as they are.

@@ -37,7 +37,9 @@ Carrier::Carrier(const machine::Profile& profile) : profile_(&profile) {
     if (!r.arm) return;
     efforts_.known = true;
     carried_.arm = *r.arm;
-    carried_.tool = r.tool, carried_.round = profile.axes.spin == Spin::free, carried_.singular = r.singular;
+    carried_.tool = r.tool;
+    carried_.round = profile.axes.spin == Spin::free;
+    carried_.singular = r.singular;
     before_.posture = r.start;
     if (profile.axes.spin == Spin::free)
         heading_ = (geom::inverse(r.base) * kinematics::forward(carried_.arm, r.start) * r.tool).turn.x;
@@ -113,20 +115,28 @@ void Carrier::part(const Motion& stroke, std::size_t begin, std::size_t end, std
 void Carrier::count(const kinematics::Followed& f, const Motion& stroke, std::size_t begin,
                     std::span<const double> seconds) {
     ArmEfforts& e = efforts_;
-    if (f.room < e.room) e.room = f.room, e.room_axis = f.room_axis, e.room_at = stroke.poses[begin + f.room_at].tip;
+    if (f.room < e.room) {
+        e.room = f.room;
+        e.room_axis = f.room_axis;
+        e.room_at = stroke.poses[begin + f.room_at].tip;
+    }
     e.uneasy += f.nearest.angle < carried_.singular ? 1 : 0;
     if (f.nearest.angle < e.nearest.angle) {
-        e.nearest = f.nearest, e.nearest_at = stroke.poses[begin + f.nearest_at].tip;
+        e.nearest = f.nearest;
+        e.nearest_at = stroke.poses[begin + f.nearest_at].tip;
         e.nearest_layer = stroke.legs[begin + f.nearest_at].layer;
     }
     for (std::size_t k = 0; k < f.needed.size(); ++k) {
         const std::size_t i = begin + k;
         if (i == 0 || stroke.legs[i].act != Act::extrude || !(f.needed[k] > seconds[i] * kSlower)) continue;
         const double length = distance(stroke.poses[i - 1].tip, stroke.poses[i].tip);
-        e.slowed += length, ++e.slow_moves;
+        e.slowed += length;
+        ++e.slow_moves;
         if (length == 0 || seconds[i] / f.needed[k] >= e.slowest) continue;
-        e.slowest = seconds[i] / f.needed[k], e.slow_axis = f.axis[k];
-        e.slowest_at = stroke.poses[i].tip, e.slowest_layer = stroke.legs[i].layer;
+        e.slowest = seconds[i] / f.needed[k];
+        e.slow_axis = f.axis[k];
+        e.slowest_at = stroke.poses[i].tip;
+        e.slowest_layer = stroke.legs[i].layer;
     }
 }
 

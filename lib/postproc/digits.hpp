@@ -13,7 +13,10 @@ namespace filum::postproc {
 inline void append_units(std::string& out, std::int64_t units, int decimals) {
     if (units < 0) out.push_back('-');
     auto left = units < 0 ? 0 - static_cast<std::uint64_t>(units) : static_cast<std::uint64_t>(units);
-    while (decimals > 0 && left % 10 == 0) left /= 10, --decimals;
+    while (decimals > 0 && left % 10 == 0) {
+        left /= 10;
+        --decimals;
+    }
     char buffer[32];
     char* const end = buffer + sizeof buffer;
     char* at = end;

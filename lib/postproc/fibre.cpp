@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/polyline.hpp"
 #include "postproc/tilted.hpp"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ constexpr double kOver = 5;    // mm, at least, that a travel leads over a strok
 
 double length(const std::vector<Span>& spans) {
     double sum = 0;
-    for (const Span& s : spans)
-        for (std::size_t i = 1; i < s.points.size(); ++i) sum += distance(s.points[i - 1], s.points[i]);
+    for (const Span& s : spans) sum += geom::length(s.points);
     return sum;
 }
 
@@ -49,7 +49,8 @@ void append(Span& out, const Span& from, std::size_t i, double f) {
         else
             to = v;
     };
-    own(out.width, from.width), own(out.height, from.height);
+    own(out.width, from.width);
+    own(out.height, from.height);
     if (from.normals.empty()) return;
     const Vec3 n = from.normals[i] + f * (from.normals[j] - from.normals[i]);
     out.normals.push_back(norm(n) > 0.01 ? 1 / norm(n) * n : from.normals[i]);

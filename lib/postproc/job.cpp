@@ -31,18 +31,23 @@ Sum of_tool(const machine::Profile& p, std::uint32_t number, const ToolTotals& t
             density > 0 || volume == 0};
 }
 
-std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
+std::vector<Sum> sums(const machine::Profile& profile, const FirstPass& first_pass) {
     std::vector<Sum> out;
     Sum all{{}, "job", {}, 0, 0, true};
-    for (const auto& [number, totals] : survey.tools) {
+    for (const auto& [number, totals] : first_pass.tools) {
         out.push_back(of_tool(profile, number, totals));
         const Sum& s = out.back();
         auto& t = all.totals;
         t.fibre = t.fibre || totals.fibre;
-        t.strokes += totals.strokes, t.cuts += totals.cuts;
-        t.path_len += totals.path_len, t.travel_len += totals.travel_len, t.fibre_len += totals.fibre_len;
-        t.print_seconds += totals.print_seconds, t.travel_seconds += totals.travel_seconds;
-        all.volume += s.volume, all.mass += s.mass;
+        t.strokes += totals.strokes;
+        t.cuts += totals.cuts;
+        t.path_len += totals.path_len;
+        t.travel_len += totals.travel_len;
+        t.fibre_len += totals.fibre_len;
+        t.print_seconds += totals.print_seconds;
+        t.travel_seconds += totals.travel_seconds;
+        all.volume += s.volume;
+        all.mass += s.mass;
         all.weighed = all.weighed && s.weighed;
     }
     out.push_back(all);
@@ -51,9 +56,9 @@ std::vector<Sum> sums(const machine::Profile& profile, const Survey& survey) {
 
 } // namespace
 
-metrics::figures::Figures job(const machine::Profile& profile, const Survey& survey) {
+metrics::figures::Figures job(const machine::Profile& profile, const FirstPass& first_pass) {
     metrics::figures::Figures out;
-    for (const Sum& s : sums(profile, survey)) {
+    for (const Sum& s : sums(profile, first_pass)) {
         const ToolTotals& t = s.totals;
         const std::size_t first = out.size();
         const auto tell = [&](const std::string& key, decltype(metrics::figures::Figure::value) value) {
@@ -74,8 +79,8 @@ metrics::figures::Figures job(const machine::Profile& profile, const Survey& sur
     return out;
 }
 
-std::vector<std::string> job_lines(const machine::Profile& profile, const Survey& survey) {
-    const auto all = sums(profile, survey);
+std::vector<std::string> job_lines(const machine::Profile& profile, const FirstPass& first_pass) {
+    const auto all = sums(profile, first_pass);
     std::vector<std::string> out;
     if (all.size() < 3 && !all.back().totals.fibre) return out;
     for (const Sum& s : all) {
@@ -91,8 +96,8 @@ std::vector<std::string> job_lines(const machine::Profile& profile, const Survey
     return out;
 }
 
-Notes omissions(const Survey& survey, const std::string& stage) {
-    const Omitted& o = survey.omitted;
+Notes omissions(const FirstPass& first_pass, const std::string& stage) {
+    const Omitted& o = first_pass.omitted;
     if (o.count == 0) return {};
     return {{stage, "fibre stroke too short to be laid, left out", o.length, "mm", o.count,
              static_cast<std::int64_t>(o.layer), o.at.x, o.at.y}};

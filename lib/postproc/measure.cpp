@@ -61,8 +61,12 @@ void Measure::see(const toolpath::Span& span) {
         }
         const Vec3 p = turning_(span.points[i]), to = turning_(axis);
         box_.add(p.xy());
-        low_ = std::min(low_, span.points[i].z), turned_low_ = std::min(turned_low_, p.z);
-        if (const double tilt = std::atan2(std::hypot(to.x, to.y), to.z); tilt > tilt_) tilt_ = tilt, tilt_at_ = p;
+        low_ = std::min(low_, span.points[i].z);
+        turned_low_ = std::min(turned_low_, p.z);
+        if (const double tilt = std::atan2(std::hypot(to.x, to.y), to.z); tilt > tilt_) {
+            tilt_ = tilt;
+            tilt_at_ = p;
+        }
     }
 }
 
@@ -70,10 +74,17 @@ void Measure::see_upright(const toolpath::Span& span) {
     for (std::size_t i = 0; i < span.points.size(); ++i) {
         const Vec3& n = span.normals[i];
         const double tilt = std::atan2(std::hypot(n.x, n.y), n.z), height = span.height_at(i);
-        if (tilt > tilt_) tilt_ = tilt, tilt_at_ = span.points[i];
+        if (tilt > tilt_) {
+            tilt_ = tilt;
+            tilt_at_ = span.points[i];
+        }
         const double excess = tilt - upright_limit(*profile_, height);
-        if (excess > excess_)
-            excess_ = excess, excess_tilt_ = tilt, excess_height_ = height, excess_at_ = span.points[i];
+        if (excess > excess_) {
+            excess_ = excess;
+            excess_tilt_ = tilt;
+            excess_height_ = height;
+            excess_at_ = span.points[i];
+        }
     }
 }
 
@@ -118,7 +129,8 @@ bool Measure::again() {
     if (automatic_) {
         turning_ = upright(narrowest_cone(axes_).axis);
         axes_ = {};
-        automatic_ = false, automatic_done_ = true;
+        automatic_ = false;
+        automatic_done_ = true;
         return true;
     }
     const auto& chain = profile_->axes.chain;
@@ -136,15 +148,18 @@ std::string Measure::placed() const {
     return rotary_ ? placed_text(turning_, {shift_.x, shift_.y, rise_}) : std::string{};
 }
 
-Survey Measure::end() {
+FirstPass Measure::end() {
     walk_->end();
-    Survey survey = surveyor_.end();
-    survey.efforts = walk_->efforts();
-    if (!rotary_ && tilt_ > 0) survey.efforts.lean = tilt_, survey.efforts.lean_at = tilt_at_;
-    survey.placed = placed();
-    if (!rotary_) shift_ = placement(survey, profile_->bed, place_);
-    check_limits(survey, *profile_, program_shift());
-    return survey;
+    FirstPass first_pass = surveyor_.end();
+    first_pass.efforts = walk_->efforts();
+    if (!rotary_ && tilt_ > 0) {
+        first_pass.efforts.lean = tilt_;
+        first_pass.efforts.lean_at = tilt_at_;
+    }
+    first_pass.placed = placed();
+    if (!rotary_) shift_ = placement(first_pass, profile_->bed, place_);
+    check_limits(first_pass, *profile_, program_shift());
+    return first_pass;
 }
 
 } // namespace filum::postproc

@@ -1,7 +1,7 @@
 // The readings of a toolpath before its program is written: where it goes, and what it will hold.
 #pragma once
 
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 #include "postproc/turning.hpp"
 
 #include <memory>
@@ -25,7 +25,7 @@ class Measure {
     bool again(); // ends a reading: another is wanted
     // Throws Error(failure) where the toolpath leans the tool too far for an upright nozzle, and as Surveyor and
     // check_limits do.
-    Survey end();
+    FirstPass end();
 
     // As it goes to walker(): turned, and back at its height.
     [[nodiscard]] toolpath::Span turned(toolpath::Span span) const;

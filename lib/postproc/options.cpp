@@ -7,7 +7,7 @@ namespace filum::postproc {
 
 machine::Profile profile_for(const Options& o) {
     auto out = machine::load_profile(o.machine, o.set);
-    out.fibre.omit_short = o.short_strokes == "drop";
+    out.fibre.omit_short = o.short_strokes == Short::drop;
     auto merging = machine::standard_merging();
     if (!o.path_tolerance.empty()) merging.planar = merging.surface = o.path_tolerance.front();
     if (!o.axis_tolerance.empty()) merging.axis = geom::radians(o.axis_tolerance.front());

@@ -58,7 +58,8 @@ std::uint32_t parts(const machine::Profile& profile, const Motion& m, std::size_
 // What a leg lays in a share of it.
 Leg part_of(const Leg& leg, std::uint32_t k, std::uint32_t n) {
     Leg out = leg;
-    out.volume /= n, out.fed /= n;
+    out.volume /= n;
+    out.fed /= n;
     if (k > 1) out.before = Act::extrude;
     out.halt = leg.halt && k == n;
     return out;
@@ -119,7 +120,7 @@ class Course {
         if (tips_) now.tip = m_.poses[i].tip + f * (m_.poses[j].tip - m_.poses[i].tip);
         const double away = distance(now.tip, tip);
         off = std::max(off, away);
-        return away <= most && kinematics::angle(now.axis, axis) <= p_.merging.axis + kTouch;
+        return away <= most && geom::angle(now.axis, axis) <= p_.merging.axis + kTouch;
     }
 
     [[nodiscard]] bool same_kind(std::uint32_t i, std::uint32_t j) const {
@@ -131,7 +132,8 @@ class Course {
                 b.surface != a.surface)
                 return false;
             if (k > i + 1 && (b.before != Act::extrude || stays_[k - 1] != 0 || m_.legs[k - 1].halt)) return false;
-            slow = std::min(slow, b.feed), fast = std::max(fast, b.feed);
+            slow = std::min(slow, b.feed);
+            fast = std::max(fast, b.feed);
         }
         return fast <= kSameFeed * slow;
     }
@@ -171,10 +173,17 @@ Leg whole(const Motion& m, std::uint32_t i, std::uint32_t j) {
     for (std::uint32_t k = i + 1; k <= j; ++k) {
         const Leg& leg = m.legs[k];
         const double l = distance(m.poses[k - 1].tip, m.poses[k].tip);
-        length += l, width += l * leg.width, height += l * leg.height;
-        out.volume += leg.volume, out.fed += leg.fed, out.feed = std::min(out.feed, leg.feed);
+        length += l;
+        width += l * leg.width;
+        height += l * leg.height;
+        out.volume += leg.volume;
+        out.fed += leg.fed;
+        out.feed = std::min(out.feed, leg.feed);
     }
-    if (length > 0) out.width = width / length, out.height = height / length;
+    if (length > 0) {
+        out.width = width / length;
+        out.height = height / length;
+    }
     out.halt = m.legs[j].halt;
     return out;
 }
@@ -213,7 +222,8 @@ Motion fewer(const machine::Profile& p, Motion m, std::size_t stay, std::size_t&
                                              [&](std::uint32_t i, std::uint32_t j) { return course.fits(i, j); });
     Motion out;
     for (std::size_t k = 0; k < kept.size(); ++k) {
-        out.poses.push_back(m.poses[kept[k]]), out.joints.push_back(m.joints[kept[k]]);
+        out.poses.push_back(m.poses[kept[k]]);
+        out.joints.push_back(m.joints[kept[k]]);
         out.legs.push_back(k == 0 ? m.legs[0] : whole(m, kept[k - 1], kept[k]));
     }
     landing = static_cast<std::size_t>(std::lower_bound(kept.begin(), kept.end(), landing) - kept.begin());

@@ -47,8 +47,8 @@ const char* type_name(Role role, Feature feature) {
 
 } // namespace
 
-Program::Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out)
-    : Writer(profile, placeholders(survey, profile, shift), std::move(out)), shift_(shift),
+Program::Program(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out)
+    : Writer(profile, placeholders(first_pass, profile, shift), std::move(out)), shift_(shift),
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
       degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
       e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)) {
@@ -178,9 +178,11 @@ bool Program::bead_words(const Step& step, const std::array<std::int64_t, 5>& to
         text_ += letter;
         append_units(text_, value, profile_->format.xyz_decimals);
     };
-    word('X', to[0]), word('Y', to[1]);
+    word('X', to[0]);
+    word('Y', to[1]);
     if (to[2] != at_[2]) word('Z', to[2]);
-    word('I', i), word('J', j);
+    word('I', i);
+    word('J', j);
     at_ = to;
     return true;
 }
@@ -199,7 +201,8 @@ void Program::feed(double mm_per_s) { feed_units(mm_per_s * 60); }
 void Program::feed(const Step& step, double way) {
     constexpr double degrees = 180 / std::numbers::pi;
     const double turned = std::max(std::abs(step.tilt - tilt_), std::abs(step.turn - turn_)) * degrees;
-    tilt_ = step.tilt, turn_ = step.turn;
+    tilt_ = step.tilt;
+    turn_ = step.turn;
     if (!(step.seconds > 0)) { // as fast as a travel; a feed that the start template left could be any
         if (profile_->axes.feed_word == machine::FeedWord::per_minute) feed(step.feed);
         return;
@@ -244,14 +247,22 @@ void Program::move(const Step& step) {
     std::array<std::int64_t, 5> to{units(at.x + shift_.x, xyz_scale_), units(at.y + shift_.y, xyz_scale_),
                                    units(at.z, xyz_scale_), at_[3], at_[4]};
     if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;
-    if (rotary) to[3] = units(step.tilt, degrees_scale_), to[4] = units(step.turn, degrees_scale_);
+    if (rotary) {
+        to[3] = units(step.tilt, degrees_scale_);
+        to[4] = units(step.turn, degrees_scale_);
+    }
     const bool known = at_[0] != kUnknown && at_[1] != kUnknown && at_[2] != kUnknown;
     // Else as far as it is taken to be, from where the axes are taken to stand.
     double way =
         known ? std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]) / xyz_scale_ : distance(step.axes, stood_);
     stood_ = step.axes;
     const bool timed = rotary && profile_->axes.feed_word != machine::FeedWord::per_minute;
-    if (known && way < toolpath::kLeastMove * (1 - 1e-9)) to[0] = at_[0], to[1] = at_[1], to[2] = at_[2], way = 0;
+    if (known && way < toolpath::kLeastMove * (1 - 1e-9)) {
+        to[0] = at_[0];
+        to[1] = at_[1];
+        to[2] = at_[2];
+        way = 0;
+    }
     if (step.act == Act::climb) {
         const bool rapid = timed && !(step.seconds > 0); // from nobody knows where
         if (!words({at_[0], at_[1], to[2], at_[3], at_[4]}, rapid ? profile_->format.travel_code : "G1"))

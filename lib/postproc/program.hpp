@@ -9,7 +9,7 @@
 
 namespace filum::postproc {
 
-// Writes the program of the steps that `survey` was made of, moved by `shift`.
+// Writes the program of the steps that `first_pass` was made of, moved by `shift`.
 //
 // Coordinates are whole multiples of the last decimal; a word is written only if it changed, a move that changes
 // nothing is left out and its material goes into the next one.  The extruder word is the difference of rounded totals,
@@ -17,7 +17,7 @@ namespace filum::postproc {
 // exponent.  The last line says "end of program".
 class Program final : public Writer {
   public:
-    Program(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out);
+    Program(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out);
     void begin(const std::vector<std::string>& about) override;
     void end(const std::vector<std::string>& history) override;
 

@@ -21,13 +21,13 @@ constexpr double kLeastFeed = 0.01;  // mm/s
 
 geom::Rotation orientation(const Vec3& axis, const Vec3& heading) { return geom::rotation_of(-1.0 * axis, heading); }
 
-RobotProgram::RobotProgram(const machine::Profile& profile, const Survey& survey, Text out, ModuleFile modules)
-    : Writer(profile, placeholders(survey, profile, {}), out), extruder_speed_(kAxisSpeed),
+RobotProgram::RobotProgram(const machine::Profile& profile, const FirstPass& first_pass, Text out, ModuleFile modules)
+    : Writer(profile, placeholders(first_pass, profile, {}), out), extruder_speed_(kAxisSpeed),
       modules_(std::move(modules)), main_(std::move(out)) {
     const int most = profile.robot.module_moves;
-    split_ = most > 0 && survey.moves > static_cast<std::uint64_t>(most);
+    split_ = most > 0 && first_pass.moves > static_cast<std::uint64_t>(most);
     if (split_ && !modules_)
-        throw Error(Exit::usage, "cannot write one module of " + std::to_string(survey.moves) + " moves: '" +
+        throw Error(Exit::usage, "cannot write one module of " + std::to_string(first_pass.moves) + " moves: '" +
                                      profile.name + "' takes " + std::to_string(most) +
                                      "; give a folder for the others by --modules, or raise robot.module_moves");
 }
@@ -104,7 +104,8 @@ void RobotProgram::write(const Step& step, double blend) {
     line.trigger = trigger_;
     append_robot_line(text_, line, *profile_, profile_->format.crlf ? "\r\n" : "\n", said_);
     last_ = step;
-    ++lines_, ++in_module_;
+    ++lines_;
+    ++in_module_;
 }
 
 void RobotProgram::move(const Step& step) {
@@ -143,13 +144,16 @@ void RobotProgram::push() {
     extruder_speed_ = profile_->fibre.prime_speed;
     Step still = last_;
     still.act = Act::travel;
-    still.length = still.seconds = 0, still.feed = profile_->fibre.prime_speed;
+    still.length = still.seconds = 0;
+    still.feed = profile_->fibre.prime_speed;
     write(still, 0);
     extruder_speed_ = kAxisSpeed;
 }
 
 void RobotProgram::layer(const Step& step) {
-    values_["layer"] = step.layer, values_["z"] = step.to.z, values_["height"] = step.height;
+    values_["layer"] = step.layer;
+    values_["z"] = step.to.z;
+    values_["height"] = step.height;
     codes(profile_->templates.layer);
 }
 
@@ -168,7 +172,9 @@ void RobotProgram::trigger(const std::string& name) {
     if (name.empty()) return;
     if (!pending_) {
         pending_ = last_;
-        pending_->act = Act::travel, pending_->length = pending_->seconds = 0, pending_->feed = kLeastFeed;
+        pending_->act = Act::travel;
+        pending_->length = pending_->seconds = 0;
+        pending_->feed = kLeastFeed;
     }
     trigger_ = name;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geom/frame.hpp"
+#include "postproc/first_pass.hpp"
 #include "postproc/robot_lines.hpp"
-#include "postproc/survey.hpp"
 #include "postproc/writer.hpp"
 
 namespace filum::postproc {
@@ -20,7 +20,7 @@ geom::Rotation orientation(const Vec3& axis, const Vec3& heading);
 // one begins between strokes if it is half full, else where it is full.
 class RobotProgram final : public Writer {
   public:
-    RobotProgram(const machine::Profile& profile, const Survey& survey, Text out, ModuleFile modules);
+    RobotProgram(const machine::Profile& profile, const FirstPass& first_pass, Text out, ModuleFile modules);
     void begin(const std::vector<std::string>& about) override;
     void end(const std::vector<std::string>& history) override;
 

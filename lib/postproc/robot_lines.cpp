@@ -35,13 +35,21 @@ class Lines {
         const char* names[] = {",A ", ",B ", ",C "};
         out_ += l.joint ? "PTP {X " : "LIN {X ";
         number(l.tip.origin.x, d);
-        out_ += ",Y ", number(l.tip.origin.y, d);
-        out_ += ",Z ", number(l.tip.origin.z, d);
-        for (std::size_t k = 0; k < 3; ++k) out_ += names[k], number(angles[k] / kDegree, p_.axes.angle_decimals);
+        out_ += ",Y ";
+        number(l.tip.origin.y, d);
+        out_ += ",Z ";
+        number(l.tip.origin.z, d);
+        for (std::size_t k = 0; k < 3; ++k) {
+            out_ += names[k];
+            number(angles[k] / kDegree, p_.axes.angle_decimals);
+        }
         if (l.joint && l.posture != nullptr && p_.robot.arm)
             out_ += ",S " + std::to_string(krl_status(*p_.robot.arm, *l.posture)) + ",T " +
                     std::to_string(krl_turn(*l.posture));
-        if (l.extruder) out_ += ",E1 ", number(*l.extruder, p_.format.e_decimals);
+        if (l.extruder) {
+            out_ += ",E1 ";
+            number(*l.extruder, p_.format.e_decimals);
+        }
         out_ += l.blend > 0 && !l.joint ? "} C_DIS" : "}";
         out_ += end_;
     }
@@ -49,22 +57,28 @@ class Lines {
     void rapid(const RobotLine& l) {
         const double xyz[] = {l.tip.origin.x, l.tip.origin.y, l.tip.origin.z};
         if (l.joint && l.posture != nullptr) {
-            out_ += "MoveAbsJ [[", degrees(*l.posture);
+            out_ += "MoveAbsJ [[";
+            degrees(*l.posture);
             out_ += "],[";
         } else {
             out_ += l.joint ? "MoveJ [[" : l.trigger.empty() ? "MoveL [[" : "TriggL [[";
             list(xyz, p_.format.xyz_decimals);
-            out_ += "],[", list(geom::quaternion(l.tip.turn), kVectorDecimals);
+            out_ += "],[";
+            list(geom::quaternion(l.tip.turn), kVectorDecimals);
             out_ += "],[0,0,0,0],[";
         }
         if (l.extruder)
             number(*l.extruder, p_.format.e_decimals);
         else
             out_ += "9E9";
-        out_ += ",9E9,9E9,9E9,9E9,9E9]],[", number(l.feed, 3);
-        out_ += ',', number(p_.axes.tilt_speed / kDegree, 3);
-        out_ += ',', number(l.extruder_speed, 3);
-        out_ += ',', number(kExtruderOrient, 0);
+        out_ += ",9E9,9E9,9E9,9E9,9E9]],[";
+        number(l.feed, 3);
+        out_ += ',';
+        number(p_.axes.tilt_speed / kDegree, 3);
+        out_ += ',';
+        number(l.extruder_speed, 3);
+        out_ += ',';
+        number(kExtruderOrient, 0);
         out_ += "],";
         if (!l.trigger.empty() && !l.joint) out_ += l.trigger + ',';
         zone(l);
@@ -76,27 +90,38 @@ class Lines {
         if (l.joint && l.posture != nullptr) {
             double slowest = p_.robot.arm->axes[0].speed;
             for (const auto& axis : p_.robot.arm->axes) slowest = std::min(slowest, axis.speed);
-            out_ += "movej([", list(*l.posture, kVectorDecimals);
-            out_ += "],a=", number(kUrAcceleration, 4);
-            out_ += ",v=", number(kJointShare * slowest, 4);
+            out_ += "movej([";
+            list(*l.posture, kVectorDecimals);
+            out_ += "],a=";
+            number(kUrAcceleration, 4);
+            out_ += ",v=";
+            number(kJointShare * slowest, 4);
             out_ += ')';
             out_ += end_;
             return;
         }
         const double xyz[] = {l.tip.origin.x / 1000, l.tip.origin.y / 1000, l.tip.origin.z / 1000};
         out_ += l.joint ? "movej(" : "movel(";
-        out_ += "pose_trans(filum_part,p[", list(xyz, p_.format.xyz_decimals + 3);
-        out_ += ',', list(geom::rotation_vector(l.tip.turn), kVectorDecimals);
+        out_ += "pose_trans(filum_part,p[";
+        list(xyz, p_.format.xyz_decimals + 3);
+        out_ += ',';
+        list(geom::rotation_vector(l.tip.turn), kVectorDecimals);
         out_ += "])";
         if (l.joint) {
-            out_ += ",a=", number(kUrAcceleration, 4);
-            out_ += ",v=", number(kJointShare, 4);
+            out_ += ",a=";
+            number(kUrAcceleration, 4);
+            out_ += ",v=";
+            number(kJointShare, 4);
         } else if (l.seconds > 0) {
-            out_ += ",t=", number(l.seconds, 4);
+            out_ += ",t=";
+            number(l.seconds, 4);
         } else {
-            out_ += ",a=", number(p_.motion.acceleration / 1000, 4);
-            out_ += ",v=", number(l.feed / 1000, 6);
-            out_ += ",r=", number(l.blend / 1000, 6);
+            out_ += ",a=";
+            number(p_.motion.acceleration / 1000, 4);
+            out_ += ",v=";
+            number(l.feed / 1000, 6);
+            out_ += ",r=";
+            number(l.blend / 1000, 6);
         }
         out_ += ')';
         out_ += end_;
@@ -122,7 +147,8 @@ class Lines {
 
     void says(const char* what, double value, double& said, double per, int decimals) {
         if (std::abs(value - said) <= kSaid) return;
-        out_ += what, number(value / per, decimals);
+        out_ += what;
+        number(value / per, decimals);
         out_ += end_;
         said = value;
     }
@@ -135,7 +161,8 @@ class Lines {
         }
         // Of the path, the tool's turn, other axes; degrees; mm; degrees.
         const double zone[] = {b, 1.5 * b, 1.5 * b, 0.15 * b, 1.5 * b, 0.15 * b};
-        out_ += "[FALSE,", list(zone, 3);
+        out_ += "[FALSE,";
+        list(zone, 3);
         out_ += ']';
     }
 

@@ -36,7 +36,7 @@ Pose pose(const toolpath::Span& span, std::size_t i, const Vec3& shift) {
 
 // At `f` of the way from one direction to another, along the great circle.
 Vec3 slerp(const Vec3& a, const Vec3& b, double f) {
-    const double whole = kinematics::angle(a, b), s = std::sin(whole);
+    const double whole = geom::angle(a, b), s = std::sin(whole);
     return s > 1e-12 ? std::sin((1 - f) * whole) / s * a + std::sin(f * whole) / s * b : b;
 }
 
@@ -62,19 +62,27 @@ void TiltedWalk::end() {
 }
 
 void TiltedWalk::go(const Pose& pose, const Leg& leg) {
-    const auto add = [this](const Pose& p, const Leg& l) { stroke_.poses.push_back(p), stroke_.legs.push_back(l); };
+    const auto add = [this](const Pose& p, const Leg& l) {
+        stroke_.poses.push_back(p);
+        stroke_.legs.push_back(l);
+    };
     Leg rest = leg;
     double done = 0;
     for (const double f : cuts(pose)) {
         const Pose from = stroke_.poses.back();
         const double g = done < 1 ? (f - done) / (1 - done) : 0; // of what is left of the way
         Leg part = rest;
-        part.volume = (f - done) * leg.volume, part.fed = (f - done) * leg.fed, part.halt = false;
+        part.volume = (f - done) * leg.volume;
+        part.fed = (f - done) * leg.fed;
+        part.halt = false;
         add({from.tip + g * (pose.tip - from.tip), slerp(from.axis, pose.axis, g)}, part);
         done = f;
         rest.before = Act::extrude;
     }
-    if (done > 0) rest.volume = (1 - done) * leg.volume, rest.fed = (1 - done) * leg.fed;
+    if (done > 0) {
+        rest.volume = (1 - done) * leg.volume;
+        rest.fed = (1 - done) * leg.fed;
+    }
     add(pose, rest);
 }
 
@@ -86,7 +94,7 @@ std::vector<double> TiltedWalk::cuts(const Pose& pose) const {
     const auto& a = profile_->axes;
     if (stroke_.poses.empty() || a.chain.carrier == kinematics::Carrier::frame) return out;
     const Vec3 &from = stroke_.poses.back().axis, &to = pose.axis;
-    const double change = kinematics::angle(from, to);
+    const double change = geom::angle(from, to);
     if (change > kFineAxisStep && change < kOpposite) {
         const double upright = std::acos(std::clamp(std::max(from.z, to.z), -1.0, 1.0));
         const double fine = std::max(a.orientation, kFineAxisStep);
@@ -151,7 +159,7 @@ void TiltedWalk::extrude(const toolpath::Span& span) {
     if (stroke_.poses.empty()) approach(span);
     if (!laid_) landing_ = stroke_.poses.size() - 1;
     const auto from = pose(span, 0, shift_);
-    if (kinematics::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
+    if (geom::angle(stroke_.poses.back().axis, from.axis) > kTouch) // the tool turns where it stands
         go(from, {laid_ ? Act::extrude : Act::travel, span.role, span.layer, own().feeds.travel, 0, 0, 0, span.tool, 0,
                   false, Act::extrude, true, !span.normals.empty()});
     Act first = before();
@@ -189,12 +197,20 @@ void TiltedWalk::note(const kinematics::Track& track, std::span<const kinematics
             throw Error(Exit::failure, "cannot go on at " + text(poses[at].tip) + " on '" + profile_->name +
                                            "': the axes must unwind, and a stroke of fibre cannot be lifted; break the "
                                            "stroke there");
-        if (efforts_.unwinds++ == 0) efforts_.unwind = poses[at].tip, efforts_.unwind_layer = stroke_.legs[at].layer;
+        if (efforts_.unwinds++ == 0) {
+            efforts_.unwind = poses[at].tip;
+            efforts_.unwind_layer = stroke_.legs[at].layer;
+        }
         efforts_.unwinds_in_turns += places[at] == kinematics::Lifting::turn ? 1 : 0;
     }
-    if (track.off > efforts_.lean) efforts_.lean = track.off, efforts_.lean_at = poses[track.off_at].tip;
-    if (track.clipped > efforts_.clipped)
-        efforts_.clipped = track.clipped, efforts_.clipped_at = poses[track.clipped_at].tip;
+    if (track.off > efforts_.lean) {
+        efforts_.lean = track.off;
+        efforts_.lean_at = poses[track.off_at].tip;
+    }
+    if (track.clipped > efforts_.clipped) {
+        efforts_.clipped = track.clipped;
+        efforts_.clipped_at = poses[track.clipped_at].tip;
+    }
 }
 
 void TiltedWalk::finish_stroke() {
@@ -273,7 +289,7 @@ std::vector<double> TiltedWalk::durations() {
 // How long a robot needs to turn the tool on the way to pose i.
 double TiltedWalk::swing(std::size_t i) const {
     if (profile_->axes.chain.carrier != kinematics::Carrier::frame) return 0;
-    return kinematics::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
+    return geom::angle(stroke_.poses[i - 1].axis, stroke_.poses[i].axis) / profile_->axes.tilt_speed;
 }
 
 // The leg of this stroke before which the tool is changed: behind the first one of a travel, which leads away from the
@@ -304,15 +320,20 @@ void TiltedWalk::emit(const std::vector<double>& seconds) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const Leg& leg = stroke_.legs[i];
         const std::size_t last = i > 0 ? i - 1 : 0;
-        if (i == change) tool_ = leg.tool, mark(Act::tool, i, last);
+        if (i == change) {
+            tool_ = leg.tool;
+            mark(Act::tool, i, last);
+        }
         if (laid_ && i == landing_ && profile_->fibre.lays(tool_)) mark(Act::push, i, last);
         if (leg.act == Act::extrude) {
             if (static_cast<std::int64_t>(leg.layer) != layer_) mark(Act::layer, i, i);
             if (!open && retracted_.erase(tool_) > 0) mark(Act::prime, i, last);
             if (!open) mark(Act::open, i, last);
-            open = true, layer_ = leg.layer;
+            open = true;
+            layer_ = leg.layer;
         } else if (open) { // a break to unwind
-            mark(Act::close, i - 1, i - 1), mark(Act::retract, i, i - 1);
+            mark(Act::close, i - 1, i - 1);
+            mark(Act::retract, i, i - 1);
             retracted_.insert(tool_);
             open = false;
         }

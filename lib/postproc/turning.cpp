@@ -60,7 +60,10 @@ Ball smallest(std::vector<Vec3>& points) {
         if (chosen.size() > 4) continue;
         const auto ball = chosen.size() == 1 ? Ball{chosen[0], 0} : around(chosen);
         if (!ball || (best.radius >= 0 && ball->radius >= best.radius)) continue;
-        if (std::ranges::all_of(points, [&](const Vec3& p) { return ball->holds(p); })) best = *ball, fixed = chosen;
+        if (std::ranges::all_of(points, [&](const Vec3& p) { return ball->holds(p); })) {
+            best = *ball;
+            fixed = chosen;
+        }
     }
     points = fixed;
     return best;
@@ -82,9 +85,12 @@ Turning turning(const std::array<double, 3>& degrees) {
     const auto turned = [&](Vec3 v) {
         const auto by = [](double a, double& from, double& to) {
             const double c = std::cos(a * kDegree), s = std::sin(a * kDegree), f = from;
-            from = c * f - s * to, to = s * f + c * to;
+            from = c * f - s * to;
+            to = s * f + c * to;
         };
-        by(degrees[0], v.y, v.z), by(degrees[1], v.z, v.x), by(degrees[2], v.x, v.y);
+        by(degrees[0], v.y, v.z);
+        by(degrees[1], v.z, v.x);
+        by(degrees[2], v.x, v.y);
         return v;
     };
     return {degrees, turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
@@ -137,7 +143,7 @@ Cone narrowest_cone(std::span<const Vec3> axes) {
     const double size = norm(ball.centre);
     if (size < 1e-6) return {{0, 0, 1}, std::numbers::pi};
     Cone out{1 / size * ball.centre, 0};
-    for (const Vec3& a : axes) out.half = std::max(out.half, std::atan2(norm(cross(a, out.axis)), dot(a, out.axis)));
+    for (const Vec3& a : axes) out.half = std::max(out.half, angle(a, out.axis));
     return out;
 }
 

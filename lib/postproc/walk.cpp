@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "geom/polyline.hpp"
 #include "postproc/throughput.hpp"
 
 #include <algorithm>
@@ -18,11 +19,7 @@ double highest(const toolpath::Span& span) {
     return z;
 }
 
-double length(const toolpath::Span& span) {
-    double sum = 0;
-    for (std::size_t i = 1; i < span.points.size(); ++i) sum += distance(span.points[i - 1], span.points[i]);
-    return sum;
-}
+double length(const toolpath::Span& span) { return geom::length(span.points); }
 
 } // namespace
 
@@ -69,7 +66,8 @@ Act Walker::before() const {
 }
 
 void Walker::add(const toolpath::Span& span, const machine::Stretch& how, bool halt) {
-    how_ = how, halt_ = halt;
+    how_ = how;
+    halt_ = halt;
     const Vec3 from = span.points.front();
     if (started_ && distance(from, path_) > kTouch)
         throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
@@ -183,7 +181,8 @@ void Walk::extrude(const toolpath::Span& span) {
     layer_ = span.layer;
     const auto others = joins_ != nullptr ? joins_->near(span.layer) : std::span<const geom::Segment>{};
     const auto merged = toolpath::merge(span, tolerance(*profile_, span), others);
-    efforts_.given += span.points.size() - 1, efforts_.off = std::max(efforts_.off, merged.off);
+    efforts_.given += span.points.size() - 1;
+    efforts_.off = std::max(efforts_.off, merged.off);
     double z = span.points.front().z;
     for (const toolpath::Move& m : merged.moves) {
         if (m.length == 0) continue;

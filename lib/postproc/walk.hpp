@@ -73,7 +73,7 @@ using Steps = std::function<void(std::span<const Step>)>;
 
 // What it took to bring a machine along the path.
 struct Efforts {
-    std::uint64_t given = 0;  // segments of what is laid, as the toolpath has them; survey.hpp counts the moves
+    std::uint64_t given = 0;  // segments of what is laid, as the toolpath has them; first_pass.hpp counts the moves
     double off = 0;           // mm: the farthest that merging leads from them
     std::uint64_t slowed = 0; // moves that are slower because a controller takes no more of them at a time
     std::uint64_t unwinds = 0, unwinds_in_turns = 0; // breaks of a stroke to turn the axes back; in tight turns

@@ -104,11 +104,11 @@ void Writer::flush() {
     text_.clear();
 }
 
-std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out,
+std::unique_ptr<Writer> writer(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out,
                                ModuleFile modules) {
     if (profile.format.dialect != machine::Dialect::gcode)
-        return std::make_unique<RobotProgram>(profile, survey, std::move(out), std::move(modules));
-    return std::make_unique<Program>(profile, survey, shift, std::move(out));
+        return std::make_unique<RobotProgram>(profile, first_pass, std::move(out), std::move(modules));
+    return std::make_unique<Program>(profile, first_pass, shift, std::move(out));
 }
 
 } // namespace filum::postproc

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "machine/template.hpp"
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 
 #include <functional>
 #include <memory>
@@ -74,9 +74,9 @@ class Writer {
     Text out_;
 };
 
-// Of the profile's dialect, for the steps that `survey` was made of, moved by `shift` (robots: placed already).
+// Of the profile's dialect, for the steps that `first_pass` was made of, moved by `shift` (robots: placed already).
 // Throws Error(usage) for a robot's program that needs more than one module, if there is nowhere to write them.
-std::unique_ptr<Writer> writer(const machine::Profile& profile, const Survey& survey, Vec2 shift, Text out,
+std::unique_ptr<Writer> writer(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out,
                                ModuleFile modules = {});
 
 } // namespace filum::postproc

@@ -1,5 +1,6 @@
 #include "regions/overlaps.hpp"
 
+#include "geom/disjoint_sets.hpp"
 #include "polygon/clip.hpp"
 #include "regions/inradius.hpp"
 
@@ -56,23 +57,14 @@ std::vector<Pair> candidates(std::span<const Region> upper, std::span<const Regi
     return out;
 }
 
-std::uint32_t root(std::vector<std::uint32_t>& up, std::uint32_t i) {
-    while (up[i] != i) i = up[i] = up[up[i]];
-    return i;
-}
-
 // The groups of pairs that hang together.
 std::vector<std::vector<Pair>> groups(const std::vector<Pair>& pairs, std::size_t uppers, std::size_t lowers) {
-    std::vector<std::uint32_t> up(uppers + lowers);
-    std::iota(up.begin(), up.end(), 0U);
-    for (const Pair p : pairs) {
-        const auto a = root(up, p.upper), b = root(up, static_cast<std::uint32_t>(uppers) + p.lower);
-        up[std::max(a, b)] = std::min(a, b);
-    }
+    geom::DisjointSets sets(uppers + lowers);
+    for (const Pair p : pairs) sets.unite(p.upper, static_cast<std::uint32_t>(uppers) + p.lower);
     std::vector<std::vector<Pair>> out;
-    std::vector<std::uint32_t> place(up.size(), ~0U);
+    std::vector<std::uint32_t> place(sets.size(), ~0U);
     for (const Pair p : pairs) {
-        auto& at = place[root(up, p.upper)];
+        auto& at = place[sets.root(p.upper)];
         if (at == ~0U) at = static_cast<std::uint32_t>(out.size()), out.emplace_back();
         out[at].push_back(p);
     }

@@ -7,11 +7,6 @@ namespace filum::render {
 
 using geom::Vec3;
 
-Vec3 unit(Vec3 v) {
-    const double l = norm(v);
-    return l > 0 ? (1 / l) * v : Vec3{0, 0, 1};
-}
-
 Vec3 Camera::ray(double sx, double sy) const { return unit(forward + sx * right + sy * up); }
 
 namespace {

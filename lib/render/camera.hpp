@@ -11,7 +11,7 @@ struct Camera {
     [[nodiscard]] geom::Vec3 ray(double sx, double sy) const;
 };
 
-geom::Vec3 unit(geom::Vec3 v); // length 1; straight up for no length
+inline geom::Vec3 unit(geom::Vec3 v) { return geom::unit(v, {0, 0, 1}); } // straight up for no length
 
 // Looks from direction `from` so that all points, taken relative to `centre`, fill a picture of width / height =
 // `aspect`, but for a margin.

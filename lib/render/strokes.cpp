@@ -1,5 +1,7 @@
 #include "render/strokes.hpp"
 
+#include "geom/segment.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -19,12 +21,6 @@ std::uint64_t mixed(std::uint64_t v) { // Stafford's variant 13
     v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ULL;
     v = (v ^ (v >> 27)) * 0x94d049bb133111ebULL;
     return v ^ (v >> 31);
-}
-
-double nearest_parameter(Vec3 a, Vec3 b, Vec3 p) {
-    const Vec3 d = b - a;
-    const double l2 = dot(d, d);
-    return l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
 }
 
 // How far from its line something may be that a stroke covers.

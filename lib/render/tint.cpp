@@ -1,6 +1,7 @@
 #include "render/tint.hpp"
 
 #include "base/number.hpp"
+#include "geom/polyline.hpp"
 #include "machine/feed.hpp"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ using toolpath::Feature;
 using toolpath::Role;
 
 constexpr int kSteps = 1024; // of the ramp
-
-double length(const toolpath::Span& s) {
-    double sum = 0;
-    for (std::size_t i = 0; i + 1 < s.points.size(); ++i) sum += geom::distance(s.points[i], s.points[i + 1]);
-    return sum;
-}
 
 // What a segment's colour stands for, where that is an amount of its own.
 double amount(const Tint& tint, const toolpath::Span& s, std::size_t i) {
@@ -65,7 +60,7 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
             out.features[static_cast<std::size_t>(s.feature)] = true;
         if (by != By::progress) continue;
         out.begin.push_back(along);
-        if (toolpath::extrudes(s.role)) along += length(s);
+        if (toolpath::extrudes(s.role)) along += geom::length(s.points);
     }
     out.strokes = strokes.size();
     if (by == By::progress) out.hi = std::max(along, 1e-9);

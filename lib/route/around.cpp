@@ -25,8 +25,10 @@ class Grid {
         aside_ = static_cast<int>(wide / 2 / cell_);
         columns_ = columns_between_ + 1 + 2 * beyond_;
         const auto n = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(2 * aside_ + 1);
-        state_.assign(n, Occupancy::unknown), cost_.assign(n, std::numeric_limits<double>::infinity());
-        from_.assign(n, kNone), done_.assign(n, false);
+        state_.assign(n, Occupancy::unknown);
+        cost_.assign(n, std::numeric_limits<double>::infinity());
+        from_.assign(n, kNone);
+        done_.assign(n, false);
     }
 
     // The knots from start to goal; none if there is no way.
@@ -76,7 +78,8 @@ class Grid {
                 const double cost = cost_[at] + cell_ * std::hypot(dc, dr);
                 const double sum = cost + cell_ * std::hypot(columns_between_ - c, r);
                 if (done_[to] || cost >= cost_[to] || sum > most_ || !free(to)) continue;
-                cost_[to] = cost, from_[to] = at;
+                cost_[to] = cost;
+                from_[to] = at;
                 open_.push({sum, to});
             }
     }

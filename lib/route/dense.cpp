@@ -35,7 +35,8 @@ std::vector<std::vector<bool>> reached(const Stroke& stroke, double reach) {
             }
         }
     };
-    sweep(true), sweep(false);
+    sweep(true);
+    sweep(false);
     return near;
 }
 
@@ -100,8 +101,12 @@ Leant put(const Dense& dense, const Stroke& stroke, const std::vector<geom::Vec2
     Leant out;
     for (const Span& s : stroke.spans) {
         Span span = s;
-        span.points.clear(), span.normals.clear();
-        if (varies(s)) span.width.clear(), span.height.clear();
+        span.points.clear();
+        span.normals.clear();
+        if (varies(s)) {
+            span.width.clear();
+            span.height.clear();
+        }
         out.spans.push_back(std::move(span));
         out.origin.emplace_back();
     }
@@ -114,11 +119,13 @@ Leant put(const Dense& dense, const Stroke& stroke, const std::vector<geom::Vec2
         if (!to.points.empty()) out.origin[p.span].push_back(p.segment);
         const bool given = to.points.empty() || p.share == 1;
         const std::size_t at = p.segment + (to.points.empty() ? 0 : 1);
-        to.points.push_back(p.tip), to.normals.push_back(leant(p, tilts[i]));
+        to.points.push_back(p.tip);
+        to.normals.push_back(leant(p, tilts[i]));
         if (!varies(from)) continue;
         const auto [w, h] =
             given ? std::pair{from.width_at(at), from.height_at(at)} : section(from, p.segment, p.share);
-        to.width.push_back(w), to.height.push_back(h);
+        to.width.push_back(w);
+        to.height.push_back(h);
     }
     for (std::size_t s = 0; s < out.spans.size(); ++s)
         if (!leans[s] && stroke.spans[s].normals.empty()) out.spans[s].normals.clear();

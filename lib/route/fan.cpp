@@ -37,7 +37,10 @@ std::optional<double> Fan::blocked(const Knot& a, const Knot& b) const {
 double Fan::least_rise(Knot knot) const {
     if (free(knot)) return knot.rise;
     double low = knot.rise, step = 0.5;
-    for (knot.rise += step; knot.rise < kMostRise && !free(knot); knot.rise += step) low = knot.rise, step *= 2;
+    for (knot.rise += step; knot.rise < kMostRise && !free(knot); knot.rise += step) {
+        low = knot.rise;
+        step *= 2;
+    }
     double high = std::min(knot.rise, kMostRise);
     while (high - low > kResolution) {
         knot.rise = (low + high) / 2;

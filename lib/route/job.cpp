@@ -109,12 +109,14 @@ class Router {
             for (; at < gaps[i].first; ++at) out.push_back(std::move(spans_[at]));
             Span span = std::move(spans_[at]);
             span.tool = spans_[gaps[i].last - 1].tool; // of the bead that follows
-            span.points.clear(), span.normals.clear();
+            span.points.clear();
+            span.normals.clear();
             for (const Stance& s : ways[i].stances) {
                 if (!span.points.empty() && span.points.back() == s.tip && span.normals.back() == s.axis &&
                     span.points.size() > 1)
                     continue;
-                span.points.push_back(s.tip), span.normals.push_back(s.axis);
+                span.points.push_back(s.tip);
+                span.normals.push_back(s.axis);
             }
             out.push_back(std::move(span));
             ++job_.kinds[static_cast<std::size_t>(ways[i].kind)];

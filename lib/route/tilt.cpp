@@ -186,7 +186,10 @@ class Leaner {
             const double change = norm2(to.tilt - before[i].tilt);
             if (change > most * most) continue;
             const double sum = before[i].sum + kStiff * kStiff * change / way;
-            if (sum < best) best = sum, to.from = i;
+            if (sum < best) {
+                best = sum;
+                to.from = i;
+            }
         }
         to.sum += best;
     }
@@ -222,7 +225,10 @@ Leaning report(const Dense& dense, const std::vector<Vec2>& tilts) {
         const double way = dense.points[i + 1].arc - dense.points[i].arc;
         const double a = norm(tilts[i]), b = norm(tilts[i + 1]);
         out.most = std::max({out.most, a, b});
-        if (a > 0 || b > 0) out.leaning += way, sum += way * (a + b) / 2;
+        if (a > 0 || b > 0) {
+            out.leaning += way;
+            sum += way * (a + b) / 2;
+        }
     }
     out.mean = out.leaning > 0 ? sum / out.leaning : 0;
     return out;
@@ -249,7 +255,8 @@ Leant lean(const collision::Room& room, const Stroke& stroke, const TiltOptions&
     }
     for (const auto& b : stroke.blocked) out.stuck.emplace_back(b.size(), false);
     leaner.mark_stuck(out.stuck);
-    out.leaning.stroke = stroke.spans.front().stroke, out.leaning.layer = stroke.spans.front().layer;
+    out.leaning.stroke = stroke.spans.front().stroke;
+    out.leaning.layer = stroke.spans.front().layer;
     return out;
 }
 

@@ -50,7 +50,8 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
         f(a, span - a.first, origin(a, span, point > 0 ? point - 1 : 0));
     };
     const auto block = [](Attempt& a, std::size_t s, std::uint32_t i) {
-        a.stroke.blocked[s][i] = true, ++a.met;
+        a.stroke.blocked[s][i] = true;
+        ++a.met;
         a.hopeful += a.now.stuck.empty() || !a.now.stuck[s][i] ? 1 : 0;
     };
     for (Attempt& a : strokes_) a.met = a.hopeful = 0;
@@ -68,7 +69,10 @@ bool Tilting::judge(const std::vector<collision::Move>& moves, const collision::
         if (!moves[place.move].travel) locate(moves[place.move], block);
     bool again = false;
     for (Attempt& a : strokes_) {
-        if (!a.tried || a.met < a.fewest) a.fewest = a.met, a.best = a.now;
+        if (!a.tried || a.met < a.fewest) {
+            a.fewest = a.met;
+            a.best = a.now;
+        }
         a.tried = true;
         again = again || a.hopeful > 0;
     }

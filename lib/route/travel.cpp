@@ -36,7 +36,11 @@ class Search {
         Kind kind = plain ? Kind::straight : Kind::over;
         const double low = fan_.chord() + 2 * o_.lift, over = whole(best);
         if (!plain && (!free || (over > low + kWorthLength && over > low * kWorthShare)))
-            if (Way other = past(best, free); !other.empty()) best = std::move(other), kind = Kind::around, free = true;
+            if (Way other = past(best, free); !other.empty()) {
+                best = std::move(other);
+                kind = Kind::around;
+                free = true;
+            }
         return finish(best, kind, free);
     }
 
@@ -73,7 +77,8 @@ class Search {
             const double rise = fan_.least_rise(knot);
             if (rise - knot.rise <= excess) continue;
             excess = rise - knot.rise;
-            knot.rise = rise, best = knot;
+            knot.rise = rise;
+            best = knot;
         }
         if (excess == 0) best.rise = fan_.least_rise(best);
         best.rise += reserve_;
@@ -103,7 +108,8 @@ class Search {
             const double rise = low + (top - low) * i / kLevels;
             Way way = around(fan_, rise, most - 2 * rise);
             if (way.empty() || whole(way) >= most) continue;
-            most = whole(way), best = std::move(way);
+            most = whole(way);
+            best = std::move(way);
         }
         return best;
     }
@@ -123,7 +129,7 @@ class Search {
     }
 
     [[nodiscard]] std::size_t turns(const Stance& a, const Stance& b) const {
-        return static_cast<std::size_t>(std::max(1.0, std::ceil(kinematics::angle(a.axis, b.axis) / o_.most_turn)));
+        return static_cast<std::size_t>(std::max(1.0, std::ceil(geom::angle(a.axis, b.axis) / o_.most_turn)));
     }
 
     const Fan& fan_;
@@ -136,7 +142,7 @@ class Search {
 
 Travel travel(const collision::Room& room, const Stance& from, const Stance& to, std::uint32_t before,
               const TravelOptions& options) {
-    const bool same = from.tip == to.tip && kinematics::angle(from.axis, to.axis) < 1e-6;
+    const bool same = from.tip == to.tip && geom::angle(from.axis, to.axis) < 1e-6;
     const Fan fan(room, from, to, before);
     Travel out =
         same ? Travel{.stances = {}, .kind = Kind::straight, .length = 0, .free = true} : Search(fan, options).run();

@@ -1,5 +1,7 @@
 #include "sequence/canon.hpp"
 
+#include "geom/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -59,27 +61,14 @@ struct Colours {
 
 // The nodes of the connected parts, ascending; parts by their lowest node.
 std::vector<std::vector<Index>> connected_parts(const Graph& g) {
-    std::vector<Index> up(g.size());
-    std::iota(up.begin(), up.end(), 0U);
-    const auto root = [&](Index v) {
-        while (up[v] != v) v = up[v] = up[up[v]];
-        return v;
-    };
-    const auto join = [&](Index u, Index v) {
-        const Index a = root(u), b = root(v);
-        up[std::max(a, b)] = std::min(a, b);
-    };
+    geom::DisjointSets sets(g.size());
     for (Index u = 0; u < g.size(); ++u) {
-        for (const Index v : g.up[u]) join(u, v);
-        for (const Index v : g.after[u]) join(u, v);
+        for (const Index v : g.up[u]) sets.unite(u, v);
+        for (const Index v : g.after[u]) sets.unite(u, v);
     }
-    std::vector<std::vector<Index>> out;
-    std::vector<Index> part(g.size(), kNone);
-    for (Index v = 0; v < g.size(); ++v) {
-        Index& p = part[root(v)];
-        if (p == kNone) p = static_cast<Index>(out.size()), out.emplace_back();
-        out[p].push_back(v);
-    }
+    std::vector<Index> part;
+    std::vector<std::vector<Index>> out(sets.number(part));
+    for (Index v = 0; v < g.size(); ++v) out[part[v]].push_back(v);
     return out;
 }
 
@@ -120,7 +109,10 @@ std::vector<Index> canonical_order(const Graph& g, std::span<const Index> column
     for (const auto& nodes : parts) {
         std::uint64_t sum = 0;
         for (const Index v : nodes) sum += scrambled(colour[v]);
-        for (const Index v : nodes) of_part[v] = sum, part[v] = nodes[0];
+        for (const Index v : nodes) {
+            of_part[v] = sum;
+            part[v] = nodes[0];
+        }
     }
     std::vector<Index> out(g.size());
     std::iota(out.begin(), out.end(), 0U);
@@ -150,12 +142,17 @@ std::vector<Part> parts(const Graph& g, const Columns& columns) {
             }
             return to;
         };
-        p.g.up = copy(g.up), p.g.down = copy(g.down);
-        p.g.after = copy(g.after), p.g.before = copy(g.before);
+        p.g.up = copy(g.up);
+        p.g.down = copy(g.down);
+        p.g.after = copy(g.after);
+        p.g.before = copy(g.before);
         for (const Index v : p.node) {
             p.g.node.push_back(g.node[v]);
             Index& c = column[columns.of[v]];
-            if (c == kNone) c = static_cast<Index>(p.columns.member.size()), p.columns.member.emplace_back();
+            if (c == kNone) {
+                c = static_cast<Index>(p.columns.member.size());
+                p.columns.member.emplace_back();
+            }
             p.columns.member[c].push_back(number[v]);
             p.columns.of.push_back(c);
         }

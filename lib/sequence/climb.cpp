@@ -96,7 +96,10 @@ void Progress::go(Index s) {
         starts.erase(start[order[i]]);
         again.insert(again.end(), blocking[order[i]].begin(), blocking[order[i]].end());
         for (const Index w : g.after[order[i]])
-            if (waiting[w] == 0 && printed[w] == 0 && since[w] == 0) since[w] = strokes, again.push_back(w);
+            if (waiting[w] == 0 && printed[w] == 0 && since[w] == 0) {
+                since[w] = strokes;
+                again.push_back(w);
+            }
     }
     std::sort(again.begin(), again.end());
     again.erase(std::unique(again.begin(), again.end()), again.end());

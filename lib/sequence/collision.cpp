@@ -1,6 +1,6 @@
 #include "sequence/collision.hpp"
 
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -31,7 +31,7 @@ struct PairSearch {
     const machine::Head& head;
     std::vector<std::vector<Box2>> block; // per column, of every kBlock regions
     std::vector<Box2> box;                // per column
-    std::optional<geom::BoxTree> tree;    // over those
+    std::optional<geom::Bvh> tree;        // over those
     double top = 0;                       // mm, of all
     std::vector<std::size_t> limit;       // per column: places from there on wait for the column at hand
     std::vector<Pair> found;

@@ -17,16 +17,22 @@ struct HopcroftKarp {
         std::vector<Index> queue;
         std::fill(level.begin(), level.end(), kNone);
         for (Index u = 0; u < next.size(); ++u)
-            if (next[u] == kNone && !links[u].empty()) level[u] = 0, queue.push_back(u);
+            if (next[u] == kNone && !links[u].empty()) {
+                level[u] = 0;
+                queue.push_back(u);
+            }
         bool found = false;
         Index last = kNone; // the level at which the shortest ones end
         for (std::size_t i = 0; i < queue.size() && (!found || level[queue[i]] == last); ++i)
             for (const Index v : links[queue[i]]) {
                 const Index w = previous[v];
-                if (w == kNone)
-                    found = true, last = level[queue[i]];
-                else if (level[w] == kNone)
-                    level[w] = level[queue[i]] + 1, queue.push_back(w);
+                if (w == kNone) {
+                    found = true;
+                    last = level[queue[i]];
+                } else if (level[w] == kNone) {
+                    level[w] = level[queue[i]] + 1;
+                    queue.push_back(w);
+                }
             }
         return found;
     }
@@ -43,7 +49,10 @@ struct HopcroftKarp {
             }
             const Index v = links.to[at[u]], w = previous[v];
             if (w == kNone) {
-                for (const Index p : path) next[p] = links.to[at[p]], previous[next[p]] = p;
+                for (const Index p : path) {
+                    next[p] = links.to[at[p]];
+                    previous[next[p]] = p;
+                }
                 return true;
             }
             if (level[w] != kNone && level[w] == level[u] + 1 && at[w] != links.start[w + 1])

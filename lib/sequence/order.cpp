@@ -62,9 +62,10 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
         }
         Index one = kNone, two = kNone; // the two best firsts: a last region must differ from the first, unless alone
         for (const Index v : layer) {
-            if (one == kNone || first[v].links > first[one].links)
-                two = one, one = v;
-            else if (two == kNone || first[v].links > first[two].links)
+            if (one == kNone || first[v].links > first[one].links) {
+                two = one;
+                one = v;
+            } else if (two == kNone || first[v].links > first[two].links)
                 two = v;
         }
         best = kNone;

@@ -106,7 +106,10 @@ double Reach::farthest() const { return std::max({radius, half_x, half_y}); }
 Reach reach(const machine::Head& head, double dz) {
     Reach r;
     r.radius = head.cone_radius(dz);
-    if (dz > head.cone_height + kLevel) r.half_x = head.carriage_x / 2, r.half_y = head.carriage_y / 2;
+    if (dz > head.cone_height + kLevel) {
+        r.half_x = head.carriage_x / 2;
+        r.half_y = head.carriage_y / 2;
+    }
     r.everywhere = dz > head.gantry_height + kLevel;
     return r;
 }
@@ -126,7 +129,10 @@ Outline outline(polygon::Loops loops) {
     }
     for (std::size_t i = o.leaves - 1; i-- > 0;)
         for (const std::size_t c : {2 * i + 1, 2 * i + 2})
-            if (!o.box[c].empty()) o.box[i].add(o.box[c].lo), o.box[i].add(o.box[c].hi);
+            if (!o.box[c].empty()) {
+                o.box[i].add(o.box[c].lo);
+                o.box[i].add(o.box[c].hi);
+            }
     return o;
 }
 

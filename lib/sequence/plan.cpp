@@ -25,7 +25,10 @@ struct Planner {
 
     void offer(Order o) {
         const Cost c = cost(g, o);
-        if (best.order.empty() || c.strokes < best.cost.strokes) best.order = std::move(o), best.cost = c;
+        if (best.order.empty() || c.strokes < best.cost.strokes) {
+            best.order = std::move(o);
+            best.cost = c;
+        }
     }
     void prove(Index strokes) { best.bound = std::max(best.bound, strokes); }
     [[nodiscard]] bool proven() const { return best.cost.strokes == best.bound; }
@@ -41,7 +44,10 @@ struct Planner {
                 best.steps += f.work;
                 if (f.order.empty()) return;
                 offer(f.order);
-                if (f.optimal) best.complete = true, prove(best.cost.strokes);
+                if (f.optimal) {
+                    best.complete = true;
+                    prove(best.cost.strokes);
+                }
                 if (proven()) return;
                 f.work += mend(std::move(f.order), f.work / 4);
                 left -= std::min(left, f.work);
@@ -120,7 +126,10 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
         out.bound += p.bound;
         out.steps += p.steps;
         relaxed = relaxed || p.relaxation > 0;
-        if (p.complete || p.cost.strokes > p.bound) searched = true, complete = complete && p.complete;
+        if (p.complete || p.cost.strokes > p.bound) {
+            searched = true;
+            complete = complete && p.complete;
+        }
         budget -= std::min(budget, p.steps);
         regions -= static_cast<std::uint64_t>(part.node.size());
     }

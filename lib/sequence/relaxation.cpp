@@ -19,7 +19,10 @@ Columns along_links(const Graph& g, std::span<const double> unused) {
         for (Index a = g.up.start[u]; a < g.up.start[u + 1]; ++a) from[a] = u;
     std::vector<Index> above(g.size(), kNone), below(g.size(), kNone);
     for (const Index a : by_use)
-        if (const Index u = from[a], v = g.up.to[a]; above[u] == kNone && below[v] == kNone) above[u] = v, below[v] = u;
+        if (const Index u = from[a], v = g.up.to[a]; above[u] == kNone && below[v] == kNone) {
+            above[u] = v;
+            below[v] = u;
+        }
     Columns out;
     out.of.resize(g.size());
     for (Index v = 0; v < g.size(); ++v) {
@@ -94,8 +97,10 @@ void Relaxation::price(std::size_t slab) {
     double* const out = density_.data() + slabs_[slab].first;
     std::fill(out, out + g.size(), 0.0);
     for (Index u = 0; u < g.size(); ++u)
-        for (Index a = g.up.start[u]; a < g.up.start[u + 1]; ++a)
-            out[u] += of_link[a] / 2, out[g.up.to[a]] += of_link[a] / 2;
+        for (Index a = g.up.start[u]; a < g.up.start[u + 1]; ++a) {
+            out[u] += of_link[a] / 2;
+            out[g.up.to[a]] += of_link[a] / 2;
+        }
 }
 
 Index Relaxation::bound() const {

@@ -1,7 +1,7 @@
 #include "sequence/search.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <unordered_map>
 
 namespace filum::sequence {
 
@@ -37,6 +37,7 @@ struct BeamSearch {
     const Columns& columns;
     std::span<const double> weight;
     std::size_t k;
+    std::uint64_t hashed;
     std::vector<Index> place; // of each region in its column
     std::uint64_t work = 0;
 
@@ -51,8 +52,8 @@ struct BeamSearch {
     std::vector<Index> path;
     bool reached_top = false; // a candidate of this state ends at a top: it alone counts
 
-    BeamSearch(const Graph& graph, const Columns& c, std::span<const double> w)
-        : g(graph), columns(c), weight(w), k(c.member.size()), place(graph.size()) {
+    BeamSearch(const Graph& graph, const Columns& c, std::span<const double> w, std::uint64_t bits)
+        : g(graph), columns(c), weight(w), k(c.member.size()), hashed(bits), place(graph.size()) {
         for (const auto& member : c.member)
             for (std::size_t i = 0; i < member.size(); ++i) place[member[i]] = static_cast<Index>(i);
         level.emplace_back();
@@ -93,7 +94,7 @@ struct BeamSearch {
         Candidate c{from, parent, static_cast<Index>(tried.size()), static_cast<Index>(path.size())};
         for (const Index v : path) {
             c.state.score += weight[v];
-            c.state.hash ^= mixed(v);
+            c.state.hash ^= mixed(v) & hashed;
         }
         tried.insert(tried.end(), path.begin(), path.end());
         candidates.push_back(c);
@@ -129,15 +130,23 @@ struct BeamSearch {
                          [](const Candidate& a, const Candidate& b) { return a.state.score > b.state.score; });
         std::vector<BeamState> next;
         std::vector<Index> kept;
-        std::unordered_set<std::uint64_t> seen;
+        std::unordered_multimap<std::uint64_t, Index> seen; // hashes, to where the state is in `next`, or kNone
         bool all = true;
         for (const Candidate& c : candidates) {
-            if (!seen.insert(c.state.hash).second) continue;
             now.assign(heights.begin() + static_cast<long>(c.parent * k),
                        heights.begin() + static_cast<long>((c.parent + 1) * k));
             for (Index i = 0; i < c.count; ++i) now[columns.of[tried[c.first + i]]] = place[tried[c.first + i]] + 1;
+            const auto alike = seen.equal_range(c.state.hash);
+            const bool before = std::any_of(alike.first, alike.second, [&](const auto& s) {
+                return s.second != kNone &&
+                       std::equal(now.begin(), now.end(), kept.begin() + static_cast<long>(s.second * k));
+            });
+            if (before || (alike.first != alike.second && below_another(now, kept))) continue; // as when it came first
             work += k;
-            if (below_another(now, kept)) continue;
+            if (below_another(now, kept)) {
+                seen.emplace(c.state.hash, kNone);
+                continue;
+            }
             if (next.size() == width) {
                 all = false;
                 break;
@@ -147,6 +156,7 @@ struct BeamSearch {
             next.push_back(c.state);
             next.back().step = static_cast<Index>(steps.size() - 1);
             kept.insert(kept.end(), now.begin(), now.end());
+            seen.emplace(c.state.hash, static_cast<Index>(next.size() - 1));
         }
         level = std::move(next);
         heights = std::move(kept);
@@ -166,10 +176,10 @@ struct BeamSearch {
 } // namespace
 
 Found search(const Graph& g, const Columns& columns, std::span<const double> weight, std::size_t width,
-             std::uint64_t budget) {
+             std::uint64_t budget, std::uint64_t hashed) {
     Found out;
     if (g.size() == 0) return {{}, true, 0};
-    BeamSearch s(g, columns, weight);
+    BeamSearch s(g, columns, weight, hashed);
     bool all = true;
     for (;;) {
         s.candidates.clear();

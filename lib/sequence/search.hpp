@@ -18,9 +18,10 @@ struct Found {
 // - taking a closed set off an order shortens its strokes from below and breaks none;
 // - a stroke that reaches a region with no link upwards may be taken at once, alone: it removes a stroke from any
 // order. After every stroke the `width` states with the most printed `weight` stay; ties by first found. Stops without
-// an order when `budget` is used up.
+// an order when `budget` is used up.  States that are equal are found by the bits `hashed` of a hash, then compared:
+// fewer bits cost time and change nothing.
 Found search(const Graph& g, const Columns& columns, std::span<const double> weight, std::size_t width,
-             std::uint64_t budget);
+             std::uint64_t budget, std::uint64_t hashed = ~std::uint64_t{0});
 
 // What a region weighs in the search: the nearer the next column that it waits for or that waits for it, the more
 // strokes its surroundings cost.

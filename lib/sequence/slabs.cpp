@@ -28,7 +28,10 @@ Slab slab(const Graph& g, const Columns& columns, Index first, Index last) {
     std::vector<Index> column(columns.member.size(), kNone);
     for (Index v = first; v < last; ++v) {
         Index& c = column[columns.of[v]];
-        if (c == kNone) c = static_cast<Index>(s.columns.member.size()), s.columns.member.emplace_back();
+        if (c == kNone) {
+            c = static_cast<Index>(s.columns.member.size());
+            s.columns.member.emplace_back();
+        }
         s.columns.member[c].push_back(v - first);
         s.columns.of.push_back(c);
     }
@@ -49,7 +52,10 @@ std::vector<Slab> slabs(const Graph& g, const Columns& columns, std::size_t most
         for (; top + 1 < layer.size(); ++top) {
             std::size_t more = many;
             for (Index v = layer[top]; v < layer[top + 1]; ++v)
-                if (auto& s = seen[columns.of[v]]; s != out.size() + 1) s = out.size() + 1, ++more;
+                if (auto& s = seen[columns.of[v]]; s != out.size() + 1) {
+                    s = out.size() + 1;
+                    ++more;
+                }
             if (top > bottom + 1 && more * (layer[top + 1] - layer[bottom]) > most) break;
             many = more;
         }

@@ -1,5 +1,7 @@
 #include "slice/bodies.hpp"
 
+#include "geom/segment_grid.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,8 +52,14 @@ bool facing(const Edge& e, const Edge& f, double width, Facing& out) {
     if (!(u1 > u0)) return false;
     const double slope = (h1 - h0) / (u1 - u0);
     const auto cut = [&](double u, bool low) { // one end of the stretch moves to u
-        if (low && u > u0) h0 += slope * (u - u0), u0 = u;
-        if (!low && u < u1) h1 += slope * (u - u1), u1 = u;
+        if (low && u > u0) {
+            h0 += slope * (u - u0);
+            u0 = u;
+        }
+        if (!low && u < u1) {
+            h1 += slope * (u - u1);
+            u1 = u;
+        }
     };
     cut(0, true);
     cut(1, false);
@@ -77,54 +85,18 @@ void add_bridge(const Edge& e, const Facing& f, Loops& out) {
     out.add(quad);
 }
 
-// A grid of cells over the edges; each cell lists the edges whose boxes, `margin` wider, meet it.
-struct Grid {
-    Vec2 corner;
-    double size = 1;
-    std::int64_t columns = 1, rows = 1;
-    std::vector<std::uint32_t> start, edges;
-
-    [[nodiscard]] std::int64_t column(double x) const {
-        return std::clamp(static_cast<std::int64_t>((x - corner.x) / size), std::int64_t{0}, columns - 1);
-    }
-    [[nodiscard]] std::int64_t row(double y) const {
-        return std::clamp(static_cast<std::int64_t>((y - corner.y) / size), std::int64_t{0}, rows - 1);
-    }
-    // Calls visit(cell) for the cells that edge e meets: row by row, so that a long slanting edge meets few.
-    template <class Visit>
-    void over(const Edge& e, double margin, const Visit& visit) const {
-        const Vec2 lo = e.a.y < e.b.y ? e.a : e.b, hi = e.a.y < e.b.y ? e.b : e.a;
-        const double per_y = hi.y > lo.y ? (hi.x - lo.x) / (hi.y - lo.y) : 0;
-        for (std::int64_t r = row(lo.y - margin); r <= row(hi.y + margin); ++r) {
-            const double y0 = std::clamp(corner.y + static_cast<double>(r) * size - margin, lo.y, hi.y);
-            const double y1 = std::clamp(corner.y + static_cast<double>(r + 1) * size + margin, lo.y, hi.y);
-            double x0 = lo.x + per_y * (y0 - lo.y), x1 = lo.x + per_y * (y1 - lo.y);
-            if (per_y == 0) x0 = lo.x, x1 = hi.x;
-            if (x0 > x1) std::swap(x0, x1);
-            for (std::int64_t c = column(x0 - margin); c <= column(x1 + margin); ++c)
-                visit(static_cast<std::size_t>(r * columns + c));
-        }
-    }
-};
-
-Grid grid_over(const std::vector<Edge>& edges, const Box2& box, double margin) {
-    Grid g;
+// Each cell lists the edges that come nearer than `margin`.
+geom::SegmentGrid grid_over(const std::vector<Edge>& edges, const Box2& box, double margin) {
+    std::vector<geom::Segment> segments;
     double sum = 0;
-    for (const Edge& e : edges) sum += geom::distance(e.a, e.b);
+    for (const Edge& e : edges) {
+        segments.push_back({e.a, e.b});
+        sum += geom::distance(e.a, e.b);
+    }
     const double w = box.hi.x - box.lo.x, h = box.hi.y - box.lo.y, n = static_cast<double>(edges.size());
     // as wide as an edge is long, but not so fine that there are many more cells than edges
-    g.size = std::max({sum / n, std::sqrt(w * h / (4 * n)), std::max(w, h) / 4096, 4 * margin, 1e-3});
-    g.corner = box.lo;
-    g.columns = static_cast<std::int64_t>(w / g.size) + 1;
-    g.rows = static_cast<std::int64_t>(h / g.size) + 1;
-    g.start.assign(static_cast<std::size_t>(g.columns * g.rows) + 1, 0);
-    for (const Edge& e : edges) g.over(e, margin, [&](std::size_t cell) { ++g.start[cell + 1]; });
-    for (std::size_t i = 1; i < g.start.size(); ++i) g.start[i] += g.start[i - 1];
-    g.edges.resize(g.start.back());
-    std::vector<std::uint32_t> fill(g.start.begin(), g.start.end() - 1);
-    for (std::uint32_t i = 0; i < edges.size(); ++i)
-        g.over(edges[i], margin, [&](std::size_t cell) { g.edges[fill[cell]++] = i; });
-    return g;
+    const double cell = std::max({sum / n, std::sqrt(w * h / (4 * n)), std::max(w, h) / 4096, 4 * margin, 1e-3});
+    return {segments, cell, margin};
 }
 
 bool near(const Edge& e, const Edge& f, double margin) {
@@ -153,7 +125,10 @@ Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, N
         }
         if (2 * std::abs(area) <= kRounding * polygon::perimeter(loops[i])) continue; // rounding alone
         Note& n = area < 0 ? filled : dropped;
-        if (std::abs(area) * static_cast<double>(n.count) >= n.amount) n.x = loops[i][0].x, n.y = loops[i][0].y;
+        if (std::abs(area) * static_cast<double>(n.count) >= n.amount) {
+            n.x = loops[i][0].x;
+            n.y = loops[i][0].y;
+        }
         n.amount += std::abs(area);
         ++n.count;
     }
@@ -165,20 +140,23 @@ Loops without_slivers(const Loops& loops, double hairline, std::int64_t layer, N
 } // namespace
 
 Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& gaps) {
-    gap_area = 0, gaps = 0;
+    gap_area = 0;
+    gaps = 0;
     Loops out;
     const auto edges = edges_of(loops);
     if (edges.empty()) return out;
-    const Grid grid = grid_over(edges, polygon::bounds(loops), width);
+    const geom::SegmentGrid grid = grid_over(edges, polygon::bounds(loops), width);
     std::vector<std::uint64_t> pairs;
-    for (std::size_t c = 0; c + 1 < grid.start.size(); ++c)
-        for (std::uint32_t i = grid.start[c]; i < grid.start[c + 1]; ++i)
-            for (std::uint32_t j = i + 1; j < grid.start[c + 1]; ++j) {
-                const auto &e = edges[grid.edges[i]], &f = edges[grid.edges[j]];
+    for (std::size_t c = 0; c < grid.cells(); ++c) {
+        const auto in = grid.in(c);
+        for (std::size_t i = 0; i < in.size(); ++i)
+            for (std::size_t j = i + 1; j < in.size(); ++j) {
+                const auto &e = edges[in[i]], &f = edges[in[j]];
                 if (!near(e, f, width) || neighbours(e, f)) continue;
                 if (Facing facing_now; facing(e, f, width, facing_now))
-                    pairs.push_back(std::uint64_t{grid.edges[i]} << 32 | grid.edges[j]);
+                    pairs.push_back(std::uint64_t{in[i]} << 32 | in[j]);
             }
+    }
     std::sort(pairs.begin(), pairs.end()); // two edges may share many cells
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (const std::uint64_t pair : pairs) {
@@ -187,7 +165,10 @@ Loops bridges(const Loops& loops, double width, double& gap_area, std::size_t& g
         if (!facing(e, f, width, between)) continue;
         add_bridge(e, between, out);
         const double gap = std::max(0.0, (between.gap[0] + between.gap[1]) / 2);
-        if (gap > kRounding) gap_area += gap * (between.u[1] - between.u[0]) * geom::distance(e.a, e.b), ++gaps;
+        if (gap > kRounding) {
+            gap_area += gap * (between.u[1] - between.u[0]) * geom::distance(e.a, e.b);
+            ++gaps;
+        }
     }
     return out;
 }

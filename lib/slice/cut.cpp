@@ -27,14 +27,14 @@ void add_walls(const Loops& loops, bool marked, std::vector<polygon::Wall>& out)
 }
 
 // The solid of a layer some of whose contours had to be closed: as the surface winds round, whatever was guessed.
-Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector<Chain> chains, Notes& notes) {
+Loops open_solid(const Sweep& sweep, std::size_t layer, Loops loops, std::vector<OpenContour> contours, Notes& notes) {
     std::vector<polygon::Wall> walls;
     add_walls(loops, true, walls);
-    for (const Chain& c : chains)
+    for (const OpenContour& c : contours)
         for (std::size_t i = 1; i < c.points.size(); ++i) walls.push_back({c.points[i - 1], c.points[i], 1, true});
     const auto number = static_cast<std::int64_t>(layer);
-    const Closed closed = close_chains(
-        std::move(chains), [&] { return lid_chains(sweep, layer); }, sweep.options, number, notes);
+    const Closed closed = close_contours(
+        std::move(contours), [&] { return lid_contours(sweep, layer); }, sweep.options, number, notes);
     add_walls(closed.guessed, false, walls);
     for (const Loops* more : {&closed.whole, &closed.guessed})
         for (std::size_t l = 0; l < more->size(); ++l) loops.add((*more)[l]);

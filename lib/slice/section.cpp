@@ -70,7 +70,7 @@ void append(std::vector<Vec2>& points, std::size_t first, Vec2 p) {
     if (points.size() == first || !(points.back() == p)) points.push_back(p);
 }
 
-// Chains from pieces that nothing comes before, and loops of the rest; both in the order of their first pieces.
+// Open contours from pieces that nothing comes before, and loops of the rest; both in the order of their first pieces.
 Section link(const Part& part, double plane, const std::vector<Piece>& pieces) {
     Section out;
     const mesh::Mesh& mesh = part.mesh;
@@ -79,7 +79,7 @@ Section link(const Part& part, double plane, const std::vector<Piece>& pieces) {
     std::vector<char> done(pieces.size(), 0);
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
         if (order.continues[i] != 0) continue;
-        Chain& c = out.open.emplace_back();
+        OpenContour& c = out.open.emplace_back();
         c.head = pieces[i].from;
         for (std::uint32_t j = i; j != kNone; j = order.next[j]) {
             done[j] = 1;
@@ -126,14 +126,14 @@ std::vector<Section> sections(const Sweep& sweep, std::size_t chunk) {
     return out;
 }
 
-std::vector<Chain> lid_chains(const Sweep& sweep, std::size_t layer) {
+std::vector<OpenContour> lid_contours(const Sweep& sweep, std::size_t layer) {
     std::vector<Piece> pieces;
     for (const auto& t : sweep.part->lids) {
         const bool a = sweep.rank[t[0]] > layer, b = sweep.rank[t[1]] > layer, c = sweep.rank[t[2]] > layer;
         if (a != b || b != c) pieces.push_back(piece(t, a, b, c));
     }
-    std::vector<Chain> out = link(*sweep.part, sweep.levels[layer].plane + kLift, pieces).open;
-    for (Chain& c : out) c.lid = length(c);
+    std::vector<OpenContour> out = link(*sweep.part, sweep.levels[layer].plane + kLift, pieces).open;
+    for (OpenContour& c : out) c.lid = length(c);
     return out;
 }
 

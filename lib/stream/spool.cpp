@@ -100,7 +100,8 @@ void Spool::add(RawFrame frame) {
 void Spool::rewind() {
     State& s = *state_;
     if (!s.reading) return;
-    s.at = 0, s.begin = 0;
+    s.at = 0;
+    s.begin = 0;
     s.buffer.clear();
     if (s.fd >= 0 && ::lseek(s.fd, 0, SEEK_SET) != 0) failed("read");
 }

@@ -1,5 +1,4 @@
 #include "parallel/parallel.hpp"
-#include "stressfield/boxes.hpp"
 #include "stressfield/stencil.hpp"
 #include "stressfield/triangle.hpp"
 
@@ -24,23 +23,27 @@ struct Near {
     }
 };
 
-BoxTree tree_of(const std::vector<Vec3>& points) {
+geom::Bvh tree_of(const std::vector<Vec3>& points) {
     std::vector<Box3> boxes(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) boxes[i].add(points[i]);
-    return BoxTree(boxes);
+    return geom::Bvh(boxes);
 }
 
 // The `count` nearest to `p` of those that pass, nearest first.
 template <class Pass>
-std::vector<Near> nearest(const BoxTree& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
+std::vector<Near> nearest(const geom::Bvh& tree, const std::vector<Vec3>& points, const Vec3& p, std::size_t count,
                           const Pass& pass) {
     std::vector<Near> heap;
     tree.near(p, kInfinity, [&](std::uint32_t i) {
         const Near n{distance(p, points[i]), i};
         const bool full = heap.size() == count;
         if (pass(i) && (!full || n < heap.front())) {
-            if (full) std::pop_heap(heap.begin(), heap.end()), heap.pop_back();
-            heap.push_back(n), std::push_heap(heap.begin(), heap.end());
+            if (full) {
+                std::pop_heap(heap.begin(), heap.end());
+                heap.pop_back();
+            }
+            heap.push_back(n);
+            std::push_heap(heap.begin(), heap.end());
         }
         return heap.size() == count ? heap.front().distance : kInfinity;
     });
@@ -57,7 +60,7 @@ struct Foot {
     double spacing = 0; // to the sixth neighbour
 };
 
-std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const BoxTree& tree, double reach,
+std::vector<Foot> feet(const Surface& s, const std::vector<Vec3>& points, const geom::Bvh& tree, double reach,
                        int threads) {
     const TriangleTree triangles(s.vertices, s.triangles);
     std::vector<Foot> out(points.size());
@@ -101,7 +104,9 @@ std::vector<double> in_triangle(const std::vector<geom::Vec2>& flat) {
                 const double wi = orient(o, flat[j], flat[k]) / all, wj = orient(flat[i], o, flat[k]) / all;
                 if (std::min({wi, wj, 1 - wi - wj}) < -kRound || !empty(i, j, k)) continue;
                 std::vector<double> out(n, 0);
-                out[i] = std::max(0.0, wi), out[j] = std::max(0.0, wj), out[k] = 1 - out[i] - out[j];
+                out[i] = std::max(0.0, wi);
+                out[j] = std::max(0.0, wj);
+                out[k] = 1 - out[i] - out[j];
                 return out;
             }
     return {};
@@ -133,7 +138,8 @@ std::vector<double> weights(const std::vector<Near>& found, const std::vector<Ve
         m += rows[k] * b.transpose();
     }
     const double ridge = kRidge * m.trace();
-    m(1, 1) += ridge, m(2, 2) += ridge;
+    m(1, 1) += ridge;
+    m(2, 2) += ridge;
     const Eigen::Vector3d c = m.ldlt().solve(Eigen::Vector3d::UnitX());
     for (std::size_t k = 0; k < found.size(); ++k) out[k] = rows[k].dot(c);
     return out;
@@ -142,7 +148,7 @@ std::vector<double> weights(const std::vector<Near>& found, const std::vector<Ve
 } // namespace
 
 Stencils in_cloud(const Surface& s, const std::vector<Vec3>& points, double reach, int threads) {
-    const BoxTree tree = tree_of(points);
+    const geom::Bvh tree = tree_of(points);
     const auto foot = feet(s, points, tree, reach, threads);
     const auto normal = normals(s);
     const std::size_t n = s.vertices.size();

@@ -144,7 +144,8 @@ class Table {
             const Vec3 d{row[columns_[kVx]], row[columns_[kVy]], row[columns_[kVz]]};
             const Principal s{at(kS1, norm(d)), at(kS2, unknown), at(kS3, unknown)};
             if (!std::isfinite(norm(d) + s[0]) || std::isnan(s[1] + s[2])) return false;
-            c.directions.push_back(d), c.principals.push_back(s);
+            c.directions.push_back(d);
+            c.principals.push_back(s);
         }
         out_.points.push_back(p);
         return true;

@@ -47,9 +47,13 @@ const std::vector<Form>& forms() {
         const Edges of_wedge = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
         Form tet10 = with_middles(tet, of_tet), hex20 = with_middles(hex, of_hex);
         Form wedge15 = with_middles(wedge, of_wedge);
-        tet10.corner = -1.0 / 8, tet10.edge = 1.0 / 4;
-        hex20.corner = -1.0 / 4, hex20.edge = 1.0 / 4;
-        wedge15.corner = -2.0 / 9, wedge15.edge = 2.0 / 9, wedge15.upright = 1.0 / 3;
+        tet10.corner = -1.0 / 8;
+        tet10.edge = 1.0 / 4;
+        hex20.corner = -1.0 / 4;
+        hex20.edge = 1.0 / 4;
+        wedge15.corner = -2.0 / 9;
+        wedge15.edge = 2.0 / 9;
+        wedge15.upright = 1.0 / 3;
         return std::vector<Form>{tet,
                                  tet10,
                                  hex,
@@ -70,9 +74,11 @@ const Form& form_of(Shape shape) { return forms()[static_cast<std::size_t>(shape
 // Two triangles, cut from the corner of least index.
 void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::vector<Triangle>& out) {
     if (std::min(a, c) < std::min(b, d)) {
-        out.push_back({a, b, c}), out.push_back({a, c, d});
+        out.push_back({a, b, c});
+        out.push_back({a, c, d});
     } else {
-        out.push_back({b, c, d}), out.push_back({b, d, a});
+        out.push_back({b, c, d});
+        out.push_back({b, d, a});
     }
 }
 

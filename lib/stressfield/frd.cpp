@@ -225,7 +225,10 @@ class Frd {
         }
         Case* c = nullptr;
         for (Case& other : out_.cases)
-            if (other.name == step_name) c = &other, ++repeated_;
+            if (other.name == step_name) {
+                c = &other;
+                ++repeated_;
+            }
         if (c == nullptr) c = &out_.cases.emplace_back(Case{step_name, {}, {}, {}});
         read_stresses(*c);
     }
@@ -247,7 +250,10 @@ class Frd {
             Tensor& t = c.tensors[i];
             if (component != 6 || !numbers(line_, 3 + id_, 6, t.data()))
                 fail("it does not hold six numbers of 12 columns");
-            if (!std::isfinite(t[0] + t[1] + t[2] + t[3] + t[4] + t[5])) t[0] = kNan, ++lost_;
+            if (!std::isfinite(t[0] + t[1] + t[2] + t[3] + t[4] + t[5])) {
+                t[0] = kNan;
+                ++lost_;
+            }
         }
     }
 

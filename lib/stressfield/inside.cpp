@@ -30,7 +30,10 @@ class Solids {
         Weights out;
         tree_.near(p, 0, [&](std::uint32_t k) {
             if (k < best)
-                if (Weights w = within(samples_.elements[chosen_[k]], p); !w.empty()) best = k, out = std::move(w);
+                if (Weights w = within(samples_.elements[chosen_[k]], p); !w.empty()) {
+                    best = k;
+                    out = std::move(w);
+                }
             return 0.0;
         });
         return out;
@@ -38,17 +41,17 @@ class Solids {
 
   private:
     std::vector<Box3> choose(const Surface& s) {
-        Box3 near;
-        for (const Vec3& v : s.vertices) near.add(v);
+        const Box3 near = geom::box_of(s.vertices);
         std::vector<Box3> out;
         for (std::uint32_t e = 0; e < samples_.elements.size(); ++e) {
             const Element& element = samples_.elements[e];
             if (!is_solid(element.shape)) continue;
             Box3 box;
             for (const auto i : nodes_of(samples_, element)) box.add(samples_.points[i]);
-            const bool apart = box.lo.x > near.hi.x || box.hi.x < near.lo.x || box.lo.y > near.hi.y ||
-                               box.hi.y < near.lo.y || box.lo.z > near.hi.z || box.hi.z < near.lo.z;
-            if (!apart) chosen_.push_back(e), out.push_back(box);
+            if (meet(box, near)) {
+                chosen_.push_back(e);
+                out.push_back(box);
+            }
         }
         return out;
     }
@@ -77,7 +80,7 @@ class Solids {
 
     const Samples& samples_;
     std::vector<std::uint32_t> chosen_;
-    BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 class Outside {
@@ -149,7 +152,10 @@ Stencils in_mesh(const Surface& s, const Samples& samples, double reach, int thr
     });
     for (const auto& weights : found) {
         out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
-        for (const auto& [sample, weight] : weights) out.sample.push_back(sample), out.weight.push_back(weight);
+        for (const auto& [sample, weight] : weights) {
+            out.sample.push_back(sample);
+            out.weight.push_back(weight);
+        }
     }
     out.start.push_back(static_cast<std::uint32_t>(out.sample.size()));
     return out;

@@ -110,7 +110,10 @@ Samples read_any(std::string_view bytes, const std::string& name, const ReadOpti
 Samples read(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
     if (bytes.empty()) throw Error(Exit::truncated, "cannot read " + name + ": it is empty");
     std::string unpacked;
-    if (bytes.starts_with("\x1f\x8b")) unpacked = gunzip(bytes, name), bytes = unpacked;
+    if (bytes.starts_with("\x1f\x8b")) {
+        unpacked = gunzip(bytes, name);
+        bytes = unpacked;
+    }
     Samples out = read_any(bytes, name, options, notes);
     scale(out, factor(kLengths, options.unit), factor(kStresses, options.stress_unit));
     rename(out, options.names, name);

@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "parallel/parallel.hpp"
-#include "stressfield/boxes.hpp"
 #include "stressfield/principal.hpp"
 #include "stressfield/stencil.hpp"
+#include "stressfield/triangle.hpp"
 
 namespace filum::stressfield {
 
@@ -74,7 +74,9 @@ Fields fields_of(const std::string& name, const std::vector<Place>& places, doub
         const auto& direction = tangent ? places[v].tangent : places[v].axes.first;
         if (!places[v].known || !direction || std::abs(places[v].axes.values[0]) < least) continue;
         const Vec3 d = signed_direction(*direction);
-        out.d.values[3 * v] = d.x, out.d.values[3 * v + 1] = d.y, out.d.values[3 * v + 2] = d.z;
+        out.d.values[3 * v] = d.x;
+        out.d.values[3 * v + 1] = d.y;
+        out.d.values[3 * v + 2] = d.z;
     }
     return out;
 }
@@ -85,8 +87,12 @@ struct Tally {
     double area = 0, worst = -1;
     Vec3 at{std::nan(""), std::nan(""), std::nan("")};
     void add(double share, double badness, const Vec3& p) {
-        ++count, area += share;
-        if (badness > worst) worst = badness, at = p;
+        ++count;
+        area += share;
+        if (badness > worst) {
+            worst = badness;
+            at = p;
+        }
     }
     void note(Notes& notes, std::string what, double amount, std::string unit) const {
         if (count > 0) notes.push_back({"", std::move(what), amount, std::move(unit), count, -1, at.x, at.y, at.z});
@@ -181,8 +187,14 @@ void add(std::span<surface::Sheet> sheets, const Samples& samples, const Options
         } catch (const Error& e) {
             throw Error(e.exit(), "patch '" + name + "': " + e.what());
         }
-        for (Note& note : own) note.what += " on patch " + name, notes.push_back(std::move(note));
-        for (Fact& fact : found) fact.name = "patch." + name + "." + fact.name, facts.push_back(std::move(fact));
+        for (Note& note : own) {
+            note.what += " on patch " + name;
+            notes.push_back(std::move(note));
+        }
+        for (Fact& fact : found) {
+            fact.name = "patch." + name + "." + fact.name;
+            facts.push_back(std::move(fact));
+        }
     }
 }
 

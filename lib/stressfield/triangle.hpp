@@ -1,14 +1,18 @@
 // The triangle of many that is nearest to a point.
 #pragma once
 
+#include "geom/bvh.hpp"
 #include "mesh/mesh.hpp"
-#include "stressfield/boxes.hpp"
 
 #include <span>
 
 namespace filum::stressfield {
 
+using geom::Box3;
+using geom::Vec3;
 using mesh::Triangle;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A unit vector across the unit vector `n`.
 Vec3 across(const Vec3& n);
@@ -43,7 +47,7 @@ class TriangleTree {
     void improve(Hit& hit, std::uint32_t triangle, const Vec3& p) const;
     std::span<const Vec3> points_;
     std::span<const Triangle> triangles_;
-    BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 } // namespace filum::stressfield

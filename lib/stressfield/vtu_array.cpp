@@ -69,7 +69,10 @@ class Reader {
 
     // Until n bytes are ready.
     void decode(std::uint64_t n) {
-        if (used_ == decoded_.size()) decoded_.clear(), used_ = 0;
+        if (used_ == decoded_.size()) {
+            decoded_.clear();
+            used_ = 0;
+        }
         while (decoded_.size() - used_ < n) {
             std::uint32_t group = 0;
             int digits = 0, padding = 0;

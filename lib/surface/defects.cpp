@@ -48,7 +48,10 @@ std::uint32_t flat_side(const mesh::Mesh& mesh, std::uint32_t t) {
     std::uint32_t side = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
         const double l = distance(mesh.vertices[mesh.triangles[t][k]], mesh.vertices[mesh.triangles[t][(k + 1) % 3]]);
-        if (l > longest) longest = l, side = k;
+        if (l > longest) {
+            longest = l;
+            side = k;
+        }
     }
     return norm(cross_of(mesh, t)) <= kFlat * longest * longest ? side : 3;
 }
@@ -131,7 +134,10 @@ void remove_copies(mesh::Mesh& mesh, Notes& notes) {
               [](const Key& a, const Key& b) { return a.corners != b.corners ? a.corners < b.corners : a.t < b.t; });
     std::size_t copies = 0;
     for (std::size_t i = 1; i < keys.size(); ++i)
-        if (keys[i].corners == keys[i - 1].corners) mesh.triangles[keys[i].t] = {}, ++copies;
+        if (keys[i].corners == keys[i - 1].corners) {
+            mesh.triangles[keys[i].t] = {};
+            ++copies;
+        }
     if (copies == 0) return;
     erase_degenerate(mesh);
     notes.push_back(note("triangle that stood twice left out", copies));
@@ -145,7 +151,10 @@ void remove_flat(mesh::Mesh& mesh, Notes& notes) {
         if (gone == 0) break;
     }
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-        if (flat_side(mesh, t) != 3) mesh.triangles[t] = {}, ++out;
+        if (flat_side(mesh, t) != 3) {
+            mesh.triangles[t] = {};
+            ++out;
+        }
     erase_degenerate(mesh);
     if (out > 0) notes.push_back(note("triangle without area taken out", out));
 }
@@ -164,13 +173,18 @@ std::vector<std::uint32_t> join_sides(const mesh::Mesh& mesh, Notes& notes) {
             for (std::size_t m = k + 1; m < j; ++m) {
                 if (tail(sides[k].h) == tail(sides[m].h)) continue; // they face opposite ways
                 const double f = j - i == 2 ? 0 : fold(mesh, sides[k].h / 3, sides[m].h / 3);
-                if (f < least) least = f, a = sides[k].h, b = sides[m].h;
+                if (f < least) {
+                    least = f;
+                    a = sides[k].h;
+                    b = sides[m].h;
+                }
             }
         if (a == kNone) {
             one_sided += j - i == 2 ? 1 : 0;
             return;
         }
-        twin[a] = b, twin[b] = a;
+        twin[a] = b;
+        twin[b] = a;
     });
     if (crowded > 0)
         notes.push_back(note("edge of more than two triangles cut, the flattest two left joined", crowded));

@@ -12,8 +12,6 @@ struct Round {
     std::vector<std::uint32_t> parent, whole;
 };
 
-double side_length(const Surface& s, std::uint32_t h) { return distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]); }
-
 // The middles of long sides, as vertices behind the others; kNone for sides that stay.
 std::vector<std::uint32_t> middles(const Surface& s, double edge, std::vector<geom::Vec3>& vertices) {
     std::vector<std::uint32_t> out(s.twin.size(), kNone);
@@ -78,7 +76,10 @@ std::vector<std::uint32_t> join(const Surface& before, const Round& r) {
         return ea != eb ? ea < eb : a < b;
     });
     for (std::size_t i = 1; i < halves.size(); ++i)
-        if (ends(halves[i - 1]) == ends(halves[i])) out[halves[i - 1]] = halves[i], out[halves[i]] = halves[i - 1];
+        if (ends(halves[i - 1]) == ends(halves[i])) {
+            out[halves[i - 1]] = halves[i];
+            out[halves[i]] = halves[i - 1];
+        }
     return out;
 }
 

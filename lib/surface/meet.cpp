@@ -1,6 +1,7 @@
 #include "surface/meet.hpp"
 
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
+#include "geom/segment.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,15 +21,7 @@ constexpr double kStraight = 0.87;    // cosine of the sharpest bend on the way,
 constexpr int kHalvings = 30;         // of the stretch between two spots in which a touching one ends
 constexpr double kDegenerate = 1e-12; // of the longest side squared: twice the area of what has none
 
-Box3 around(std::initializer_list<Vec3> points, double margin) {
-    Box3 b{*points.begin(), *points.begin()};
-    for (const Vec3& p : points) {
-        b.lo = {std::min(b.lo.x, p.x), std::min(b.lo.y, p.y), std::min(b.lo.z, p.z)};
-        b.hi = {std::max(b.hi.x, p.x), std::max(b.hi.y, p.y), std::max(b.hi.z, p.z)};
-    }
-    const Vec3 m{margin, margin, margin};
-    return {b.lo - m, b.hi + m};
-}
+Box3 around(std::initializer_list<Vec3> points, double margin) { return geom::grown(geom::box_of(points), margin); }
 
 Corners corners(const std::vector<Vec3>& v, const Triangle& t) { return {v[t[0]], v[t[1]], v[t[2]]}; }
 
@@ -84,19 +77,20 @@ bool less(const Vec3& p, const Vec3& q) { return std::tie(p.x, p.y, p.z) < std::
 class Meeter {
   public:
     Meeter(const Surface& s, const mesh::Mesh& other, double near) : surface_(s), other_(other), near_(near) {
-        Box3 box = around({s.vertices.front()}, 0);
-        for (const Vec3& v : s.vertices) box = around({box.lo, box.hi, v}, 0);
-        slack_ = kInPlane * distance(box.lo, box.hi);
+        slack_ = kInPlane * norm(geom::box_of(s.vertices).size());
         double edge = 0, count = 0;
         std::vector<Box3> boxes;
         for (const auto& t : other.triangles) {
             const Corners c = corners(other.vertices, t);
-            boxes.push_back(around({c[0], c[1], c[2]}, slack_));
-            for (std::size_t k = 0; k < 3; ++k) edge += distance(c[k], c[(k + 1) % 3]), ++count;
+            boxes.push_back(geom::grown(geom::box_of(c), slack_));
+            for (std::size_t k = 0; k < 3; ++k) {
+                edge += distance(c[k], c[(k + 1) % 3]);
+                ++count;
+            }
         }
         edge_ = std::max(mean_edge(s), count > 0 ? edge / count : 0);
         if (near_ == 0) near_ = kNear * edge_;
-        tree_ = std::make_unique<geom::BoxTree>(std::move(boxes));
+        tree_ = std::make_unique<geom::Bvh>(std::move(boxes));
     }
 
     Meeting run() {
@@ -104,7 +98,7 @@ class Meeter {
         const std::vector<Segment> rims = out_.segments;
         std::vector<Box3> boxes;
         for (const Segment& s : rims) boxes.push_back(around({s.a, s.b}, 0));
-        const geom::BoxTree along(std::move(boxes));
+        const geom::Bvh along(std::move(boxes));
         const auto beside = [&](const Vec3& p) {
             bool found = false;
             along.visit(around({p}, 2 * near_), [&](std::uint32_t i) {
@@ -121,9 +115,7 @@ class Meeter {
 
   private:
     static Vec3 nearest_on(const Segment& s, const Vec3& p) {
-        const Vec3 d = s.b - s.a;
-        const double l2 = dot(d, d);
-        return l2 > 0 ? s.a + std::clamp(dot(p - s.a, d) / l2, 0.0, 1.0) * d : s.a;
+        return s.a + geom::nearest_parameter(s.a, s.b, p) * (s.b - s.a);
     }
 
     [[nodiscard]] bool touches(const Vec3& p) const {
@@ -177,7 +169,8 @@ class Meeter {
                 near.push_back({h / 3, p, last(p, q)});
             else if (to)
                 near.push_back({h / 3, last(q, p), q});
-            p = q, from = to;
+            p = q;
+            from = to;
         }
     }
 
@@ -229,7 +222,8 @@ class Meeter {
 
     // What a -> b has in common with the triangle, along `way`.
     void add(std::uint32_t t, const Corners& c, const Vec3& n, Vec3 a, Vec3 b, const Vec3& way) {
-        a = a - dot(a - c[0], n) * n, b = b - dot(b - c[0], n) * n;
+        a = a - dot(a - c[0], n) * n;
+        b = b - dot(b - c[0], n) * n;
         if (less(b, a)) std::swap(a, b); // the same for all triangles that share it
         if (!clip(c, n, slack_, a, b)) return;
         if (dot(b - a, way) < 0) std::swap(a, b);
@@ -267,7 +261,7 @@ class Meeter {
     const Surface& surface_;
     const mesh::Mesh& other_;
     double near_, edge_ = 0, slack_ = 0;
-    std::unique_ptr<geom::BoxTree> tree_;
+    std::unique_ptr<geom::Bvh> tree_;
     std::vector<Segment> found_;
     Meeting out_;
 };

@@ -16,12 +16,7 @@ Segment turned(const Surface& s, const Segment& line, const Plane& plane) {
 } // namespace
 
 std::vector<double> sides(const Surface& s, const Plane& plane) {
-    Vec3 lo = s.vertices.front(), hi = lo;
-    for (const Vec3& v : s.vertices) {
-        lo = {std::min(lo.x, v.x), std::min(lo.y, v.y), std::min(lo.z, v.z)};
-        hi = {std::max(hi.x, v.x), std::max(hi.y, v.y), std::max(hi.z, v.z)};
-    }
-    const double size = norm(plane.normal), near = kInPlane * distance(lo, hi);
+    const double size = norm(plane.normal), near = kInPlane * norm(geom::box_of(s.vertices).size());
     std::vector<double> out(s.vertices.size());
     for (std::size_t v = 0; v < out.size(); ++v) {
         out[v] = (dot(plane.normal, s.vertices[v]) - plane.offset) / size;
@@ -82,7 +77,10 @@ Segment nearest(const Surface& s, const Vec3& p) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const Vec3 q = nearest_in(s, t, p);
         const double d = distance(p, q);
-        if (d < least) least = d, out = {t, q, q};
+        if (d < least) {
+            least = d;
+            out = {t, q, q};
+        }
     }
     return out;
 }

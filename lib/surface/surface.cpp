@@ -64,7 +64,10 @@ void find_rims(Surface& s) {
     std::vector<std::size_t> outer(s.components, s.rims.size());
     for (std::size_t i = 0; i < s.rims.size(); ++i) {
         const double a = spanned_area(s, s.rims[i]);
-        if (a > widest[s.rims[i].component]) widest[s.rims[i].component] = a, outer[s.rims[i].component] = i;
+        if (a > widest[s.rims[i].component]) {
+            widest[s.rims[i].component] = a;
+            outer[s.rims[i].component] = i;
+        }
     }
     for (const std::size_t i : outer)
         if (i < s.rims.size()) s.rims[i].outer = true;
@@ -133,27 +136,30 @@ Facts facts(const Surface& s) {
 
 double area(const Surface& s) {
     double sum = 0;
-    for (const auto& [a, b, c] : s.triangles)
-        sum += norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) sum += area(s, t);
     return sum;
+}
+
+double area(const Surface& s, std::uint32_t triangle) {
+    const auto& [a, b, c] = s.triangles[triangle];
+    return norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
 }
 
 double rim_length(const Surface& s, const Rim& rim) {
     double sum = 0;
-    for (const std::uint32_t h : rim.sides) sum += distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+    for (const std::uint32_t h : rim.sides) sum += side_length(s, h);
     return sum;
 }
 
 double mean_edge(const Surface& s) {
     double sum = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h) sum += distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) sum += side_length(s, h);
     return sum / static_cast<double>(s.twin.size());
 }
 
 double longest_edge(const Surface& s) {
     double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) out = std::max(out, side_length(s, h));
     return out;
 }
 

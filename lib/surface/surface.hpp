@@ -72,6 +72,10 @@ Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, st
 Facts facts(const Surface& s);
 
 double area(const Surface& s);                         // mm2
+double area(const Surface& s, std::uint32_t triangle); // mm2
+inline double side_length(const Surface& s, std::uint32_t h) {
+    return geom::distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]); // mm
+}
 double rim_length(const Surface& s, const Rim& rim);   // mm
 double mean_edge(const Surface& s);                    // mm, over half-edges
 double longest_edge(const Surface& s);                 // mm

@@ -32,7 +32,8 @@ class Walk {
   public:
     Walk(const Surface& s, const Stop& from, const Stop& to) : surface_(s), from_(from), to_(to) {
         const Vec3 n = normal(s, from.triangle) + normal(s, to.triangle);
-        upright_ = cross(to.inside - from.inside, n), exact_ = cross(to.point - from.point, n);
+        upright_ = cross(to.inside - from.inside, n);
+        exact_ = cross(to.point - from.point, n);
     }
 
     // Appends the segments; false if the surface ends on the way.
@@ -88,7 +89,10 @@ class Walk {
             if (h == entry || !crosses(h)) continue;
             const double ahead =
                 dot(on_side(h, part(h, upright_, from_.inside)) - from_.inside, to_.inside - from_.inside);
-            if (best == kNone || ahead > farthest) best = h, farthest = ahead;
+            if (best == kNone || ahead > farthest) {
+                best = h;
+                farthest = ahead;
+            }
         }
         return best;
     }

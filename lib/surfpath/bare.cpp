@@ -1,9 +1,11 @@
 #include "surfpath/bare.hpp"
 
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
+#include "geom/segment.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -22,11 +24,6 @@ constexpr std::uint32_t kMostParts = 256; // of a triangle's side
 constexpr std::size_t kTriangles = 256;   // of a piece of work
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-geom::Box3 around(const Vec3& a, const Vec3& b, double by) {
-    return {{std::min(a.x, b.x) - by, std::min(a.y, b.y) - by, std::min(a.z, b.z) - by},
-            {std::max(a.x, b.x) + by, std::max(a.y, b.y) + by, std::max(a.z, b.z) + by}};
-}
-
 // The stretches of a plan, by place.
 class Stretches {
   public:
@@ -42,13 +39,11 @@ class Stretches {
     // Calls f(mm off, way) for the nearest place of every stretch within reach that faces alike.
     template <class F>
     void near(const Vec3& p, const Vec3& normal, double reach, const F& f) const {
-        tree_.visit(around(p, p, reach), [&](std::uint32_t k) {
+        tree_.visit(geom::grown({p, p}, reach), [&](std::uint32_t k) {
             const Stretch& l = all_[k];
             if (!(dot(normal, l.normal) > 0)) return;
-            const Vec3 d = l.b - l.a;
-            const double dd = dot(d, d), t = dd > 0 ? std::clamp(dot(p - l.a, d) / dd, 0.0, 1.0) : 0;
-            const double off = distance(p, l.a + t * d);
-            if (off <= reach) f(off, l.way + t * std::sqrt(dd));
+            const double t = geom::nearest_parameter(l.a, l.b, p), off = distance(p, l.a + t * (l.b - l.a));
+            if (off <= reach) f(off, l.way + t * distance(l.a, l.b));
         });
     }
 
@@ -62,7 +57,8 @@ class Stretches {
                 for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
                     const Vec3 &a = piece.line[i], &b = piece.line[i + 1];
                     out.push_back({a, b, surface::normal(s, piece.line.places[i].triangle), way});
-                    way += distance(a, b), length += distance(a, b);
+                    way += distance(a, b);
+                    length += distance(a, b);
                 }
             way += kApart;
         }
@@ -71,13 +67,13 @@ class Stretches {
     static std::vector<geom::Box3> boxes(const std::vector<Stretch>& all) {
         std::vector<geom::Box3> out;
         out.reserve(all.size());
-        for (const Stretch& l : all) out.push_back(around(l.a, l.b, 0));
+        for (const Stretch& l : all) out.push_back(geom::box_of(std::array{l.a, l.b}));
         return out;
     }
 
     double length_ = 0;
     std::vector<Stretch> all_;
-    geom::BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 struct Sample {
@@ -140,7 +136,9 @@ void look(const Sample& point, const Stretches& lines, double width, Sum& sum, s
 }
 
 void add(const Sum& part, Sum& sum) {
-    sum.surface += part.surface, sum.covered += part.covered, sum.missing += part.missing;
+    sum.surface += part.surface;
+    sum.covered += part.covered;
+    sum.missing += part.missing;
     sum.bare.insert(sum.bare.end(), part.bare.begin(), part.bare.end());
     for (const auto& [cell, heap] : part.heaps) sum.heaps.insert({cell, {0, heap.at}}).first->second.area += heap.area;
 }
@@ -152,7 +150,10 @@ Vec3 widest(const std::vector<Sample>& bare, const Stretches& lines, double widt
         double least = kFar;
         for (double reach = width; least == kFar && reach <= kSought * width; reach *= 2)
             lines.near(b.p, b.normal, reach, [&](double off, double) { least = std::min(least, off); });
-        if (least > worst) worst = least, at = b.p;
+        if (least > worst) {
+            worst = least;
+            at = b.p;
+        }
         if (worst == kFar) break;
     }
     return at;
@@ -177,7 +178,10 @@ Cover cover(const Surface& s, const Plan& plan, double width) {
     out.widest = widest(sum.bare, lines, width);
     double most = 0;
     for (const auto& [cell, heap] : sum.heaps)
-        if (heap.area > most) most = heap.area, out.thickest = heap.at;
+        if (heap.area > most) {
+            most = heap.area;
+            out.thickest = heap.at;
+        }
     return out;
 }
 

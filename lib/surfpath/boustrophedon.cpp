@@ -53,7 +53,8 @@ class Path {
         std::vector<std::uint32_t> number(n);
         for (std::uint32_t i = 0; i < n; ++i) number[row[i]] = i;
         for (Link& l : links) {
-            l.from = 2 * number[l.from / 2] + l.from % 2, l.to = 2 * number[l.to / 2] + l.to % 2;
+            l.from = 2 * number[l.from / 2] + l.from % 2;
+            l.to = 2 * number[l.to / 2] + l.to % 2;
             if (l.from > l.to) std::swap(l.from, l.to);
         }
         // Mostly a narrow beam finds a way with good turns only.
@@ -139,7 +140,8 @@ class Path {
             LaidTurn out = *it;
             if (from != a) {
                 surface::curve::reverse(out.line);
-                std::swap(out.from, out.to), std::swap(out.from_trim, out.to_trim);
+                std::swap(out.from, out.to);
+                std::swap(out.from_trim, out.to_trim);
             }
             return out;
         }

@@ -1,5 +1,6 @@
 #include "surfpath/declare.hpp"
 
+#include "geom/polyline.hpp"
 #include "surface/curve/turns.hpp"
 #include "surface/curve/walk.hpp"
 
@@ -59,22 +60,25 @@ Tight declare(const Surface& s, Plan& plan, double radius, double beside, double
             normals.push_back(surface::curve::normal_at(s, vertex_normals, p));
             points.push_back(p.point + offset * normals.back());
         }
-        std::vector<double> ways{0};
-        for (std::size_t i = 1; i < points.size(); ++i)
-            ways.push_back(ways.back() + distance(points[i - 1], points[i]));
+        const std::vector<double> ways = geom::arc_lengths(points);
         out.least = std::min(out.least, surface::curve::least_radius(points, normals));
         const auto turns = surface::curve::tight_turns(points, normals, kSurely * radius);
         for (const auto& t : turns) {
             if (!(t.radius < radius)) continue;
-            ++out.count, out.length += t.to - t.from;
-            if (t.radius < tightest) tightest = t.radius, out.at = surface::curve::at(line, ways, t.at).point;
+            ++out.count;
+            out.length += t.to - t.from;
+            if (t.radius < tightest) {
+                tightest = t.radius;
+                out.at = surface::curve::at(line, ways, t.at).point;
+            }
         }
         stroke.pieces.clear();
         double done = 0;
         for (const Range& r : widened(turns, beside, ways.back())) {
             if (r.from > done) stroke.pieces.push_back(piece(s, line, ways, {done, r.from}, false));
             stroke.pieces.push_back(piece(s, line, ways, r, true));
-            out.declared += r.to - r.from, done = r.to;
+            out.declared += r.to - r.from;
+            done = r.to;
         }
         if (done < ways.back()) stroke.pieces.push_back(piece(s, line, ways, {done, ways.back()}, false));
     }

@@ -85,8 +85,10 @@ class Sheet {
 
     void link(std::size_t a, std::size_t b, double gap) {
         if (gap > kNoGap * d_) return;
-        knots_[a].right = b, knots_[a].right_gap = gap;
-        knots_[b].left = a, knots_[b].left_gap = gap;
+        knots_[a].right = b;
+        knots_[a].right_gap = gap;
+        knots_[b].left = a;
+        knots_[b].left_gap = gap;
     }
 
     // Rims count for the outermost strands of open fronts, the less the more these lead away from them or to them.
@@ -103,7 +105,8 @@ class Sheet {
                 const double slope = std::abs(x - x_beside) / fronts_.step();
                 if (x > kNoGap / 2 * d_ || slope > kParallel) return;
                 const double weight = 2 * (1 - slope / kParallel);
-                k.rim_weight += weight, k.rim += sign * weight * (d_ / 2 - x);
+                k.rim_weight += weight;
+                k.rim += sign * weight * (d_ / 2 - x);
             };
             const double x = s.spots[j].x, y = s.spots[other].x;
             if (k.left == kNobody) feel(x, y, 1);
@@ -114,10 +117,22 @@ class Sheet {
     double pull(Knot& k) {
         const double across = 1 / (d_ * d_), along = kLean / (fronts_.step() * fronts_.step());
         double weight = k.rim_weight * across, sum = k.rim * across;
-        if (k.left != kNobody) weight += across, sum += across * (d_ - k.left_gap + knots_[k.left].moved);
-        if (k.right != kNobody) weight += across, sum += across * (k.right_gap - d_ + knots_[k.right].moved);
-        if (k.before != kNobody) weight += along, sum += along * knots_[k.before].moved;
-        if (k.behind != kNobody) weight += along, sum += along * knots_[k.behind].moved;
+        if (k.left != kNobody) {
+            weight += across;
+            sum += across * (d_ - k.left_gap + knots_[k.left].moved);
+        }
+        if (k.right != kNobody) {
+            weight += across;
+            sum += across * (k.right_gap - d_ + knots_[k.right].moved);
+        }
+        if (k.before != kNobody) {
+            weight += along;
+            sum += along * knots_[k.before].moved;
+        }
+        if (k.behind != kNobody) {
+            weight += along;
+            sum += along * knots_[k.behind].moved;
+        }
         if (!(weight > 0)) return 0;
         const double way = kOver * (sum / weight - k.moved);
         k.moved += way;

@@ -29,11 +29,17 @@ surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
     for (const auto& g : seed.segments) {
         upright = upright + distance(g.a, g.b) * surface::normal(s, g.triangle);
         for (const Vec3& p : {g.a, g.b})
-            if (distance(a, p) > far) far = distance(a, p), b = p;
+            if (distance(a, p) > far) {
+                far = distance(a, p);
+                b = p;
+            }
     }
     for (const auto& g : seed.segments)
         for (const Vec3& p : {g.a, g.b})
-            if (const Vec3 n = cross(b - a, p - a); norm(n) > most) most = norm(n), best = n;
+            if (const Vec3 n = cross(b - a, p - a); norm(n) > most) {
+                most = norm(n);
+                best = n;
+            }
     if (!(most > kStraight * far * far)) best = cross(b - a, upright);
     if (!(norm(best) > 0)) throw Error(Exit::bad_input, "the seed curve has no direction");
     const Vec3 n = 1 / norm(best) * best;
@@ -43,11 +49,6 @@ surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
                 throw Error(Exit::bad_input,
                             "the seed curve is not in a plane; run geodesic --source plane:NX,NY,NZ,D first");
     return {n, dot(n, a)};
-}
-
-double area(const Surface& s, std::uint32_t t) {
-    const Vec3& p = s.vertices[s.triangles[t][0]];
-    return norm(cross(s.vertices[s.triangles[t][1]] - p, s.vertices[s.triangles[t][2]] - p)) / 2;
 }
 
 // By how much the height changes per mm along the surface.
@@ -72,9 +73,15 @@ class Spread {
             // The triangle's cuts have the mean length of its area over its height across.
             const auto first = static_cast<std::size_t>(std::max(0.0, lo / bin_));
             const auto last = static_cast<std::size_t>(std::max(0.0, hi / bin_));
-            if (last >= rise.size()) rise.resize(last + 1, 0), length.resize(last + 1, 0);
-            const double share = area(s, t) / static_cast<double>(last - first + 1);
-            for (std::size_t i = first; i <= last; ++i) rise[i] += share, length[i] += share / steep;
+            if (last >= rise.size()) {
+                rise.resize(last + 1, 0);
+                length.resize(last + 1, 0);
+            }
+            const double share = surface::area(s, t) / static_cast<double>(last - first + 1);
+            for (std::size_t i = first; i <= last; ++i) {
+                rise[i] += share;
+                length[i] += share / steep;
+            }
         }
         way_.push_back(0);
         double ratio = 1;
@@ -117,8 +124,11 @@ void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std
         const double rise = spread.height(way + spacing / 2) - spread.height(std::max(0.0, way - spacing / 2));
         const double gap = rise / std::max(1e-9, slope(s, t, height)) / spacing;
         if (gap <= kWide) continue;
-        out.area += area(s, t);
-        if (gap > out.most) out.most = gap, out.at = s.vertices[a];
+        out.area += surface::area(s, t);
+        if (gap > out.most) {
+            out.most = gap;
+            out.at = s.vertices[a];
+        }
     }
 }
 

@@ -95,8 +95,11 @@ Fine ordered(const surface::Sheet& given) {
     for (std::uint32_t t = 0; t < named.size(); ++t) {
         const std::uint32_t h = named[t][3];
         triangles.push_back({named[t][0], named[t][1], named[t][2]});
-        out.parent.push_back(h / 3), place[h / 3] = t;
-        now[h] = 3 * t, now[surface::next(h)] = 3 * t + 1, now[surface::prev(h)] = 3 * t + 2;
+        out.parent.push_back(h / 3);
+        place[h / 3] = t;
+        now[h] = 3 * t;
+        now[surface::next(h)] = 3 * t + 1;
+        now[surface::prev(h)] = 3 * t + 2;
     }
     for (std::uint32_t h = 0; h < now.size(); ++h)
         twin[now[h]] = s.twin[h] == surface::kNone ? surface::kNone : now[s.twin[h]];

@@ -127,7 +127,7 @@ Fronts::Fronts(const Surface& surface, const surface::Sources& sources, double s
 void Fronts::add_level(std::vector<Line> lines) {
     Level level;
     for (Line& line : lines) {
-        auto ways = surface::curve::ways(line);
+        auto ways = surface::curve::arc_lengths(line);
         if (!(ways.back() > kSpeck * step_)) continue; // about a vertex
         const auto front = static_cast<std::uint32_t>(level.fronts.size());
         for (std::uint32_t i = 0; i + 1 < ways.size(); ++i) level.pieces.push_back({line.places[i].triangle, front, i});
@@ -177,7 +177,10 @@ std::optional<Spot> Fronts::locate(std::size_t level, const Place& p) const {
             const Vec3 &a = f.line[it->stretch], d = f.line[(it->stretch + 1) % f.line.size()] - a;
             const double l2 = dot(d, d), along = l2 > 0 ? std::clamp(dot(p.point - a, d) / l2, 0.0, 1.0) : 0;
             const double off = distance(p.point, a + along * d);
-            if (off < least) least = off, out = Spot{it->front, f.ways[it->stretch] + along * std::sqrt(l2)};
+            if (off < least) {
+                least = off;
+                out = Spot{it->front, f.ways[it->stretch] + along * std::sqrt(l2)};
+            }
         }
     }
     return out;
@@ -232,7 +235,7 @@ Line Fronts::last(std::size_t level, Spot spot) const {
     const Vec3 way = heading(level, spot, from);
     if (!(norm(way) > 0)) return {{from}, false};
     const Line whole = surface::curve::walk(surface_, from, way, 2 * step_);
-    const auto ways = surface::curve::ways(whole);
+    const auto ways = surface::curve::arc_lengths(whole);
     const auto shortest = [&](double w) {
         const Place p = surface::curve::at(whole, ways, w);
         return geodesic::distance_at(surface_, field_, p.triangle, p.point) >

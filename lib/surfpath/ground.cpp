@@ -58,7 +58,10 @@ std::vector<Stroke> parted(const Surface& s, const Stroke& stroke, Breaks& break
             const Step to = before ? step(s, *before, p, way) : Step::whole;
             if (to == Step::none) {
                 const double l = distance(before->point, p.point);
-                if (l > breaks.longest) breaks.longest = l, breaks.at = before->point;
+                if (l > breaks.longest) {
+                    breaks.longest = l;
+                    breaks.at = before->point;
+                }
                 ++breaks.count;
                 close();
                 if (!out.back().pieces.empty()) out.emplace_back();

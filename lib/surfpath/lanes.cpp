@@ -16,7 +16,7 @@ constexpr double kAnotherLane = 3; // spacings along a lane from where it counts
 Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
     : surface_(surface), lines_(std::move(lines)), spacing_(spacing) {
     for (std::uint32_t l = 0; l < lines_.size(); ++l) {
-        ways_.push_back(surface::curve::ways(lines_[l]));
+        ways_.push_back(surface::curve::arc_lengths(lines_[l]));
         const double all = ways_[l].back();
         const auto n = static_cast<std::size_t>(std::max(3.0, std::ceil(all / (kNodeStep * spacing))));
         for (std::size_t i = 0; i < n; ++i) {
@@ -25,17 +25,9 @@ Lanes::Lanes(const Surface& surface, std::vector<Line> lines, double spacing)
             nodes_.push_back({l, way, p.point, surface::normal(surface, p.triangle), surface.component[p.triangle]});
         }
     }
-    cells_.reserve(nodes_.size());
-    for (std::uint32_t i = 0; i < nodes_.size(); ++i) cells_.emplace_back(key(nodes_[i].point, 0, 0, 0), i);
-    std::sort(cells_.begin(), cells_.end());
-}
-
-std::uint64_t Lanes::key(const Vec3& p, int dx, int dy, int dz) const {
-    const auto axis = [&](double v, int d) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / spacing_)) + d + (1 << 20)) &
-               ((1U << 21) - 1);
-    };
-    return axis(p.x, dx) << 42 | axis(p.y, dy) << 21 | axis(p.z, dz);
+    std::vector<Vec3> points;
+    for (const Node& n : nodes_) points.push_back(n.point);
+    grid_ = geom::PointGrid<Vec3>(points, spacing);
 }
 
 Place Lanes::at(std::uint32_t lane, double way) const { return surface::curve::at(lines_[lane], ways_[lane], way); }
@@ -71,7 +63,10 @@ LanePlace Lanes::refined(const Node& node, const Vec3& p) const {
             lo = a;
     }
     const double way = (lo + hi) / 2, d = distance(at(node.lane, way).point, p);
-    if (d < out.distance) out.way = way < 0 ? way + all : way >= all ? way - all : way, out.distance = d;
+    if (d < out.distance) {
+        out.way = way < 0 ? way + all : way >= all ? way - all : way;
+        out.distance = d;
+    }
     return out;
 }
 
@@ -80,21 +75,14 @@ std::optional<LanePlace> Lanes::nearest(const Place& from, double reach, const U
     const std::uint32_t component = surface_.component[from.triangle];
     double least = reach;
     std::uint32_t best = surface::kNone;
-    const int cells = std::max(1, static_cast<int>(std::ceil(reach / spacing_)));
-    for (int dx = -cells; dx <= cells; ++dx)
-        for (int dy = -cells; dy <= cells; ++dy)
-            for (int dz = -cells; dz <= cells; ++dz) {
-                const std::uint64_t k = key(from.point, dx, dy, dz);
-                for (auto c = std::lower_bound(cells_.begin(), cells_.end(), std::make_pair(k, 0U));
-                     c != cells_.end() && c->first == k; ++c) {
-                    const Node& node = nodes_[c->second];
-                    const double d = distance(node.point, from.point);
-                    if (d > least || (d == least && c->second >= best)) continue;
-                    if (node.component != component || dot(node.normal, n) < 0.3) continue;
-                    if (!use(node.lane, node.way)) continue;
-                    least = d, best = c->second;
-                }
-            }
+    grid_.near(from.point, std::max(1, static_cast<int>(std::ceil(reach / spacing_))), [&](std::uint32_t i) {
+        const Node& node = nodes_[i];
+        const double d = distance(node.point, from.point);
+        if (d > least || (d == least && i >= best)) return;
+        if (node.component != component || dot(node.normal, n) < 0.3 || !use(node.lane, node.way)) return;
+        least = d;
+        best = i;
+    });
     if (best == surface::kNone) return std::nullopt;
     return refined(nodes_[best], from.point);
 }

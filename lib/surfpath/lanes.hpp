@@ -1,6 +1,7 @@
 // Closed lines side by side on a surface: which runs next to which, and where.  Private to lib/surfpath.
 #pragma once
 
+#include "geom/point_grid.hpp"
 #include "surface/curve/walk.hpp"
 
 #include <functional>
@@ -54,7 +55,6 @@ class Lanes {
         Vec3 point, normal;
         std::uint32_t component;
     };
-    [[nodiscard]] std::uint64_t key(const Vec3& p, int dx, int dy, int dz) const;
     [[nodiscard]] LanePlace refined(const Node& node, const Vec3& p) const;
 
     const Surface& surface_;
@@ -62,7 +62,7 @@ class Lanes {
     std::vector<std::vector<double>> ways_;
     double spacing_;
     std::vector<Node> nodes_;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> cells_; // sorted
+    geom::PointGrid<Vec3> grid_; // of nodes
 };
 
 } // namespace filum::surfpath

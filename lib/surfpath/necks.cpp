@@ -63,7 +63,10 @@ class Necks {
                 const Vec3 p = at(t, c.from + on).point;
                 const Vec3 a = p - at(t, c.from + on - half).point, b = at(t, c.from + on + half).point - p;
                 const double turn = -dot(a, b) / (norm(a) * norm(b));
-                if (turn > most) most = turn, t.way = c.from + on;
+                if (turn > most) {
+                    most = turn;
+                    t.way = c.from + on;
+                }
             }
             t.place = at(t, t.way);
             tips_.push_back(t);
@@ -77,7 +80,7 @@ class Necks {
         if (length > kLongestBridge * spacing_ || length < 0.1 * spacing_) return;
         const Line line = surface::curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
-        const auto ways = surface::curve::ways(line);
+        const auto ways = surface::curve::arc_lengths(line);
         if (nearest(rings_, surface::curve::at(line, ways, length / 2).point).distance < 0.3 * length)
             return; // along a ring
         double height = level_;
@@ -96,12 +99,14 @@ class Necks {
         for (const auto& line : geodesic::isolines(surface_, field_, levels))
             if (line.closed) lower.push_back({surface::curve::line(line), {}, {}});
         if (lower.empty()) return;
-        for (Ring& r : lower) r.ways = surface::curve::ways(r.line);
+        for (Ring& r : lower) r.ways = surface::curve::arc_lengths(r.line);
         const auto there = across(tips_[n.a], tips_[n.b], lower), back = across(tips_[n.b], tips_[n.a], lower);
         if (there.size() < 2 || back.size() < 2) return;
         Bend &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
-        a.over = &b, a.bridge = there;
-        b.over = &a, b.bridge = back;
+        a.over = &b;
+        a.bridge = there;
+        b.over = &a;
+        b.bridge = back;
     }
 
     // From where corner `a` begins over to where corner `b` ends, along one of `lower`; empty if none leads there.
@@ -131,7 +136,7 @@ class Necks {
             const On on = nearest(lower, from.point);
             const Line line = surface::curve::join(
                 surface_, from, surface::curve::at(lower[on.line].line, lower[on.line].ways, on.way));
-            const auto ways = surface::curve::ways(line);
+            const auto ways = surface::curve::arc_lengths(line);
             out.places.push_back(surface::curve::at(line, ways, part * ways.back()));
         }
         return surface::curve::threaded(surface_, out);

@@ -105,9 +105,10 @@ class Beam {
         double expired = 0, later = 0;     // cost of ends that were not linked in time, and of those that still wait
         std::uint32_t waiting[2] = {0, 0}; // on either side
         for (const Open& o : s.open)
-            if (waits(o.end, row))
-                ++waiting[o.end % 2], later += ahead_[o.end];
-            else
+            if (waits(o.end, row)) {
+                ++waiting[o.end % 2];
+                later += ahead_[o.end];
+            } else
                 expired += break_;
         const auto first = options(s, 2 * row, row), second = options(s, 2 * row + 1, row);
         for (const Option& a : first)
@@ -158,7 +159,8 @@ class Beam {
             const std::uint32_t a = links_[l].from, b = links_[l].to, ma = find(out, a)->mate, mb = find(out, b)->mate;
             if (ma != kNone) set_mate(ma, mb);
             if (mb != kNone) set_mate(mb, ma);
-            remove(a), remove(b);
+            remove(a);
+            remove(b);
         }
         for (std::size_t i = 0; i < out.open.size();) {
             const Open o = out.open[i];

@@ -40,7 +40,8 @@ std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<Strand>& st
             if (group == kNone) continue;
             const auto [it, first] = waiting.insert({{group, side}, i});
             if (first) continue;
-            out[i][side] = it->second, out[it->second][side] = i;
+            out[i][side] = it->second;
+            out[it->second][side] = i;
             waiting.erase(it);
         }
     }
@@ -95,8 +96,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
     const Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
-    const bool alone = o.turns == "none";
-    const Strands found = strands(fronts, {o.spacing, o.turns == "hairpin" ? 2U : 1U, o.min_length});
+    const bool alone = o.turns == RowTurns::none;
+    const Strands found = strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
     Plan out;
     if (alone) {
@@ -109,7 +110,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         std::vector<Raw> raw;
         for (std::size_t i = 0; i < all.size(); ++i)
             raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
-        const double radius = o.turns == "wide" ? o.least_radius : o.spacing / 2;
+        const double radius = o.turns == RowTurns::wide ? o.least_radius : o.spacing / 2;
         out = boustrophedon(s, rows(s, raw, o.spacing / 2, o.spacing / 2), {o.spacing, radius});
     }
     fact(out, "births", found.born);
@@ -119,7 +120,9 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     for (const Strands::Short& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
         Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
-        note.x = p.x, note.y = p.y, note.z = p.z;
+        note.x = p.x;
+        note.y = p.y;
+        note.z = p.z;
         out.notes.push_back(std::move(note));
     }
     return out;

@@ -12,7 +12,9 @@ namespace {
 Note unplanned(const surface::Sheet& sheet) {
     Note out{.stage = "", .what = "patch without a plan", .amount = surface::area(sheet.surface), .unit = "mm2"};
     const Vec3& p = sheet.surface.vertices.front();
-    out.x = p.x, out.y = p.y, out.z = p.z;
+    out.x = p.x;
+    out.y = p.y;
+    out.z = p.z;
     return out;
 }
 
@@ -31,23 +33,27 @@ std::string spoken(std::span<const surface::Sheet> sheets, std::size_t k) {
     return sheets[k].name.empty() ? std::to_string(k + 1) : sheets[k].name;
 }
 
-std::vector<std::string> algorithms(std::span<const surface::Sheet> sheets, const std::string& asked) {
+Algorithms algorithms(std::span<const surface::Sheet> sheets, std::optional<Algorithm> asked) {
     if (sheets.empty()) throw Error(Exit::bad_input, "cannot lay a path: the stream holds no surface");
-    if (asked != "planned") return std::vector<std::string>(sheets.size(), asked);
-    std::vector<std::string> out;
-    for (const auto& s : sheets) out.push_back(s.algorithm);
-    const bool none = std::all_of(out.begin(), out.end(), [](const std::string& a) { return a.empty(); });
-    if (none) out.assign(out.size(), "geo-fiso");
+    if (asked) return Algorithms(sheets.size(), asked);
+    Algorithms out;
+    for (const auto& s : sheets) {
+        out.push_back(algorithm(s.algorithm));
+        if (!out.back() && !s.algorithm.empty())
+            throw Error(Exit::usage, "unknown algorithm '" + s.algorithm + "' in the stream");
+    }
+    const bool none = std::none_of(out.begin(), out.end(), [](const auto& a) { return a.has_value(); });
+    if (none) out.assign(out.size(), Algorithm::geo_fiso);
     return out;
 }
 
-Patches each_patch(std::span<const surface::Sheet> sheets, std::span<const std::string> algorithms, int threads,
+Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& algorithms, int threads,
                    const std::function<Plan(std::size_t)>& plan) {
     const bool several = sheets.size() > 1;
     Patches out;
     out.plans.resize(sheets.size());
     parallel::for_chunks(sheets.size(), 1, threads, [&](std::size_t k, std::size_t) {
-        if (algorithms[k].empty())
+        if (!algorithms[k])
             out.plans[k].notes.push_back(unplanned(sheets[k]));
         else
             out.plans[k] = several ? told(plan, k, spoken(sheets, k)) : plan(k);
@@ -61,7 +67,8 @@ Patches each_patch(std::span<const surface::Sheet> sheets, std::span<const std::
             if (several) fact.name = "patch." + spoken(sheets, k) + "." + fact.name;
             out.facts.push_back(std::move(fact));
         }
-        out.plans[k].notes.clear(), out.plans[k].facts.clear();
+        out.plans[k].notes.clear();
+        out.plans[k].facts.clear();
     }
     return out;
 }

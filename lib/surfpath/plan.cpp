@@ -32,7 +32,10 @@ class Layer {
   private:
     [[nodiscard]] Span span(Role role, std::uint32_t number) const {
         Span out{role, number, o_.layer, 0, {}, {}, {}, {}};
-        if (toolpath::extrudes(role)) out.width = {o_.width}, out.height = {o_.height};
+        if (toolpath::extrudes(role)) {
+            out.width = {o_.width};
+            out.height = {o_.height};
+        }
         return out;
     }
 

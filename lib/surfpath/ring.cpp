@@ -15,7 +15,10 @@ On nearest(const std::vector<Ring>& rings, const Vec3& p) {
     for (int i = -100; i <= 100; ++i) {
         const double way = from + reach * i / 100;
         const double d = distance(surface::curve::at(ring.line, ring.ways, way).point, p);
-        if (d < out.distance) out.distance = d, out.way = std::fmod(way + all, all);
+        if (d < out.distance) {
+            out.distance = d;
+            out.way = std::fmod(way + all, all);
+        }
     }
     return out;
 }

@@ -155,7 +155,8 @@ class Making {
             if (part == kNone) continue;
             const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
             if (rise > least_) {
-                high.outer.push_back(&outer_[i]), high_parts.push_back(part);
+                high.outer.push_back(&outer_[i]);
+                high_parts.push_back(part);
                 continue;
             }
             if (radius < kTightest * d_) continue;
@@ -167,7 +168,10 @@ class Making {
             }
             out.batches[own].outer.push_back(&outer_[i]);
         }
-        if (!high.outer.empty()) out.batches.push_back(std::move(high)), parts.push_back(std::move(high_parts));
+        if (!high.outer.empty()) {
+            out.batches.push_back(std::move(high));
+            parts.push_back(std::move(high_parts));
+        }
         find_inner(beyond, level, parts, out);
         return out;
     }

@@ -34,7 +34,7 @@ class Rounder {
     void prepare(Batch& b) const {
         auto& rings = b.rings;
         for (const Isoline* line : b.outer) rings.push_back({surface::curve::line(*line), {}});
-        for (Ring& r : rings) r.ways = surface::curve::ways(r.line);
+        for (Ring& r : rings) r.ways = surface::curve::arc_lengths(r.line);
         bool more = !rings.empty();
         for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
             for (Ring& r : rings) r.by.emplace_back();
@@ -99,7 +99,10 @@ class Rounder {
         for (std::size_t k = 0; k < n;) { // from first + k on
             std::size_t e = k;
             double most = 0;
-            while (e < n && e > 0 && above[(first + e) % n] > still) most = std::max(most, above[(first + e) % n]), ++e;
+            while (e < n && e > 0 && above[(first + e) % n] > still) {
+                most = std::max(most, above[(first + e) % n]);
+                ++e;
+            }
             if (e == k) {
                 const On on = nearest(rings, line[(first + k) % n]);
                 rings[on.line].by.back().kept.push_back({on.way, number});
@@ -130,7 +133,8 @@ class Rounder {
         const double l = surface::curve::length(arc), cut = rings[a.line].ahead(a.way, b.way);
         Ring::Rounded& to = rings[a.line].by.back();
         if (end - begin >= n || rings[a.line].ways.back() - cut < kSeen * least_) { // all the way round
-            to.instead.push_back(line), to.numbers.push_back(number);
+            to.instead.push_back(line);
+            to.numbers.push_back(number);
             return;
         }
         // Else it leads over a narrow place to where the ring comes back.
@@ -177,7 +181,11 @@ class Rounder {
                     now += corner.length - r.ahead(corner.from, corner.to);
                     now += worth * tight(corner, b.scales[f].radius);
                 }
-            if (!finer.empty() && now > most) most = now, best = std::move(finer), by = f;
+            if (!finer.empty() && now > most) {
+                most = now;
+                best = std::move(finer);
+                by = f;
+            }
         }
         if (by == k) out.push_back({0, &c, k, nullptr, {}});
         for (const Corner* corner : best) choose(r, b, by, *corner, out);
@@ -201,7 +209,10 @@ class Rounder {
             for (const Corner& c : r.by[0].corners) choose(r, b, 0, c, own);
             std::sort(own.begin(), own.end(),
                       [](const Bend& x, const Bend& y) { return x.corner->from < y.corner->from; });
-            for (Bend& c : own) c.ring = i, out.push_back(std::move(c));
+            for (Bend& c : own) {
+                c.ring = i;
+                out.push_back(std::move(c));
+            }
         }
         return out;
     }
@@ -256,12 +267,14 @@ Rounding::Rounding(const Surface& s, const ExactField& field, double least, doub
 void Rounding::prepare(Batch& b) const { Rounder(surface_, field_, least_, spacing_, edge_).prepare(b); }
 Rounding::Turns Rounding::turns(const Batch& b, double gain, double floor) const {
     Rounder rounder(surface_, field_, least_, spacing_, edge_);
-    rounder.gain = gain, rounder.floor = floor;
+    rounder.gain = gain;
+    rounder.floor = floor;
     return rounder.turns(b);
 }
 void Rounding::finish(Batch& b, double gain, double floor) const {
     Rounder rounder(surface_, field_, least_, spacing_, edge_);
-    rounder.gain = gain, rounder.floor = floor;
+    rounder.gain = gain;
+    rounder.floor = floor;
     rounder.finish(b);
 }
 

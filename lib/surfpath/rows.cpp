@@ -38,7 +38,7 @@ class Cutter {
         const double level[] = {margin};
         for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
             inset_.rings.push_back(surface::curve::line(isoline));
-        for (const Line& ring : inset_.rings) inset_.ways.push_back(surface::curve::ways(ring));
+        for (const Line& ring : inset_.rings) inset_.ways.push_back(surface::curve::arc_lengths(ring));
     }
 
     [[nodiscard]] Inset& inset() { return inset_; }
@@ -76,7 +76,10 @@ class Cutter {
                 const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
                 const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
                 const double far = distance(p, a + t * d);
-                if (far < least) least = far, out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
+                if (far < least) {
+                    least = far;
+                    out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
+                }
             }
         }
         return out;
@@ -160,7 +163,7 @@ class Hugger {
         if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
         Line way =
             cutter_.along(surface::curve::at(line_, ways_, from), surface::curve::at(line_, ways_, to), to - from);
-        const auto w = surface::curve::ways(way);
+        const auto w = surface::curve::arc_lengths(way);
         if (way.size() < 2 || w.back() < 2 * margin_) return begins || ends ? Line{} : way;
         return surface::curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));
     }
@@ -178,7 +181,7 @@ std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& 
     // Opened where it is nearest to a rim.
     const double at = cutter.tightest(line, ways);
     const Line open = surface::curve::part(line, ways, at, at + ways.back());
-    return Hugger(s, cutter, open, surface::curve::ways(open), margin).stretches();
+    return Hugger(s, cutter, open, surface::curve::arc_lengths(open), margin).stretches();
 }
 
 } // namespace
@@ -200,7 +203,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
     Cutter cutter(s, margin);
     double all = 0, too_short = 0;
     for (const Raw& raw : lines) {
-        const auto ways = surface::curve::ways(raw.line);
+        const auto ways = surface::curve::arc_lengths(raw.line);
         std::vector<Line> parts;
         if (raw.line.closed && cutter.room(raw.line.places[0]) >= kClosed * margin &&
             cutter.kept(raw.line, ways, kClosed).size() == 1)
@@ -211,7 +214,8 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
             if (!line.closed)
                 line = surface::curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
             const double l = surface::curve::length(line);
-            all += l, too_short += l < shortest ? l : 0;
+            all += l;
+            too_short += l < shortest ? l : 0;
             Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
             row.end = cutter.port(row.line.places.back().point);
@@ -224,8 +228,12 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
         const double l = surface::curve::length(row.line);
         if (l >= least) return false;
         if (l < margin) return true;
-        out.dropped += l, ++out.drops;
-        if (l > longest) longest = l, out.dropped_at = row.line[row.line.size() / 2];
+        out.dropped += l;
+        ++out.drops;
+        if (l > longest) {
+            longest = l;
+            out.dropped_at = row.line[row.line.size() / 2];
+        }
         return true;
     });
     std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });

@@ -11,7 +11,7 @@ namespace filum::surfpath {
 struct Inset {
     double margin = 0;                     // mm
     std::vector<Line> rings;               // where it is reached
-    std::vector<std::vector<double>> ways; // per ring, as surface::curve::ways
+    std::vector<std::vector<double>> ways; // per ring, as surface::curve::arc_lengths
     geodesic::ExactField field;            // from the rims, up to some margins
 
     // The distance of the nearest rim along the surface, mm; some multiple of the margin beyond that.

@@ -65,7 +65,7 @@ Place place_at(const Lanes& lanes, const Rungs& rungs, Vec2 uv) {
     const Place b = lanes.at(rungs.lane[k + 1], way_at(lanes, rungs, k + 1, uv.y));
     if (f > 1 - 1e-9) return b;
     const Line line = surface::curve::join(lanes.surface(), a, b);
-    const auto ways = surface::curve::ways(line);
+    const auto ways = surface::curve::arc_lengths(line);
     return surface::curve::at(line, ways, f * ways.back());
 }
 

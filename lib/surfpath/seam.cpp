@@ -1,5 +1,7 @@
 #include "surfpath/seam.hpp"
 
+#include "geom/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,7 +13,6 @@ namespace {
 
 constexpr double kSearch = 1;         // spacings between rungs that are tried
 constexpr double kFarthest = 2;       // spacings between neighbouring lanes of a seam
-constexpr double kRungStep = 0.5;     // spacings between rungs of a ladder
 constexpr int kPoints = 3;            // of a line, per rung
 constexpr double kMargin = 0.5;       // spacings of lane between windows
 constexpr double kShare = 0.4;        // of a lane that a seam may take
@@ -76,7 +77,10 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double w
         if (static_cast<double>(count) <= most) break;
         auto cropped = rungs;
         for (auto& r : cropped)
-            if (r.places.size() > count) r.places.resize(count), r.sense.resize(count);
+            if (r.places.size() > count) {
+                r.places.resize(count);
+                r.sense.resize(count);
+            }
         for (std::size_t i = 0; i < n;) {
             if (cropped[i].places.size() < count) {
                 ++i;
@@ -97,7 +101,10 @@ Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double w
                 if (l < least) break;
                 if (!fits(lanes, r)) continue;
                 const double worth = static_cast<double>(count) * (0.9 + 0.1 * std::min(1.0, l / wanted));
-                if (worth > most) most = worth, best = r;
+                if (worth > most) {
+                    most = worth;
+                    best = r;
+                }
                 break;
             }
         }
@@ -117,7 +124,7 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, doub
         if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
         if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
         const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
-        const auto ways = surface::curve::ways(line);
+        const auto ways = surface::curve::arc_lengths(line);
         out.places.push_back(
             surface::curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
     }
@@ -164,18 +171,15 @@ struct Changeover {
 class Crossover {
   public:
     Crossover(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
-        : weave_(weave), lanes_(lanes), radius_(radius), root_(lanes.size()) {
-        std::iota(root_.begin(), root_.end(), 0U);
-        for (const auto l : merged) root_[find(l)] = find(merged[0]);
-        for (std::uint32_t l = 0; l < lanes.size(); ++l)
-            if (find(l) == l) ++apart_;
+        : weave_(weave), lanes_(lanes), radius_(radius), sets_(lanes.size()), apart_(lanes.size()) {
+        for (const auto l : merged) unite(l, merged[0]);
     }
 
     void run() {
         find_spots();
         const auto all = [&](const auto& join) {
             for (const Changeover& s : spots_)
-                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) root_[find(s.a)] = find(s.b), --apart_;
+                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) unite(s.a, s.b);
         };
         for (const double share : {1.0, 0.5, 0.2}) all([&](const Changeover& s) { return join(s, share * radius_); });
         for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
@@ -185,10 +189,8 @@ class Crossover {
     }
 
   private:
-    std::uint32_t find(std::uint32_t l) {
-        while (root_[l] != l) l = root_[l] = root_[root_[l]];
-        return l;
-    }
+    std::uint32_t find(std::uint32_t l) { return sets_.root(l); }
+    void unite(std::uint32_t a, std::uint32_t b) { apart_ -= sets_.unite(a, b) ? 1 : 0; }
 
     void find_spots() {
         spots_across(
@@ -239,11 +241,9 @@ class Crossover {
     }
     // Whether the spots would join all.
     bool reachable() {
-        auto root = root_;
+        geom::DisjointSets sets = sets_;
         std::size_t apart = apart_;
-        for (const Changeover& s : spots_)
-            if (find(s.a) != find(s.b)) root_[find(s.a)] = find(s.b), --apart;
-        root_ = std::move(root);
+        for (const Changeover& s : spots_) apart -= sets.unite(s.a, s.b) ? 1 : 0;
         return apart <= 1;
     }
 
@@ -308,8 +308,8 @@ class Crossover {
     Weave& weave_;
     const Lanes& lanes_;
     double radius_;
-    std::vector<std::uint32_t> root_;
-    std::size_t apart_ = 0;
+    geom::DisjointSets sets_;
+    std::size_t apart_;
     std::vector<Changeover> spots_;
 };
 

@@ -36,8 +36,11 @@ FarRim far_rim(const Surface& s, const SeedSides& sides, std::uint32_t side, std
                 if (sides.of[h / 3] != side || !(std::abs(a - b) <= kAlong * l) || !(c < mid)) continue;
                 if (round == 0)
                     far = std::max(far, mid);
-                else if (mid > far - 1.5 * spacing)
-                    out.rim.segments.push_back({h / 3, p, q}), out.mean += l * mid, out.length += l;
+                else if (mid > far - 1.5 * spacing) {
+                    out.rim.segments.push_back({h / 3, p, q});
+                    out.mean += l * mid;
+                    out.length += l;
+                }
             }
     if (out.length > 0) out.mean /= out.length;
     return out;
@@ -132,11 +135,13 @@ class Between {
             const double f = at(h / 3, a + x * (b - a)) - level;
             if (std::abs(f) < kTolerance / 100) break;
             if ((f < 0) == (fa < 0)) {
-                x0 = x, fa = f;
+                x0 = x;
+                fa = f;
                 if (last == 1) fb /= 2;
                 last = 1;
             } else {
-                x1 = x, fb = f;
+                x1 = x;
+                fb = f;
                 if (last == 2) fa /= 2;
                 last = 2;
             }

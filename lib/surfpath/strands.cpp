@@ -41,7 +41,10 @@ class March {
 
     std::uint32_t add(std::uint32_t f, double x, StrandEnd begin, std::uint32_t group) {
         Strand s;
-        s.first = level_, s.spots = {{f, x}}, s.begin = begin, s.born_with = group;
+        s.first = level_;
+        s.spots = {{f, x}};
+        s.begin = begin;
+        s.born_with = group;
         out_.strands.push_back(std::move(s));
         root_.push_back(level_ == 0 ? f : kNone);
         return static_cast<std::uint32_t>(out_.strands.size() - 1);
@@ -141,9 +144,11 @@ class March {
         const double l = on.length();
         double from, to;
         if (on.line.closed) {
-            from = i > 0 ? row[i - 1].x : row.back().x - l, to = row[i].x;
+            from = i > 0 ? row[i - 1].x : row.back().x - l;
+            to = row[i].x;
         } else { // rims stand for strands half a spacing beyond them
-            from = i > 0 ? row[i - 1].x : -d_ / 2, to = i < row.size() ? row[i].x : l + d_ / 2;
+            from = i > 0 ? row[i - 1].x : -d_ / 2;
+            to = i < row.size() ? row[i].x : l + d_ / 2;
         }
         std::vector<Alive> added;
         for (std::size_t j = 1; j <= n; ++j) {
@@ -161,7 +166,8 @@ class March {
 
     void kill(std::vector<Alive>& row, std::size_t i, std::uint32_t group) {
         Strand& s = out_.strands[row[i].strand];
-        s.end = StrandEnd::law, s.dies_with = group;
+        s.end = StrandEnd::law;
+        s.dies_with = group;
         ++out_.died;
         row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -257,9 +263,14 @@ class March {
             std::size_t best = size;
             for (std::size_t j = i; j + g < i + w.size; ++j) {
                 double sum = 0, room = std::numeric_limits<double>::infinity();
-                for (std::size_t k = j; k <= j + g; ++k)
-                    sum += e[k % w.gaps], room = std::min(room, w.least(k % w.gaps));
-                if (room >= allowed && sum < least - kTie * d_) least = sum, best = j % size;
+                for (std::size_t k = j; k <= j + g; ++k) {
+                    sum += e[k % w.gaps];
+                    room = std::min(room, w.least(k % w.gaps));
+                }
+                if (room >= allowed && sum < least - kTie * d_) {
+                    least = sum;
+                    best = j % size;
+                }
             }
             if (best == size) continue;
             const std::uint32_t group = groups_++;
@@ -300,7 +311,10 @@ class March {
             for (const double v : steps) {
                 now += v;
                 peak = std::max(peak, now);
-                if (now < peak - d_ / 2) bank(), valley = peak = now;
+                if (now < peak - d_ / 2) {
+                    bank();
+                    valley = peak = now;
+                }
                 if (peak - valley < d_ / 2 && now < valley) valley = peak = now;
             }
             bank();
@@ -334,7 +348,9 @@ void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, st
             rim = !to;
         }
         if (!rim) continue;
-        s = std::move(longer), s.end = StrandEnd::rim, s.dies_with = kNone;
+        s = std::move(longer);
+        s.end = StrandEnd::rim;
+        s.dies_with = kNone;
         --died;
     }
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace filum::surfpath {
 
@@ -25,13 +26,21 @@ constexpr double kBeside = 0.5; // mm beside a tight turn that are declared with
                                 // stretch of the path curvature is measured, it shows there
 
 Plan lines(const surface::Sheet& sheet, const Options& options) {
-    if (options.algorithm == "fexa") return fexa(sheet, options);
-    if (options.algorithm == "geo-spiral") return geo_spiral(sheet, options);
-    if (options.algorithm == "fina") return fina(sheet, options);
-    if (options.algorithm == "geo-contour") return geo_contour(sheet, options);
-    if (options.algorithm == "geo-fiso") return geo_fiso(sheet, options);
-    if (options.algorithm == "ortheo") return ortheo(sheet, options);
-    throw Error(Exit::usage, "unknown algorithm '" + options.algorithm + "'");
+    switch (options.algorithm) {
+    case Algorithm::fina:
+        return fina(sheet, options);
+    case Algorithm::fexa:
+        return fexa(sheet, options);
+    case Algorithm::ortheo:
+        return ortheo(sheet, options);
+    case Algorithm::geo_fiso:
+        return geo_fiso(sheet, options);
+    case Algorithm::geo_contour:
+        return geo_contour(sheet, options);
+    case Algorithm::geo_spiral:
+        return geo_spiral(sheet, options);
+    }
+    throw std::logic_error("no such algorithm");
 }
 
 std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
@@ -53,7 +62,7 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
         throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) + " mm: one of " +
                                        fixed_text(tight.least, 2) + " mm at " + text(tight.at) + ", " +
                                        fixed_text(tight.length, 1) +
-                                       " mm in all; lower --least-radius, or leave out --strict");
+                                       " mm in all; lower --min-radius, or leave out --strict");
     plan.facts.push_back({"", "hairpins", static_cast<double>(tight.count), ""});
     plan.facts.push_back({"", "hairpin-length", tight.declared, "mm"});
     if (std::isfinite(tight.least)) plan.facts.push_back({"", "least-radius", tight.least, "mm"});

@@ -2,21 +2,23 @@
 #pragma once
 
 #include "surface/sheet.hpp"
+#include "surfpath/algorithm.hpp"
 #include "surfpath/plan.hpp"
-
-#include <string>
 
 namespace filum::surfpath {
 
+enum class Method : std::uint8_t { filum, kipping2022 };    // ours, or as the paper says
+enum class RowTurns : std::uint8_t { none, hairpin, wide }; // of ortheo: rows end at the boundary, or go on
+
 struct Options {
-    std::string algorithm = "geo-fiso"; // fina, fexa, ortheo, geo-fiso, geo-contour, geo-spiral
-    std::string method = "filum";       // or kipping2022: as the paper says
-    double spacing = 1;                 // mm, d: between neighbouring lines
-    double least_radius = 2.4;          // mm: of turns, where there is room
-    std::string turns = "none";         // of ortheo: none, hairpin or wide
-    double min_length = 0;              // mm: of the lines of ortheo; shorter ones are left out
-    double offset = 0;                  // mm: along the normals, at which the path will be laid
-    bool strict = false;                // no turn may be tighter than least_radius
+    Algorithm algorithm = Algorithm::geo_fiso;
+    Method method = Method::filum;
+    double spacing = 1;        // mm, d: between neighbouring lines
+    double least_radius = 2.4; // mm: of turns, where there is room
+    RowTurns turns = RowTurns::none;
+    double min_length = 0; // mm: of the lines of ortheo; shorter ones are left out
+    double offset = 0;     // mm: along the normals, at which the path will be laid
+    bool strict = false;   // no turn may be tighter than least_radius
 };
 
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.

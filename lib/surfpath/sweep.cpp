@@ -13,7 +13,10 @@ using surface::kNone;
 class Sweep {
   public:
     Sweep(std::uint32_t rows, std::span<const Link> links) : next_(rows), missing_(rows), taken_(rows, 0) {
-        for (const Link& l : links) next_[l.from / 2].push_back(l.to / 2), next_[l.to / 2].push_back(l.from / 2);
+        for (const Link& l : links) {
+            next_[l.from / 2].push_back(l.to / 2);
+            next_[l.to / 2].push_back(l.from / 2);
+        }
         for (std::uint32_t r = 0; r < rows; ++r) {
             std::sort(next_[r].begin(), next_[r].end());
             next_[r].erase(std::unique(next_[r].begin(), next_[r].end()), next_[r].end());
@@ -28,7 +31,10 @@ class Sweep {
             long least = 0;
             for (std::uint32_t r = 0; r < next_.size(); ++r) {
                 if (taken_[r] != 0 || !linked(r)) continue;
-                if (const long g = growth(r); best == kNone || g < least) best = r, least = g;
+                if (const long g = growth(r); best == kNone || g < least) {
+                    best = r;
+                    least = g;
+                }
             }
             if (best == kNone) best = loosest();
             taken_[best] = 1;

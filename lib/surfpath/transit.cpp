@@ -38,7 +38,10 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
                 if ((set >> (in / 2) & 1u) != 0) continue;
                 const std::uint32_t to = (set | 1u << (in / 2)) * 2 * n + (in ^ 1u);
                 const double l = so_far + std::min(length[e][in], 1e9);
-                if (l < best[to]) best[to] = l, before[to] = set * 2 * n + e;
+                if (l < best[to]) {
+                    best[to] = l;
+                    before[to] = set * 2 * n + e;
+                }
             }
         }
     const auto first = best.begin() + static_cast<std::ptrdiff_t>((sets - 1) * 2 * n);

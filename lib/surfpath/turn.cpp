@@ -1,5 +1,7 @@
 #include "surfpath/turn.hpp"
 
+#include "geom/polyline.hpp"
+
 #include <numbers>
 #include <optional>
 
@@ -16,9 +18,7 @@ constexpr double kAsWide = 0.97; // of the radius: what a single arc may have in
 // A row with what is needed to lay circles beside it.
 class Side {
   public:
-    Side(std::span<const Vec2> row, bool inner_left) : row_(row) {
-        ways_.push_back(0);
-        for (std::size_t i = 1; i < row.size(); ++i) ways_.push_back(ways_.back() + distance(row[i - 1], row[i]));
+    Side(std::span<const Vec2> row, bool inner_left) : row_(row), ways_(geom::arc_lengths(row)) {
         for (std::size_t i = 0, from = 0, to = 0; i < row.size(); ++i) {
             while (ways_[i] - ways_[from] > kHeadingSpan) ++from;
             while (to + 1 < row.size() && ways_[to] - ways_[i] < kHeadingSpan) ++to;
@@ -151,7 +151,10 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
             if (!(l2 > 0)) continue;
             const double t = std::clamp(dot(p - bound[i - 1], d) / l2, 0.0, 1.0);
             const double far = distance(p, bound[i - 1] + t * d);
-            if (far < least) least = far, side = cross(d, p - bound[i - 1]);
+            if (far < least) {
+                least = far;
+                side = cross(d, p - bound[i - 1]);
+            }
         }
         if (side > 0 && least < 1e300) out = std::max(out, least);
     }
@@ -168,8 +171,7 @@ FlatTurn fitted(const TurnRoom& room, const Form& form) {
         if (out.points.empty()) return {};
         const double over = beyond(out.points, room.bound);
         if (over <= kAllowed) {
-            for (std::size_t i = 1; i < out.points.size(); ++i)
-                out.length += distance(out.points[i - 1], out.points[i]);
+            out.length = geom::length(out.points);
             return out;
         }
         top -= over;

@@ -51,10 +51,10 @@ double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, doub
 Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o)
     : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(surface::curve::vertex_normals(s)) {
     for (const Row& row : rows.rows) {
-        ways_.push_back(surface::curve::ways(row.line));
+        ways_.push_back(surface::curve::arc_lengths(row.line));
         reversed_.push_back(row.line);
         surface::curve::reverse(reversed_.back());
-        ways_reversed_.push_back(surface::curve::ways(reversed_.back()));
+        ways_reversed_.push_back(surface::curve::arc_lengths(reversed_.back()));
     }
 }
 
@@ -93,7 +93,7 @@ LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, s
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
-    const auto k = turning(out.line, surface::curve::ways(out.line));
+    const auto k = turning(out.line, surface::curve::arc_lengths(out.line));
     out.radius = 1 / std::max(1e-3, *std::max_element(k.begin(), k.end()));
     return out;
 }
@@ -177,7 +177,8 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
         for (Vec2& p : points) p.y = -p.y;
     const Place begin = surface::curve::at(inwards(a), ways_inwards(a), out.from_trim);
     const Place end = surface::curve::at(inwards(b), ways_inwards(b), out.to_trim);
-    points.front() = flat.to(begin.point), points.back() = flat.to(end.point);
+    points.front() = flat.to(begin.point);
+    points.back() = flat.to(end.point);
     auto laid = surface::curve::lay(surface_, flat, begin, points);
     if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6) return out;
     laid.line.places.back() = end;

@@ -47,7 +47,10 @@ Line Weave::arc(LaneEnd from, LaneEnd& to) const {
         const Window& other = windows_[o];
         const double on =
             lanes_.ahead(w.lane, at, from.after ? other.from : other.from + other.length, from.after ? 1 : -1);
-        if (on < least) least = on, best = o;
+        if (on < least) {
+            least = on;
+            best = o;
+        }
     }
     to = {best, !from.after};
     if (from.after) return lanes_.part(w.lane, at, at + least);

@@ -90,8 +90,10 @@ class Winder {
             const double lap = last.ways.back();
             while (to < at + 0.25 * lap) to += lap;
             while (to > at + 1.25 * lap) to -= lap;
-            if (to > at + lap)
-                surface::curve::append(line, surface::curve::part(last.line, last.ways, at, at + lap)), to -= lap;
+            if (to > at + lap) {
+                surface::curve::append(line, surface::curve::part(last.line, last.ways, at, at + lap));
+                to -= lap;
+            }
             if (to > at) surface::curve::append(line, surface::curve::part(last.line, last.ways, at, to));
         }
         if (port.ring != surface::kNone)
@@ -109,8 +111,11 @@ class Winder {
         double least = kNearInset * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
             for (std::size_t i = 0; i < ring.line.size(); ++i)
-                if (const Foot f = foot(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]); f.far < least)
-                    least = f.far, port = {r, f.way}, from = ring.ways[i];
+                if (const Foot f = foot(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]); f.far < least) {
+                    least = f.far;
+                    port = {r, f.way};
+                    from = ring.ways[i];
+                }
         return {port, from};
     }
 
@@ -166,7 +171,7 @@ class Winder {
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     std::vector<Contour> rings;
     for (const Row& row : rows.rows)
-        if (row.line.closed) rings.push_back({row.line, surface::curve::ways(row.line), row.level});
+        if (row.line.closed) rings.push_back({row.line, surface::curve::arc_lengths(row.line), row.level});
     if (rings.empty()) return;
     const Winder winder(s, rows, spacing);
     std::vector<Row> wound;

@@ -40,7 +40,8 @@ std::optional<Round> circle(const Line& line, const Place& from, std::uint32_t t
         const double g = norm2(p) - half * half, v = 2 * dot(p, left);
         const double one = (g - reach) / v, other = (g + reach) / v;
         if (std::abs(v) < 1e-12 * half) return;
-        low = std::max(low, std::min(one, other)), high = std::min(high, std::max(one, other));
+        low = std::max(low, std::min(one, other));
+        high = std::min(high, std::max(one, other));
     };
     for (std::uint32_t k = from.i + 1; k < to; ++k) {
         const Vec2 p = line.points[k].xy();
@@ -99,7 +100,8 @@ Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uin
         const auto round = circle(line, from, to, may);
         const auto d = round ? distance_of(line, from, to, *round, may) : std::nullopt;
         if (!d) return false;
-        out = {to, round->centre, round->sweep}, worst = *d;
+        out = {to, round->centre, round->sweep};
+        worst = *d;
         return true;
     };
     if (!(most > 0) || least >= last) return out;

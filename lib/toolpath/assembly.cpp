@@ -24,7 +24,8 @@ Vec3 axis(const Span& span, std::size_t i) { return span.normals.empty() ? kUp :
 } // namespace
 
 void Assembly::begin() {
-    first_ = next_, fresh_ = true;
+    first_ = next_;
+    fresh_ = true;
     ++begun_count_;
 }
 
@@ -51,8 +52,10 @@ std::vector<Span> Assembly::add(Span span) {
     if (span.points.empty()) return out;
     place(span, o_.place);
     if (fresh_ && begun_) out.push_back(travel(span));
-    fresh_ = false, begun_ = true;
-    at_ = span.points.back(), axis_ = axis(span, span.points.size() - 1);
+    fresh_ = false;
+    begun_ = true;
+    at_ = span.points.back();
+    axis_ = axis(span, span.points.size() - 1);
     for (const Vec3& p : span.points)
         if (extrudes(span.role)) top_ = std::max(top_, p.z);
     out.push_back(std::move(span));

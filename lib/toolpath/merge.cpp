@@ -26,8 +26,13 @@ Line line_of(const Span& span) {
         out.source.push_back(static_cast<std::uint32_t>(i));
     };
     const auto drop = [&] {
-        out.points.pop_back(), out.at.pop_back(), out.volume.pop_back(), out.width.pop_back();
-        out.height.pop_back(), out.area.pop_back(), out.source.pop_back();
+        out.points.pop_back();
+        out.at.pop_back();
+        out.volume.pop_back();
+        out.width.pop_back();
+        out.height.pop_back();
+        out.area.pop_back();
+        out.source.pop_back();
     };
     const std::size_t n = span.points.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -57,7 +62,8 @@ std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, 
             const Vec3 p = l.points[k] - l.points[i];
             const double s = dot(p, u), aside = norm(p - s * u);
             if (aside > t.path || s < reached) return false;
-            reached = s, here = std::max(here, aside);
+            reached = s;
+            here = std::max(here, aside);
         }
         if (!section.suits() || l.at[to] - l.at[i] > (1 + t.section) * length) return false;
         worst = here;
@@ -87,10 +93,12 @@ void put(Course& out, const Line& l, const Place& from, const Place& to, double 
     Move m;
     m.to = {to.q.x, to.q.y, z};
     const Vec3 begin = out.moves.empty() ? l.points.front() : out.moves.back().to;
-    m.centre = arc.centre, m.sweep = arc.sweep;
+    m.centre = arc.centre;
+    m.sweep = arc.sweep;
     m.length = arc.sweep != 0 ? std::abs(arc.sweep) * geom::distance(from.q, arc.centre) : distance(begin, m.to);
     m.volume = volume_at(l, to) - volume_at(l, from);
-    m.width = mean(l, l.width, from, to), m.height = mean(l, l.height, from, to);
+    m.width = mean(l, l.width, from, to);
+    m.height = mean(l, l.height, from, to);
     m.first = l.source[from.i];
     out.moves.push_back(m);
     out.begins.push_back(from.i);
@@ -111,7 +119,10 @@ void level_moves(Course& out, const Line& l, std::uint32_t first, std::uint32_t 
         Place to = straight_reach(l, at, last, t, off);
         Arc arc{at.i, {}, 0};
         if (t.arcs) arc = better_arc(l, at, to, last, t, round);
-        if (arc.to > at.i) to = {arc.to, 0, l.points[arc.to].xy()}, off = round;
+        if (arc.to > at.i) {
+            to = {arc.to, 0, l.points[arc.to].xy()};
+            off = round;
+        }
         put(out, l, at, to, to.t > 0 ? z : l.points[to.i].z, arc.to > at.i ? arc : Arc{});
         out.off = std::max(out.off, off);
         at = to;
@@ -124,15 +135,19 @@ void fold_short(Course& c) {
     for (std::size_t i = 0; i < c.moves.size(); ++i) {
         const bool last = i + 1 == c.moves.size(), small = c.moves[i].length < kLeastMove && c.moves.size() > 1;
         if (!small || (n == 0 && last)) {
-            c.moves[n] = c.moves[i], c.begins[n++] = c.begins[i];
+            c.moves[n] = c.moves[i];
+            c.begins[n++] = c.begins[i];
         } else if (n == 0) {
-            c.moves[i + 1].volume += c.moves[i].volume, c.moves[i + 1].first = c.moves[i].first;
+            c.moves[i + 1].volume += c.moves[i].volume;
+            c.moves[i + 1].first = c.moves[i].first;
             c.begins[i + 1] = c.begins[i];
         } else {
-            c.moves[n - 1].volume += c.moves[i].volume, c.moves[n - 1].to = c.moves[i].to;
+            c.moves[n - 1].volume += c.moves[i].volume;
+            c.moves[n - 1].to = c.moves[i].to;
         }
     }
-    c.moves.resize(n), c.begins.resize(n);
+    c.moves.resize(n);
+    c.begins.resize(n);
 }
 
 // `given`: segments of the line that stay as they are.

@@ -63,10 +63,13 @@ template <class F>
 std::uint32_t farthest(std::uint32_t good, std::uint32_t last, F&& fits) {
     for (std::uint32_t step = 1, bad = last + 1; good + 1 < bad;) {
         const std::uint32_t probe = std::min(good + step, bad - 1);
-        if (fits(probe))
-            good = probe, step *= 2;
-        else
-            bad = probe, step = 1;
+        if (fits(probe)) {
+            good = probe;
+            step *= 2;
+        } else {
+            bad = probe;
+            step = 1;
+        }
     }
     return good;
 }

@@ -48,8 +48,12 @@ void Section::take(std::uint32_t k) {
     const Line& l = *line_;
     const double b = l.area[k];
     double a = l.area[k - 1], length = l.step(k - 1);
-    if (k - 1 == from_.i && from_.t > 0) a += from_.t * (b - a), length *= 1 - from_.t;
-    length_ = l.at[k] - begun_length_, volume_ = l.volume[k] - begun_volume_;
+    if (k - 1 == from_.i && from_.t > 0) {
+        a += from_.t * (b - a);
+        length *= 1 - from_.t;
+    }
+    length_ = l.at[k] - begun_length_;
+    volume_ = l.volume[k] - begun_volume_;
     piece(a, b, std::min(l.width[k - 1], l.width[k]), length);
 }
 
@@ -68,7 +72,8 @@ bool Section::suits_at(const Place& p) const {
     const Line& l = *line_;
     Section further = *this;
     const double a = l.area[p.i], b = a + p.t * (l.area[p.i + 1] - a);
-    further.length_ = length_at(l, p) - begun_length_, further.volume_ = volume_at(l, p) - begun_volume_;
+    further.length_ = length_at(l, p) - begun_length_;
+    further.volume_ = volume_at(l, p) - begun_volume_;
     further.piece(a, b, std::min(l.width[p.i], l.width[p.i + 1]), p.t * l.step(p.i));
     return further.suits();
 }

@@ -22,7 +22,9 @@ class Wedge {
         const double s = radius / away, c = std::sqrt(1 - s * s);
         const Vec2 u = (1 / away) * d, l{u.x * c - u.y * s, u.x * s + u.y * c}, r{u.x * c + u.y * s, u.y * c - u.x * s};
         if (!any_) {
-            any_ = true, left = l, right = r;
+            any_ = true;
+            left = l;
+            right = r;
             return 0;
         }
         if (dot(u, left) + dot(u, right) <= 0) return geom::cross(left, u) + geom::cross(right, u) > 0 ? 1 : -1;

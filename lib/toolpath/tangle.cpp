@@ -121,7 +121,8 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
             if (!cross(all.segments[i], moves[all.move[i]], all.segments[k], moves[all.move[k]])) return;
             const Tangle one = range(all.move[i]), other = range(all.move[k]);
             if (crossed_before(line, one, other)) return;
-            out.push_back(one), out.push_back(other);
+            out.push_back(one);
+            out.push_back(other);
         });
     for (const geom::Segment& s : others)
         near(s, [&](std::uint32_t k) {

@@ -63,7 +63,10 @@ polygon::Loops loops(const proto::Loops& m, const char* what) {
 void put_loops(proto::Loops& m, const polygon::Loops& loops) {
     m.mutable_x()->Reserve(static_cast<int>(loops.points.size()));
     m.mutable_y()->Reserve(static_cast<int>(loops.points.size()));
-    for (const auto p : loops.points) m.mutable_x()->AddAlreadyReserved(p.x), m.mutable_y()->AddAlreadyReserved(p.y);
+    for (const auto p : loops.points) {
+        m.mutable_x()->AddAlreadyReserved(p.x);
+        m.mutable_y()->AddAlreadyReserved(p.y);
+    }
     m.mutable_start()->Add(loops.start.begin(), loops.start.end());
 }
 
@@ -235,14 +238,19 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
         c->set_closed(curve.closed);
         c->mutable_x()->Reserve(static_cast<int>(curve.points.size()));
         c->mutable_y()->Reserve(static_cast<int>(curve.points.size()));
-        for (const auto p : curve.points)
-            c->mutable_x()->AddAlreadyReserved(p.x), c->mutable_y()->AddAlreadyReserved(p.y);
+        for (const auto p : curve.points) {
+            c->mutable_x()->AddAlreadyReserved(p.x);
+            c->mutable_y()->AddAlreadyReserved(p.y);
+        }
         put_numbers(*c->mutable_width(), curve.width);
         for (const auto f : curve.feature) c->add_feature(static_cast<proto::Feature>(f));
     }
     for (const auto& line : paths.stacked) {
         auto* l = m.add_stacked();
-        for (const auto p : line) l->add_x(p.x), l->add_y(p.y);
+        for (const auto p : line) {
+            l->add_x(p.x);
+            l->add_y(p.y);
+        }
     }
     return raw(Tag::paths, m);
 }
@@ -322,7 +330,11 @@ RawFrame frame(const toolpath::Span& span) {
         for (const auto& p : span.points) m.add_z(p.z);
     put_numbers(*m.mutable_width(), span.width);
     put_numbers(*m.mutable_height(), span.height);
-    for (const auto& v : span.normals) m.add_nx(v.x), m.add_ny(v.y), m.add_nz(v.z);
+    for (const auto& v : span.normals) {
+        m.add_nx(v.x);
+        m.add_ny(v.y);
+        m.add_nz(v.z);
+    }
     return raw(Tag::span, m);
 }
 

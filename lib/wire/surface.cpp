@@ -33,7 +33,11 @@ std::vector<geom::Vec3> space_points(const RepeatedField<double>& x, const Repea
 void put_points(std::span<const geom::Vec3> from, RepeatedField<double>& x, RepeatedField<double>& y,
                 RepeatedField<double>& z) {
     for (RepeatedField<double>* field : {&x, &y, &z}) field->Reserve(field->size() + static_cast<int>(from.size()));
-    for (const auto& p : from) x.Add(p.x), y.Add(p.y), z.Add(p.z);
+    for (const auto& p : from) {
+        x.Add(p.x);
+        y.Add(p.y);
+        z.Add(p.z);
+    }
 }
 
 surface::Surface connected(const proto::Surface& m) {
@@ -120,8 +124,12 @@ void put_sources(proto::Sources& m, const surface::Sources& sources) {
     m.mutable_vertex()->Add(sources.vertices.begin(), sources.vertices.end());
     for (const auto& s : sources.segments) {
         m.add_triangle(s.triangle);
-        m.add_ax(s.a.x), m.add_ay(s.a.y), m.add_az(s.a.z);
-        m.add_bx(s.b.x), m.add_by(s.b.y), m.add_bz(s.b.z);
+        m.add_ax(s.a.x);
+        m.add_ay(s.a.y);
+        m.add_az(s.a.z);
+        m.add_bx(s.b.x);
+        m.add_by(s.b.y);
+        m.add_bz(s.b.z);
     }
 }
 

@@ -26,27 +26,27 @@ setup() {
 facts() { peek "$1" | sed -n "s/^fact *$2: //p"; }
 
 @test "every patch gets a plan that follows its own pull, and surfpath lays all of them" {
-    choose --spacing 2 --least-radius 1 --finals 1 --report report.tsv both > chosen
+    choose --spacing 2 --min-radius 1 --finals 1 --report report.tsv both > chosen
     for p in left right; do
         facts chosen choose | awk -v p="patch.$p.load" '$1 == p {n++; if ($2 < 0.8) exit 1} END {exit n != 1}'
         [[ $(awk -F '\t' -v p=$p '$1 == p && $15 == "*"' report.tsv | wc -l) == 1 ]]
     done
     facts chosen choose | grep -q '^score '
-    surfpath --quiet --spacing 2 --least-radius 1 chosen > path
+    surfpath --quiet --spacing 2 --min-radius 1 chosen > path
     facts path surfpath | grep -q '^patch.left.'
     facts path surfpath | grep -q '^patch.right.'
     # by the plan of each, not by the default
-    surfpath --quiet geo-fiso --spacing 2 --least-radius 1 chosen > rings
+    surfpath --quiet geo-fiso --spacing 2 --min-radius 1 chosen > rings
     if cmp -s path rings; then false; fi
-    surfpath --quiet --spacing 2 --least-radius 1 --threads 2 chosen | cmp - path
+    surfpath --quiet --spacing 2 --min-radius 1 --threads 2 chosen | cmp - path
 }
 
 @test "a plan by hand is kept when nothing else is tried, and followed" {
     geodesic 0.surface --source plane:0,1,0,5 > rows
-    choose --algorithm fina --spacing 2 --least-radius 1 rows > byhand
+    choose --algorithm fina --spacing 2 --min-radius 1 rows > byhand
     [[ $(facts byhand choose | awk '$1 == "laid" {print $2}') == 1 ]]
-    surfpath --quiet --spacing 2 --least-radius 1 byhand > a
-    surfpath --quiet fina --spacing 2 --least-radius 1 rows > b
+    surfpath --quiet --spacing 2 --min-radius 1 byhand > a
+    surfpath --quiet fina --spacing 2 --min-radius 1 rows > b
     diff <(metrics --format tsv a | grep -v choose) <(metrics --format tsv b)
     expect 1 choose --algorithm fina --spacing 2 0.surface --output none
     [[ $err == *'needs a seed curve'* ]]
@@ -65,11 +65,11 @@ facts() { peek "$1" | sed -n "s/^fact *$2: //p"; }
     disc 0.3 > small.off
     geodesic --unit mm small.off > small.surface
     partition --as-is --names left,small 0.surface small.surface > mixed
-    expect 1 choose --spacing 2 --least-radius 1 --finals 1 mixed --output chosen
+    expect 1 choose --spacing 2 --min-radius 1 --finals 1 mixed --output chosen
     [[ $err == *"'small'"* && $err != *"'left'"* ]]
     peek --check chosen
     peek chosen | grep -q 'note .*no path found on patch small'
-    expect 0 surfpath --spacing 2 --least-radius 1 chosen --output path
+    expect 0 surfpath --spacing 2 --min-radius 1 chosen --output path
     [[ $err == *'patch without a plan on patch small'* ]]
 }
 

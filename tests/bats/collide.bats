@@ -23,7 +23,7 @@ setup_file() {
             printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1
         }
     }' > bowl.off
-    geodesic bowl.off --source plane:0,1,0,14 | surfpath fina --spacing 2 --height 0.2 --least-radius 2 > bowl.toolpath
+    geodesic bowl.off --source plane:0,1,0,14 | surfpath fina --spacing 2 --layer-height 0.2 --min-radius 2 > bowl.toolpath
 }
 
 setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }

@@ -123,7 +123,7 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
     for c in $(readers); do
         in=$(input_of "$c")
         sharp=() # tight turns are told
-        [[ $c == surfpath ]] && sharp=(--least-radius 0)
+        [[ $c == surfpath ]] && sharp=(--min-radius 0)
         expect 0 "$c" "$in" "${sharp[@]}" --threads 1 --output one
         [[ -z $err && -z $out ]] || { echo "$c: $err"; false; }
         for threads in 2 8; do
@@ -187,7 +187,7 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
     sound_only
     for c in $(readers); do
         sharp=()
-        [[ $c == surfpath ]] && sharp=(--least-radius 0)
+        [[ $c == surfpath ]] && sharp=(--min-radius 0)
         "$c" "${sharp[@]}" "$(input_of "$c")" 2> err | head -c 10 > /dev/null || true
         [[ ! -s err ]] || { echo "$c: $(cat err)"; false; }
     done

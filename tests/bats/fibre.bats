@@ -22,8 +22,8 @@ setup_file() {
             printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1
         }
     }' > dome.off
-    geodesic dome.off --source plane:0,1,0,0 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > patch.toolpath
-    geodesic dome.off --source plane:1,0,0,0 | surfpath --quiet ortheo --spacing 4 --height 0.1 > lines.toolpath
+    geodesic dome.off --source plane:0,1,0,0 | surfpath fina --spacing 5 --layer-height 0.1 --min-radius 5 > patch.toolpath
+    geodesic dome.off --source plane:1,0,0,0 | surfpath --quiet ortheo --spacing 4 --layer-height 0.1 > lines.toolpath
     assemble --tools 0,1 core.toolpath patch.toolpath lines.toolpath > job.toolpath
     assemble --tools 1 lines.toolpath > lines.fibre
 }

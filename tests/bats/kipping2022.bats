@@ -78,7 +78,7 @@ facts() { peek "$1" | sed -n 's/^fact *surfpath: //p'; }
     done
     peek t | grep -q 'savgol-window = 7'
     geodesic plate.off --source plane:0,1,0,0 > s
-    baseline ortheo s --d-iso 0.5 --least-spacing 0.3 > t
+    baseline ortheo s --d-iso 0.5 --min-spacing 0.3 > t
     facts t | grep -qx 'd-iso 0.5 mm'
     facts t | grep -qx 'least-spacing 0.3 mm'
 }

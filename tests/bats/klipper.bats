@@ -39,7 +39,7 @@ said() {
             printf "%.6f %.6f %.6f\n", x, y, sqrt(3600 - x * x - y * y) - 40 }
         for (j = 0; j < n; j++) for (i = 0; i < n; i++) { a = j * (n + 1) + i
             printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1 } }' > dome.off
-    geodesic dome.off --source boundary | surfpath geo-contour --spacing 0.8 --height 0.2 > rings.toolpath
+    geodesic dome.off --source boundary | surfpath geo-contour --spacing 0.8 --layer-height 0.2 > rings.toolpath
     postproc --machine klipper-xyzac --job job.tsv rings.toolpath > rings.gcode
     plan rings.gcode rotary=a,c > real
     # 16 microsteps of 200 steps for 36 degrees, from 0 to the first place and back to 0

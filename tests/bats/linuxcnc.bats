@@ -53,7 +53,7 @@ enter_room() {
 
 @test "a surface path runs alike as tip numbers and as joints" {
     enter_room
-    geodesic dome.off --source plane:0,1,0,8 | surfpath fina --spacing 5 --height 0.1 --least-radius 5 > dome.toolpath
+    geodesic dome.off --source plane:0,1,0,8 | surfpath fina --spacing 5 --layer-height 0.1 --min-radius 5 > dome.toolpath
     for form in tip joints; do # half a degree of the axis, 20 mm from the joint, would be 0.17 mm of that one
         postproc --path-tolerance 0.001 --axis-tolerance 0.01 --machine linuxcnc-xyzac --set "kinematics.numbers=$form,tolerance=0.005,extrusion.kind=valve,\
 extrusion.on=M62 P0,extrusion.off=M63 P0,feeds.bead=15,feeds.first_layer=15,kinematics.tilt_point_y=20,\
@@ -67,7 +67,7 @@ kinematics.tilt_point_z=10,kinematics.turn_speed_deg=60,kinematics.tilt_speed_de
 # The output of the cutter is sampled with the joints: it comes on where the program says, and the machine stands still.
 @test "the fibre is cut where the program says, by a machine that stands still" {
     enter_room
-    geodesic dome.off --source plane:0,1,0,8 | surfpath --quiet fina --spacing 6 --height 0.1 --least-radius 5 |
+    geodesic dome.off --source plane:0,1,0,8 | surfpath --quiet fina --spacing 6 --layer-height 0.1 --min-radius 5 |
         assemble --tools 1 > dome.toolpath
     postproc --machine fibre-xyzac --set "kinematics.numbers=joints,tolerance=0.05,extrusion.kind=valve,\
 extrusion.on=M62 P2,extrusion.off=M63 P2,fibre.cut_to_nozzle=8,fibre.anchor=1,fibre.anchor_feed=5,fibre.feed=15,\

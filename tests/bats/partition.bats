@@ -28,11 +28,11 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 == n { print $4 }'; }
 
 @test "a box falls into its faces, and what is too small is said" {
-    expect 0 partition part.surface --least-area 20 --output box.patches
+    expect 0 partition part.surface --min-area 20 --output box.patches
     [[ $err == "partition: face too small for a patch left out: 4 cases, 36 mm2 at "* ]]
     [ "$(value patches box.patches)" = 2 ]
     [ "$(value patch.A.area box.patches)" = 81 ]
-    expect 0 partition part.surface --least-area 5 --output box.patches
+    expect 0 partition part.surface --min-area 5 --output box.patches
     [ -z "$err" ]
     [ "$(value patches box.patches)" = 6 ]
 }
@@ -89,12 +89,12 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
         complaint partition
     done
     for wrong in '--angle 0' '--angle 91' '--angle nan' '--bend -1' '--crease 181' '--patches -1' '--patches 1.5' \
-        '--least-area -1' '--mask 1.1' '--detail inf' '--only a/b' '--names ,'; do
+        '--min-area -1' '--mask 1.1' '--detail inf' '--only a/b' '--names ,'; do
         # shellcheck disable=SC2086
         expect 2 partition part.surface $wrong
         complaint partition
     done
-    expect 2 partition part.surface --least-area 1000
+    expect 2 partition part.surface --min-area 1000
     [[ $err == *"1000 mm2"* ]]
     expect 3 partition plate.surface --field stress.X.s1
 }
@@ -102,7 +102,7 @@ value() { peek "$2" | awk -v n="$1" '$1 == "fact" && $2 == "partition:" && $3 ==
 @test "the bracket falls into four coherent faces" {
     bracket=$BATS_TEST_DIRNAME/../../examples/bracket
     geodesic "$bracket/bracket.ply" | stressfield --quiet --stress "$bracket/bracket.frd.gz" --case X,Y -o bracket.surface
-    partition --quiet bracket.surface --bend 40 --least-area 1000 --output bracket.patches
+    partition --quiet bracket.surface --bend 40 --min-area 1000 --output bracket.patches
     [ "$(value patches bracket.patches)" = 4 ] # inside and outside, of leg and wall
     awk -v a="$(value area bracket.patches)" 'BEGIN { exit !(a > 18800 && a < 19000) }'
     for p in B C D; do

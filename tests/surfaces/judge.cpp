@@ -1,7 +1,7 @@
 #include "judge.hpp"
 
 #include "geodesic/query.hpp"
-#include "geom/box_tree.hpp"
+#include "geom/bvh.hpp"
 #include "surface/curve/locate.hpp"
 
 #include "random.hpp"
@@ -111,7 +111,7 @@ class Pieces {
         });
     }
     [[nodiscard]] const std::vector<Piece>& all() const { return all_; }
-    [[nodiscard]] const geom::BoxTree& tree() const { return tree_; }
+    [[nodiscard]] const geom::Bvh& tree() const { return tree_; }
 
   private:
     static std::vector<Piece> cut(const std::vector<Chain>& chains) {
@@ -130,7 +130,7 @@ class Pieces {
         return out;
     }
     std::vector<Piece> all_;
-    geom::BoxTree tree_;
+    geom::Bvh tree_;
 };
 
 void measure_area(const Surface& s, const Pieces& path, double width, Judged& out) {

@@ -33,10 +33,10 @@ struct From {
 
 std::string text(const Vec3& v) { return shortest_text(v.x) + "," + shortest_text(v.y) + "," + shortest_text(v.z); }
 
-std::string source(const std::string& algorithm, const From& from, const Motion& m) {
+std::string source(surfpath::Algorithm algorithm, const From& from, const Motion& m) {
     const Vec3 n = m.way(from.normal), p = m.point(from.point);
-    if (algorithm == "geo-spiral") return "point:" + text(p);
-    if (algorithm == "geo-fiso" || algorithm == "geo-contour") return "boundary";
+    if (algorithm == surfpath::Algorithm::geo_spiral) return "point:" + text(p);
+    if (algorithm == surfpath::Algorithm::geo_fiso || algorithm == surfpath::Algorithm::geo_contour) return "boundary";
     return "plane:" + text(n) + "," + shortest_text(dot(n, p));
 }
 
@@ -84,9 +84,9 @@ void hold_near(const std::string& name, const Filled& a, const Filled& b, double
 
 Likeness compare(std::uint64_t seed, std::uint64_t number) {
     Random r(seed * 1'000'003 + number);
-    static const std::vector<std::string> algorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"};
+    static const std::vector<std::string> algorithms(surfpath::kAlgorithms.begin(), surfpath::kAlgorithms.end());
     surfpath::Options o;
-    o.algorithm = r.of(algorithms);
+    o.algorithm = *surfpath::algorithm(r.of(algorithms));
     o.spacing = r.chance(0.3) ? 1 : r.in(0.8, 2.5);
     o.least_radius = r.of<double>({0.5, 1}); // greater ones leave rings out, which is all or nothing
     const Shape shape = random_shape(r);
@@ -94,8 +94,8 @@ Likeness compare(std::uint64_t seed, std::uint64_t number) {
     if (shape.mesh.triangles.size() > kMost) throw Error(Exit::usage, "too many triangles for a trial");
     const From from = from_somewhere(shape.mesh, r);
     Likeness out;
-    out.words = o.algorithm + " spacing " + fixed_text(o.spacing, 2) + " on " + shape.name + ", " +
-                std::to_string(shape.mesh.triangles.size()) + " triangles";
+    out.words = std::string(surfpath::name(o.algorithm)) + " spacing " + fixed_text(o.spacing, 2) + " on " +
+                shape.name + ", " + std::to_string(shape.mesh.triangles.size()) + " triangles";
     const Filled first = fill(shape.mesh, o, from, {});
     Mesh shuffled = shape.mesh, split = shape.mesh;
     shuffle(shuffled, r);

@@ -87,20 +87,20 @@ void line(const Surface& s, Random& r, Sources& out, Notes& notes) {
     geodesic::add_lines(out, s, {points}, notes);
 }
 
-Sources sources(const Surface& s, const std::string& algorithm, Random& r, std::string& words, Notes& notes) {
+Sources sources(const Surface& s, surfpath::Algorithm algorithm, Random& r, std::string& words, Notes& notes) {
     const double dice = r.unit();
     std::string what;
-    if (algorithm == "geo-spiral")
+    if (algorithm == surfpath::Algorithm::geo_spiral)
         what = point(s, r);
-    else if (algorithm == "geo-fiso" || algorithm == "geo-contour")
+    else if (algorithm == surfpath::Algorithm::geo_fiso || algorithm == surfpath::Algorithm::geo_contour)
         what = dice < 0.75 || s.rims.empty() ? rim(s, r) : dice < 0.85 ? plane(s, r) : dice < 0.95 ? point(s, r) : "";
-    else if (algorithm == "ortheo")
+    else if (algorithm == surfpath::Algorithm::ortheo)
         what = dice < 0.4 ? plane(s, r) : dice < 0.65 ? rim(s, r) : dice < 0.85 ? "line" : point(s, r);
     else
-        what = dice < 0.6                          ? plane(s, r)
-               : dice < 0.8 && algorithm == "fina" ? rim(s, r)
-               : dice < 0.95                       ? "line"
-                                                   : plane(s, r);
+        what = dice < 0.6                                             ? plane(s, r)
+               : dice < 0.8 && algorithm == surfpath::Algorithm::fina ? rim(s, r)
+               : dice < 0.95                                          ? "line"
+                                                                      : plane(s, r);
     words += " from " + (what.empty() ? "nothing" : what);
     if (what != "line") return geodesic::choose(s, what, notes);
     Sources out;
@@ -113,20 +113,23 @@ Sources sources(const Surface& s, const std::string& algorithm, Random& r, std::
 Trial make(std::uint64_t seed, std::uint64_t number) {
     Random r(seed * 1'000'003 + number);
     Trial out;
-    static const std::vector<std::string> algorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"};
+    static const std::vector<std::string> algorithms(surfpath::kAlgorithms.begin(), surfpath::kAlgorithms.end());
     surfpath::Options& o = out.options;
-    o.algorithm = r.of(algorithms);
-    o.method = r.chance(0.12) ? "kipping2022" : "filum";
+    o.algorithm = *surfpath::algorithm(r.of(algorithms));
+    o.method = r.chance(0.12) ? surfpath::Method::kipping2022 : surfpath::Method::filum;
     o.spacing = r.chance(0.3) ? 1 : r.in(0.6, 3);
     o.least_radius = r.chance(0.6) ? 2.4 : r.of<double>({0, 0.5, 1, 1.5, 4});
-    o.turns = r.of<std::string>({"none", "hairpin", "wide"});
+    const std::vector<std::string> turns{"none", "hairpin", "wide"};
+    const std::string turn = r.of(turns);
+    o.turns = static_cast<surfpath::RowTurns>(std::find(turns.begin(), turns.end(), turn) - turns.begin());
     out.sheet.surface = surface_of(r, o.spacing, out.words, out.notes);
     const Surface& s = out.sheet.surface;
     const Sources from = sources(s, o.algorithm, r, out.words, out.notes);
     if (!from.empty()) geodesic::measure(out.sheet, from, {}, out.notes);
-    out.words = o.algorithm + (o.method == "filum" ? "" : " (" + o.method + ")") + " spacing " +
-                fixed_text(o.spacing, 2) + " radius " + fixed_text(o.least_radius, 1) +
-                (o.algorithm == "ortheo" ? " turns " + o.turns : "") + " on " + out.words + ", " +
+    out.words = std::string(surfpath::name(o.algorithm)) +
+                (o.method == surfpath::Method::filum ? "" : " (kipping2022)") + " spacing " + fixed_text(o.spacing, 2) +
+                " radius " + fixed_text(o.least_radius, 1) +
+                (o.algorithm == surfpath::Algorithm::ortheo ? " turns " + turn : "") + " on " + out.words + ", " +
                 std::to_string(s.triangles.size()) + " triangles, " + std::to_string(s.rims.size()) + " rims, " +
                 std::to_string(s.components) + " components";
     out.paper.algorithm = o.algorithm, out.paper.spacing = o.spacing;
@@ -135,8 +138,9 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
 
 Outcome run(const Trial& t) {
     Outcome out;
-    const bool ours = t.options.method == "filum";
-    const bool rings = ours && (t.options.algorithm == "geo-fiso" || t.options.algorithm == "geo-contour");
+    const bool ours = t.options.method == surfpath::Method::filum;
+    const bool rings = ours && (t.options.algorithm == surfpath::Algorithm::geo_fiso ||
+                                t.options.algorithm == surfpath::Algorithm::geo_contour);
     const Asked asked{t.options.spacing, t.options.least_radius, ours, rings, t.sheet.sources};
     try {
         surfpath::Plan plan =

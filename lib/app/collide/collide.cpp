@@ -26,7 +26,10 @@ collision::Found check(Things& t, std::vector<collision::Solid> beads, const col
 void program(const Options& o, const machine::Profile& profile, const cli::Io& io) {
     const mesh::Bytes bytes = mesh::load(o.program);
     collision::ProgramOptions how;
-    if (!o.bead.empty()) how.width = o.bead[0], how.height = o.bead[1];
+    if (!o.bead.empty()) {
+        how.width = o.bead[0];
+        how.height = o.bead[1];
+    }
     if (!o.shift.empty()) how.shift = {o.shift[0], o.shift[1], o.shift[2]};
     auto read = collision::read_program(bytes.view(), mesh::spoken_name(o.program), profile, how);
     if (read.moves.empty())
@@ -41,7 +44,10 @@ void program(const Options& o, const machine::Profile& profile, const cli::Io& i
                                      {"program_lines_other", read.ignored}})
         metrics::figures::tell(figures, metrics::figures::head_meanings(), key, count);
     cli::Report report(io);
-    for (Note& note : t.notes) note.stage = io.program, report.add(note);
+    for (Note& note : t.notes) {
+        note.stage = io.program;
+        report.add(note);
+    }
     report.say();
     if (!found.collisions.empty() && o.strict) throw Error(Exit::failure, collision::complaint(answer));
     stream::Sink sink(io.output, stream::Sink::Content::text);

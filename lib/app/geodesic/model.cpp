@@ -36,7 +36,10 @@ Model of_stream(const mesh::Bytes& bytes, const mesh::Placement& place, const st
     Model out;
     std::size_t surfaces = 0;
     out.before = cli::read_all(stream::Reader(bytes.view(), mesh::spoken_name(path), stream::Payload::surface),
-                               [&](const stream::RawFrame& frame) { out.sheet = wire::sheet(frame), ++surfaces; });
+                               [&](const stream::RawFrame& frame) {
+                                   out.sheet = wire::sheet(frame);
+                                   ++surfaces;
+                               });
     if (surfaces != 1)
         throw Error(Exit::bad_input, "cannot use " + mesh::spoken_name(path) + ": it holds " +
                                          std::to_string(surfaces) +

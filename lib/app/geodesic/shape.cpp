@@ -1,6 +1,6 @@
 #include "app/geodesic/shape.hpp"
 
-#include "surface/curve/carry.hpp"
+#include "surface/curve/transfer.hpp"
 #include "surface/remesh.hpp"
 
 namespace filum::app::geodesic {
@@ -27,11 +27,11 @@ void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::
         now = surface::cut(now, surface::Plane{{c[0], c[1], c[2]}, c[3]}, model.notes);
     if (!how.cut_mesh.empty()) {
         const mesh::Mesh solid = read_mesh(how.cut_mesh, "cut_mesh_crc32c", place, self, model.notes);
-        now = surface::cut(now, solid, how.keep == "inside", model.notes);
+        now = surface::cut(now, solid, how.keep == Keep::inside, model.notes);
     }
     if (how.remesh > 0) now = surface::remesh(now, how.remesh, model.notes);
-    sheet.fields = surface::curve::carried(sheet.surface, sheet.fields, now);
-    sheet.faces = surface::curve::carried_faces(sheet.surface, sheet.faces, now);
+    sheet.fields = surface::curve::transferred(sheet.surface, sheet.fields, now);
+    sheet.faces = surface::curve::transferred_faces(sheet.surface, sheet.faces, now);
     const auto gone = [&](const char* what, std::size_t count) {
         if (count > 0) model.notes.push_back({.stage = "", .what = what, .amount = 0, .unit = "", .count = count});
     };

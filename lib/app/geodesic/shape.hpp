@@ -5,11 +5,13 @@
 
 namespace filum::app::geodesic {
 
+enum class Keep : std::uint8_t { outside, inside };
+
 struct Shaping {
-    std::vector<double> cut;      // nx, ny, nz, d of a plane: what lies beyond goes; none: do not
-    std::string cut_mesh;         // file of a closed mesh, in mm; none: do not
-    std::string keep = "outside"; // of that: or "inside"
-    double remesh = 0;            // mm: sides of the triangles; 0: do not
+    std::vector<double> cut;   // nx, ny, nz, d of a plane: what lies beyond goes; none: do not
+    std::string cut_mesh;      // file of a closed mesh, in mm; none: do not
+    Keep keep = Keep::outside; // of that
+    double remesh = 0;         // mm: sides of the triangles; 0: do not
 };
 
 std::vector<cli::Option> options(Shaping& to);

@@ -26,8 +26,10 @@ filum::metrics::figures::Figures curved(const Options& options, const cli::Io& i
     refuse(options.plane);
     surface::Sheet sheet;
     std::size_t surfaces = 0;
-    const auto ground = cli::read_all(options.surface, stream::Payload::surface,
-                                      [&](const stream::RawFrame& f) { sheet = wire::sheet(f), ++surfaces; });
+    const auto ground = cli::read_all(options.surface, stream::Payload::surface, [&](const stream::RawFrame& f) {
+        sheet = wire::sheet(f);
+        ++surfaces;
+    });
     if (surfaces != 1)
         throw Error(Exit::bad_input, "cannot measure on '" + options.surface + "': it holds " +
                                          std::to_string(surfaces) + " surfaces, not one");

@@ -15,7 +15,10 @@ namespace filum::app::peek {
 // Least and greatest of one quantity.
 struct Range {
     double lo = std::numeric_limits<double>::infinity(), hi = -std::numeric_limits<double>::infinity();
-    void add(double v) { lo = v < lo ? v : lo, hi = v > hi ? v : hi; }
+    void add(double v) {
+        lo = v < lo ? v : lo;
+        hi = v > hi ? v : hi;
+    }
     [[nodiscard]] bool empty() const { return lo > hi; }
 };
 

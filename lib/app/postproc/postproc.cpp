@@ -61,8 +61,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    filum::postproc::Measure measure(profile, filum::postproc::parse_place(o.place),
-                                     filum::postproc::parse_orient(o.orient), o.flatten);
+    filum::postproc::Measure measure(profile, o.place, filum::postproc::parse_orient(o.orient), o.flatten);
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
         if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
@@ -73,20 +72,20 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     }
     for (; measure.again(); spool.rewind())
         while (const auto frame = spool.next()) measure.add(wire::span(*frame));
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     cli::Report said(io);
-    for (const Note& n : filum::postproc::omissions(survey, io.program)) notes.push_back(n);
-    filum::postproc::add_efforts(profile, survey, io.program, notes, facts);
+    for (const Note& n : filum::postproc::omissions(first_pass, io.program)) notes.push_back(n);
+    filum::postproc::add_efforts(profile, first_pass, io.program, notes, facts);
     for (const Note& n : notes) said.add(n);
     said.say();
     if (!o.job.empty())
-        cli::write_text(o.job, filum::metrics::figures::text(filum::postproc::job(profile, survey),
+        cli::write_text(o.job, filum::metrics::figures::text(filum::postproc::job(profile, first_pass),
                                                              filum::metrics::figures::Format::tsv, "job"));
     Modules modules(o.modules);
     const auto program = filum::postproc::writer(
-        profile, survey, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
-    const auto told = filum::postproc::summary(profile, survey, measure.program_shift(), notes, facts);
-    program->begin(filum::postproc::about(profile, survey, told));
+        profile, first_pass, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
+    const auto told = filum::postproc::summary(profile, first_pass, measure.program_shift(), notes, facts);
+    program->begin(filum::postproc::about(profile, first_pass, told));
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
     while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));

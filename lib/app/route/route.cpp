@@ -36,7 +36,11 @@ Facts facts(const filum::route::Job& job) {
     out.push_back({"", "travel-length-before", job.before, "mm"});
     out.push_back({"", "travel-length", job.after, "mm"});
     double most = 0, sum = 0, length = 0;
-    for (const auto& l : job.leaning) most = std::max(most, l.most), sum += l.mean * l.leaning, length += l.leaning;
+    for (const auto& l : job.leaning) {
+        most = std::max(most, l.most);
+        sum += l.mean * l.leaning;
+        length += l.leaning;
+    }
     out.push_back({"", "leaning-strokes", static_cast<double>(job.leaning.size()), ""});
     out.push_back({"", "leaning-length", length, "mm"});
     out.push_back({"", "tilt-max", most / kDegree, "deg"});

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "machine/profile.hpp"
+#include "mesh/sides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,7 @@ void check_precision(const mesh::Mesh& mesh, Notes& notes) {
     for (const geom::Vec3& v : mesh.vertices)
         if (!single(v.x) || !single(v.y) || !single(v.z)) return;
     double area = 0;
-    for (const auto& t : mesh.triangles)
-        area += norm(cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]])) / 2;
+    for (const auto& t : mesh.triangles) area += mesh::area(mesh, t);
     const double moved = area * step / 2, volume = std::abs(mesh::volume(mesh)); // half a step, all outwards
     if (!(moved > kTold * volume)) return;
     notes.push_back({.stage = "",

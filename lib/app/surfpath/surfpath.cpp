@@ -9,31 +9,37 @@ namespace filum::app::surfpath {
 
 namespace {
 
-filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, const std::string& algorithm) {
+using filum::surfpath::Algorithm;
+
+filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorithm algorithm) {
     filum::surfpath::Options asked = o.plan;
-    asked.algorithm = algorithm, asked.offset = o.laying.offset;
+    asked.algorithm = algorithm;
+    asked.offset = o.laying.offset;
     baselines::kipping2022::Options paper = o.paper;
-    paper.algorithm = algorithm, paper.spacing = asked.spacing;
+    paper.algorithm = algorithm;
+    paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    filum::surfpath::Plan out = asked.method == "kipping2022" ? baselines::kipping2022::plan(sheet, paper)
-                                                              : filum::surfpath::plan(sheet, asked);
+    filum::surfpath::Plan out = asked.method == filum::surfpath::Method::kipping2022
+                                    ? baselines::kipping2022::plan(sheet, paper)
+                                    : filum::surfpath::plan(sheet, asked);
     filum::surfpath::finish(sheet.surface, out, asked);
     return out;
 }
 
 // Warns of options of algorithms that no patch follows.
-void tell_idle(const std::vector<std::string>& algorithms, const cli::Io& io) {
-    const auto used = [&](const char* name) {
-        return std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
+void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io) {
+    const auto used = [&](Algorithm a) {
+        return std::find(algorithms.begin(), algorithms.end(), a) != algorithms.end();
     };
     const auto idle = [&](const std::vector<const char*>& options, const char* of) {
         for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
     };
-    if (!used("ortheo")) idle({"turns", "min-length", "d-iso", "least-spacing"}, "ortheo");
-    if (!used("fina") && !used("fexa") && !used("ortheo")) idle({"plane"}, "fina, fexa or ortheo");
-    const bool rings = used("geo-fiso") || used("geo-contour");
+    if (!used(Algorithm::ortheo)) idle({"turns", "min-length", "d-iso", "min-spacing"}, "ortheo");
+    if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
+        idle({"plane"}, "fina, fexa or ortheo");
+    const bool rings = used(Algorithm::geo_fiso) || used(Algorithm::geo_contour);
     if (!rings) idle({"t-dist"}, "geo-fiso or geo-contour");
-    if (!rings && !used("geo-spiral")) idle({"n-thresh"}, "geo-fiso, geo-contour or geo-spiral");
+    if (!rings && !used(Algorithm::geo_spiral)) idle({"n-thresh"}, "geo-fiso, geo-contour or geo-spiral");
 }
 
 } // namespace
@@ -42,17 +48,20 @@ void run(const Options& o, const cli::Io& io) {
     std::vector<surface::Sheet> sheets;
     auto whole = cli::read_all(io.input, stream::Payload::surface,
                                [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
-    const auto algorithms = filum::surfpath::algorithms(sheets, o.plan.algorithm);
+    const auto algorithms = filum::surfpath::algorithms(sheets, filum::surfpath::algorithm(o.algorithm));
     tell_idle(algorithms, io);
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads,
-                                               [&](std::size_t k) { return lay(sheets[k], o, algorithms[k]); });
+                                               [&](std::size_t k) { return lay(sheets[k], o, *algorithms[k]); });
     filum::surfpath::Laying laying = o.laying;
-    laying.width = o.plan.spacing, laying.layer = static_cast<std::uint32_t>(o.ply);
+    laying.width = o.plan.spacing;
+    laying.layer = static_cast<std::uint32_t>(o.ply);
     const auto spans = filum::surfpath::spans(sheets, patches.plans, laying);
     cli::Io self = io; // with what was followed
     for (auto& s : self.settings)
-        if (s.name == "algorithm" && sheets.size() == 1)
-            s.value = algorithms[0], s.changed = s.value != filum::surfpath::algorithms(sheets, "planned")[0];
+        if (s.name == "algorithm" && sheets.size() == 1) {
+            s.value = name(*algorithms[0]);
+            s.changed = algorithms != filum::surfpath::algorithms(sheets, {});
+        }
     whole.header.expected = spans.size();
     std::vector<stream::RawFrame> frames;
     for (const auto& span : spans) frames.push_back(wire::frame(span));

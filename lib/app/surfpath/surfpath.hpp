@@ -9,7 +9,8 @@
 namespace filum::app::surfpath {
 
 struct Options {
-    filum::surfpath::Options plan{.algorithm = "planned"};
+    std::string algorithm = "planned"; // by what the surfaces carry, or a name
+    filum::surfpath::Options plan;
     filum::surfpath::Laying laying;
     std::int64_t ply = 0;
     std::vector<double>

@@ -23,8 +23,14 @@ std::vector<std::uint32_t> chain(const std::vector<Node>& nodes, std::uint32_t f
     };
     std::vector<std::uint32_t> out, back;
     seen[from] = 1;
-    for (std::uint32_t n = from; n != surface::kNone; n = next(n)) seen[n] = 1, out.push_back(n);
-    for (std::uint32_t n = next(from); n != surface::kNone; n = next(n)) seen[n] = 1, back.push_back(n);
+    for (std::uint32_t n = from; n != surface::kNone; n = next(n)) {
+        seen[n] = 1;
+        out.push_back(n);
+    }
+    for (std::uint32_t n = next(from); n != surface::kNone; n = next(n)) {
+        seen[n] = 1;
+        back.push_back(n);
+    }
     out.insert(out.begin(), back.rbegin(), back.rend());
     return out;
 }
@@ -109,7 +115,10 @@ class Spirals {
                 if (found.distance > o_.reach) ++cuts;
             }
             if (!ridge.empty() && away > o_.reach) ++cuts;
-            if (cuts < fewest) fewest = cuts, best = starts;
+            if (cuts < fewest) {
+                fewest = cuts;
+                best = starts;
+            }
             if (cuts == 0) break;
         }
         return best;

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "geodesic/isolines.hpp"
+#include "geom/polyline.hpp"
 
 #include <cmath>
 
@@ -24,10 +25,8 @@ Contour contour(const surface::Isoline& line, std::uint32_t level) {
 } // namespace
 
 double length(std::span<const Vec3> points, bool closed) {
-    double out = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) out += distance(points[i - 1], points[i]);
-    if (closed && points.size() > 1) out += distance(points.back(), points.front());
-    return out;
+    const double open = geom::length(points);
+    return closed && points.size() > 1 ? open + distance(points.back(), points.front()) : open;
 }
 
 Note lines_note(const char* what, double mm, const Vec3& at) {
@@ -82,7 +81,7 @@ void note_unreached(const Surface& s, std::span<const double> values, Notes& not
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& [a, b, c] = s.triangles[t];
         if (std::isfinite(values[a]) && std::isfinite(values[b]) && std::isfinite(values[c])) continue;
-        area += norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
+        area += surface::area(s, t);
         if (worst == surface::kNone) worst = a;
         if (counted[s.component[t]]++ == 0) ++count;
         counted[s.component[t]] = 1;

@@ -125,7 +125,10 @@ Plan geo_fiso(const surface::Sheet& sheet, const Options& o) {
             std::size_t start = 0;
             for (std::size_t i = 0; i < all.nodes[child].points().size(); ++i) {
                 const auto found = all.nodes[parent].cloud.nearest(all.nodes[child].points()[i], least);
-                if (found.distance < least) least = found.distance, start = i;
+                if (found.distance < least) {
+                    least = found.distance;
+                    start = i;
+                }
             }
             strokes.lay(traversal.run(child, start, left), plan);
         }

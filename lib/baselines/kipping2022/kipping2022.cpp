@@ -7,19 +7,29 @@
 #include "baselines/kipping2022/spiral.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace filum::baselines::kipping2022 {
 
 namespace {
 
 surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
-    if (o.algorithm == "fina") return fina(sheet, o);
-    if (o.algorithm == "fexa") return fexa(sheet, o);
-    if (o.algorithm == "ortheo") return ortheo(sheet, o);
-    if (o.algorithm == "geo-fiso") return geo_fiso(sheet, o);
-    if (o.algorithm == "geo-contour") return geo_contour(sheet, o);
-    if (o.algorithm == "geo-spiral") return geo_spiral(sheet, o);
-    throw Error(Exit::usage, "cannot plan by '" + o.algorithm + "'; see --help for the algorithms");
+    using surfpath::Algorithm;
+    switch (o.algorithm) {
+    case Algorithm::fina:
+        return fina(sheet, o);
+    case Algorithm::fexa:
+        return fexa(sheet, o);
+    case Algorithm::ortheo:
+        return ortheo(sheet, o);
+    case Algorithm::geo_fiso:
+        return geo_fiso(sheet, o);
+    case Algorithm::geo_contour:
+        return geo_contour(sheet, o);
+    case Algorithm::geo_spiral:
+        return geo_spiral(sheet, o);
+    }
+    throw std::logic_error("no such algorithm");
 }
 
 } // namespace

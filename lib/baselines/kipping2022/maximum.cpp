@@ -11,7 +11,10 @@ std::vector<std::uint32_t> above(const Surface& s, std::span<const double> value
                                  std::vector<char>& seen) {
     std::vector<std::uint32_t> out;
     const auto visit = [&](std::uint32_t v) {
-        if (seen[v] == 0 && values[v] >= level) seen[v] = 1, out.push_back(v);
+        if (seen[v] == 0 && values[v] >= level) {
+            seen[v] = 1;
+            out.push_back(v);
+        }
     };
     visit(from);
     for (std::size_t i = 0; i < out.size(); ++i)

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "surface/section.hpp"
+#include "surfpath/algorithm.hpp"
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace filum::baselines::kipping2022 {
 
 // 0 stands for a default that depends on others; settled() puts it in.
 struct Options {
-    std::string algorithm = "geo-fiso";    // fina, fexa, ortheo, geo-fiso, geo-contour, geo-spiral
+    surfpath::Algorithm algorithm = surfpath::Algorithm::geo_fiso;
     double spacing = 1;                    // mm, d: between neighbouring lines
     std::optional<surface::Plane> plane{}; // P of fina and fexa; none: the one that the sources lie in
     double resample = 0;                   // mm, r_resample: between points of paths; default d / 4

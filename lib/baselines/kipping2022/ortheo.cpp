@@ -1,7 +1,6 @@
 #include "baselines/kipping2022/ortheo.hpp"
 
 #include "base/error.hpp"
-#include "baselines/kipping2022/cloud.hpp"
 #include "baselines/kipping2022/path.hpp"
 #include "baselines/kipping2022/seed.hpp"
 
@@ -37,7 +36,10 @@ class Level {
             const double l2 = dot(way, way), f = l2 > 0 ? dot(p - points[near.index], way) / l2 : 0;
             if (!(f > 0)) continue;
             const Vec3 q = points[near.index] + std::min(f, 1.0) * way;
-            if (distance(p, q) < out.distance) out.point = q, out.distance = distance(p, q);
+            if (distance(p, q) < out.distance) {
+                out.point = q;
+                out.distance = distance(p, q);
+            }
         }
         return out;
     }
@@ -45,7 +47,7 @@ class Level {
 
     // What lies farther than `reach` from every line that comes here.
     [[nodiscard]] std::optional<Note> bare(double reach) {
-        const Cloud lines(std::move(lines_));
+        const geom::PointTree lines(std::move(lines_));
         const auto far = [&](const Vec3& p) { return lines.nearest(p, reach).index == surface::kNone; };
         const auto n = std::count_if(cloud_.points().begin(), cloud_.points().end(), far);
         if (n == 0) return {};
@@ -70,7 +72,7 @@ class Level {
     }
 
     std::vector<std::uint32_t> before_, after_; // per point
-    Cloud cloud_;
+    geom::PointTree cloud_;
     double step_;
     Points lines_;
 };
@@ -86,8 +88,10 @@ class Strands {
         for (std::size_t k = 0; k < n; ++k) {
             const double way = static_cast<double>(k) * o.spacing;
             const auto stretch = [&] { return distance(seed.points[i], seed.points[(i + 1) % seed.points.size()]); };
-            while (before + stretch() < way && i + 2 < seed.points.size() + (seed.closed ? 1 : 0))
-                before += stretch(), ++i;
+            while (before + stretch() < way && i + 2 < seed.points.size() + (seed.closed ? 1 : 0)) {
+                before += stretch();
+                ++i;
+            }
             const double f = stretch() > 0 ? std::min(1.0, (way - before) / stretch()) : 0;
             row_.push_back(static_cast<std::uint32_t>(lines.size()));
             lines.push_back({seed.points[i] + f * (seed.points[(i + 1) % seed.points.size()] - seed.points[i])});
@@ -178,7 +182,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
             if (const auto note = level.bare(o.spacing)) plan.notes.push_back(*note);
         }
         for (const Strands& strands : all) {
-            inserted += strands.inserted, ended += strands.ended;
+            inserted += strands.inserted;
+            ended += strands.ended;
             for (const Points& line : strands.lines)
                 if (line.size() > 1) strokes.lay(line, plan);
         }

@@ -31,7 +31,10 @@ Points resampled(std::span<const Vec3> points, bool closed, double step) {
     const std::size_t last = points.size() - (closed ? 1 : 2);
     for (std::size_t k = 0; k < n; ++k) {
         const double way = all * static_cast<double>(k) / static_cast<double>(n);
-        while (i < last && before + stretch() < way) before += stretch(), ++i;
+        while (i < last && before + stretch() < way) {
+            before += stretch();
+            ++i;
+        }
         const double l = stretch(), f = l > 0 ? std::min(1.0, (way - before) / l) : 0;
         out.push_back(points[i] + f * (points[(i + 1) % points.size()] - points[i]));
     }

@@ -38,7 +38,7 @@ Vec3 direction(const Surface& s, const Plane& plane) {
         return best;
     };
     const Vec3 one = farthest(cut.front().a), way = farthest(one) - one;
-    return norm(way) > 0 ? 1 / norm(way) * way : Vec3{1, 0, 0};
+    return geom::unit(way, {1, 0, 0});
 }
 
 // The pieces of a level in the order of `axis`, each running along it.

@@ -13,7 +13,10 @@ constexpr double kJoint = 1e-6; // mm: between ends of segments that meet
 
 Points ends(const surface::Sources& sources) {
     Points out;
-    for (const auto& segment : sources.segments) out.push_back(segment.a), out.push_back(segment.b);
+    for (const auto& segment : sources.segments) {
+        out.push_back(segment.a);
+        out.push_back(segment.b);
+    }
     return out;
 }
 

@@ -1,7 +1,6 @@
 #include "baselines/kipping2022/spiral.hpp"
 
 #include "base/error.hpp"
-#include "baselines/kipping2022/cloud.hpp"
 #include "baselines/kipping2022/path.hpp"
 
 #include <algorithm>
@@ -22,11 +21,11 @@ Vec3 seed(const surface::Sheet& sheet) {
     throw Error(Exit::usage, "cannot wind a spiral without one seed point; run geodesic --source point:X,Y,Z first");
 }
 
-Cloud rim_vertices(const Surface& s) {
+geom::PointTree rim_vertices(const Surface& s) {
     Points out;
     for (const surface::Rim& rim : s.rims)
         for (const std::uint32_t h : rim.sides) out.push_back(s.vertices[s.tail(h)]);
-    return Cloud(std::move(out));
+    return geom::PointTree(std::move(out));
 }
 
 class Spiral {
@@ -56,7 +55,10 @@ class Spiral {
             const double d = opened_                  ? distance(place_, points[i])
                              : rims_.points().empty() ? distance(begin_, points[i])
                                                       : rims_.nearest(points[i], least).distance;
-            if (d < least) least = d, start = i;
+            if (d < least) {
+                least = d;
+                start = i;
+            }
         }
         std::rotate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(start), points.end());
         begin_ = points.front();
@@ -69,7 +71,7 @@ class Spiral {
         forwards_ = distance(points.front(), c.points.front()) > distance(points.front(), c.points.back());
     }
 
-    Cloud rims_;
+    geom::PointTree rims_;
     const Options& o_;
     Vec3 place_, begin_;
     bool opened_ = false, forwards_ = true; // of open contours: the next one

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "baselines/kipping2022/path.hpp"
+#include "geom/disjoint_sets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,20 +45,13 @@ std::vector<Edge> edges(const std::vector<Node>& nodes) {
     return out;
 }
 
-std::uint32_t find(std::vector<std::uint32_t>& set, std::uint32_t i) {
-    while (set[i] != i) i = set[i] = set[set[i]];
-    return i;
-}
-
 // Kruskal's minimum spanning trees.
 void span(std::vector<Node>& nodes) {
-    std::vector<std::uint32_t> set(nodes.size());
-    std::iota(set.begin(), set.end(), 0U);
+    geom::DisjointSets sets(nodes.size());
     for (const Edge& e : edges(nodes)) {
-        const std::uint32_t a = find(set, e.a), b = find(set, e.b);
-        if (a == b) continue;
-        set[a] = b;
-        nodes[e.a].neighbours.push_back(e.b), nodes[e.b].neighbours.push_back(e.a);
+        if (!sets.unite(e.a, e.b)) continue;
+        nodes[e.a].neighbours.push_back(e.b);
+        nodes[e.b].neighbours.push_back(e.a);
     }
     for (Node& n : nodes) std::sort(n.neighbours.begin(), n.neighbours.end());
 }
@@ -76,7 +70,10 @@ std::vector<std::uint32_t> outermost(const Surface& s, const std::vector<Node>& 
         double near = std::numeric_limits<double>::infinity();
         for (const Vec3& p : rims[n.component]) near = std::min(near, n.cloud.nearest(p, near).distance);
         const std::pair<bool, double> now{near <= kOuter * spacing, length(n.points(), true)};
-        if (now > rank[n.component]) rank[n.component] = now, best[n.component] = i;
+        if (now > rank[n.component]) {
+            rank[n.component] = now;
+            best[n.component] = i;
+        }
     }
     return best;
 }
@@ -113,7 +110,10 @@ void check_rims(const surface::Sheet& sheet, const std::vector<double>& phi, dou
                     "geodesic --cut");
     const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
     Points ends;
-    for (const auto& segment : sheet.sources.segments) ends.push_back(segment.a), ends.push_back(segment.b);
+    for (const auto& segment : sheet.sources.segments) {
+        ends.push_back(segment.a);
+        ends.push_back(segment.b);
+    }
     for (const std::uint32_t v : sheet.sources.vertices) ends.push_back(s.vertices[v]);
     std::sort(ends.begin(), ends.end(), less);
     for (const surface::Rim& rim : s.rims)
@@ -139,7 +139,7 @@ Tree tree(const surface::Sheet& sheet, const std::vector<double>& phi, const Opt
                     lines_note("isocontour that ends at a rim left out", length(c.points, false), c.points[0]));
                 continue;
             }
-            Cloud cloud(resampled(c.points, true, o.resample));
+            geom::PointTree cloud(resampled(c.points, true, o.resample));
             c.points.clear();
             const std::uint32_t component = s.component[c.triangle];
             out.nodes.push_back({std::move(c), std::move(cloud), component});

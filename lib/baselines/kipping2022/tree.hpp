@@ -1,16 +1,17 @@
 // Which contour is reached from which: minimum spanning trees of isocontours (section 3.2.1).
 #pragma once
 
-#include "baselines/kipping2022/cloud.hpp"
+#include "baselines/kipping2022/contours.hpp"
 #include "baselines/kipping2022/options.hpp"
+#include "geom/point_tree.hpp"
 #include "surface/sheet.hpp"
 
 namespace filum::baselines::kipping2022 {
 
 // A closed contour, resampled.
 struct Node {
-    Contour contour; // without its points
-    Cloud cloud;     // has them, in order
+    Contour contour;       // without its points
+    geom::PointTree cloud; // has them, in order
     std::uint32_t component = 0;
     std::vector<std::uint32_t> neighbours{}; // in the spanning tree, ascending
 

@@ -1,12 +1,11 @@
 #include "baselines/sun2019/contour_graph.hpp"
 
 #include "fill/inset.hpp"
+#include "geom/point_grid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 namespace filum::baselines::sun2019 {
 
@@ -25,26 +24,9 @@ Ring sampled(std::span<const Vec2> loop, double step) {
 }
 
 struct Sample {
-    std::int64_t column, row; // of a grid with cells as wide as the reach
     int ring;
     std::uint32_t vertex;
-    Vec2 p;
 };
-
-std::vector<Sample> binned(const std::vector<Ring>& rings, double cell) {
-    std::vector<Sample> out;
-    for (std::size_t i = 0; i < rings.size(); ++i)
-        for (std::size_t k = 0; k < rings[i].size(); ++k) {
-            const Vec2 p = rings[i][k];
-            out.push_back({static_cast<std::int64_t>(std::floor(p.x / cell)),
-                           static_cast<std::int64_t>(std::floor(p.y / cell)), static_cast<int>(i),
-                           static_cast<std::uint32_t>(k), p});
-        }
-    std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) {
-        return std::tie(a.column, a.row, a.ring, a.vertex) < std::tie(b.column, b.row, b.ring, b.vertex);
-    });
-    return out;
-}
 
 } // namespace
 
@@ -65,27 +47,25 @@ std::vector<Ring> contours(const polygon::Loops& region, const SpiralOptions& o)
 }
 
 std::vector<Edge> adjacency(const std::vector<Ring>& rings, double reach) {
-    const auto samples = binned(rings, reach);
-    std::map<std::pair<int, int>, Edge> nearest;
-    const auto before = [](const Sample& s, std::pair<std::int64_t, std::int64_t> cell) {
-        return std::pair{s.column, s.row} < cell;
-    };
-    std::array<std::size_t, 3> from{}; // the samples ascend, so each column's first candidate only moves on
-    for (const Sample& s : samples)
-        for (int column = -1; column <= 1; ++column) {
-            auto& first = from[static_cast<std::size_t>(column + 1)];
-            while (first < samples.size() && before(samples[first], {s.column + column, s.row - 1})) ++first;
-            for (std::size_t k = first; k < samples.size(); ++k) {
-                const Sample& t = samples[k];
-                if (t.column != s.column + column || t.row > s.row + 1) break;
-                if (t.ring <= s.ring) continue;
-                const double d = geom::distance(s.p, t.p);
-                if (d > reach) continue;
-                const Edge found{s.ring, t.ring, d, s.vertex, t.vertex};
-                const auto [at, fresh] = nearest.try_emplace({s.ring, t.ring}, found);
-                if (!fresh && d < at->second.distance) at->second = found;
-            }
+    std::vector<Sample> samples;
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < rings.size(); ++i)
+        for (std::size_t k = 0; k < rings[i].size(); ++k) {
+            samples.push_back({static_cast<int>(i), static_cast<std::uint32_t>(k)});
+            points.push_back(rings[i][k]);
         }
+    const geom::PointGrid<Vec2> grid(points, reach);
+    std::map<std::pair<int, int>, Edge> nearest;
+    grid.each([&](std::uint32_t s) {
+        grid.near(points[s], 1, [&](std::uint32_t t) {
+            if (samples[t].ring <= samples[s].ring) return;
+            const double d = geom::distance(points[s], points[t]);
+            if (d > reach) return;
+            const Edge found{samples[s].ring, samples[t].ring, d, samples[s].vertex, samples[t].vertex};
+            const auto [at, fresh] = nearest.try_emplace({found.a, found.b}, found);
+            if (!fresh && d < at->second.distance) at->second = found;
+        });
+    });
     std::vector<Edge> out;
     for (const auto& [pair, edge] : nearest) out.push_back(edge);
     return out;
@@ -146,7 +126,8 @@ std::vector<Node> tree(std::size_t contours, const std::vector<Edge>& edges) {
                 const auto child = static_cast<std::size_t>(e.b);
                 if (seen[child]) continue;
                 seen[child] = 1;
-                out[child].parent = static_cast<int>(n), out[child].start = e.vertex_b;
+                out[child].parent = static_cast<int>(n);
+                out[child].start = e.vertex_b;
                 out[n].children.push_back(e.b);
                 stack.push_back(child);
             }

@@ -68,12 +68,15 @@ void Linker::finish(const link3d::Linker::Emit& emit, Notes& /*none*/) {
 void Linker::reach(const toolpath::RegionPaths& r, bool first, Vec2 start, const link3d::Linker::Emit& emit) {
     const Vec3 to{start.x, start.y, r.z};
     if (!at_) {
-        at_ = to, ++counts_.strokes;
+        at_ = to;
+        ++counts_.strokes;
         return;
     }
     const double width = link3d::mean_width(r.curves.front());
     if (!first) {
-        ++counts_.breaks, ++counts_.strokes, ++stroke_;
+        ++counts_.breaks;
+        ++counts_.strokes;
+        ++stroke_;
         counts_.travel_length += geom::distance(*at_, to);
         go(r, Role::travel, {*at_, to}, {}, emit);
     } else if (r.join == Join::vertical) {

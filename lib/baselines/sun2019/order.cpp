@@ -30,7 +30,10 @@ sequence::Order order(std::span<const polygon::Region> regions) {
             std::size_t next = 0;
             auto best = rank(left[0]);
             for (std::size_t i = 1; i < left.size(); ++i)
-                if (const auto r = rank(left[i]); r < best) best = r, next = i;
+                if (const auto r = rank(left[i]); r < best) {
+                    best = r;
+                    next = i;
+                }
             out.push_back(left[next].id);
             last = std::move(left[next].outline);
             left.erase(left.begin() + static_cast<std::ptrdiff_t>(next));

@@ -73,7 +73,9 @@ void insert(Ring& parent, const Ring& child) {
         const double forth = geom::distance(p, a) + geom::distance(b, q);
         const double back = geom::distance(p, b) + geom::distance(a, q);
         if (std::min(forth, back) >= best) continue;
-        best = std::min(forth, back), at = first, reversed = back < forth;
+        best = std::min(forth, back);
+        at = first;
+        reversed = back < forth;
     }
     const auto place = parent.begin() + static_cast<std::ptrdiff_t>(at) + 1;
     if (reversed)

@@ -150,7 +150,8 @@ mesh::File read(std::string_view bytes, const std::string& name, const Tessellat
         file.notes.push_back(left_out("CAD face that OpenCASCADE could not read left out", head.unread));
     if (head.unmeshed > 0) {
         file.notes.push_back(left_out("CAD face that OpenCASCADE could not mesh left out", head.unmeshed));
-        file.notes.back().x = head.x, file.notes.back().y = head.y;
+        file.notes.back().x = head.x;
+        file.notes.back().y = head.y;
     }
     return file;
 }

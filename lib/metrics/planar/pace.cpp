@@ -74,7 +74,7 @@ void Pace::add(const Span& span) {
     }
 }
 
-postproc::Survey Pace::survey() {
+postproc::FirstPass Pace::first_pass() {
     if (walker_) {
         walker_->end();
         return surveyor_.end();
@@ -91,7 +91,7 @@ double Pace::seconds() {
     if (!begun_) return 0;
     if (!why_.empty()) return -1;
     try {
-        const auto found = survey();
+        const auto found = first_pass();
         for (const auto& [number, totals] : found.tools) {
             tools_[number].print_seconds = totals.print_seconds;
             tools_[number].travel_seconds = totals.travel_seconds;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "machine/profile.hpp"
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 #include "toolpath/path.hpp"
 
 #include <map>
@@ -39,7 +39,7 @@ class Pace {
 
   private:
     void count(const toolpath::Span& span);
-    [[nodiscard]] postproc::Survey survey();
+    [[nodiscard]] postproc::FirstPass first_pass();
 
     machine::Profile profile_;
     postproc::Surveyor surveyor_;

@@ -132,11 +132,6 @@ Sweep swept(const Ground& ground, const PathField& field, const geodesic::ExactF
     return sum;
 }
 
-double area_of(const Surface& s, std::uint32_t t) {
-    const auto& [a, b, c] = s.triangles[t];
-    return norm(cross(s.vertices[b] - s.vertices[a], s.vertices[c] - s.vertices[a])) / 2;
-}
-
 } // namespace
 
 PathField path_field(const Ground& ground, const Shadow& shadow) {
@@ -175,7 +170,7 @@ Area measure_area(const Ground& ground, const PathField& field, double strip_wid
         for (std::size_t v = 0; v < nearest.size(); ++v)
             nearest[v] = std::min(nearest[v], c.field.distance[v] - c.width / 2);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const double area = area_of(s, t);
+        const double area = filum::surface::area(s, t);
         out.surface += area;
         if (nearest[s.triangles[t][0]] == kFar) out.unreached += area;
     }
@@ -216,7 +211,7 @@ double paper_area_fraction(const Ground& ground, std::span<const Sample> samples
     double all = 0, open = 0;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];
-        const double area = area_of(s, t);
+        const double area = filum::surface::area(s, t);
         all += area;
         if (std::min({field.distance[c[0]], field.distance[c[1]], field.distance[c[2]]}) > d) open += area;
     }

@@ -13,8 +13,6 @@ constexpr double kStepsEachWay = 8;            // steps each way: if it is made 
 constexpr double kApart = 1e-3;                // steps
 constexpr double kPlaces = 4;                  // per step
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 // rad, to the left seen against the normal.
 double turning(const Vec3& before, const Vec3& after, const Vec3& n) {
     const Vec3 a = before - dot(before, n) * n, b = after - dot(after, n) * n;
@@ -106,7 +104,7 @@ Bends bends(const Chain& c, std::span<const Vec3> normals, double step) {
         point_at(c, s, from);
         const double t = std::clamp((s - c.along[from]) / (c.along[from + 1] - c.along[from]), 0.0, 1.0);
         const Vec3 v = (1 - t) * normals[from] + t * normals[from + 1];
-        return norm(v) > 0 ? 1 / norm(v) * v : normals[from];
+        return geom::unit(v, normals[from]);
     };
     for (std::size_t i = 0; i < n; ++i) {
         const double s = c.length() * (static_cast<double>(i) + 0.5) / static_cast<double>(n);

@@ -28,7 +28,7 @@ Vec3 direction(const Surface& s, const filum::surface::Field& d1, const filum::s
         const Vec3 v = d1.vector(corners[k]);
         if (known(v)) sum = sum + (dot(v, lead) < 0 ? -1 : 1) * std::max(0.0, w[k]) / norm(v) * v;
     }
-    return norm(sum) > 0 ? 1 / norm(sum) * sum : 1 / norm(lead) * lead;
+    return geom::unit(sum, 1 / norm(lead) * lead);
 }
 
 double stress(const Surface& s, const filum::surface::Field* s1, const filum::surface::curve::Place& at) {

@@ -37,7 +37,10 @@ class Flow {
             for (const std::size_t i : active)
                 if (nudge(i))
                     for (const std::size_t k : {before(i), i, after(i)})
-                        if (!queued[k]) queued[k] = 1, next.push_back(k);
+                        if (!queued[k]) {
+                            queued[k] = 1;
+                            next.push_back(k);
+                        }
             std::sort(next.begin(), next.end());
             active.swap(next);
         }
@@ -113,7 +116,10 @@ Eased ease(const Surface& s, const Line& given, const Ease& options) {
     Line points = resampled(line, o.step);
     Flow flow(s, points, o);
     const std::size_t n = points.size();
-    if (!line.closed) flow.hold(0), flow.hold(n - 1);
+    if (!line.closed) {
+        flow.hold(0);
+        flow.hold(n - 1);
+    }
     if (!line.closed && o.fixed_ends)
         for (std::size_t i = 0; i < n; ++i)
             if (const double from_end = o.step * static_cast<double>(std::min(i, n - 1 - i)); from_end < o.radius)
@@ -123,7 +129,7 @@ Eased ease(const Surface& s, const Line& given, const Ease& options) {
         out.moved = std::max(out.moved, flow.moved(i));
         if (flow.curvature(i) > 1.05 / o.radius) out.too_tight += o.step;
     }
-    if (out.moved >= kStill) out.line = merged(s, line, ways(line), points, flow);
+    if (out.moved >= kStill) out.line = merged(s, line, arc_lengths(line), points, flow);
     return out;
 }
 

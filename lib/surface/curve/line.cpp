@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kSame = 1e-9; // mm
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 // `way` between 0 and the end, or round again.
 double wrapped(const Line& line, std::span<const double> ways, double way) {
     const double all = ways.back();
@@ -38,7 +36,7 @@ Line line(const surface::Isoline& isoline) {
     return out;
 }
 
-std::vector<double> ways(const Line& line) {
+std::vector<double> arc_lengths(const Line& line) {
     std::vector<double> out;
     out.reserve(line.size() + 1);
     if (line.size() > 0) out.push_back(0);
@@ -47,7 +45,7 @@ std::vector<double> ways(const Line& line) {
     return out;
 }
 
-double length(const Line& line) { return line.size() == 0 ? 0 : ways(line).back(); }
+double length(const Line& line) { return line.size() == 0 ? 0 : arc_lengths(line).back(); }
 
 Place at(const Line& line, std::span<const double> ways, double way) {
     if (line.size() == 1) return line.places[0];
@@ -62,9 +60,10 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
     Line out;
     if (line.size() == 0) return out;
     const double all = ways.back();
-    if (!line.closed)
-        from = std::clamp(from, 0.0, all), to = std::clamp(to, from, all);
-    else {
+    if (!line.closed) {
+        from = std::clamp(from, 0.0, all);
+        to = std::clamp(to, from, all);
+    } else {
         const double rest = to - from;
         from = wrapped(line, ways, from);
         to = from + (rest < 0 ? rest + all * std::ceil(-rest / all) : std::min(rest, all));
@@ -85,7 +84,7 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
 }
 
 Line resampled(const Line& line, double step) {
-    const auto w = ways(line);
+    const auto w = arc_lengths(line);
     const double all = w.empty() ? 0 : w.back();
     const auto n = static_cast<std::size_t>(std::max(line.closed ? 3.0 : 1.0, std::round(all / step)));
     Line out{{}, line.closed};

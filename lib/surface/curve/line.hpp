@@ -34,7 +34,7 @@ Line line(const surface::Isoline& isoline);
 double length(const Line& line); // mm, its closing stretch included
 
 // Per point the way to it from the first, mm; one more for the end of a closed line, which is its length.
-std::vector<double> ways(const Line& line);
+std::vector<double> arc_lengths(const Line& line);
 
 // The place `way` mm along the threaded line (as by ways).  Ways beyond the ends: the ends; of a closed line: round
 // again.

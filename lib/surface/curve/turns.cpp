@@ -1,5 +1,7 @@
 #include "surface/curve/turns.hpp"
 
+#include "geom/polyline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -69,8 +71,7 @@ struct Look {
 
 std::vector<Look> looks(std::span<const Vec3> points, std::span<const Vec3> normals) {
     if (points.size() < 3) return {};
-    std::vector<double> ways{0};
-    for (std::size_t i = 1; i < points.size(); ++i) ways.push_back(ways.back() + distance(points[i - 1], points[i]));
+    const std::vector<double> ways = geom::arc_lengths(points);
     if (!(ways.back() >= 2 * kTurnReach)) return {};
     std::vector<Look> out;
     Runner before(points, normals, ways);
@@ -95,7 +96,10 @@ std::vector<TightTurn> tight_turns(std::span<const Vec3> points, std::span<const
         if (i == 0 || !(all[i - 1].radius < radius))
             out.push_back({i > 0 ? (all[i - 1].way + way) / 2 : way - kLookStep / 2, way, r, way});
         out.back().to = i + 1 < all.size() ? (way + all[i + 1].way) / 2 : way + kLookStep / 2;
-        if (r < out.back().radius) out.back().radius = r, out.back().at = way;
+        if (r < out.back().radius) {
+            out.back().radius = r;
+            out.back().at = way;
+        }
     }
     return out;
 }

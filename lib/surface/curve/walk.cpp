@@ -167,7 +167,10 @@ Place settled(const Surface& s, Place p) {
         for (const auto v : s.triangles[p.triangle])
             each_outgoing(s, v, [&](std::uint32_t h) {
                 const Vec3 q = nearest_in(s, h / 3, p.point);
-                if (const double d = distance(q, p.point); d < least) least = d, best = {h / 3, q};
+                if (const double d = distance(q, p.point); d < least) {
+                    least = d;
+                    best = {h / 3, q};
+                }
             });
         if (best.triangle == p.triangle) return best;
         p.triangle = best.triangle;

@@ -132,11 +132,11 @@ TEST(Estimate, IsTheCosineBetweenLinesAndPull) {
         const auto pull = pulls(s);
         const Seed middle{Seed::Kind::plane, {{0, 1, 0}, 10.3}, {}, {}};
         const double along = std::cos(deg * pi / 180), across = std::sin(deg * pi / 180);
-        EXPECT_NEAR(estimate(s, pull, {"fexa", middle}), along, 1e-9);
-        EXPECT_NEAR(estimate(s, pull, {"fina", middle}), along, 0.02);
-        EXPECT_NEAR(estimate(s, pull, {"ortheo", middle}), across, 0.06);
+        EXPECT_NEAR(estimate(s, pull, {surfpath::Algorithm::fexa, middle}), along, 1e-9);
+        EXPECT_NEAR(estimate(s, pull, {surfpath::Algorithm::fina, middle}), along, 0.02);
+        EXPECT_NEAR(estimate(s, pull, {surfpath::Algorithm::ortheo, middle}), across, 0.06);
     }
-    EXPECT_TRUE(std::isnan(estimate(sheet(9, 9, flat, {}), {}, {"geo-fiso", {}})));
+    EXPECT_TRUE(std::isnan(estimate(sheet(9, 9, flat, {}), {}, {surfpath::Algorithm::geo_fiso, {}})));
 }
 
 TEST(Choose, RowsFollowThePull) {
@@ -149,7 +149,7 @@ TEST(Choose, RowsFollowThePull) {
         ASSERT_NE(c.best, kNothing);
         EXPECT_GT(c.trials[c.best].found->load, 0.8) << deg;
         EXPECT_GT(c.trials[c.best].found->coverage, 0.8) << deg;
-        EXPECT_EQ(s.algorithm, c.trials[c.best].candidate.algorithm);
+        EXPECT_EQ(s.algorithm, surfpath::name(c.trials[c.best].candidate.algorithm));
         EXPECT_FALSE(s.sources.empty());
         EXPECT_EQ(s.fields.back().name, "distance");
         for (const Trial& t : c.trials) EXPECT_LE(t.score, c.trials[c.best].score);
@@ -186,7 +186,7 @@ TEST(Choose, WhatThePatchCameWithIsLaidToo) {
     o.finals = 1;
     Notes notes;
     const Choice c = choose(s, o, 1, notes);
-    ASSERT_EQ(c.trials[0].candidate.algorithm, "geo-contour");
+    ASSERT_EQ(c.trials[0].candidate.algorithm, surfpath::Algorithm::geo_contour);
     ASSERT_TRUE(c.trials[0].found);
     EXPECT_GE(c.trials[c.best].score, c.trials[0].score);
 }
@@ -194,12 +194,12 @@ TEST(Choose, WhatThePatchCameWithIsLaidToo) {
 TEST(Choose, ByHandNothingElseIsTried) {
     Sheet s = sheet(20, 12, flat, towards(0));
     Options o = wide();
-    o.plan.algorithm = "geo-contour", o.by_hand = true;
+    o.plan.algorithm = surfpath::Algorithm::geo_contour, o.by_hand = true;
     Notes notes;
     const Choice c = choose(s, o, 1, notes);
     ASSERT_EQ(c.trials.size(), 1);
     EXPECT_EQ(s.algorithm, "geo-contour");
-    o.plan.algorithm = "geo-spiral"; // rims are no point
+    o.plan.algorithm = surfpath::Algorithm::geo_spiral; // rims are no point
     const Choice none = choose(s, o, 1, notes);
     EXPECT_EQ(none.best, kNothing);
     EXPECT_NE(none.trials[0].failed, "");

@@ -1,6 +1,7 @@
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/document.hpp"
+#include "cli/other_names.hpp"
 #include "cli/parse.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ struct Options {
     double width = 0.4;
     std::int64_t count = 3;
     bool flag = false;
-    std::string order = "layers";
+    enum class Order : std::uint8_t { layers, greedy } order = Order::layers;
     std::vector<double> move{0, 0, 0};
     std::string file;
 };
@@ -68,7 +69,7 @@ TEST(parse, binds_every_kind_of_option) {
     EXPECT_EQ(o.width, 0.5);
     EXPECT_EQ(o.count, 7);
     EXPECT_TRUE(o.flag);
-    EXPECT_EQ(o.order, "greedy");
+    EXPECT_EQ(o.order, Options::Order::greedy);
     EXPECT_EQ(o.move, (std::vector<double>{-1, 2.5, -30}));
     EXPECT_EQ(o.file, "f");
     EXPECT_EQ(io.input, "in.layers");
@@ -249,6 +250,25 @@ TEST(header, histories_are_joined_with_their_parents) {
     EXPECT_EQ(h.history[1].parents, std::vector<std::uint32_t>{0});
     EXPECT_EQ(h.history[3].program, "join");
     EXPECT_EQ(h.history[3].parents, (std::vector<std::uint32_t>{1, 2}));
+}
+
+TEST(parse, an_old_name_is_answered_with_the_new_one) {
+    const std::vector<std::string> names{"min-radius", "spacing"};
+    EXPECT_EQ(in_our_words("least-radius", names), "; here it is '--min-radius'");
+    EXPECT_EQ(in_our_words("least-area", names), "");
+    Options o;
+    Io io;
+    Spec s = spec(o);
+    s.options[0].name = "min-radius";
+    std::vector<std::string> words{"stage", "--least-radius=3"};
+    std::vector<char*> argv{words[0].data(), words[1].data()};
+    try {
+        parse(2, argv.data(), s, io);
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.exit(), Exit::usage);
+        EXPECT_STREQ(e.what(), "unknown option '--least-radius=3'; here it is '--min-radius'");
+    }
 }
 
 } // namespace

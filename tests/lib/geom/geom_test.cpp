@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace filum::geom {
@@ -65,6 +66,28 @@ TEST(vec, orient_is_positive_to_the_left) {
     EXPECT_EQ(orient({0, 0}, {1, 1}, {2, 2}), 0);
     EXPECT_EQ(left_of({1, 0}), (Vec2{0, 1}));
     EXPECT_EQ(cross(Vec3{1, 0, 0}, Vec3{0, 1, 0}), (Vec3{0, 0, 1}));
+}
+
+TEST(vec, angle_and_unit) {
+    EXPECT_NEAR(angle({1, 0, 0}, {-1, 1e-9, 0}), std::acos(-1.0), 1e-8);
+    EXPECT_EQ(angle({2, 0, 0}, {5, 0, 0}), 0);
+    EXPECT_EQ(unit({0, 0, -4}, {1, 0, 0}), (Vec3{0, 0, -1}));
+    EXPECT_EQ(unit({0, 0, 0}, {1, 0, 0}), (Vec3{1, 0, 0}));
+    EXPECT_EQ(longest_axis({1, 3, 3}), 1);
+}
+
+TEST(box, in_space) {
+    const Box3 box = box_of(std::array{Vec3{0, 0, 0}, Vec3{1, 2, 3}});
+    EXPECT_TRUE(Box3{}.empty());
+    EXPECT_EQ(box.size(), (Vec3{1, 2, 3}));
+    EXPECT_EQ(distance(box, {4, 6, 3}), 5);
+    EXPECT_EQ(distance(box, {0.5, 1, 1}), 0);
+    EXPECT_EQ(grown(box, 1).lo, (Vec3{-1, -1, -1}));
+    EXPECT_TRUE(meet(box, grown({{2, 2, 3}, {2, 2, 3}}, 1)));
+    EXPECT_FALSE(meet(box, {{2, 0, 0}, {3, 1, 1}}));
+    Box3 all;
+    all.add(box);
+    EXPECT_EQ(all.hi, box.hi);
 }
 
 } // namespace

@@ -60,10 +60,10 @@ std::string written(const machine::Profile& p, const std::vector<Span>& spans) {
     for (const Span& s : spans) measure.add(s);
     while (measure.again())
         for (const Span& s : spans) measure.add(s);
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     std::string out;
-    const auto to = postproc::writer(p, survey, measure.program_shift(), [&](std::string_view t) { out += t; });
-    to->begin(postproc::about(p, survey, {}));
+    const auto to = postproc::writer(p, first_pass, measure.program_shift(), [&](std::string_view t) { out += t; });
+    to->begin(postproc::about(p, first_pass, {}));
     const auto walk = postproc::walker(
         p, measure.walk_shift(), [&](auto steps) { to->add(steps); }, measure.joins());
     for (const Span& s : spans) walk->add(measure.turned(s));

@@ -10,8 +10,7 @@ namespace {
 double drawn_length(const Surface& s, const std::vector<char>& drawn) {
     double sum = 0;
     for (std::uint32_t h = 0; h < drawn.size(); ++h)
-        if (drawn[h] != 0 && (s.twin[h] == kNone || s.twin[h] > h))
-            sum += distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+        if (drawn[h] != 0 && (s.twin[h] == kNone || s.twin[h] > h)) sum += surface::side_length(s, h);
     return sum;
 }
 

@@ -13,15 +13,15 @@ TEST(About, NotesAreSummedAndFactsStand) {
     a.what = b.what = "area not reached";
     a.unit = b.unit = "mm2";
     a.amount = 1.5, b.amount = 0.25, b.count = 3;
-    postproc::Survey survey;
-    survey.layers = 7;
-    survey.strokes = 12;
-    survey.seconds = 3725;
+    postproc::FirstPass first_pass;
+    first_pass.layers = 7;
+    first_pass.strokes = 12;
+    first_pass.seconds = 3725;
     const Facts facts{{"sequence", "planned-strokes", 12, ""}, {"sequence", "lower-bound", 11, "strokes"}};
     const auto lines =
         postproc::history({{"slice", {{"layer-height", "0.2"}, {"set", ""}}}, {"fill", {}}}, {a, b}, facts);
-    const auto told = postproc::summary(sample::profile(), survey, {}, {a, b}, facts);
-    const auto head = postproc::about(sample::profile(), survey, told);
+    const auto told = postproc::summary(sample::profile(), first_pass, {}, {a, b}, facts);
+    const auto head = postproc::about(sample::profile(), first_pass, told);
     const auto has = [&](const std::string& line) {
         return std::find(lines.begin(), lines.end(), line) != lines.end();
     };
@@ -43,10 +43,10 @@ TEST(About, NotesAreSummedAndFactsStand) {
 
 // One number for strokes, the program's own: what sequence planned stands beside it only where a fill broke more.
 TEST(About, StrokesAreThoseOfTheProgram) {
-    postproc::Survey survey;
+    postproc::FirstPass first_pass;
     const auto says = [&](std::uint64_t strokes, double planned, double bound) {
-        survey.strokes = strokes;
-        return postproc::summary(sample::profile(), survey, {}, {},
+        first_pass.strokes = strokes;
+        return postproc::summary(sample::profile(), first_pass, {}, {},
                                  {{"sequence", "planned-strokes", planned, ""}, {"sequence", "lower-bound", bound, ""}})
             .front();
     };
@@ -55,7 +55,8 @@ TEST(About, StrokesAreThoseOfTheProgram) {
     EXPECT_EQ(says(19, 19, 14), "19 strokes, at least 14 for any order; 18 stops");
     EXPECT_EQ(says(8, 2, 2),
               "8 strokes, 2 by the order of the regions and the rest within them, at least 2 for any order; 7 stops");
-    survey.strokes = 3;
-    EXPECT_EQ(postproc::summary(sample::profile(), survey, {}, {}, {}).front(), "3 strokes; 2 stops");
-    EXPECT_EQ(postproc::summary(sample::profile(), survey, {}, {}, {}).back(), "nothing hangs, nothing was left out");
+    first_pass.strokes = 3;
+    EXPECT_EQ(postproc::summary(sample::profile(), first_pass, {}, {}, {}).front(), "3 strokes; 2 stops");
+    EXPECT_EQ(postproc::summary(sample::profile(), first_pass, {}, {}, {}).back(),
+              "nothing hangs, nothing was left out");
 }

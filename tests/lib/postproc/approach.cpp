@@ -18,9 +18,9 @@ std::string first_program(const machine::Profile& p, const std::vector<toolpath:
     do
         for (const auto& s : spans) measure.add(s);
     while (measure.again());
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     std::string out;
-    const auto writer = postproc::writer(p, survey, measure.program_shift(), [&](auto text) { out += text; });
+    const auto writer = postproc::writer(p, first_pass, measure.program_shift(), [&](auto text) { out += text; });
     writer->begin({});
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
@@ -65,7 +65,7 @@ TEST(approach, every_rotary_profile_comes_from_above_along_the_tool) {
         double turned = 0;
         for (std::size_t i = 0; i < first; ++i) {
             const auto& m = read.moves[i];
-            const double by = kinematics::angle(m.from.axis, m.to.axis);
+            const double by = geom::angle(m.from.axis, m.to.axis);
             turned += by;
             EXPECT_TRUE(by < 1e-6 || distance(m.from.tip, place) > 50) << name << " line " << m.source;
         }

@@ -118,7 +118,7 @@ TEST(carry, a_slow_axis_makes_beads_slow_and_that_is_told) {
     EXPECT_EQ(fact_of(b, "axis-of-slowest"), 1);
     // Axis 1 turns by 2 atan(100 / 1200) at 0.2 degrees/s; 20 mm/s would take 10 s.
     const double seconds = 2 * std::atan(100.0 / 1200) / (0.2 * kDegree);
-    EXPECT_NEAR(b.survey.seconds - a.survey.seconds, seconds - 10, 0.5);
+    EXPECT_NEAR(b.first_pass.seconds - a.first_pass.seconds, seconds - 10, 0.5);
     EXPECT_NEAR(fact_of(b, "slowest-share-of-feed"), 0.2 * kDegree * 1200 / 20, 0.01);
     // and the program says so: the feeds of its lines take that long
     double feed = 0, all = 0;
@@ -180,7 +180,7 @@ TEST(carry, strokes_go_on_from_where_the_last_one_ended) {
         spans.push_back(s);
     }
     const auto w = written(asked, spans);
-    EXPECT_EQ(w.survey.strokes, 12U);
+    EXPECT_EQ(w.first_pass.strokes, 12U);
     EXPECT_EQ(note_of(w, "another way than robot.start"), nullptr);
     EXPECT_GT(fact_of(w, "least-room-of-an-axis"), 10);
     EXPECT_GT(fact_of(w, "nearest-singularity"), 5);

@@ -87,15 +87,15 @@ TEST(fibre, strokes_that_are_too_short_are_left_out_and_told) {
     }
     auto lenient = p;
     lenient.fibre.omit_short = true;
-    const Survey survey = measured(lenient, spans);
-    const auto notes = omissions(survey, "postproc");
+    const FirstPass first_pass = measured(lenient, spans);
+    const auto notes = omissions(first_pass, "postproc");
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].count, 1U);
     EXPECT_NEAR(notes[0].amount, 44.9, 1e-9);
     EXPECT_EQ(notes[0].y, 9);
-    EXPECT_NEAR(survey.tools.at(1).path_len, 110, 1e-9);
-    EXPECT_NEAR(survey.tools.at(1).fibre_len, 110 + 2 * 7, 1e-9);
-    EXPECT_EQ(survey.tools.at(1).cuts, 2U);
+    EXPECT_NEAR(first_pass.tools.at(1).path_len, 110, 1e-9);
+    EXPECT_NEAR(first_pass.tools.at(1).fibre_len, 110 + 2 * 7, 1e-9);
+    EXPECT_EQ(first_pass.tools.at(1).cuts, 2U);
 }
 
 // The first and the last one, one beside plastic without a travel: no move goes where they would have been.

@@ -79,7 +79,7 @@ inline Seen walk(const machine::Profile& p, const std::vector<Span>& spans) {
 }
 
 // As postproc reads them, where they are.
-inline Survey measured(const machine::Profile& p, const std::vector<Span>& spans) {
+inline FirstPass measured(const machine::Profile& p, const std::vector<Span>& spans) {
     Measure measure(p, Place::as_is);
     do
         for (const Span& s : spans) measure.add(s);

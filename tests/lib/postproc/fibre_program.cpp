@@ -22,9 +22,9 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans) {
     for (const Span& s : spans) measure.add(s);
     while (measure.again())
         for (const Span& s : spans) measure.add(s);
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     std::string out;
-    const auto to = writer(p, survey, measure.program_shift(), [&](std::string_view t) { out += t; });
+    const auto to = writer(p, first_pass, measure.program_shift(), [&](std::string_view t) { out += t; });
     to->begin({});
     const auto w = walker(p, measure.walk_shift(), [&](auto steps) { to->add(steps); });
     for (const Span& s : spans) w->add(s);
@@ -173,7 +173,7 @@ TEST(fibre, robots_stand_still_where_they_cut) {
 TEST(fibre, the_job_is_told_tool_by_tool) {
     auto p = profile("density = 1.5\n");
     Span plastic{Role::bead, 0, 0, 0, {{0, 0, 0}, {20, 0, 0}}, {0.5}, {0.2}, {}};
-    const Survey s = measured(p, {plastic, travel({20, 0, 0}, {0, 5, 0}), fibre({{0, 5, 0}, {100, 5, 0}})});
+    const FirstPass s = measured(p, {plastic, travel({20, 0, 0}, {0, 5, 0}), fibre({{0, 5, 0}, {100, 5, 0}})});
     const auto figures = job(p, s);
     const auto of = [&](const std::string& group, const std::string& name) {
         for (const auto& f : figures)

@@ -207,8 +207,8 @@ TEST(ParseBack, ThePartIsCentredByWholeMicrometres) {
     const auto spans = sample::random_toolpath(11);
     const auto p = sample::profile(kMarked);
     const auto centred = sample::write(p, spans);
-    EXPECT_NEAR((centred.survey.low[0].value + centred.survey.high[0].value) / 2 + centred.shift.x, 200, 1e-3);
-    EXPECT_NEAR((centred.survey.low[1].value + centred.survey.high[1].value) / 2 + centred.shift.y, 200, 1e-3);
+    EXPECT_NEAR((centred.first_pass.low[0].value + centred.first_pass.high[0].value) / 2 + centred.shift.x, 200, 1e-3);
+    EXPECT_NEAR((centred.first_pass.low[1].value + centred.first_pass.high[1].value) / 2 + centred.shift.y, 200, 1e-3);
     EXPECT_NEAR(centred.shift.x * 1000, std::round(centred.shift.x * 1000), 1e-6);
     auto moved = spans;
     for (auto& s : moved)

@@ -44,7 +44,7 @@ inline machine::Profile robot_profile(const Asked& a) {
 struct Written {
     std::string text;
     std::map<std::string, std::string> modules;
-    postproc::Survey survey;
+    postproc::FirstPass first_pass;
     Notes notes;
     Facts facts;
 };
@@ -56,12 +56,12 @@ inline Written written(const Asked& asked, const std::vector<toolpath::Span>& sp
         for (const auto& s : spans) measure.add(s);
     while (measure.again());
     Written out;
-    out.survey = measure.end();
-    postproc::add_efforts(p, out.survey, "test", out.notes, out.facts);
+    out.first_pass = measure.end();
+    postproc::add_efforts(p, out.first_pass, "test", out.notes, out.facts);
     const auto writer = postproc::writer(
-        p, out.survey, {}, [&](std::string_view text) { out.text += text; },
+        p, out.first_pass, {}, [&](std::string_view text) { out.text += text; },
         [&](const std::string& name) { return [&to = out.modules[name]](std::string_view text) { to += text; }; });
-    writer->begin(postproc::about(p, out.survey, {}));
+    writer->begin(postproc::about(p, out.first_pass, {}));
     const auto walk = postproc::walker(p, {}, [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
     walk->end();

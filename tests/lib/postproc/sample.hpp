@@ -65,7 +65,7 @@ inline std::vector<Span> random_toolpath(unsigned seed, std::size_t strokes = 6)
 
 struct Written {
     std::string text;
-    filum::postproc::Survey survey;
+    filum::postproc::FirstPass first_pass;
     filum::geom::Vec2 shift;
 };
 
@@ -77,11 +77,11 @@ inline Written write(const filum::machine::Profile& p, const std::vector<Span>& 
     for (const auto& s : spans) measure.add(s);
     measure.end();
     Written out;
-    out.survey = surveyor.end();
-    out.shift = placement(out.survey, p.bed, place);
-    check_limits(out.survey, p, out.shift);
-    Program program(p, out.survey, out.shift, [&](std::string_view t) { out.text += t; });
-    program.begin(about(p, out.survey, {}));
+    out.first_pass = surveyor.end();
+    out.shift = placement(out.first_pass, p.bed, place);
+    check_limits(out.first_pass, p, out.shift);
+    Program program(p, out.first_pass, out.shift, [&](std::string_view t) { out.text += t; });
+    program.begin(about(p, out.first_pass, {}));
     Walk walk(p, [&](auto steps) { program.add(steps); });
     for (const auto& s : spans) walk.add(s);
     walk.end();

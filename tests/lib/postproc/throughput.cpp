@@ -1,6 +1,6 @@
 // No more moves at a time than a controller takes, and the line that primes the nozzle.
 #include "postproc/throughput.hpp"
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

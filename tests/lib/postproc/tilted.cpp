@@ -57,15 +57,15 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans, p
     for (const Span& s : spans) measure.add(s);
     while (measure.again())
         for (const Span& s : spans) measure.add(s);
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     if (shift) *shift = measure.walk_shift();
-    if (seconds) *seconds = survey.seconds;
+    if (seconds) *seconds = first_pass.seconds;
     std::string out;
-    postproc::Program program(p, survey, measure.program_shift(), [&](std::string_view text) { out += text; });
+    postproc::Program program(p, first_pass, measure.program_shift(), [&](std::string_view text) { out += text; });
     Notes notes;
     Facts facts;
-    postproc::add_efforts(p, survey, "postproc", notes, facts);
-    program.begin(postproc::about(p, survey, postproc::summary(p, survey, {}, notes, facts)));
+    postproc::add_efforts(p, first_pass, "postproc", notes, facts);
+    program.begin(postproc::about(p, first_pass, postproc::summary(p, first_pass, {}, notes, facts)));
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { program.add(steps); });
     for (const Span& s : spans) walk->add(s);
     walk->end();
@@ -164,7 +164,7 @@ TEST(tilted, joints_bring_the_tip_along_the_beads) {
                 const auto pose = kinematics::forward(p.axes.chain, here);
                 off = std::max(off, to_line(pose.tip, spans, {shift.x, shift.y, 0}));
                 const Vec3 normal = 1.0 / 60 * (pose.tip - Vec3{shift.x, shift.y, -40});
-                lean = std::max(lean, kinematics::angle(pose.axis, normal));
+                lean = std::max(lean, geom::angle(pose.axis, normal));
             }
         }
         EXPECT_GE(laid, 240U);
@@ -200,7 +200,7 @@ TEST(tilted, few_points_do_not_make_the_tool_lean) {
                             const double off = distance(pose.tip, s.points[k] + t * d);
                             if (off < least) least = off, want = (1 - t) * s.normals[k] + t * s.normals[k + 1];
                         }
-                    lean = std::max(lean, kinematics::angle(pose.axis, want));
+                    lean = std::max(lean, geom::angle(pose.axis, want));
                 }
             }
             EXPECT_LE(lean, 1.05 * pi / 180) << machine << numbers;
@@ -222,7 +222,7 @@ TEST(tilted, tip_numbers_are_the_toolpath) {
     for (const Line& l : read(text)) {
         if (!l.laying) continue;
         ASSERT_LT(k, want.size());
-        EXPECT_LT(distance({l.words.at('X'), l.words.at('Y'), l.words.at('Z')}, want[k]), 1e-4);
+        EXPECT_LT(distance(Vec3{l.words.at('X'), l.words.at('Y'), l.words.at('Z')}, want[k]), 1e-4);
         ++k;
     }
     EXPECT_EQ(k, want.size());
@@ -268,7 +268,7 @@ TEST(tilted, the_tool_leaves_the_last_stroke_along_its_axis) {
         const Vec3 way = pose.tip - side.points.back();
         EXPECT_GE(norm(way), p.travel.lift - 1e-3) << machine;
         EXPECT_NEAR(dot(way, n), norm(way), 1e-3) << machine;
-        EXPECT_LT(kinematics::angle(pose.axis, n), 1e-4) << machine;
+        EXPECT_LT(geom::angle(pose.axis, n), 1e-4) << machine;
     }
 }
 
@@ -306,10 +306,10 @@ TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
             const auto pose = kinematics::forward(p.axes.chain, b);
             if (lines[i].laying) {
                 farthest = std::max(farthest, to_line(pose.tip, {loops}, {}));
-                lean = std::max(lean, std::abs(kinematics::angle(pose.axis, {0, 0, 1}) - 0.5));
+                lean = std::max(lean, std::abs(geom::angle(pose.axis, {0, 0, 1}) - 0.5));
             } else if (std::abs(b.turn - a.turn) > 1) { // unwinding: upright, above all that was laid
                 turned_low += pose.tip.z < 20 * std::cos(0.5) + 0.3 * 14 * pi ? 1 : 0;
-                EXPECT_LT(kinematics::angle(pose.axis, {0, 0, 1}), 1e-4);
+                EXPECT_LT(geom::angle(pose.axis, {0, 0, 1}), 1e-4);
             }
         }
         EXPECT_EQ(strokes, 4U);

@@ -43,9 +43,9 @@ std::string two_tools(const std::string& profile, const std::vector<toolpath::Sp
     do
         for (const auto& s : spans) measure.add(s);
     while (measure.again());
-    const auto survey = measure.end();
+    const auto first_pass = measure.end();
     std::string out;
-    const auto writer = postproc::writer(p, survey, measure.program_shift(), [&](auto text) { out += text; });
+    const auto writer = postproc::writer(p, first_pass, measure.program_shift(), [&](auto text) { out += text; });
     writer->begin({});
     const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
     for (const auto& s : spans) walk->add(s);
@@ -147,8 +147,8 @@ TEST(tools, the_inkredible_opens_the_valve_of_the_head_in_use) {
         do
             for (const auto& s : spans) measure.add(s);
         while (measure.again());
-        const auto survey = measure.end();
-        const auto writer = postproc::writer(p, survey, measure.program_shift(), [&](auto t) { out += t; });
+        const auto first_pass = measure.end();
+        const auto writer = postproc::writer(p, first_pass, measure.program_shift(), [&](auto t) { out += t; });
         writer->begin({});
         const auto walk = postproc::walker(p, measure.walk_shift(), [&](auto steps) { writer->add(steps); });
         for (const auto& s : spans) walk->add(s);

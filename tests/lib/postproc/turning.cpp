@@ -17,8 +17,6 @@ namespace {
 
 using std::numbers::pi;
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-
 Vec3 direction(double tilt, double heading) {
     return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
 }
@@ -33,7 +31,7 @@ toolpath::Span cap(const postproc::Turning& lying, double half) {
     return s;
 }
 
-postproc::Survey measured(const toolpath::Span& span, const std::string& orient, const std::string& more = "") {
+postproc::FirstPass measured(const toolpath::Span& span, const std::string& orient, const std::string& more = "") {
     const auto p = machine::parse_profile("name = \"test\"\n[bed]\nx = [-300, 300]\ny = [-300, 300]\nz = [-300, 400]\n"
                                           "[extrusion]\nkind = \"filament\"\ndiameter = 1.75\n[kinematics]\n"
                                           "carrier = \"table-table\"\ntilt_deg = [-50, 30]\norientation_deg = 1\n" +
@@ -60,9 +58,9 @@ TEST(turning, brings_a_part_within_the_tilts_of_the_machine) {
         }
     };
     refused(cap(lying, 0.8), "as-is", {"the tilt axis reaches -50 to 30", "--orient auto"});
-    const auto survey = measured(cap(lying, 0.8), "auto");
-    EXPECT_NE(survey.placed.find("placed: the toolpath turned by"), std::string::npos);
-    EXPECT_EQ(survey.efforts.unwinds, 0U);
+    const auto first_pass = measured(cap(lying, 0.8), "auto");
+    EXPECT_NE(first_pass.placed.find("placed: the toolpath turned by"), std::string::npos);
+    EXPECT_EQ(first_pass.efforts.unwinds, 0U);
     EXPECT_NO_THROW(measured(cap(lying, 0.8), "up:" + std::to_string(lying.z.x) + "," + std::to_string(lying.z.y) +
                                                   "," + std::to_string(lying.z.z)));
     // 50 degrees and the lean of one: what is a little beyond leans, what is more is refused with what it would need.

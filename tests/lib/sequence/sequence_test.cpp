@@ -150,6 +150,10 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
         above_cover += least > path_cover(g) ? 1 : 0;
         relaxed_best += relaxed(g, c) == least ? 1 : 0;
 
+        const Found alike = search(g, c, w, 5000, kAmple, 0); // every state has the same hash
+        EXPECT_TRUE(alike.optimal);
+        EXPECT_EQ(alike.order, wide.order) << trial;
+
         const Found narrow = search(g, c, w, 1, kAmple);
         check(g, narrow.order);
         EXPECT_GE(cost(g, narrow.order).strokes, least);

@@ -1,6 +1,6 @@
 #include "base/error.hpp"
-#include "stressfield/boxes.hpp"
 #include "stressfield/principal.hpp"
+#include "stressfield/triangle.hpp"
 
 #include "parts.hpp"
 

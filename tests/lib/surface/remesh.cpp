@@ -27,8 +27,7 @@ double bowl(double x) { return 0.05 * (x - 4) * (x - 4); }
 
 double longest(const Surface& s) {
     double out = 0;
-    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        out = std::max(out, distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]));
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) out = std::max(out, side_length(s, h));
     return out;
 }
 

@@ -34,7 +34,7 @@ TEST(Fine, HasShortSidesOnTheSameTriangles) {
     EXPECT_EQ(s.rims.size(), 1U);
     ASSERT_EQ(f.parent.size(), s.triangles.size());
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
-        EXPECT_LE(distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]), 2);
+        EXPECT_LE(surface::side_length(s, h), 2);
         const Vec3& p = s.vertices[s.tail(h)];
         EXPECT_LT(distance(surface::nearest_in(sheet.surface, f.parent[h / 3], p), p), 1e-9);
     }

@@ -128,7 +128,7 @@ TEST(ortheo, hairpins_lead_all_lines_into_one) {
                                        return Vec3{20 * u, 30 * v, 0};
                                    }),
                               {{0, 1, 0}, 11});
-    const Plan plan = ortheo(sheet, {.spacing = 1, .turns = "hairpin"});
+    const Plan plan = ortheo(sheet, {.spacing = 1, .turns = RowTurns::hairpin});
     ASSERT_EQ(plan.strokes.size(), 1U);
     EXPECT_EQ(fact(plan, "cuts"), 0);
 }

@@ -26,16 +26,18 @@ Plan side(const surface::Sheet& s) {
 
 TEST(Patches, FollowTheirOwnPlansUnlessOneIsNamed) {
     const std::vector<surface::Sheet> some{patch("A", "fina", 0), patch("", "", 3)};
-    EXPECT_EQ(algorithms(some, "planned"), (std::vector<std::string>{"fina", ""}));
-    EXPECT_EQ(algorithms(some, "fexa"), (std::vector<std::string>{"fexa", "fexa"}));
+    EXPECT_EQ(algorithms(some, {}), (Algorithms{Algorithm::fina, std::nullopt}));
+    EXPECT_EQ(algorithms(some, Algorithm::fexa), (Algorithms{Algorithm::fexa, Algorithm::fexa}));
     const std::vector<surface::Sheet> none{patch("A", "", 0), patch("B", "", 3)};
-    EXPECT_EQ(algorithms(none, "planned"), (std::vector<std::string>{"geo-fiso", "geo-fiso"}));
-    EXPECT_THROW((void)algorithms({}, "planned"), Error);
+    EXPECT_EQ(algorithms(none, {}), (Algorithms{Algorithm::geo_fiso, Algorithm::geo_fiso}));
+    const std::vector<surface::Sheet> strange{patch("A", "fino", 0)};
+    EXPECT_THROW(algorithms(strange, {}), Error);
+    EXPECT_THROW((void)algorithms({}, {}), Error);
 }
 
 TEST(Patches, AreLaidOneAfterTheOther) {
     const std::vector<surface::Sheet> sheets{patch("A", "fina", 0), patch("", "", 3), patch("C", "fina", 6)};
-    const auto by = algorithms(sheets, "planned");
+    const auto by = algorithms(sheets, {});
     const auto patches = each_patch(sheets, by, 1, [&](std::size_t k) { return side(sheets[k]); });
     ASSERT_EQ(patches.facts.size(), 2);
     EXPECT_EQ(patches.facts[1].name, "patch.C.rows");
@@ -55,7 +57,7 @@ TEST(Patches, AreLaidOneAfterTheOther) {
 
 TEST(Patches, OneIsAsItAlwaysWas) {
     const std::vector<surface::Sheet> one{patch("A", "fina", 0)};
-    const auto patches = each_patch(one, algorithms(one, "planned"), 1, [&](std::size_t) { return side(one[0]); });
+    const auto patches = each_patch(one, algorithms(one, {}), 1, [&](std::size_t) { return side(one[0]); });
     EXPECT_EQ(patches.facts[0].name, "rows");
     EXPECT_EQ(patches.notes[0].what, "bare place");
 }
@@ -63,7 +65,7 @@ TEST(Patches, OneIsAsItAlwaysWas) {
 TEST(Patches, ErrorsNameThePatch) {
     const std::vector<surface::Sheet> two{patch("A", "fina", 0), patch("B", "fina", 3)};
     try {
-        (void)each_patch(two, algorithms(two, "planned"), 1, [&](std::size_t k) {
+        (void)each_patch(two, algorithms(two, {}), 1, [&](std::size_t k) {
             if (k == 1) throw Error(Exit::bad_input, "cannot lay it");
             return side(two[k]);
         });

@@ -78,7 +78,7 @@ struct Case {
 
 class Rings : public testing::TestWithParam<Case> {};
 
-Plan finished(const surface::Sheet& sheet, const char* algorithm) {
+Plan finished(const surface::Sheet& sheet, Algorithm algorithm) {
     const Options o{.algorithm = algorithm};
     Plan out = plan(sheet, o);
     finish(sheet.surface, out, o);
@@ -103,12 +103,12 @@ void check(const surface::Sheet& sheet, const Plan& plan, double least) {
 
 TEST_P(Rings, contour_is_one_gentle_path) {
     const auto sheet = GetParam().make();
-    check(sheet, finished(sheet, "geo-contour"), GetParam().covered);
+    check(sheet, finished(sheet, Algorithm::geo_contour), GetParam().covered);
 }
 
 TEST_P(Rings, fiso_is_one_gentle_path_that_ends_where_it_began) {
     const auto sheet = GetParam().make();
-    check(sheet, finished(sheet, "geo-fiso"), GetParam().covered - 0.03);
+    check(sheet, finished(sheet, Algorithm::geo_fiso), GetParam().covered - 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(geo_fiso, begins_and_ends_side_by_side_at_the_boundary) {
     const auto s = patch(48, 32, everywhere);
-    const Plan plan = geo_fiso(s, {.algorithm = "geo-fiso"});
+    const Plan plan = geo_fiso(s, {.algorithm = Algorithm::geo_fiso});
     ASSERT_EQ(plan.strokes.size(), 1U);
     const Line line = whole(plan.strokes[0]);
     const auto from_rim = [](const Vec3& p) { return std::min({p.x, p.y, 48 - p.x, 32 - p.y}); };
@@ -158,7 +158,7 @@ TEST(geo_fiso, begins_and_ends_side_by_side_at_the_boundary) {
 
 TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
     const auto s = patch(48, 32, everywhere);
-    const Line line = whole(geo_contour(s, {.algorithm = "geo-contour", .spacing = 2}).strokes.at(0));
+    const Line line = whole(geo_contour(s, {.algorithm = Algorithm::geo_contour, .spacing = 2}).strokes.at(0));
     double nearest = 100;
     for (const Place& p : line.places)
         nearest = std::min({nearest, p.point.x, p.point.y, 48 - p.point.x, 32 - p.point.y});
@@ -169,7 +169,7 @@ TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
 // A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
 TEST(geo_contour, rings_through_vertices_are_whole) {
     const auto s = patch(32, 24, everywhere);
-    const Plan p = plan(s, {.algorithm = "geo-contour", .spacing = 1.6});
+    const Plan p = plan(s, {.algorithm = Algorithm::geo_contour, .spacing = 1.6});
     ASSERT_EQ(p.strokes.size(), 1);
     double length = 0;
     for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
@@ -182,7 +182,7 @@ TEST(geo_contour, asks_for_a_source_on_a_closed_surface) {
     m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     Notes notes;
     const surface::Sheet s{surface::connect(std::move(m), notes), {}, {}};
-    EXPECT_THROW(geo_contour(s, {.algorithm = "geo-contour"}), Error);
+    EXPECT_THROW(geo_contour(s, {.algorithm = Algorithm::geo_contour}), Error);
 }
 
 } // namespace

@@ -87,8 +87,8 @@ void expect_inside(const Surface& s, const Plan& plan) {
 
 TEST(Fina, CoversARectangleInOneStrokeWithoutTightTurns) {
     const auto s = seeded(50, 40, "plane:0,1,0,17.3", flat);
-    Plan plan = fina(s, {.algorithm = "fina"});
-    finish(s.surface, plan, {.algorithm = "fina"});
+    Plan plan = fina(s, {.algorithm = Algorithm::fina});
+    finish(s.surface, plan, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
     EXPECT_EQ(fact(plan, "hairpins"), 0);
     EXPECT_EQ(fact(plan, "rows"), 40); // 17.3 in 17 rows, 22.7 in 23
@@ -100,7 +100,7 @@ TEST(Fina, CoversARectangleInOneStrokeWithoutTightTurns) {
 
 TEST(Fina, GoesRoundAHole) {
     const auto s = seeded(50, 40, "plane:0,1,0,20", flat, [](Vec2 p) { return distance(p, {20, 22}) < 6; });
-    const Plan plan = fina(s, {.algorithm = "fina"});
+    const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
     expect_inside(s.surface, plan);
@@ -109,7 +109,7 @@ TEST(Fina, GoesRoundAHole) {
 
 TEST(Fina, RowsAreStraightBehindAHole) {
     const auto s = seeded(50, 40, "plane:0,1,0,0", flat, [](Vec2 p) { return distance(p, {25, 20}) < 4; });
-    const Plan plan = fina(s, {.algorithm = "fina"});
+    const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     for (const Stroke& stroke : plan.strokes)
         for (const Piece& piece : stroke.pieces)
             for (const auto& p : piece.line.places)
@@ -120,7 +120,7 @@ TEST(Fina, RowsAreStraightBehindAHole) {
 
 TEST(Fina, CoversAnLInOneStroke) {
     const auto s = seeded(40, 40, "plane:0,1,0,10", flat, [](Vec2 p) { return p.x > 20 && p.y > 20; });
-    const Plan plan = fina(s, {.algorithm = "fina"});
+    const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
     expect_inside(s.surface, plan);
@@ -131,7 +131,7 @@ TEST(Fina, CoversASaddle) {
     const auto s = seeded(40, 40, "plane:1,0,0,0", [](Vec2 p) {
         return Vec3{p.x - 20, p.y - 20, ((p.x - 20) * (p.x - 20) - (p.y - 20) * (p.y - 20)) / 80};
     });
-    const Plan plan = fina(s, {.algorithm = "fina"});
+    const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
     EXPECT_GT(least_radius(s.surface, plan.strokes[0]), 1.75); // less is declared as hairpins
@@ -154,7 +154,7 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
     Notes notes;
     surface::Sheet s{surface::connect(std::move(mesh), notes), {}, {}};
     s.sources = geodesic::choose(s.surface, "plane:0,0,1,8", notes);
-    const Plan plan = fina(s, {.algorithm = "fina"});
+    const Plan plan = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(plan.strokes.size(), 1U);
     ASSERT_EQ(plan.strokes[0].pieces.size(), 1U);
     expect_sound(s.surface, plan);
@@ -169,7 +169,7 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
 
 TEST(Fina, IsTheSameEveryTime) {
     const auto s = seeded(30, 30, "plane:1,2,0,40", flat);
-    const Plan a = fina(s, {.algorithm = "fina"}), b = fina(s, {.algorithm = "fina"});
+    const Plan a = fina(s, {.algorithm = Algorithm::fina}), b = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(a.strokes.size(), b.strokes.size());
     for (std::size_t i = 0; i < a.strokes.size(); ++i) {
         ASSERT_EQ(a.strokes[i].pieces.size(), b.strokes[i].pieces.size());
@@ -178,10 +178,12 @@ TEST(Fina, IsTheSameEveryTime) {
     }
 }
 
-TEST(Fina, NeedsASeedCurve) { EXPECT_THROW(fina(seeded(10, 10, "vertex:0", flat), {.algorithm = "fina"}), Error); }
+TEST(Fina, NeedsASeedCurve) {
+    EXPECT_THROW(fina(seeded(10, 10, "vertex:0", flat), {.algorithm = Algorithm::fina}), Error);
+}
 
 TEST(Fina, NotesASurfaceNarrowerThanTheSpacing) {
-    const Plan plan = fina(seeded(20, 4, "plane:0,1,0,2", flat), {.algorithm = "fina", .spacing = 50});
+    const Plan plan = fina(seeded(20, 4, "plane:0,1,0,2", flat), {.algorithm = Algorithm::fina, .spacing = 50});
     EXPECT_TRUE(plan.strokes.empty());
     ASSERT_EQ(plan.notes.size(), 1U);
     EXPECT_NEAR(plan.notes[0].amount, 80, 1e-9);
@@ -190,7 +192,7 @@ TEST(Fina, NotesASurfaceNarrowerThanTheSpacing) {
 TEST(Fina, AnyRadiusWillDo) {
     const auto s = seeded(20, 10, "plane:0,1,0,5", flat);
     for (const double radius : {0.0, 1e-9, 1e6}) {
-        const Plan plan = fina(s, {.algorithm = "fina", .least_radius = radius});
+        const Plan plan = fina(s, {.algorithm = Algorithm::fina, .least_radius = radius});
         ASSERT_EQ(plan.strokes.size(), 1U) << radius;
         expect_sound(s.surface, plan);
         EXPECT_GT(covered(s.surface, plan), 0.9) << radius;
@@ -200,7 +202,7 @@ TEST(Fina, AnyRadiusWillDo) {
 TEST(Fexa, RowsLieAsFarApartOnASlope) {
     // A roof of 60 degrees: planes across the slope must be half a spacing apart.
     const auto s = seeded(40, 40, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x / 2, p.y, p.x * std::sqrt(0.75)}; });
-    const Plan plan = fexa(s, {.algorithm = "fexa"});
+    const Plan plan = fexa(s, {.algorithm = Algorithm::fexa});
     ASSERT_EQ(plan.strokes.size(), 1U);
     EXPECT_EQ(fact(plan, "rows"), 40);
     expect_sound(s.surface, plan);
@@ -217,9 +219,9 @@ TEST(Fexa, NotesWhereTheSurfaceLeansTowardsThePlane) {
     // Steeper and steeper across, and the same everywhere along the rows: nothing is too wide.  Then a twist: the slope
     // across differs along the rows.
     const auto even = seeded(20, 20, "plane:1,0,0,0", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.x / 20}; });
-    EXPECT_TRUE(fexa(even, {.algorithm = "fexa"}).notes.empty());
+    EXPECT_TRUE(fexa(even, {.algorithm = Algorithm::fexa}).notes.empty());
     const auto twisted = seeded(20, 20, "plane:1,0,0,10", [](Vec2 p) { return Vec3{p.x, p.y, p.x * p.y * p.y / 200}; });
-    const Plan plan = fexa(twisted, {.algorithm = "fexa"});
+    const Plan plan = fexa(twisted, {.algorithm = Algorithm::fexa});
     double area = 0;
     for (const Note& note : plan.notes)
         if (note.what.find("1.1 spacings") != std::string::npos) area = note.amount;
@@ -231,12 +233,12 @@ TEST(Fexa, NeedsASeedInAPlane) {
     auto s = seeded(10, 10, "plane:1,0,0,5", flat);
     s.sources.segments.push_back({0, {0, 0, 0}, {0.5, 0, 0}});
     s.sources.segments.push_back({0, {0, 0, 3}, {0.5, 0, 3}});
-    EXPECT_THROW(fexa(s, {.algorithm = "fexa"}), Error);
+    EXPECT_THROW(fexa(s, {.algorithm = Algorithm::fexa}), Error);
 }
 
 TEST(GeoSpiral, WindsOverADiscInOneStroke) {
     const auto s = seeded(40, 40, "point:20,20,0", flat, [](Vec2 p) { return distance(p, {20, 20}) > 18; });
-    const Plan plan = geo_spiral(s, {.algorithm = "geo-spiral"});
+    const Plan plan = geo_spiral(s, {.algorithm = Algorithm::geo_spiral});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
     EXPECT_GT(covered(s.surface, plan), 0.92);
@@ -244,14 +246,14 @@ TEST(GeoSpiral, WindsOverADiscInOneStroke) {
 
 TEST(GeoSpiral, GoesOnWhereTheFrontMeetsTheRim) {
     const auto s = seeded(60, 30, "point:20,15,0", flat);
-    const Plan plan = geo_spiral(s, {.algorithm = "geo-spiral"});
+    const Plan plan = geo_spiral(s, {.algorithm = Algorithm::geo_spiral});
     ASSERT_EQ(plan.strokes.size(), 1U);
     expect_sound(s.surface, plan);
     EXPECT_GT(covered(s.surface, plan), 0.92);
 }
 
 TEST(GeoSpiral, NeedsAPoint) {
-    EXPECT_THROW(geo_spiral(seeded(10, 10, "plane:1,0,0,5", flat), {.algorithm = "geo-spiral"}), Error);
+    EXPECT_THROW(geo_spiral(seeded(10, 10, "plane:1,0,0,5", flat), {.algorithm = Algorithm::geo_spiral}), Error);
 }
 
 TEST(Order, RowsThatMayOnlyJumpFourToSeven) {

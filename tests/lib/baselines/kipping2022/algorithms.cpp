@@ -8,7 +8,9 @@ namespace filum::baselines::kipping2022 {
 namespace {
 
 // As laid, without smoothing, by default.
-Options options(const char* algorithm, double spacing = 1) {
+using surfpath::Algorithm;
+
+Options options(Algorithm algorithm, double spacing = 1) {
     Options o;
     o.algorithm = algorithm, o.spacing = spacing, o.window = 1;
     return o;
@@ -44,7 +46,7 @@ std::size_t crossings(const surfpath::Plan& plan) {
 
 TEST(fina, rows_of_a_rectangle_are_one_path_with_a_gap_of_2_d_at_the_seed) {
     const auto sheet = measured(rectangle(21, 10), "plane:1,0,0,10.5");
-    const auto out = plan(sheet, options("fina"));
+    const auto out = plan(sheet, options(Algorithm::fina));
     ASSERT_EQ(out.strokes.size(), 1U);
     EXPECT_EQ(fact(out, "pieces"), 20);
     EXPECT_NEAR(length(out), 20 * 10 + 2 * 9 * 1 + 2, 0.01);
@@ -58,19 +60,19 @@ TEST(fina, rows_of_a_rectangle_are_one_path_with_a_gap_of_2_d_at_the_seed) {
 }
 
 TEST(fina, only_one_half_if_the_seed_is_a_rim) {
-    const auto out = plan(measured(rectangle(21, 10), "plane:1,0,0,0"), options("fina", 2));
+    const auto out = plan(measured(rectangle(21, 10), "plane:1,0,0,0"), options(Algorithm::fina, 2));
     ASSERT_EQ(out.strokes.size(), 1U);
     EXPECT_NEAR(length(out), 10 * 10 + 9 * 2, 0.01);
 }
 
 TEST(fexa, travels_over_a_hole_wherever_a_row_meets_it) {
     auto sheet = measured(holed(15.5, 5.3), "plane:1,0,0,0");
-    const auto out = plan(sheet, options("fexa"));
+    const auto out = plan(sheet, options(Algorithm::fexa));
     EXPECT_EQ(fact(out, "pieces"), 2 * (15 + 5)); // 15 rows a side, 5 of them in two pieces
     EXPECT_EQ(out.strokes.size(), 1U + 2 * 5);
     EXPECT_EQ(crossings(out), 0U);
     sheet.fields.clear(), sheet.sources = {};
-    Options named = options("fexa");
+    Options named = options(Algorithm::fexa);
     named.plane = surface::Plane{{2, 0, 0}, 0};
     const auto same = plan(sheet, named);
     ASSERT_EQ(same.strokes.size(), out.strokes.size());
@@ -84,28 +86,28 @@ TEST(fexa, spacing_on_the_surface_is_not_kept_but_that_of_fina_is) {
         return Vec3{10 * std::sin(a), 20 * v, 10 * std::cos(a)};
     };
     const auto sheet = measured(grid(80, 20, half), "plane:1,0,0,0");
-    EXPECT_EQ(fact(plan(sheet, options("fina")), "pieces"), 2 * 13); // arcs up to 13.96
-    EXPECT_EQ(fact(plan(sheet, options("fexa")), "pieces"), 2 * 9);  // sines up to 9.85
+    EXPECT_EQ(fact(plan(sheet, options(Algorithm::fina)), "pieces"), 2 * 13); // arcs up to 13.96
+    EXPECT_EQ(fact(plan(sheet, options(Algorithm::fexa)), "pieces"), 2 * 9);  // sines up to 9.85
 }
 
 TEST(ortheo, lines_across_a_rectangle) {
-    const auto out = plan(measured(rectangle(20.5, 10), "plane:0,1,0,0"), options("ortheo"));
+    const auto out = plan(measured(rectangle(20.5, 10), "plane:0,1,0,0"), options(Algorithm::ortheo));
     ASSERT_EQ(out.strokes.size(), 21U); // ceil(20.5)
     EXPECT_EQ(fact(out, "insertions"), 0);
     for (const auto& stroke : out.strokes) EXPECT_GT(length(stroke), 8.99);
 }
 
 TEST(ortheo, both_sides_of_a_seed_curve_inside) {
-    const auto out = plan(measured(rectangle(20.5, 11), "plane:0,1,0,5.5"), options("ortheo"));
+    const auto out = plan(measured(rectangle(20.5, 11), "plane:0,1,0,5.5"), options(Algorithm::ortheo));
     EXPECT_EQ(out.strokes.size(), 42U);
 }
 
 // Lines grow in the middle only, where the seed curve is; what is beside them is said.
 TEST(ortheo, notes_what_lies_beside_its_lines) {
     surface::Sheet sheet = measured(rectangle(20, 10), "plane:0,1,0,0");
-    EXPECT_TRUE(plan(sheet, options("ortheo")).notes.empty());
+    EXPECT_TRUE(plan(sheet, options(Algorithm::ortheo)).notes.empty());
     std::erase_if(sheet.sources.segments, [](const surface::Segment& s) { return std::max(s.a.x, s.b.x) > 10; });
-    const auto out = plan(sheet, options("ortheo"));
+    const auto out = plan(sheet, options(Algorithm::ortheo));
     EXPECT_EQ(out.strokes.size(), 10U);
     double bare = 0;
     for (const auto& note : out.notes) bare += note.amount;
@@ -115,7 +117,7 @@ TEST(ortheo, notes_what_lies_beside_its_lines) {
 // Across a ring: the number of lines follows its circumference, but for what halves or doubles at once.
 TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     const auto lines = [](double from, double to, const char* rim) {
-        return plan(measured(zone(5, from, to), rim), options("ortheo", 0.5));
+        return plan(measured(zone(5, from, to), rim), options(Algorithm::ortheo, 0.5));
     };
     const auto first = [](const surfpath::Plan& p) {
         return static_cast<double>(p.strokes.size()) - fact(p, "insertions");
@@ -135,7 +137,7 @@ TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
 
 TEST(geo_fiso, is_one_path_that_crosses_nowhere) {
     const auto sheet = measured(rectangle(30, 13), "boundary");
-    const auto out = plan(sheet, options("geo-fiso"));
+    const auto out = plan(sheet, options(Algorithm::geo_fiso));
     EXPECT_EQ(fact(out, "contours"), 6);
     EXPECT_EQ(fact(out, "reroutings"), 5);
     ASSERT_EQ(out.strokes.size(), 1U);
@@ -143,13 +145,13 @@ TEST(geo_fiso, is_one_path_that_crosses_nowhere) {
     double rings = 0;
     for (int i = 1; i <= 6; ++i) rings += 2 * (30 + 13 - 4 * i);
     EXPECT_NEAR(length(out), rings, 10); // each rerouting: 1 mm left out twice, 2 mm across
-    const auto holes = plan(measured(holed(15.4, 5), "boundary"), options("geo-fiso"));
+    const auto holes = plan(measured(holed(15.4, 5), "boundary"), options(Algorithm::geo_fiso));
     EXPECT_EQ(holes.strokes.size(), 1U);
     EXPECT_EQ(crossings(holes), 0U);
 }
 
 TEST(geo_fiso, leaves_the_void_at_the_maximum_that_the_paper_tells_of) {
-    const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options("geo-fiso"));
+    const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options(Algorithm::geo_fiso));
     double nearest = 1e9; // to the medial axis at y = 6.9, where the last ring is 0.9 away
     for (const auto& p : out.strokes[0].pieces[0].line.places)
         if (p.point.x > 10 && p.point.x < 20) nearest = std::min(nearest, std::abs(p.point.y - 6.9));
@@ -157,7 +159,7 @@ TEST(geo_fiso, leaves_the_void_at_the_maximum_that_the_paper_tells_of) {
 }
 
 TEST(geo_contour, winds_into_the_maximum) {
-    const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options("geo-contour"));
+    const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options(Algorithm::geo_contour));
     EXPECT_EQ(fact(out, "spirals"), 1);
     EXPECT_EQ(fact(out, "maxima"), 1);
     EXPECT_EQ(fact(out, "rerouting-contours"), 0);
@@ -175,17 +177,17 @@ TEST(geo_contour, parts_at_contours_of_more_than_two_neighbours) {
         const double x = 40 * u - 20, open = std::abs(x) < 4 ? 3.5 : std::min(6.5, 3.5 + std::abs(x) - 4);
         return Vec3{x, (2 * v - 1) * open, 0};
     };
-    const auto out = plan(measured(grid(80, 26, rooms), "boundary"), options("geo-contour"));
+    const auto out = plan(measured(grid(80, 26, rooms), "boundary"), options(Algorithm::geo_contour));
     EXPECT_EQ(fact(out, "rerouting-contours"), 1); // the innermost one that goes through the door
     EXPECT_EQ(fact(out, "maxima"), 2);
     EXPECT_EQ(out.strokes.size(), 4U); // outside in, two rooms, and that contour
     EXPECT_EQ(crossings(out), 0U);
-    const auto fiso = plan(measured(grid(80, 26, rooms), "boundary"), options("geo-fiso"));
+    const auto fiso = plan(measured(grid(80, 26, rooms), "boundary"), options(Algorithm::geo_fiso));
     EXPECT_EQ(fiso.strokes.size(), 1U);
 }
 
 TEST(geo_spiral, winds_once_per_level_and_stops_where_they_fall_apart) {
-    const auto round = plan(measured(zone(40, 1e-4, 0.29), "point:0,0,40"), options("geo-spiral"));
+    const auto round = plan(measured(zone(40, 1e-4, 0.29), "point:0,0,40"), options(Algorithm::geo_spiral));
     ASSERT_EQ(round.strokes.size(), 1U);
     EXPECT_EQ(fact(round, "levels-laid"), 11); // an arc of 11.6 mm
     double rings = 0;
@@ -193,14 +195,14 @@ TEST(geo_spiral, winds_once_per_level_and_stops_where_they_fall_apart) {
     EXPECT_NEAR(length(round), rings, 11 * 1.1); // a step between levels, and across it
     // in a long rectangle, rings fall into two arcs
     const auto sheet = measured(rectangle(60, 9.5), "point:30,4.75,0");
-    const auto out = plan(sheet, options("geo-spiral"));
+    const auto out = plan(sheet, options(Algorithm::geo_spiral));
     EXPECT_EQ(fact(out, "levels-laid"), 4);
     double left = 0;
     for (const auto& note : out.notes)
         if (note.what.find("several pieces left out") != std::string::npos) left += note.amount;
     EXPECT_GT(left, 25 * 2 * 9.5);
     // near a rim they become arcs, which go on back and forth
-    const auto corner = plan(measured(rectangle(30, 30), "point:0,0,0"), options("geo-spiral"));
+    const auto corner = plan(measured(rectangle(30, 30), "point:0,0,0"), options(Algorithm::geo_spiral));
     EXPECT_GE(fact(corner, "levels-laid"), 29);
     EXPECT_EQ(corner.strokes.size(), 1U);
     EXPECT_EQ(crossings(corner), 0U);
@@ -216,7 +218,7 @@ TEST(smoothing, takes_the_path_off_curved_surfaces) {
                 out = std::max(out, distance(p.point, surface::nearest_in(sheet.surface, p.triangle, p.point)));
         return out;
     };
-    Options o = options("geo-fiso", 0.5);
+    Options o = options(Algorithm::geo_fiso, 0.5);
     EXPECT_LT(farthest(o), 0.02); // chords
     o.window = 15, o.degree = 1;
     EXPECT_GT(farthest(o), 0.05);
@@ -224,20 +226,23 @@ TEST(smoothing, takes_the_path_off_curved_surfaces) {
 
 TEST(refusals, say_what_is_missing) {
     surface::Sheet bare{rectangle(10, 10), {}, {}, {}};
-    for (const char* a : {"fina", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"})
+    for (const Algorithm a :
+         {Algorithm::fina, Algorithm::ortheo, Algorithm::geo_fiso, Algorithm::geo_contour, Algorithm::geo_spiral})
         EXPECT_NE(refused(bare, options(a), Exit::bad_input).find("run geodesic"), std::string::npos);
     const auto rims = measured(rectangle(10, 10), "boundary");
-    EXPECT_NE(refused(measured(zone(10, 0.3, 1), "boundary"), options("fina"), Exit::usage).find("--plane"),
+    EXPECT_NE(refused(measured(zone(10, 0.3, 1), "boundary"), options(Algorithm::fina), Exit::usage).find("--plane"),
               std::string::npos);
-    EXPECT_NE(refused(rims, options("geo-spiral"), Exit::usage).find("seed point"), std::string::npos);
-    EXPECT_NE(refused(rims, options("geo-fiso", 6), Exit::usage).find("lower --spacing"), std::string::npos);
-    EXPECT_NE(refused(rims, options("geo-fiso", 1e-6), Exit::usage).find("raise --spacing"), std::string::npos);
+    EXPECT_NE(refused(rims, options(Algorithm::geo_spiral), Exit::usage).find("seed point"), std::string::npos);
+    EXPECT_NE(refused(rims, options(Algorithm::geo_fiso, 6), Exit::usage).find("lower --spacing"), std::string::npos);
+    EXPECT_NE(refused(rims, options(Algorithm::geo_fiso, 1e-6), Exit::usage).find("raise --spacing"),
+              std::string::npos);
     const auto row = measured(rectangle(10, 10), "plane:1,0,0,5");
-    EXPECT_NE(refused(row, options("geo-contour"), Exit::usage).find("--source boundary"), std::string::npos);
-    EXPECT_NE(refused(row, options("fexa", 7), Exit::usage).find("lower --spacing"), std::string::npos);
-    EXPECT_NE(refused(measured(rectangle(10, 10), "vertex:0"), options("ortheo"), Exit::bad_input).find("seed curve"),
+    EXPECT_NE(refused(row, options(Algorithm::geo_contour), Exit::usage).find("--source boundary"), std::string::npos);
+    EXPECT_NE(refused(row, options(Algorithm::fexa, 7), Exit::usage).find("lower --spacing"), std::string::npos);
+    EXPECT_NE(refused(measured(rectangle(10, 10), "vertex:0"), options(Algorithm::ortheo), Exit::bad_input)
+                  .find("seed curve"),
               std::string::npos);
-    Options even = options("fina");
+    Options even = options(Algorithm::fina);
     even.window = 4;
     EXPECT_NE(refused(row, even, Exit::usage).find("odd"), std::string::npos);
     even.window = 3, even.degree = 3;
@@ -251,8 +256,8 @@ TEST(refusals, closed_surfaces_have_no_rim_to_begin_at) {
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     Notes notes;
     const auto sheet = measured(surface::connect(cube, notes), "vertex:0");
-    EXPECT_NE(refused(sheet, options("geo-fiso"), Exit::bad_input).find("closed"), std::string::npos);
-    EXPECT_EQ(plan(sheet, options("geo-spiral")).strokes.size(), 1U);
+    EXPECT_NE(refused(sheet, options(Algorithm::geo_fiso), Exit::bad_input).find("closed"), std::string::npos);
+    EXPECT_EQ(plan(sheet, options(Algorithm::geo_spiral)).strokes.size(), 1U);
 }
 
 TEST(components, without_a_source_are_noted_with_their_area) {
@@ -265,7 +270,7 @@ TEST(components, without_a_source_are_noted_with_their_area) {
         Notes notes;
         return surface::connect(m, notes);
     }();
-    const auto out = plan(measured(two, "plane:1,0,0,5"), options("fina"));
+    const auto out = plan(measured(two, "plane:1,0,0,5"), options(Algorithm::fina));
     ASSERT_EQ(out.notes.size(), 1U);
     EXPECT_DOUBLE_EQ(out.notes[0].amount, 100);
     EXPECT_EQ(out.notes[0].unit, "mm2");
@@ -280,7 +285,7 @@ TEST(components, have_a_tree_each) {
         for (const auto& t : s.triangles) m.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
     Notes notes;
-    const auto out = plan(measured(surface::connect(m, notes), "boundary"), options("geo-fiso"));
+    const auto out = plan(measured(surface::connect(m, notes), "boundary"), options(Algorithm::geo_fiso));
     ASSERT_EQ(out.strokes.size(), 2U);
     EXPECT_NEAR(length(out.strokes[0]), length(out.strokes[1]), 1e-6);
 }

@@ -1,5 +1,4 @@
 // What the algorithms are made of.
-#include "baselines/kipping2022/cloud.hpp"
 #include "baselines/kipping2022/path.hpp"
 #include "baselines/kipping2022/seed.hpp"
 #include "surfaces.hpp"
@@ -55,22 +54,6 @@ TEST(resampled, is_even_along_the_way) {
     ASSERT_EQ(round.size(), 8U);
     EXPECT_LT(distance(round[7], {0, 0.5, 0}), 1e-12);
     EXPECT_EQ(resampled(square, true, 100).size(), 3U);
-}
-
-TEST(cloud, finds_what_trying_all_finds) {
-    std::mt19937 random(7);
-    const auto number = [&] { return static_cast<double>(random() % 100); };
-    Points points;
-    for (int i = 0; i < 300; ++i) points.push_back({number(), number(), number()});
-    const Cloud cloud(points);
-    for (int i = 0; i < 300; ++i) {
-        const Vec3 p{number(), number(), number()};
-        std::uint32_t best = 0;
-        for (std::uint32_t k = 1; k < points.size(); ++k)
-            if (distance(points[k], p) < distance(points[best], p)) best = k;
-        EXPECT_EQ(cloud.nearest(p).index, best);
-        EXPECT_EQ(cloud.nearest(p, distance(points[best], p) - 0.001).index, surface::kNone);
-    }
 }
 
 TEST(seed, chains_segments_and_tells_their_plane) {

@@ -101,7 +101,7 @@ TEST(lines, parts_and_places_along_them) {
     const Surface s = grid(20, 10, flat);
     const Vec3 square[] = {{2, 2, 0}, {12, 2, 0}, {12, 12, 0}, {2, 12, 0}};
     const Line line = polyline(s, square, true);
-    const auto w = ways(line);
+    const auto w = arc_lengths(line);
     EXPECT_DOUBLE_EQ(w.back(), 40);
     EXPECT_NEAR(distance(at(line, w, 45).point, {7, 2, 0}), 0, 1e-9);
     const Line over = part(line, w, 35, 15);

@@ -1,4 +1,4 @@
-#include "kinematics/ways.hpp"
+#include "kinematics/configurations.hpp"
 
 #include "geom/angle.hpp"
 
@@ -20,7 +20,7 @@ constexpr double kMostTurns = 4000;
 constexpr std::uint16_t kNowhere = 0xffff, kLifted = 0x8000;
 
 // Both ways to stand at one pose.
-struct Stand {
+struct PoseStates {
     std::array<double, 2> turn{}, tilt{};
     std::array<bool, 2> able{};
     bool free = false; // the turn is that of the pose before
@@ -36,11 +36,11 @@ class Programme {
         turns_ = static_cast<int>(std::floor(limits.turn_max / kTurn)) + 2 - lowest_;
     }
 
-    Route run() {
-        Route out;
+    Configurations run() {
+        Configurations out;
         const std::size_t states = 2 * static_cast<std::size_t>(turns_);
         std::vector<State> last{{0, std::clamp(before_.turn, limits_.turn_min, limits_.turn_max), before_.tilt}}, now;
-        Stand stand{{last[0].turn, last[0].turn}, {}, {}, true};
+        PoseStates stand{{last[0].turn, last[0].turn}, {}, {}, true};
         for (std::size_t i = 0; i < poses_.size(); ++i) {
             stand = stand_at(i, stand);
             now.assign(states, {});
@@ -67,10 +67,10 @@ class Programme {
         return !bounded_ || (turn >= limits_.turn_min - kRouteSlack && turn <= limits_.turn_max + kRouteSlack);
     }
 
-    [[nodiscard]] Stand stand_at(std::size_t i, const Stand& before) const {
+    [[nodiscard]] PoseStates stand_at(std::size_t i, const PoseStates& before) const {
         const auto both = angles(c_, poses_[i]);
         const double level = std::hypot(poses_[i].axis.x, poses_[i].axis.y);
-        Stand out;
+        PoseStates out;
         if (c_.carrier == Carrier::polar)
             out.free = distance(poses_[i].tip.xy(), c_.turn_point.xy()) < kOnAxis;
         else // whatever the heading, the lean is allowed
@@ -88,11 +88,11 @@ class Programme {
     }
 
     // With bounds.
-    [[nodiscard]] double turn_of(const Stand& stand, std::size_t s) const {
+    [[nodiscard]] double turn_of(const PoseStates& stand, std::size_t s) const {
         return stand.turn[s % 2] + kTurn * (static_cast<int>(s / 2) + lowest_);
     }
 
-    [[nodiscard]] std::size_t index(std::size_t k, double turn, const Stand& stand) const {
+    [[nodiscard]] std::size_t index(std::size_t k, double turn, const PoseStates& stand) const {
         if (!bounded_) return k;
         return k + 2 * static_cast<std::size_t>(std::lround((turn - stand.turn[k]) / kTurn) - lowest_);
     }
@@ -109,7 +109,7 @@ class Programme {
         return angle(axis, half) <= lean_ + angle(a, b) + kUpright;
     }
 
-    void reach(std::size_t i, const Stand& stand, std::size_t s, const State& from, std::vector<State>& now) {
+    void reach(std::size_t i, const PoseStates& stand, std::size_t s, const State& from, std::vector<State>& now) {
         for (std::size_t k = 0; k < 2; ++k) {
             if (!stand.able[k] || (stand.free && i > 0 && k != s % 2)) continue;
             const double turn = stand.free ? from.turn : geom::unwrapped(stand.turn[k], from.turn);
@@ -121,7 +121,7 @@ class Programme {
     }
 
     // The tool comes from the air: any whole turn will do to begin with.
-    void begin_anywhere(const Stand& stand, std::vector<State>& now) {
+    void begin_anywhere(const PoseStates& stand, std::vector<State>& now) {
         for (std::size_t s = 0; s < now.size(); ++s) {
             const double turn = turn_of(stand, s), tilt = stand.tilt[s % 2];
             if (stand.able[s % 2] && within(turn))
@@ -136,7 +136,7 @@ class Programme {
     }
 
     // From the cheapest state at pose i to all others there.
-    void lift(std::size_t i, const Stand& stand, std::vector<State>& now) {
+    void lift(std::size_t i, const PoseStates& stand, std::vector<State>& now) {
         if (lifting_.empty()) return;
         const auto best = static_cast<std::size_t>(
             std::min_element(now.begin(), now.end(), [](auto& a, auto& b) { return a.cost < b.cost; }) - now.begin());
@@ -152,7 +152,7 @@ class Programme {
         }
     }
 
-    void trace(const std::vector<State>& last, Route& out) const {
+    void trace(const std::vector<State>& last, Configurations& out) const {
         auto s = static_cast<std::size_t>(
             std::min_element(last.begin(), last.end(), [](auto& a, auto& b) { return a.cost < b.cost; }) -
             last.begin());
@@ -169,8 +169,9 @@ class Programme {
         if (bounded_) return;
         double turn = before_.turn;
         for (Stop& stop : out.stops) {
-            const Stand& at = stands_[stop.pose];
-            if (!at.free || stop.lifted) turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.way)], turn);
+            const PoseStates& at = stands_[stop.pose];
+            if (!at.free || stop.lifted)
+                turn = geom::unwrapped(at.turn[static_cast<std::size_t>(stop.configuration)], turn);
             stop.turn = turn;
         }
     }
@@ -183,7 +184,7 @@ class Programme {
     std::span<const Lifting> lifting_;
     bool bounded_;
     int lowest_ = 0, turns_ = 1; // whole turns counted
-    std::vector<Stand> stands_;
+    std::vector<PoseStates> stands_;
     std::vector<std::uint16_t> from_; // per pose and state: the state before, at the same pose if kLifted
 };
 
@@ -201,9 +202,9 @@ bool shift(std::vector<Stop>& stops, const Limits& limits, bool may) {
 
 } // namespace
 
-Route route(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean, const Limits& limits,
-            std::span<const Lifting> lifting) {
-    Route out = Programme(chain, poses, before, lean, limits, lifting, false).run();
+Configurations configurations(const Chain& chain, std::span<const Pose> poses, const Joints& before, double lean,
+                              const Limits& limits, std::span<const Lifting> lifting) {
+    Configurations out = Programme(chain, poses, before, lean, limits, lifting, false).run();
     const bool may = lifting.empty() || lifting[0] == Lifting::air;
     if (out.stops.empty() || (out.stuck == poses.size() && shift(out.stops, limits, may))) return out;
     if (!(limits.turn_max - limits.turn_min < kMostTurns * kTurn)) return out;

@@ -3,6 +3,7 @@
 
 #include "machine/motion.hpp"
 #include "machine/profile.hpp"
+#include "postproc/options.hpp"
 #include "postproc/walk.hpp"
 
 #include <array>
@@ -36,7 +37,7 @@ struct Omitted {
     std::uint32_t layer = 0;          // of that one
 };
 
-struct Survey {
+struct FirstPass {
     std::array<Extreme, 3> low, high;              // x, y, z of the linear axes over every point that the nozzle visits
     std::array<double, 3> part_low{}, part_high{}; // the same over extruding moves only
     Vec3 start;                                    // of the first stroke
@@ -61,7 +62,7 @@ class Surveyor {
     void add(std::span<const Step> steps);
     // Throws Error(failure) for fibre strokes that are too short, unless the profile omits them, or for more fibre than
     // there is on the spool; Error(bad_input) if nothing is extruded.
-    Survey end();
+    FirstPass end();
 
   private:
     void move(const Step& step);
@@ -74,7 +75,7 @@ class Surveyor {
     void check_section(const Step& step, double length) const;
     const machine::Profile* profile_;
     machine::Clock clock_;
-    Survey survey_;
+    FirstPass first_pass_;
     Vec3 at_;
     double tilt_ = 0, turn_ = 0; // rad
     double spent_ = 0;           // s of the clock that tools were charged with
@@ -86,27 +87,20 @@ class Surveyor {
 struct Used {
     double volume = 0, units = 0;
 };
-Used used(const machine::Profile& profile, const Survey& survey);
-
-enum class Place : std::uint8_t {
-    center, // the middle of the visited box goes to the middle of the bed
-    as_is,  // coordinates stay
-};
-
-Place parse_place(const std::string& text); // "center" or "as-is"
+Used used(const machine::Profile& profile, const FirstPass& first_pass);
 
 // How far to move the toolpath in x and y: a whole number of um.
-Vec2 placement(const Survey& survey, const machine::Bed& bed, Place place);
+Vec2 placement(const FirstPass& first_pass, const machine::Bed& bed, Place place);
 
 // Throws Error(failure): naming layer and place if anything visited, moved by `shift`, lies outside the bed; or if
 // there is more material than the extruder's numbers can count.
-void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift);
+void check_limits(const FirstPass& first_pass, const machine::Profile& profile, Vec2 shift);
 
 // A line near an edge of the bed where a nozzle may be primed, 60 mm or as long as the bed: the first of front, left,
 // back and right that stays 5 mm off the box [low, high] of the part.  Where none does, no line: the bed's corner.
 geom::Segment purge_line(const machine::Bed& bed, Vec2 low, Vec2 high);
 
 // What templates may name, for a program placed by `shift`; {layer}, {z}, {height} are those of the first layer.
-std::map<std::string, double> placeholders(const Survey& survey, const machine::Profile& profile, Vec2 shift);
+std::map<std::string, double> placeholders(const FirstPass& first_pass, const machine::Profile& profile, Vec2 shift);
 
 } // namespace filum::postproc

@@ -18,7 +18,7 @@ using polygon::Vec2;
 using EdgeKey = std::uint64_t;
 
 // A stretch of contour with open ends.
-struct Chain {
+struct OpenContour {
     std::vector<Vec2> points;
     EdgeKey head = 0, tail = 0; // the edges on which it begins and ends
     double turned = 0;          // mm of it that run against their triangles' orientation
@@ -26,7 +26,7 @@ struct Chain {
     double jumped = 0;          // mm of it that run straight from one end of a contour to another
 };
 
-double length(const Chain& chain);
+double length(const OpenContour& contour);
 
 // Closed contours: of surface all along, and those that are led over gaps, holes and openings in part.
 struct Closed {
@@ -34,14 +34,14 @@ struct Closed {
     double turned = 0; // mm of them that run against their triangles' orientation
 };
 
-// Closes what can be closed of `chains`, in this order: pieces that meet on the same edge, whichever way they run (a
+// Closes what can be closed of `contours`, in this order: pieces that meet on the same edge, whichever way they run (a
 // triangle between them is flipped); ends no farther apart than options.close_gaps, nearest first, one's end to the
-// other's start before anything else; ends on the rim of a hole that has a lid, along `lids`, the lids' own chains at
+// other's start before anything else; ends on the rim of a hole that has a lid, along `lids`, the lids' own contours at
 // this height; wider openings, end to start, up to options.close_openings of the length of what is joined.
 // Two ends that are near because the contours run beside each other are not joined: copies, not continuations.
 // Contours run as most of their length does.  Notes what was closed, turned round and left open on `layer`.
-// Ties: by position in `chains`.
-Closed close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& options,
-                    std::int64_t layer, Notes& notes);
+// Ties: by position in `contours`.
+Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
+                      const Options& options, std::int64_t layer, Notes& notes);
 
 } // namespace filum::slice

@@ -1,4 +1,7 @@
-#include "slice/chains.hpp"
+#include "slice/open_contours.hpp"
+
+#include "geom/point_grid.hpp"
+#include "geom/polyline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +13,7 @@ namespace filum::slice {
 
 namespace {
 
-// End 2c is the start of chain c, 2c + 1 its end.
+// End 2c is the start of contour c, 2c + 1 its end.
 constexpr std::uint32_t kFree = ~std::uint32_t{0};
 constexpr double kSeam = 2e-4; // mm: two steps of the grid; less is no gap but rounding
 
@@ -18,54 +21,52 @@ constexpr double kSeam = 2e-4; // mm: two steps of the grid; less is no gap but 
 using Mates = std::vector<std::uint32_t>;
 
 bool is_start(std::uint32_t end) { return end % 2 == 0; }
-Vec2 place(const std::vector<Chain>& chains, std::uint32_t end) {
-    const auto& p = chains[end / 2].points;
+Vec2 place(const std::vector<OpenContour>& contours, std::uint32_t end) {
+    const auto& p = contours[end / 2].points;
     return is_start(end) ? p.front() : p.back();
 }
 
-void mate(Mates& mates, std::uint32_t a, std::uint32_t b) { mates[a] = b, mates[b] = a; }
+void mate(Mates& mates, std::uint32_t a, std::uint32_t b) {
+    mates[a] = b;
+    mates[b] = a;
+}
 
-Mates mates_on_edges(const std::vector<Chain>& chains) {
-    Mates mates(2 * chains.size(), kFree);
+Mates mates_on_edges(const std::vector<OpenContour>& contours) {
+    Mates mates(2 * contours.size(), kFree);
     std::vector<std::uint32_t> ends(mates.size());
     std::iota(ends.begin(), ends.end(), 0U);
-    const auto key = [&](std::uint32_t e) { return is_start(e) ? chains[e / 2].head : chains[e / 2].tail; };
+    const auto key = [&](std::uint32_t e) { return is_start(e) ? contours[e / 2].head : contours[e / 2].tail; };
     std::sort(ends.begin(), ends.end(),
               [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-        if (key(ends[i]) == key(ends[i + 1])) mate(mates, ends[i], ends[i + 1]), ++i;
+        if (key(ends[i]) == key(ends[i + 1])) {
+            mate(mates, ends[i], ends[i + 1]);
+            ++i;
+        }
     return mates;
 }
 
-// Free ends in square cells, for looking up what is near.
-class Cells {
+// The free ends, for looking up what is near.
+class FreeEnds {
   public:
-    Cells(const std::vector<Chain>& chains, const Mates& mates, double size) : size_(size) {
+    FreeEnds(const std::vector<OpenContour>& contours, const Mates& mates, double size) {
+        std::vector<Vec2> at;
         for (std::uint32_t e = 0; e < mates.size(); ++e)
-            if (mates[e] == kFree) cells_.push_back({column(place(chains, e).x), column(place(chains, e).y), e});
-        std::sort(cells_.begin(), cells_.end(),
-                  [](const Entry& a, const Entry& b) { return std::tie(a.x, a.y, a.end) < std::tie(b.x, b.y, b.end); });
+            if (mates[e] == kFree) {
+                end_.push_back(e);
+                at.push_back(place(contours, e));
+            }
+        grid_ = geom::PointGrid<Vec2>(at, size);
     }
-    // Calls visit(end) for every free end within the 3 x 3 cells around p.
+    // Calls visit(end) for every free end within `size` of p, and for others.
     template <class Visit>
     void around(Vec2 p, const Visit& visit) const {
-        for (std::int64_t x = column(p.x) - 1, y = column(p.y); x <= column(p.x) + 1; ++x) {
-            auto it =
-                std::lower_bound(cells_.begin(), cells_.end(), std::pair{x, y - 1}, [](const Entry& a, const auto& b) {
-                    return std::tie(a.x, a.y) < std::tie(b.first, b.second);
-                });
-            for (; it != cells_.end() && it->x == x && it->y <= y + 1; ++it) visit(it->end);
-        }
+        grid_.near(p, 1, [&](std::uint32_t i) { visit(end_[i]); });
     }
 
   private:
-    struct Entry {
-        std::int64_t x, y;
-        std::uint32_t end;
-    };
-    [[nodiscard]] std::int64_t column(double v) const { return static_cast<std::int64_t>(std::floor(v / size_)); }
-    double size_;
-    std::vector<Entry> cells_;
+    std::vector<std::uint32_t> end_;
+    geom::PointGrid<Vec2> grid_;
 };
 
 struct Candidate {
@@ -76,9 +77,9 @@ struct Candidate {
     }
 };
 
-// Each free end proposes its nearest partner; the nearest pairs marry first.  True if any did.
+// Each free end proposes its nearest partner; the nearest pairs pair first.  True if any did.
 template <class Partner>
-bool marry_round(Mates& mates, const Partner& partner) {
+bool pair_round(Mates& mates, const Partner& partner) {
     std::vector<Candidate> wishes;
     for (std::uint32_t e = 0; e < mates.size(); ++e) {
         if (mates[e] != kFree) continue;
@@ -88,15 +89,18 @@ bool marry_round(Mates& mates, const Partner& partner) {
     std::sort(wishes.begin(), wishes.end());
     bool any = false;
     for (const Candidate& c : wishes)
-        if (mates[c.a] == kFree && mates[c.b] == kFree) mate(mates, c.a, c.b), any = true;
+        if (mates[c.a] == kFree && mates[c.b] == kFree) {
+            mate(mates, c.a, c.b);
+            any = true;
+        }
     return any;
 }
 
 constexpr int kRounds = 32; // each settles at least the nearest pair, in practice most pairs
 
-// Where the chain of `end` is after `along` mm from there.
-Vec2 point_along(const std::vector<Chain>& chains, std::uint32_t end, double along) {
-    const auto& p = chains[end / 2].points;
+// Where the contour of `end` is after `along` mm from there.
+Vec2 point_along(const std::vector<OpenContour>& contours, std::uint32_t end, double along) {
+    const auto& p = contours[end / 2].points;
     const auto at = [&](std::size_t i) { return is_start(end) ? p[i] : p[p.size() - 1 - i]; };
     for (std::size_t i = 1; i < p.size(); ++i) {
         const double step = geom::distance(at(i - 1), at(i));
@@ -106,26 +110,26 @@ Vec2 point_along(const std::vector<Chain>& chains, std::uint32_t end, double alo
     return at(p.size() - 1);
 }
 
-// True if the chains of two ends, `gap` mm apart, leave them the same way: they are copies, neither goes on in the
+// True if the contours of two ends, `gap` mm apart, leave them the same way: they are copies, neither goes on in the
 // other.
-bool leave_alike(const std::vector<Chain>& chains, std::uint32_t e, std::uint32_t f, double gap) {
+bool leave_alike(const std::vector<OpenContour>& contours, std::uint32_t e, std::uint32_t f, double gap) {
     if (e / 2 == f / 2) return false;
     constexpr double kApart = 0.5; // of the way along them, how far they come apart: an angle of 29 degrees
-    const double way = std::min(length(chains[e / 2]), length(chains[f / 2])) / 2;
-    return geom::distance(point_along(chains, e, way), point_along(chains, f, way)) <= gap + kApart * way;
+    const double way = std::min(length(contours[e / 2]), length(contours[f / 2])) / 2;
+    return geom::distance(point_along(contours, e, way), point_along(contours, f, way)) <= gap + kApart * way;
 }
 
 // Ends at most `radius` apart; `directed`: only an end to a start.
-void marry_near(const std::vector<Chain>& chains, double radius, bool directed, Mates& mates) {
+void marry_near(const std::vector<OpenContour>& contours, double radius, bool directed, Mates& mates) {
     for (int round = 0; round < kRounds; ++round) {
-        const Cells cells(chains, mates, radius);
-        const bool any = marry_round(mates, [&](std::uint32_t e) {
+        const FreeEnds ends(contours, mates, radius);
+        const bool any = pair_round(mates, [&](std::uint32_t e) {
             Candidate best{radius, e, kFree};
-            cells.around(place(chains, e), [&](std::uint32_t f) {
+            ends.around(place(contours, e), [&](std::uint32_t f) {
                 if (f == e || mates[f] != kFree || (directed && is_start(e) == is_start(f))) return;
-                const double d = geom::distance(place(chains, e), place(chains, f));
+                const double d = geom::distance(place(contours, e), place(contours, f));
                 if (d > best.distance || (d == best.distance && f >= best.b)) return;
-                if (is_start(e) != is_start(f) || !leave_alike(chains, e, f, d)) best = {d, e, f};
+                if (is_start(e) != is_start(f) || !leave_alike(contours, e, f, d)) best = {d, e, f};
             });
             return best;
         });
@@ -134,18 +138,18 @@ void marry_near(const std::vector<Chain>& chains, double radius, bool directed, 
 }
 
 // Wide openings: an end to a start, if the straight line is short beside what it joins.
-void marry_far(const std::vector<Chain>& chains, double share, Mates& mates) {
+void marry_far(const std::vector<OpenContour>& contours, double share, Mates& mates) {
     std::vector<double> size;
-    for (const Chain& c : chains) size.push_back(length(c));
-    const bool alone = chains.size() > 2000; // so broken that only a chain's own ends say anything
+    for (const OpenContour& c : contours) size.push_back(length(c));
+    const bool alone = contours.size() > 2000; // so broken that only a contour's own ends say anything
     for (int round = 0; round < kRounds; ++round) {
-        const bool any = marry_round(mates, [&](std::uint32_t e) {
+        const bool any = pair_round(mates, [&](std::uint32_t e) {
             Candidate best{std::numeric_limits<double>::infinity(), e, kFree};
             const std::uint32_t first = alone ? e & ~1U : 0;
             const auto last = alone ? (e | 1U) + 1 : static_cast<std::uint32_t>(mates.size());
             for (std::uint32_t f = first; f < last; ++f) {
                 if (mates[f] != kFree || is_start(e) == is_start(f)) continue;
-                const double d = geom::distance(place(chains, e), place(chains, f));
+                const double d = geom::distance(place(contours, e), place(contours, f));
                 const double joined = size[e / 2] + (f / 2 == e / 2 ? 0 : size[f / 2]);
                 if (d < best.distance && d <= share * joined) best = {d, e, f};
             }
@@ -159,30 +163,33 @@ void append(std::vector<Vec2>& to, const Vec2& p) {
     if (to.empty() || !(to.back() == p)) to.push_back(p);
 }
 
-// Walks from one end of chain `end / 2` over all that is joined to it; marks what it passes.
-Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t end, std::vector<char>& done,
-           bool& closed) {
-    Chain out;
+// Walks from one end of contour `end / 2` over all that is joined to it; marks what it passes.
+OpenContour walk(const std::vector<OpenContour>& contours, const Mates& mates, std::uint32_t end,
+                 std::vector<char>& done, bool& closed) {
+    OpenContour out;
     double along = 0, against = 0;
     const std::uint32_t from = end;
-    out.head = is_start(end) ? chains[end / 2].head : chains[end / 2].tail;
+    out.head = is_start(end) ? contours[end / 2].head : contours[end / 2].tail;
     for (;;) {
-        const Chain& c = chains[end / 2];
+        const OpenContour& c = contours[end / 2];
         done[end / 2] = 1;
-        out.lid += c.lid, out.jumped += c.jumped;
+        out.lid += c.lid;
+        out.jumped += c.jumped;
         const double l = length(c);
         if (is_start(end)) {
             for (const Vec2 p : c.points) append(out.points, p);
-            along += l - c.turned, against += c.turned;
+            along += l - c.turned;
+            against += c.turned;
         } else {
             for (std::size_t i = c.points.size(); i-- > 0;) append(out.points, c.points[i]);
-            along += c.turned, against += l - c.turned;
+            along += c.turned;
+            against += l - c.turned;
         }
         const std::uint32_t other = end ^ 1U;
         out.tail = is_start(other) ? c.head : c.tail;
         end = mates[other];
         if (end != kFree)
-            if (const double gap = geom::distance(place(chains, other), place(chains, end)); gap > kSeam)
+            if (const double gap = geom::distance(place(contours, other), place(contours, end)); gap > kSeam)
                 out.jumped += gap;
         closed = end == from;
         if (closed || end == kFree) break;
@@ -196,12 +203,12 @@ Chain walk(const std::vector<Chain>& chains, const Mates& mates, std::uint32_t e
 }
 
 // Joins what `mates` says; closed ones go to `out`, the others are returned.  `lid` gets the length led over lids, mm.
-std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Closed& out, double& lid) {
-    std::vector<Chain> open;
-    std::vector<char> done(chains.size(), 0);
+std::vector<OpenContour> join(const std::vector<OpenContour>& contours, const Mates& mates, Closed& out, double& lid) {
+    std::vector<OpenContour> open;
+    std::vector<char> done(contours.size(), 0);
     const auto take = [&](std::uint32_t end) {
         bool closed = false;
-        Chain c = walk(chains, mates, end, done, closed);
+        OpenContour c = walk(contours, mates, end, done, closed);
         if (!closed) {
             open.push_back(std::move(c));
             return;
@@ -213,73 +220,73 @@ std::vector<Chain> join(const std::vector<Chain>& chains, const Mates& mates, Cl
     };
     for (std::uint32_t e = 0; e < mates.size(); ++e) // from free ends first, then round what is left: circles
         if (mates[e] == kFree && done[e / 2] == 0) take(e);
-    for (std::uint32_t c = 0; c < chains.size(); ++c)
+    for (std::uint32_t c = 0; c < contours.size(); ++c)
         if (done[c] == 0) take(2 * c);
     return open;
 }
 
 // One note for all joints of `mates` that are wider than rounding.
-void note_joints(const std::vector<Chain>& chains, const Mates& mates, const char* what, std::int64_t layer,
+void note_joints(const std::vector<OpenContour>& contours, const Mates& mates, const char* what, std::int64_t layer,
                  Notes& notes) {
     Note n{.stage = "", .what = what, .amount = 0, .unit = "mm", .count = 0, .layer = layer};
     double worst = 0;
     for (std::uint32_t e = 0; e < mates.size(); ++e) {
         if (mates[e] == kFree || mates[e] < e) continue;
-        const Vec2 a = place(chains, e), b = place(chains, mates[e]);
+        const Vec2 a = place(contours, e), b = place(contours, mates[e]);
         const double d = geom::distance(a, b);
         if (d <= kSeam) continue;
         n.amount += d;
         ++n.count;
-        if (d > worst) worst = d, n.x = (a.x + b.x) / 2, n.y = (a.y + b.y) / 2;
+        if (d > worst) {
+            worst = d;
+            n.x = (a.x + b.x) / 2;
+            n.y = (a.y + b.y) / 2;
+        }
     }
     if (n.count > 0) notes.push_back(std::move(n));
 }
 
 } // namespace
 
-double length(const Chain& chain) {
-    double sum = 0;
-    for (std::size_t i = 1; i < chain.points.size(); ++i) sum += geom::distance(chain.points[i - 1], chain.points[i]);
-    return sum;
-}
+double length(const OpenContour& contour) { return geom::length(contour.points); }
 
-Closed close_chains(std::vector<Chain> chains, const std::function<std::vector<Chain>()>& lids, const Options& o,
-                    std::int64_t layer, Notes& notes) {
+Closed close_contours(std::vector<OpenContour> contours, const std::function<std::vector<OpenContour>()>& lids,
+                      const Options& o, std::int64_t layer, Notes& notes) {
     Closed out;
     double lid = 0;
     const auto tell = [&](const char* what, double amount, Vec2 at) {
         notes.push_back(
             {.stage = "", .what = what, .amount = amount, .unit = "mm", .layer = layer, .x = at.x, .y = at.y});
     };
-    chains = join(chains, mates_on_edges(chains), out, lid);
+    contours = join(contours, mates_on_edges(contours), out, lid);
 
-    Mates mates(2 * chains.size(), kFree);
+    Mates mates(2 * contours.size(), kFree);
     const double widest = std::max(o.close_gaps, kSeam);
     for (const bool directed :
          {true, false}) // near ones first, so that few are left to look at when the cells are wide
         for (double radius = kSeam;; radius *= 5) {
-            marry_near(chains, std::min(radius, widest), directed, mates);
+            marry_near(contours, std::min(radius, widest), directed, mates);
             if (radius >= widest) break;
         }
-    note_joints(chains, mates, "gap in a contour closed", layer, notes);
-    chains = join(chains, mates, out, lid);
+    note_joints(contours, mates, "gap in a contour closed", layer, notes);
+    contours = join(contours, mates, out, lid);
 
-    if (!chains.empty() && o.close_openings > 0) {
-        const Vec2 at = chains.front().points.front();
-        for (Chain& c : lids()) chains.push_back(std::move(c));
-        chains = join(chains, mates_on_edges(chains), out, lid);
-        std::erase_if(chains, [](const Chain& c) { return c.lid >= length(c); }); // no contour came to these
+    if (!contours.empty() && o.close_openings > 0) {
+        const Vec2 at = contours.front().points.front();
+        for (OpenContour& c : lids()) contours.push_back(std::move(c));
+        contours = join(contours, mates_on_edges(contours), out, lid);
+        std::erase_if(contours, [](const OpenContour& c) { return c.lid >= length(c); }); // no contour came to these
         if (lid > 0) tell("contour led across a hole in the surface", lid, at);
     }
-    for (std::size_t before = 0; before != chains.size();) { // what is joined is longer, and may bear wider openings
-        before = chains.size();
-        mates.assign(2 * chains.size(), kFree);
-        marry_far(chains, o.close_openings, mates);
-        note_joints(chains, mates, "wide opening in a contour closed straight", layer, notes);
-        chains = join(chains, mates, out, lid);
+    for (std::size_t before = 0; before != contours.size();) { // what is joined is longer, and may bear wider openings
+        before = contours.size();
+        mates.assign(2 * contours.size(), kFree);
+        marry_far(contours, o.close_openings, mates);
+        note_joints(contours, mates, "wide opening in a contour closed straight", layer, notes);
+        contours = join(contours, mates, out, lid);
     }
 
-    for (const Chain& c : chains)
+    for (const OpenContour& c : contours)
         if (length(c) > kSeam) tell("open contour left out", length(c), c.points[c.points.size() / 2]);
     if (out.turned > 0)
         tell("piece of contour turned round: its triangles face the wrong way", out.turned,

@@ -1,4 +1,4 @@
-#include "postproc/survey.hpp"
+#include "postproc/first_pass.hpp"
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -25,10 +25,10 @@ std::string place(std::uint32_t layer, Vec3 p) {
 } // namespace
 
 Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile) {
-    for (auto& e : survey_.low) e.value = kInfinity;
-    for (auto& e : survey_.high) e.value = -kInfinity;
-    survey_.part_low.fill(kInfinity);
-    survey_.part_high.fill(-kInfinity);
+    for (auto& e : first_pass_.low) e.value = kInfinity;
+    for (auto& e : first_pass_.high) e.value = -kInfinity;
+    first_pass_.part_low.fill(kInfinity);
+    first_pass_.part_high.fill(-kInfinity);
 }
 
 void Surveyor::check_section(const Step& step, double length) const {
@@ -65,11 +65,11 @@ void Surveyor::visit(const Step& step, bool extruding) {
     const Vec3 carried = profile_->axes.active() ? step.axes : step.to - machine::of_tool(*profile_, step.tool).offset;
     const auto c = coordinates(step.to), axes = coordinates(carried);
     for (std::size_t k = 0; k < 3; ++k) {
-        if (axes[k] < survey_.low[k].value) survey_.low[k] = {axes[k], step.to, step.layer};
-        if (axes[k] > survey_.high[k].value) survey_.high[k] = {axes[k], step.to, step.layer};
+        if (axes[k] < first_pass_.low[k].value) first_pass_.low[k] = {axes[k], step.to, step.layer};
+        if (axes[k] > first_pass_.high[k].value) first_pass_.high[k] = {axes[k], step.to, step.layer};
         if (!extruding) continue;
-        survey_.part_low[k] = std::min(survey_.part_low[k], c[k]);
-        survey_.part_high[k] = std::max(survey_.part_high[k], c[k]);
+        first_pass_.part_low[k] = std::min(first_pass_.part_low[k], c[k]);
+        first_pass_.part_high[k] = std::max(first_pass_.part_high[k], c[k]);
     }
 }
 
@@ -77,7 +77,7 @@ void Surveyor::visit(const Step& step, bool extruding) {
 void Surveyor::spend() {
     const double now = clock_.total(), time = now - std::exchange(spent_, now);
     if (!(time > 0)) return;
-    auto& tool = survey_.tools[tool_];
+    auto& tool = first_pass_.tools[tool_];
     (open_ ? tool.print_seconds : tool.travel_seconds) += time;
 }
 
@@ -87,10 +87,14 @@ void Surveyor::spend_move(const Step& step, const Vec3& d) {
     if (profile_->axes.chain.carrier == kinematics::Carrier::frame) return clock_.pause(step.seconds);
     machine::PlannedMove m{.step = d, .feed = step.feed, .extruding = step.act == Act::extrude};
     m.extruded = fibre ? step.fed : step.volume * profile_->extrusion.per_mm3();
-    if (step.sweep != 0) m.sweep = step.sweep, m.arm = at_.xy() - step.centre;
+    if (step.sweep != 0) {
+        m.sweep = step.sweep;
+        m.arm = at_.xy() - step.centre;
+    }
     if (rotary) {
         if (!placed_ || !(step.seconds > 0)) return; // nobody knows whence it comes
-        m.tilt = step.tilt - tilt_, m.turn = step.turn - turn_;
+        m.tilt = step.tilt - tilt_;
+        m.turn = step.turn - turn_;
         const double way = norm(d);
         m.feed = (way > 0 ? way : std::max(std::abs(m.tilt), std::abs(m.turn))) / step.seconds;
     }
@@ -108,18 +112,20 @@ void Surveyor::move(const Step& step) {
     spend_move(step, d);
     if (step.sweep != 0) visit_arc(step);
     visit(step, extruding);
-    auto& tool = survey_.tools[step.tool];
-    (extruding ? survey_.path_len : survey_.travel_len) += length;
+    auto& tool = first_pass_.tools[step.tool];
+    (extruding ? first_pass_.path_len : first_pass_.travel_len) += length;
     (extruding ? tool.path_len : tool.travel_len) += length;
-    survey_.role_len[static_cast<std::size_t>(extruding ? step.role : Role::travel)] += length;
+    first_pass_.role_len[static_cast<std::size_t>(extruding ? step.role : Role::travel)] += length;
     tool.volume += step.volume;
     if (fibre)
         tool.fibre_len += extruding ? length : 0;
     else
-        survey_.volume += step.volume;
-    survey_.moves += length > 0 ? 1 : 0;
-    survey_.laying += extruding ? 1 : 0;
-    at_ = step.to, tilt_ = step.tilt, turn_ = step.turn;
+        first_pass_.volume += step.volume;
+    first_pass_.moves += length > 0 ? 1 : 0;
+    first_pass_.laying += extruding ? 1 : 0;
+    at_ = step.to;
+    tilt_ = step.tilt;
+    turn_ = step.turn;
     tool_ = step.tool;
     placed_ = true;
 }
@@ -130,11 +136,11 @@ void Surveyor::add(std::span<const Step> steps) {
         const auto& t = machine::of_tool(*profile_, step.tool).travel;
         switch (step.act) {
         case Act::layer:
-            survey_.layers = std::max(survey_.layers, step.layer + 1);
+            first_pass_.layers = std::max(first_pass_.layers, step.layer + 1);
             break;
         case Act::open:
-            if (survey_.strokes++ == 0) survey_.start = step.to;
-            ++survey_.tools[step.tool].strokes;
+            if (first_pass_.strokes++ == 0) first_pass_.start = step.to;
+            ++first_pass_.tools[step.tool].strokes;
             visit(step, true);
             spend();
             open_ = true;
@@ -155,21 +161,22 @@ void Surveyor::add(std::span<const Step> steps) {
             break;
         case Act::push:
             clock_.pause(f.prime / f.prime_speed);
-            survey_.tools[step.tool].fibre_len += f.prime;
+            first_pass_.tools[step.tool].fibre_len += f.prime;
             break;
         case Act::tension:
             clock_.pause(f.tension_dwell);
             break;
         case Act::cut:
             clock_.pause(f.cut_dwell);
-            ++survey_.tools[step.tool].cuts;
+            ++first_pass_.tools[step.tool].cuts;
             break;
         case Act::omit:
             omit(step);
             break;
         case Act::stand: // nobody knows whence, nor how long it takes
             visit(step, false);
-            at_ = step.to, placed_ = true;
+            at_ = step.to;
+            placed_ = true;
             break;
         case Act::travel:
         case Act::climb:
@@ -181,8 +188,12 @@ void Surveyor::add(std::span<const Step> steps) {
 }
 
 void Surveyor::omit(const Step& step) {
-    Omitted& o = survey_.omitted;
-    if (o.count == 0 || step.length < o.shortest) o.shortest = step.length, o.at = step.to, o.layer = step.layer;
+    Omitted& o = first_pass_.omitted;
+    if (o.count == 0 || step.length < o.shortest) {
+        o.shortest = step.length;
+        o.at = step.to;
+        o.layer = step.layer;
+    }
     o.longest = std::max(o.longest, step.length);
     o.length += step.length;
     ++o.count;
@@ -190,7 +201,7 @@ void Surveyor::omit(const Step& step) {
 
 void Surveyor::check_fibre() const {
     const auto& f = profile_->fibre;
-    const Omitted& o = survey_.omitted;
+    const Omitted& o = first_pass_.omitted;
     if (o.count > 0 && !f.omit_short)
         throw Error(Exit::failure,
                     "cannot lay " + std::to_string(o.count) + (o.count > 1 ? " fibre strokes" : " fibre stroke") +
@@ -198,26 +209,26 @@ void Surveyor::check_fibre() const {
                         fixed_text(o.shortest, 3) + " mm, begins " + place(o.layer, o.at) +
                         " of the toolpath; join or lengthen them before postproc, or leave them out by --short drop");
     double used = 0;
-    for (const auto& [number, tool] : survey_.tools) used += tool.fibre_len;
+    for (const auto& [number, tool] : first_pass_.tools) used += tool.fibre_len;
     if (f.spool > 0 && used > f.spool)
         throw Error(Exit::failure, "cannot lay " + fixed_text(used, 1) + " mm of fibre: '" + profile_->name + "' has " +
                                        fixed_text(f.spool, 1) +
                                        " mm on its spool; divide the job, or raise fibre.spool");
 }
 
-Survey Surveyor::end() {
+FirstPass Surveyor::end() {
     check_fibre();
-    if (survey_.strokes == 0 || !(survey_.path_len > 0))
+    if (first_pass_.strokes == 0 || !(first_pass_.path_len > 0))
         throw Error(Exit::bad_input, "cannot write a program: the toolpath lays no bead");
-    survey_.seconds = clock_.total();
+    first_pass_.seconds = clock_.total();
     spend();
-    for (auto& [number, tool] : survey_.tools) tool.fibre = profile_->fibre.lays(number);
-    return survey_;
+    for (auto& [number, tool] : first_pass_.tools) tool.fibre = profile_->fibre.lays(number);
+    return first_pass_;
 }
 
-Used used(const machine::Profile& profile, const Survey& survey) {
+Used used(const machine::Profile& profile, const FirstPass& first_pass) {
     Used out;
-    for (const auto& [number, tool] : survey.tools) {
+    for (const auto& [number, tool] : first_pass.tools) {
         if (tool.fibre) continue;
         const auto& e = machine::of_tool(profile, number).extrusion;
         out.volume += tool.volume * e.flow;
@@ -226,17 +237,15 @@ Used used(const machine::Profile& profile, const Survey& survey) {
     return out;
 }
 
-Place parse_place(const std::string& text) { return text == "center" ? Place::center : Place::as_is; }
-
-Vec2 placement(const Survey& survey, const machine::Bed& bed, Place where) {
+Vec2 placement(const FirstPass& first_pass, const machine::Bed& bed, Place where) {
     if (where == Place::as_is) return {0, 0};
     const auto um = [](double v) { return std::round(v * 1000) / 1000; };
     const Vec2 centre = bed.centre();
-    return {um(centre.x - (survey.low[0].value + survey.high[0].value) / 2),
-            um(centre.y - (survey.low[1].value + survey.high[1].value) / 2)};
+    return {um(centre.x - (first_pass.low[0].value + first_pass.high[0].value) / 2),
+            um(centre.y - (first_pass.low[1].value + first_pass.high[1].value) / 2)};
 }
 
-void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 shift) {
+void check_limits(const FirstPass& first_pass, const machine::Profile& profile, Vec2 shift) {
     const auto& bed = profile.bed;
     const std::array<double, 3> moved{shift.x, shift.y, 0}, lo{bed.x_min, bed.y_min, bed.z_min},
         hi{bed.x_max, bed.y_max, bed.z_max};
@@ -246,15 +255,15 @@ void check_limits(const Survey& survey, const machine::Profile& profile, Vec2 sh
         throw Error(Exit::failure, "cannot print " + place(e.layer, p) + ": '" + profile.name + "' reaches " + axis +
                                        " " + fixed_text(lo[k], 3) + " to " + fixed_text(hi[k], 3) +
                                        ", and the toolpath is " +
-                                       fixed_text(survey.high[k].value - survey.low[k].value, 3) + " mm in " + axis +
-                                       "; move, turn or scale the part");
+                                       fixed_text(first_pass.high[k].value - first_pass.low[k].value, 3) + " mm in " +
+                                       axis + "; move, turn or scale the part");
     };
     for (std::size_t k = 0; k < 3; ++k) {
-        if (survey.low[k].value + moved[k] < lo[k] - 5e-4) refuse(survey.low[k], k);
-        if (survey.high[k].value + moved[k] > hi[k] + 5e-4) refuse(survey.high[k], k);
+        if (first_pass.low[k].value + moved[k] < lo[k] - 5e-4) refuse(first_pass.low[k], k);
+        if (first_pass.high[k].value + moved[k] > hi[k] + 5e-4) refuse(first_pass.high[k], k);
     }
-    if (!(used(profile, survey).units * std::pow(10.0, profile.format.e_decimals) < 4e18))
-        throw Error(Exit::failure, "cannot count the material: " + fixed_text(survey.volume, 0) +
+    if (!(used(profile, first_pass).units * std::pow(10.0, profile.format.e_decimals) < 4e18))
+        throw Error(Exit::failure, "cannot count the material: " + fixed_text(first_pass.volume, 0) +
                                        " mm3 is more than the extruder's numbers hold; are the bead widths right?");
 }
 
@@ -272,31 +281,47 @@ geom::Segment purge_line(const machine::Bed& bed, Vec2 low, Vec2 high) {
     return {{bed.x_min, bed.y_min}, {bed.x_min, bed.y_min}};
 }
 
-std::map<std::string, double> placeholders(const Survey& s, const machine::Profile& profile, Vec2 shift) {
+std::map<std::string, double> placeholders(const FirstPass& s, const machine::Profile& profile, Vec2 shift) {
     const auto& bed = profile.bed;
     std::map<std::string, double> out = profile.values;
     const auto add = [&out](const char* name, double value) { out[name] = value; };
-    add("x_min", s.part_low[0] + shift.x), add("x_max", s.part_high[0] + shift.x);
-    add("y_min", s.part_low[1] + shift.y), add("y_max", s.part_high[1] + shift.y);
-    add("z_min", s.part_low[2]), add("z_max", s.part_high[2]);
-    add("x_start", s.start.x + shift.x), add("y_start", s.start.y + shift.y), add("z_start", s.start.z);
-    add("bed_x_min", bed.x_min), add("bed_x_max", bed.x_max);
-    add("bed_y_min", bed.y_min), add("bed_y_max", bed.y_max), add("bed_z_max", bed.z_max);
+    add("x_min", s.part_low[0] + shift.x);
+    add("x_max", s.part_high[0] + shift.x);
+    add("y_min", s.part_low[1] + shift.y);
+    add("y_max", s.part_high[1] + shift.y);
+    add("z_min", s.part_low[2]);
+    add("z_max", s.part_high[2]);
+    add("x_start", s.start.x + shift.x);
+    add("y_start", s.start.y + shift.y);
+    add("z_start", s.start.z);
+    add("bed_x_min", bed.x_min);
+    add("bed_x_max", bed.x_max);
+    add("bed_y_min", bed.y_min);
+    add("bed_y_max", bed.y_max);
+    add("bed_z_max", bed.z_max);
     // A side of the part that is turned up may be higher than the part is while all axes are at rest.
     const double top = profile.axes.active() ? std::max(s.part_high[2], s.high[2].value) : s.part_high[2];
     add("z_park", std::min(top + 10, bed.z_max));
-    add("layer", 0), add("layers", s.layers), add("z", s.start.z), add("height", s.start.z);
-    add("path_len", s.path_len), add("travel_len", s.travel_len), add("time", s.seconds);
+    add("layer", 0);
+    add("layers", s.layers);
+    add("z", s.start.z);
+    add("height", s.start.z);
+    add("path_len", s.path_len);
+    add("travel_len", s.travel_len);
+    add("time", s.seconds);
     add("strokes", static_cast<double>(s.strokes));
     const Used material = used(profile, s);
     add("material_mm3", material.volume);
     add("material_e", material.units);
     if (profile.axes.chain.carrier == kinematics::Carrier::frame) machine::add_robot(profile.robot, out);
-    add("travel_feed", profile.feeds.travel * 60), add("z_feed", profile.feeds.z * 60);
+    add("travel_feed", profile.feeds.travel * 60);
+    add("z_feed", profile.feeds.z * 60);
     const auto& f = profile.fibre;
     add("tool_no", profile.tools.first);
-    add("cut_dwell", f.cut_dwell), add("cut_dwell_ms", f.cut_dwell * 1000);
-    add("tension_dwell", f.tension_dwell), add("tension_dwell_ms", f.tension_dwell * 1000);
+    add("cut_dwell", f.cut_dwell);
+    add("cut_dwell_ms", f.cut_dwell * 1000);
+    add("tension_dwell", f.tension_dwell);
+    add("tension_dwell_ms", f.tension_dwell * 1000);
     const auto purge = purge_line(bed, {s.part_low[0] + shift.x, s.part_low[1] + shift.y},
                                   {s.part_high[0] + shift.x, s.part_high[1] + shift.y});
     add("purge_x", purge.a.x);

@@ -1,4 +1,4 @@
-#include "surface/curve/carry.hpp"
+#include "surface/curve/transfer.hpp"
 
 #include "surface/remesh.hpp"
 
@@ -40,7 +40,7 @@ TEST(Carry, LinearFieldsStayAndDirectionsKeepTheirLength) {
         way.values.insert(way.values.end(), {sign * std::cos(angle), sign * std::sin(angle), 0});
     }
     const Surface to = surface::remesh(from, 0.4, notes);
-    const auto out = carried(from, std::vector{number, way, part}, to);
+    const auto out = transferred(from, std::vector{number, way, part}, to);
     ASSERT_EQ(out.size(), 3U);
     for (std::size_t v = 0; v < to.vertices.size(); ++v) {
         const Vec3 p = to.vertices[v];
@@ -61,7 +61,7 @@ TEST(Carry, CadFacesEndWhereTheyDid) {
     const Surface from = surface::connect(m, notes, &faces);
     ASSERT_EQ(faces, m.faces);
     const Surface to = surface::remesh(surface::cut(from, {{0, 1, 0}, 6.3}, notes), 0.4, notes);
-    const auto out = carried_faces(from, faces, to);
+    const auto out = transferred_faces(from, faces, to);
     ASSERT_EQ(out.size(), to.triangles.size());
     std::size_t checked = 0;
     for (std::size_t t = 0; t < out.size(); ++t) {
@@ -71,7 +71,7 @@ TEST(Carry, CadFacesEndWhereTheyDid) {
         ++checked;
     }
     EXPECT_GT(checked, 500U);
-    EXPECT_TRUE(carried_faces(from, {}, to).empty());
+    EXPECT_TRUE(transferred_faces(from, {}, to).empty());
 }
 
 TEST(Carry, AThinWallsSkinsAreNotMixedUp) {
@@ -84,7 +84,7 @@ TEST(Carry, AThinWallsSkinsAreNotMixedUp) {
     surface::Field skin{"skin", {}, 1};
     for (const Vec3& p : from.vertices) skin.values.push_back(p.z > 0.01 ? 1 : -1);
     for (Vec3& v : top.vertices) v.z = 0.005; // nearer to the lower skin, but facing as the upper one
-    const auto out = carried(from, std::vector{skin}, surface::connect(top, notes));
+    const auto out = transferred(from, std::vector{skin}, surface::connect(top, notes));
     for (const double v : out[0].values) EXPECT_EQ(v, 1);
 }
 

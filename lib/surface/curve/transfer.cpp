@@ -1,4 +1,4 @@
-#include "surface/curve/carry.hpp"
+#include "surface/curve/transfer.hpp"
 
 #include "surface/curve/locate.hpp"
 #include "surface/curve/walk.hpp"
@@ -64,7 +64,8 @@ Place place_like(const Locator& locator, const Vec3& p, const Vec3& normal, doub
 
 } // namespace
 
-std::vector<std::uint32_t> carried_faces(const Surface& from, std::span<const std::uint32_t> faces, const Surface& to) {
+std::vector<std::uint32_t> transferred_faces(const Surface& from, std::span<const std::uint32_t> faces,
+                                             const Surface& to) {
     std::vector<std::uint32_t> out;
     if (faces.empty()) return out;
     out.reserve(to.triangles.size());
@@ -78,7 +79,8 @@ std::vector<std::uint32_t> carried_faces(const Surface& from, std::span<const st
     return out;
 }
 
-std::vector<surface::Field> carried(const Surface& from, std::span<const surface::Field> fields, const Surface& to) {
+std::vector<surface::Field> transferred(const Surface& from, std::span<const surface::Field> fields,
+                                        const Surface& to) {
     std::vector<surface::Field> out;
     if (fields.empty()) return out;
     for (const auto& f : fields) out.push_back({f.name, {}, f.components});

@@ -1,0 +1,25 @@
+// The algorithms that cover a surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace filum::surfpath {
+
+enum class Algorithm : std::uint8_t { fina, fexa, ortheo, geo_fiso, geo_contour, geo_spiral };
+
+// As users and streams have them, in that order.
+inline constexpr std::array kAlgorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"};
+
+inline const char* name(Algorithm a) { return kAlgorithms[static_cast<std::size_t>(a)]; }
+
+// None for a name that is none of them.
+inline std::optional<Algorithm> algorithm(const std::string& name) {
+    for (std::size_t k = 0; k < kAlgorithms.size(); ++k)
+        if (name == kAlgorithms[k]) return static_cast<Algorithm>(k);
+    return std::nullopt;
+}
+
+} // namespace filum::surfpath
