@@ -23,7 +23,7 @@ struct Tint {
     std::size_t strokes = 0;                    // distinct ones drawn
     std::array<bool, toolpath::kRoles> roles{}; // drawn ones
     std::array<bool, toolpath::kFeatures> features{};
-    std::vector<Srgb8> ramp;                    // steps of the ramp: looked up faster than mixed
+    std::vector<Srgb8> ramp; // steps of the ramp: looked up faster than mixed
 };
 
 // `profile`: whose feeds By::speed shows; null for anything else.

@@ -55,7 +55,8 @@ TEST(Hollow, OneClosedCurveThatDoesNotCrossItself) {
         EXPECT_EQ(fill::count_crossings(paths.curves, kWidth), 0U) << c.seed;
         if (paths.curves.size() > 1) ++more;
         EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
-        EXPECT_LT(test::farthest_outside(c.region.loops, paths.curves), 0.12) << c.seed; // acute tips may be moved a little
+        EXPECT_LT(test::farthest_outside(c.region.loops, paths.curves), 0.12)
+            << c.seed; // acute tips may be moved a little
     }
     EXPECT_EQ(more, 0U) << "of " << all;
 }
