@@ -164,8 +164,8 @@ polygon::Region region(const RawFrame& frame) {
     }
     for (const auto& a : m.areas()) out.areas.push_back(area(a));
     out.walls = m.walls();
-    if (m.class_() < 0 || m.class_() > 2) bad_frame("region", "unknown class");
-    out.is = static_cast<polygon::RegionClass>(m.class_());
+    if (m.purpose() < 0 || m.purpose() > 2) bad_frame("region", "unknown purpose");
+    out.is = static_cast<polygon::RegionClass>(m.purpose());
     return out;
 }
 
@@ -191,7 +191,7 @@ RawFrame frame(const polygon::Region& region) {
     m.set_inradius(region.inradius);
     for (const auto& a : region.areas) put_area(*m.add_areas(), a);
     m.set_walls(region.walls);
-    m.set_class_(static_cast<proto::RegionClass>(region.is));
+    m.set_purpose(static_cast<proto::RegionClass>(region.is));
     return raw(Tag::region, m);
 }
 
