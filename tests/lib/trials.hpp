@@ -12,8 +12,6 @@ inline constexpr bool kSanitized = false;
 #endif
 
 // n; with sanitizers a tenth, at least 1: they look at the memory, and each trial takes ten times as long.
-constexpr int trials(int n) {
-    return !kSanitized ? n : n < 10 ? 1 : n / 10;
-}
+constexpr int trials(int n) { return !kSanitized ? n : n < 10 ? 1 : n / 10; }
 
 } // namespace filum

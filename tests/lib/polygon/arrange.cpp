@@ -1,8 +1,8 @@
 // Arrangements of random walls: the faces tile the plane, winding is what counting says, outlines are simple.
 #include "polygon/arrange.hpp"
+#include "../trials.hpp"
 #include "geom/segment.hpp"
 #include "polygon/simple.hpp"
-#include "../trials.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "regions/air.hpp"
+#include "../trials.hpp"
 #include "regions/overlaps.hpp"
 #include "shapes.hpp"
-#include "../trials.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,13 @@
 //
 // FILUM_MUTANTS=N makes N of each kind and part, all the strengths between, instead of one: 5 are more than 500 meshes.
 // FILUM_MUTANT_MESHES="a.stl b.obj" damages those as well; FILUM_MUTANT_KIND limits the kinds to those so called.
+#include "../trials.hpp"
 #include "base/error.hpp"
 #include "mesh/place.hpp"
 #include "mesh/read.hpp"
 #include "mutate.hpp"
 #include "polygon/clip.hpp"
 #include "slice/slice.hpp"
-#include "../trials.hpp"
 
 #include <gtest/gtest.h>
 
