@@ -5,7 +5,10 @@
 #include "baselines/sun2019/spiral.hpp"
 #include "cli/command.hpp"
 #include "fill/reuse.hpp"
+#include "hollow/hollow.hpp"
 #include "wire/planar.hpp"
+
+#include <atomic>
 
 namespace {
 
@@ -117,9 +120,16 @@ void run(const Options& o, const cli::Io& io) {
     paper.offset = options.bead_width;
     const bool as_paper = options.pattern == "spiral" && o.method == "sun2019";
     fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
+    std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {
-        return std::vector{wire::frame(filled(wire::region(frame), notes))};
+        const polygon::Region region = wire::region(frame);
+        if (region.walls > 0) any_hollow = true;
+        if (region.walls > 0)
+            return std::vector{wire::frame(hollow::fill(region, {.bead_width = options.bead_width}, notes))};
+        return std::vector{wire::frame(filled(region, notes))};
     });
+    for (const char* name : {"pattern", "method", "min-width", "thin", "min-radius", "angles", "rings"})
+        if (any_hollow) io.idle(name, "regions with walls and areas of their own are filled by lanes and as these say");
 }
 
 } // namespace

@@ -295,8 +295,7 @@ class Reader {
             const Place m = place(middle);
             const Vec3 axis = a.axis + b.axis;
             const bool near = distance(m.tip, 0.5 * (a.tip + b.tip)) <= kChordOff &&
-                              geom::angle(m.axis, axis) <= kLeanOff &&
-                              geom::angle(a.axis, b.axis) <= 10 * kLeanOff;
+                              geom::angle(m.axis, axis) <= kLeanOff && geom::angle(a.axis, b.axis) <= 10 * kLeanOff;
             if (!near) {
                 part(middle, by / 2, share / 2, depth + 1);
                 part(to, by / 2, share / 2, depth + 1);

@@ -1,6 +1,7 @@
 #include "link3d/linker.hpp"
 
 #include "geom/segment.hpp"
+#include "link3d/features.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -270,8 +271,9 @@ void Linker::print(const Bead& bead, const Ramp& ramp, const Emit& emit) {
     Laid laid = lay(bead, r.paths.z, r.paths.height, ramp, r.width / 2);
     if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
     at_ = laid.points.back();
-    emit(Span{Role::bead, stroke_, r.paths.layer, r.paths.region, std::move(laid.points), std::move(laid.width),
-              std::move(laid.height)});
+    emit_by_feature(Span{Role::bead, stroke_, r.paths.layer, r.paths.region, std::move(laid.points),
+                         std::move(laid.width), std::move(laid.height)},
+                    r.paths.curves, r.index, emit);
 }
 
 } // namespace filum::link3d

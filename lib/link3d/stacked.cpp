@@ -79,8 +79,9 @@ bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
     auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
     if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
     at_ = laid.points.back();
-    emit({toolpath::Role::bead, stroke_, r.layer, r.region, std::move(laid.points), std::move(laid.width),
-          std::move(laid.height)});
+    emit_by_feature({toolpath::Role::bead, stroke_, r.layer, r.region, std::move(laid.points), std::move(laid.width),
+                     std::move(laid.height)},
+                    r.curves, window_.front().index, emit);
     return true;
 }
 

@@ -27,11 +27,13 @@ double role_feed(const Feeds& feeds, toolpath::Role role) {
 
 Laid laid(const toolpath::Span& span, std::size_t i) {
     const geom::Vec3 a = span.points[i], b = span.points[i + 1];
-    return {span.role, span.layer, geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i)};
+    return {span.role, span.layer, geom::distance(a, b), std::abs(b.z - a.z), toolpath::volume(span, i), span.feature};
 }
 
 double bead_feed(const Profile& p, const Laid& move) {
     double v = role_feed(p.feeds, move.role);
+    const double own = p.feeds.feature[static_cast<std::size_t>(move.feature)];
+    if (toolpath::fills(move.role) && own > 0) v = own;
     if (move.layer == 0) v = std::min(v, p.feeds.first_layer);
     if (!(move.length > 0)) return v;
     const double section = move.volume / move.length * p.extrusion.flow;

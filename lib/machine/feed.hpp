@@ -12,11 +12,12 @@ struct Laid {
     std::uint32_t layer = 0;
     double length = 0, rise = 0; // mm
     double volume = 0;           // mm3
+    toolpath::Feature feature = toolpath::Feature::none;
 };
 Laid laid(const toolpath::Span& span, std::size_t i); // by the segment i -> i + 1
 
-// Its feed, mm/s: that of its role, at most feeds.first_layer on layer 0, lowered so that limits.flow and
-// motion.max_speed_z are kept; a lowered feed is a whole number where it is above one.
+// Its feed, mm/s: that of its role, or, of a bead, of its feature, at most feeds.first_layer on layer 0, lowered so
+// that limits.flow and motion.max_speed_z are kept; a lowered feed is a whole number where it is above one.
 double bead_feed(const Profile& profile, const Laid& move);
 
 // The same of a fibre that is to be laid at `feed`: lowered so that motion.max_speed_z is kept, and for nothing else.

@@ -113,6 +113,11 @@ void read_motion(Document& doc, Profile& p) {
     doc.number("motion.corner_speed", m.corner_speed, above_zero(1e5));
 }
 
+std::string key_of(std::string name) {
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
 void read_feeds(Document& doc, Profile& p) {
     const Motion& m = p.motion;
     const auto feed = [&](const std::string& key, double& out, double max, const char* name) {
@@ -120,6 +125,9 @@ void read_feeds(Document& doc, Profile& p) {
         if (out > max) doc.fail(key, "it must not be above " + std::string(name) + ", " + shortest_text(max));
     };
     feed("feeds.bead", p.feeds.bead, m.max_speed, "motion.max_speed");
+    for (std::size_t f = 1; f < toolpath::kFeatures; ++f)
+        feed(std::string("feeds.") + key_of(toolpath::kFeatureNames[f]), p.feeds.feature[f], m.max_speed,
+             "motion.max_speed");
     feed("feeds.first_layer", p.feeds.first_layer, m.max_speed, "motion.max_speed");
     feed("feeds.lift", p.feeds.lift, m.max_speed, "motion.max_speed");
     feed("feeds.jog", p.feeds.jog, m.max_speed, "motion.max_speed");

@@ -6,7 +6,9 @@
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
 #include "machine/robot.hpp"
+#include "toolpath/path.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -52,6 +54,7 @@ struct Limits {
 // Speeds of the nozzle, mm/s.
 struct Feeds {
     double bead = 50, first_layer = 25, lift = 25, jog = 50, connector = 20, travel = 150, z = 10;
+    std::array<double, toolpath::kFeatures> feature{}; // of beads that have one; 0: as bead
 };
 
 // What a break costs.

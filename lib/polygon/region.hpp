@@ -26,6 +26,37 @@ struct Overlap {
     bool link = false;       // the curves that fill both pass within about a bead width of each other here
 };
 
+// What a part of a region is.
+enum class AreaKind : std::uint8_t {
+    skin_top,    // solid, seen from above
+    skin_bottom, // solid, seen from below
+    bridge,      // solid, over air between what carries it
+    sparse,      // filled in part
+};
+
+// How a sparse area is filled.
+enum class Pattern : std::uint8_t {
+    rows,       // straight lines
+    wave,       // waves that shift from layer to layer, as a gyroid does
+    concentric, // lines along the outline
+};
+
+// A part of a region that is not filled like the rest; simple, it may have several pieces.
+struct Area {
+    AreaKind kind = AreaKind::sparse;
+    Loops loops;
+    double direction = 0; // rad, of bridges and of rows, from the x axis
+    double spacing = 0;   // mm, sparse: from line to line
+    Pattern pattern = Pattern::rows;
+};
+
+// What a region is there for.
+enum class RegionClass : std::uint8_t {
+    part,
+    support, // carries what overhangs, to be taken away
+    rim,     // beside the first layer, to be taken away: brim and skirt
+};
+
 // One connected region of a layer.
 struct Region {
     std::uint32_t id = 0; // counts all regions of the part, layer by layer
@@ -38,8 +69,11 @@ struct Region {
     double unsupported = 0;   // mm2 with nothing below
     std::uint32_t stroke = 0; // set by `sequence`, as is join
     Join join = Join::start;
-    double inradius = 0; // mm; a circle of this radius fits into the region (a lower bound)
-    Box2 box;            // of the outer loop
+    double inradius = 0;     // mm; a circle of this radius fits into the region (a lower bound)
+    Box2 box;                // of the outer loop
+    std::vector<Area> areas; // set by `skins`: what is in none is solid
+    std::uint32_t walls = 0; // rings along the outline; 0: no walls are told apart, and it is solid all through
+    RegionClass is = RegionClass::part;
 };
 
 } // namespace filum::polygon

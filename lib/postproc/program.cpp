@@ -23,7 +23,13 @@ std::int64_t units(double value, double scale) { return static_cast<std::int64_t
 bool differs(double a, double b) { return std::abs(a - b) > kTold * b; }
 
 // What viewers know a kind of bead by (the names of PrusaSlicer, so that they get its colours).
-const char* type_name(Role role) {
+const char* type_name(Role role, Feature feature) {
+    constexpr std::array<const char*, toolpath::kFeatures> kNames{
+        "Solid infill",    "External perimeter", "Perimeter",
+        "Internal infill", "Solid infill",       "Top solid infill",
+        "Solid infill",    "Bridge infill",      "Gap fill",
+        "Ironing",         "Support material",   "Support material interface",
+        "Skirt/Brim",      "Wipe tower"};
     switch (role) {
     case Role::lift:
         return "Perimeter";
@@ -36,7 +42,7 @@ const char* type_name(Role role) {
     case Role::travel:
         break;
     }
-    return "Solid infill";
+    return kNames[static_cast<std::size_t>(feature)];
 }
 
 } // namespace
@@ -137,10 +143,11 @@ void Program::push() {
 
 void Program::bead_comments(const Step& step) {
     if (!profile_->format.viewer_comments) return;
-    if (step.role != role_) comment(std::string("TYPE:") + type_name(step.role));
+    if (step.role != role_ || step.feature != feature_)
+        comment(std::string("TYPE:") + type_name(step.role, step.feature));
     if (differs(step.width, width_)) comment("WIDTH:" + fixed_text(width_ = step.width, 3));
     if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
-    role_ = step.role;
+    role_ = step.role, feature_ = step.feature;
 }
 
 // Appends the code and the words that changed; false, and nothing appended, if none did.  All in units.

@@ -57,6 +57,7 @@ class Program final : public Writer {
     std::int64_t e_ = 0;             // where the controller believes the extruder to be
     bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;
+    Feature feature_ = Feature::none;
     double width_ = 0, height_ = 0; // as last told to viewers
     std::uint64_t lines_ = 0;       // moves written
 };

@@ -187,10 +187,11 @@ void Walk::extrude(const toolpath::Span& span) {
     for (const toolpath::Move& m : merged.moves) {
         if (m.length == 0) continue;
         const bool last = &m == &merged.moves.back();
-        const Laying how =
-            laying(*profile_, tool_, {span.role, span.layer, m.length, std::abs(m.to.z - z), m.volume}, last);
+        const Laying how = laying(
+            *profile_, tool_, {span.role, span.layer, m.length, std::abs(m.to.z - z), m.volume, span.feature}, last);
         put({.act = Act::extrude,
              .role = span.role,
+             .feature = span.feature,
              .layer = span.layer,
              .to = m.to,
              .feed = how.feed,

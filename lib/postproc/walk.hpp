@@ -18,6 +18,7 @@ namespace filum::postproc {
 
 using geom::Vec2;
 using geom::Vec3;
+using toolpath::Feature;
 using toolpath::Role;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -48,6 +49,7 @@ enum class Act : std::uint8_t {
 struct Step {
     Act act = Act::travel;
     Role role = Role::bead;
+    Feature feature = Feature::none;
     std::uint32_t layer = 0;
     Vec3 to;                      // mm, not yet placed on the bed
     double feed = 0;              // mm/s

@@ -11,6 +11,7 @@ namespace filum::render {
 
 namespace {
 
+using toolpath::Feature;
 using toolpath::Role;
 
 constexpr int kSteps = 1024; // of the ramp
@@ -53,7 +54,10 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     for (const auto& s : scene.spans) {
         strokes.insert(s.stroke);
         lo = std::min(lo, s.layer), hi = std::max(hi, s.layer);
-        out.roles[static_cast<std::size_t>(s.role)] = true;
+        if (s.feature == Feature::none || s.role != Role::bead)
+            out.roles[static_cast<std::size_t>(s.role)] = true;
+        else
+            out.features[static_cast<std::size_t>(s.feature)] = true;
         if (by != By::progress) continue;
         out.begin.push_back(along);
         if (toolpath::extrudes(s.role)) along += geom::length(s.points);
@@ -88,6 +92,40 @@ Rgb role_colour(Role role) {
     return {};
 }
 
+Rgb feature_colour(Feature feature) {
+    switch (feature) {
+    case Feature::none:
+        return role_colour(Role::bead);
+    case Feature::outer_wall:
+        return oklch(0.62, 0.17, 45);
+    case Feature::wall:
+        return oklch(0.80, 0.14, 80);
+    case Feature::top:
+        return oklch(0.60, 0.17, 330);
+    case Feature::solid:
+        return oklch(0.66, 0.12, 250);
+    case Feature::bottom:
+        return oklch(0.58, 0.12, 220);
+    case Feature::gap:
+        return oklch(0.75, 0.12, 20);
+    case Feature::ironing:
+        return oklch(0.70, 0.10, 0);
+    case Feature::tower:
+        return oklch(0.60, 0.05, 200);
+    case Feature::bridge:
+        return oklch(0.55, 0.18, 285);
+    case Feature::infill:
+        return oklch(0.68, 0.15, 150);
+    case Feature::support:
+        return oklch(0.78, 0.04, 100);
+    case Feature::interface:
+        return oklch(0.62, 0.07, 110);
+    case Feature::skirt:
+        return oklch(0.70, 0.03, 60);
+    }
+    return {};
+}
+
 Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i, double along) {
     const toolpath::Span& span = scene.spans[s];
     if (!toolpath::extrudes(span.role)) return to_srgb8(role_colour(span.role));
@@ -106,7 +144,7 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
     case By::speed:
         return on_ramp(amount(tint, span, i));
     case By::role:
-        return to_srgb8(role_colour(span.role));
+        return to_srgb8(span.role == Role::bead ? feature_colour(span.feature) : role_colour(span.role));
     }
     return {};
 }
@@ -126,6 +164,8 @@ void add_legend(Key& key, const Tint& tint) {
     case By::role:
         for (std::size_t r = 0; r < tint.roles.size(); ++r)
             if (tint.roles[r]) key.swatch(role_colour(static_cast<Role>(r)), role_name(static_cast<Role>(r)));
+        for (std::size_t f = 0; f < tint.features.size(); ++f)
+            if (tint.features[f]) key.swatch(feature_colour(static_cast<Feature>(f)), toolpath::kFeatureNames[f]);
     }
 }
 

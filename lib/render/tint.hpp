@@ -22,7 +22,8 @@ struct Tint {
     std::vector<double> begin;                  // progress: mm extruded before each span
     std::size_t strokes = 0;                    // distinct ones drawn
     std::array<bool, toolpath::kRoles> roles{}; // drawn ones
-    std::vector<Srgb8> ramp;                    // steps of the ramp: looked up faster than mixed
+    std::array<bool, toolpath::kFeatures> features{};
+    std::vector<Srgb8> ramp; // steps of the ramp: looked up faster than mixed
 };
 
 // `profile`: whose feeds By::speed shows; null for anything else.
@@ -33,6 +34,7 @@ Srgb8 colour(const Tint& tint, const Scene& scene, std::size_t s, std::size_t i,
 
 Rgb role_colour(toolpath::Role role);
 const char* role_name(toolpath::Role role);
+Rgb feature_colour(toolpath::Feature feature); // of a bead that has one
 
 // What the colours mean; alone, in the lower left corner.
 void add_legend(Key& key, const Tint& tint);

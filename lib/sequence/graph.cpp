@@ -58,10 +58,11 @@ Graph support_graph(std::span<const polygon::Region> regions) {
         }
         g.node.push_back({layer, r.z, polygon::centroid(r.loops)});
         for (const auto& o : r.below) {
-            if (o.below >= i || regions[o.below].layer + 1 != r.layer)
-                bad(r, "it overlaps no region of the layer below");
+            if (o.below >= i || regions[o.below].layer >= r.layer) bad(r, "it lies on no region of a layer below");
+            if (o.link && regions[o.below].layer + 1 != r.layer)
+                bad(r, "its link leads to no region of the layer below");
             if (o.link) links.emplace_back(o.below, r.id);
-            support.emplace_back(o.below, r.id);
+            if (regions[o.below].layer + 1 == r.layer) support.emplace_back(o.below, r.id);
         }
     }
     g.up = arcs(g.size(), std::move(links));
@@ -69,6 +70,14 @@ Graph support_graph(std::span<const polygon::Region> regions) {
     g.after = arcs(g.size(), std::move(support));
     g.before = reversed(g.after);
     return g;
+}
+
+std::vector<Pair> carried_from_afar(std::span<const polygon::Region> regions) {
+    std::vector<Pair> out;
+    for (const auto& r : regions)
+        for (const auto& o : r.below)
+            if (regions[o.below].layer + 1 < r.layer) out.emplace_back(o.below, r.id);
+    return out;
 }
 
 namespace {

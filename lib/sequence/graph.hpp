@@ -50,9 +50,13 @@ struct Columns {
 };
 
 // What support alone says about `regions`, which come layer by layer, ids without gaps: links where the regions say so,
-// support where they share area at all.
-// Throws Error(bad_input) if ids or layers do not ascend or an overlap names no region of the layer below.
+// support where they lie on a region of the layer next below.
+// Throws Error(bad_input) if ids or layers do not ascend, an overlap names no region of a layer below, or a link one of
+// another than the next below.
 Graph support_graph(std::span<const polygon::Region> regions);
+
+// Of those that a gap parts, as of a part from what carries it: below, above.  They have no say in columns.
+std::vector<Pair> carried_from_afar(std::span<const polygon::Region> regions);
 
 // Each region continues the column of one that carries it: one that a link leads from, if there is any, then one with
 // the longest way down, then that of the least `colour` (by region); if that one, likewise, is continued by it.  Of

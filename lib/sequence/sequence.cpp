@@ -56,6 +56,7 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
     if (g.size() == 0) return out;
     const Columns c = columns(g, colours(g));
     const Arcs support = g.after;
+    if (auto far = carried_from_afar(regions); !far.empty()) add_precedence(g, std::move(far));
     std::vector<Outline> outlines;
     std::vector<Pair> hits;
     if (!options.by_layers && !options.head.none) {

@@ -14,13 +14,40 @@ namespace filum::toolpath {
 using geom::Vec2;
 using geom::Vec3;
 
+// What a bead is for, as `skins` and `supports` or the program of a slicer say it: speeds and flows depend on it;
+// `none` where nobody does.
+enum class Feature : std::uint8_t {
+    none,
+    outer_wall,
+    wall,
+    infill, // sparse
+    solid,
+    top,
+    bottom,
+    bridge,
+    gap,
+    ironing,
+    support,
+    interface,
+    skirt, // or brim, or raft
+    tower, // where tools are primed
+};
+inline constexpr std::array<const char*, 14> kFeatureNames{"none",    "outer-wall", "wall",   "infill", "solid",
+                                                           "top",     "bottom",     "bridge", "gap",    "ironing",
+                                                           "support", "interface",  "skirt",  "tower"};
+inline constexpr std::size_t kFeatures = kFeatureNames.size();
+
 // One bead line.  A closed one runs on from its last point to its first.
 struct Curve {
     bool closed = false;
     std::vector<Vec2> points;
-    std::vector<double> width; // mm, per point, or one for all
+    std::vector<double> width;      // mm, per point, or one for all
+    std::vector<Feature> feature{}; // per segment, the first from point 0 to point 1; one for all; none: not told
 
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
+    [[nodiscard]] Feature feature_at(std::size_t segment) const {
+        return feature.empty() ? Feature::none : feature[feature.size() == 1 ? 0 : segment];
+    }
 };
 
 // What fills one region.
@@ -47,27 +74,6 @@ enum class Role : std::uint8_t {
     hairpin,   // fill in a turn that is declared to be tighter than what the path keeps to elsewhere
 };
 inline constexpr std::size_t kRoles = 6;
-
-// What a bead is for, as the program of a slicer says it; `none` where nobody does.
-enum class Feature : std::uint8_t {
-    none,
-    outer_wall,
-    wall,
-    infill, // sparse
-    solid,
-    top,
-    bottom,
-    bridge,
-    gap,
-    ironing,
-    support,
-    interface,
-    skirt, // or brim, or raft
-    tower, // where tools are primed
-};
-inline constexpr std::array<const char*, 14> kFeatureNames{"none",    "outer-wall", "wall",   "infill", "solid",
-                                                           "top",     "bottom",     "bridge", "gap",    "ironing",
-                                                           "support", "interface",  "skirt",  "tower"};
 
 // What happens to the material on a travel.
 enum class Retraction : std::uint8_t {

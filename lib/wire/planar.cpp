@@ -81,9 +81,43 @@ std::vector<double> per_point(const RepeatedField<double>& v, std::size_t n, con
 
 void put_numbers(RepeatedField<double>& to, const std::vector<double>& from) { to.Add(from.begin(), from.end()); }
 
+toolpath::Feature feature(int value, const char* what) {
+    if (value < 0 || static_cast<std::size_t>(value) >= toolpath::kFeatures) bad_frame(what, "unknown feature");
+    return static_cast<toolpath::Feature>(value);
+}
+
+std::vector<toolpath::Feature> features(const proto::Curve& c, std::size_t points) {
+    const std::size_t segments = points - (c.closed() ? 0 : 1), n = static_cast<std::size_t>(c.feature_size());
+    if (n > 1 && n != segments) bad_frame("paths", "its features are neither none, one, nor one per segment");
+    std::vector<toolpath::Feature> out;
+    out.reserve(n);
+    for (const int value : c.feature()) out.push_back(feature(value, "paths"));
+    return out;
+}
+
 Join join(int value, const char* what) {
     if (value < 0 || value > 2) bad_frame(what, "unknown join");
     return static_cast<Join>(value);
+}
+
+polygon::Area area(const proto::Area& m) {
+    if (m.kind() < 0 || m.kind() > 3) bad_frame("region", "unknown kind of area");
+    if (m.pattern() < 0 || m.pattern() > 2) bad_frame("region", "unknown pattern");
+    polygon::Area out{static_cast<polygon::AreaKind>(m.kind()), loops(m.loops(), "region"), m.direction(), m.spacing(),
+                      static_cast<polygon::Pattern>(m.pattern())};
+    if (!usable(out.direction)) bad_frame("region", "a direction is not a number");
+    const bool sparse = out.kind == polygon::AreaKind::sparse;
+    if (!usable(out.spacing) || out.spacing < 0 || (sparse && out.spacing == 0))
+        bad_frame("region", "the spacing of an area is not positive");
+    return out;
+}
+
+void put_area(proto::Area& m, const polygon::Area& area) {
+    m.set_kind(static_cast<proto::AreaKind>(area.kind));
+    put_loops(*m.mutable_loops(), area.loops);
+    m.set_direction(area.direction);
+    m.set_spacing(area.spacing);
+    m.set_pattern(static_cast<proto::Pattern>(area.pattern));
 }
 
 } // namespace
@@ -128,6 +162,10 @@ polygon::Region region(const RawFrame& frame) {
         if (!(o.area() >= 0) || !(o.inradius() >= 0)) bad_frame("region", "an overlap is negative");
         out.below.push_back({o.below(), o.area(), o.inradius(), o.link()});
     }
+    for (const auto& a : m.areas()) out.areas.push_back(area(a));
+    out.walls = m.walls();
+    if (m.purpose() < 0 || m.purpose() > 2) bad_frame("region", "unknown purpose");
+    out.is = static_cast<polygon::RegionClass>(m.purpose());
     return out;
 }
 
@@ -151,6 +189,9 @@ RawFrame frame(const polygon::Region& region) {
     m.set_stroke(region.stroke);
     m.set_join(static_cast<proto::Join>(region.join));
     m.set_inradius(region.inradius);
+    for (const auto& a : region.areas) put_area(*m.add_areas(), a);
+    m.set_walls(region.walls);
+    m.set_purpose(static_cast<proto::RegionClass>(region.is));
     return raw(Tag::region, m);
 }
 
@@ -169,9 +210,10 @@ toolpath::RegionPaths paths(const RawFrame& frame) {
     if (!(out.area >= 0) || !(out.unplaced >= 0)) bad_frame("paths", "an area is negative");
     out.curves.reserve(static_cast<std::size_t>(m.curves_size()));
     for (const auto& c : m.curves()) {
-        toolpath::Curve curve{c.closed(), plane_points(c.x(), c.y(), "paths"), {}};
+        toolpath::Curve curve{c.closed(), plane_points(c.x(), c.y(), "paths"), {}, {}};
         if (curve.points.size() < 2) bad_frame("paths", "a curve has fewer than two points");
         curve.width = per_point(c.width(), curve.points.size(), "paths", "width");
+        curve.feature = features(c, curve.points.size());
         out.curves.push_back(std::move(curve));
     }
     for (const auto& line : m.stacked()) {
@@ -201,6 +243,7 @@ RawFrame frame(const toolpath::RegionPaths& paths) {
             c->mutable_y()->AddAlreadyReserved(p.y);
         }
         put_numbers(*c->mutable_width(), curve.width);
+        for (const auto f : curve.feature) c->add_feature(static_cast<proto::Feature>(f));
     }
     for (const auto& line : paths.stacked) {
         auto* l = m.add_stacked();
@@ -259,9 +302,7 @@ toolpath::Span span(const RawFrame& frame) {
     out.tool = m.tool();
     if (m.retraction() < 0 || m.retraction() > 2) bad_frame("span", "unknown retraction");
     out.retraction = static_cast<toolpath::Retraction>(m.retraction());
-    if (m.feature() < 0 || static_cast<std::size_t>(m.feature()) >= toolpath::kFeatureNames.size())
-        bad_frame("span", "unknown feature");
-    out.feature = static_cast<toolpath::Feature>(m.feature());
+    out.feature = feature(m.feature(), "span");
     return out;
 }
 

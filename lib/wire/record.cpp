@@ -56,6 +56,8 @@ constexpr std::array kMeanings = {
     Meaning{"", "area", "mm2"},
     Meaning{"", "unsupported", "mm2"},
     Meaning{"", "unplaced", "mm2"},
+    Meaning{"", "spacing", "mm"},
+    Meaning{"", "direction", "rad"},
 };
 
 Meaning meaning(const FieldDescriptor& f) {
@@ -92,6 +94,8 @@ double number(const Message& m, const FieldDescriptor* f, std::optional<int> i) 
         return static_cast<double>(i ? r->GetRepeatedInt64(m, f, *i) : r->GetInt64(m, f));
     case FieldDescriptor::CPPTYPE_BOOL:
         return (i ? r->GetRepeatedBool(m, f, *i) : r->GetBool(m, f)) ? 1 : 0;
+    case FieldDescriptor::CPPTYPE_ENUM:
+        return i ? r->GetRepeatedEnumValue(m, f, *i) : r->GetEnumValue(m, f);
     default:
         throw Error(Exit::failure, "internal error: no way to show '" + f->full_name() + "'");
     }

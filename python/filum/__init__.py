@@ -11,9 +11,8 @@ Lengths are mm, angles rad, times s, stresses MPa; options in degrees are named 
 with its own message: UsageError, InputError, Truncated, FileError, WorkError, all of them filum.Error.
 """
 from . import errors, plot, programs
-from .data import (Curve, Fact, Feature, Field, Isolines, Join, Layer, Line, Loops, Note, Overlap, Paths, Payload, Region,
-                   Retraction, Role, Run,
-                   Setting, Sources, Span, Surface)
+from .data import (Area, AreaKind, Curve, Fact, Feature, Field, Isolines, Join, Layer, Line, Loops, Note, Overlap, Paths,
+                   Pattern, Payload, Region, RegionClass, Retraction, Role, Run, Setting, Sources, Span, Surface)
 from .errors import Error, FileError, InputError, Truncated, UsageError, WorkError
 from .pipeline import Pipeline, begin
 from .stages import COUNT, DEG, MM, SECONDS, SHARE, Stage, stage
@@ -21,9 +20,9 @@ from .streams import Stream, read, write
 
 __version__ = "0.1.0"
 __all__ = [
-    "begin", "COUNT", "Curve", "DEG", "Error", "errors", "Fact", "Feature", "Field", "FileError", "InputError", "Isolines",
-    "Join", "Layer", "Line", "Loops", "MM", "Note", "Overlap", "Paths", "Payload", "Pipeline", "plot", "programs",
-    "read", "Region", "Retraction", "Role", "Run", "SECONDS", "Setting", "SHARE", "Sources", "Span", "Stage", "stage", "Stream",
+    "Area", "AreaKind", "begin", "COUNT", "Curve", "DEG", "Error", "errors", "Fact", "Feature", "Field", "FileError", "InputError", "Isolines",
+    "Join", "Layer", "Line", "Loops", "MM", "Note", "Overlap", "Paths", "Pattern", "Payload", "Pipeline", "plot", "programs",
+    "read", "Region", "RegionClass", "Retraction", "Role", "Run", "SECONDS", "Setting", "SHARE", "Sources", "Span", "Stage", "stage", "Stream",
     "Surface", "Truncated", "UsageError", "WorkError", "write",
 ]
 

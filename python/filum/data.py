@@ -9,13 +9,13 @@ import math
 import numpy as np
 
 from . import stream_pb2
-from .planar import (Curve, Feature, Join, Layer, Line, Loops, Overlap, Paths, Region, Retraction, Role, Span, ints,
-                     listed)
+from .planar import (Area, AreaKind, Curve, Feature, Join, Layer, Line, Loops, Overlap, Paths, Pattern, Region, RegionClass,
+                     Retraction, Role, Span, ints, listed)
 from .surface import Field, Isolines, Sources, Surface
 
 Payload = enum.IntEnum("Payload", stream_pb2.Payload.items())
 Payload.__doc__ = "What a stream carries: LAYERS, REGIONS, PATHS, TOOLPATH or SURFACE."
-_ENUMS = {e.__name__: e for e in (Feature, Join, Payload, Retraction, Role)}
+_ENUMS = {e.__name__: e for e in (AreaKind, Feature, Join, Pattern, Payload, RegionClass, Retraction, Role)}
 
 
 @dataclasses.dataclass(eq=False)
@@ -74,7 +74,7 @@ class Run:
 
 
 CLASSES = {c.message.DESCRIPTOR.full_name: c for c in (
-    Loops, Layer, Overlap, Region, Curve, Line, Paths, Span, Field, Sources, Isolines, Surface, Note, Fact, Setting, Run)}
+    Loops, Layer, Overlap, Area, Region, Curve, Line, Paths, Span, Field, Sources, Isolines, Surface, Note, Fact, Setting, Run)}
 FRAME_OF = {Layer: "layer", Region: "region", Paths: "paths", Span: "span", Surface: "surface", Note: "note", Fact: "fact"}
 PAYLOAD_OF = {Layer: Payload.LAYERS, Region: Payload.REGIONS, Paths: Payload.PATHS, Span: Payload.TOOLPATH,
               Surface: Payload.SURFACE}

@@ -16,6 +16,12 @@ Retraction = enum.IntEnum("Retraction", planar_pb2.Retraction.items())
 Retraction.__doc__ = "What happens to the material on a travel: BY_MACHINE (as the profile says), NOT_TAKEN, TAKEN_BACK."
 Feature = enum.IntEnum("Feature", planar_pb2.Feature.items())
 Feature.__doc__ = "What a bead is for, as the program of a slicer says it: OUTER_WALL, WALL, INFILL and so on; UNTOLD."
+AreaKind = enum.IntEnum("AreaKind", planar_pb2.AreaKind.items())
+AreaKind.__doc__ = "What a part of a region is: SKIN_TOP, SKIN_BOTTOM, BRIDGED are solid; SPARSE is filled in part."
+Pattern = enum.IntEnum("Pattern", planar_pb2.Pattern.items())
+Pattern.__doc__ = "How a sparse area is filled: ROWS, WAVE, CONCENTRIC."
+RegionClass = enum.IntEnum("RegionClass", planar_pb2.RegionClass.items())
+RegionClass.__doc__ = "What a region is there for: PART, CARRIER (a support), RIM (brim or skirt)."
 Role = enum.IntEnum("Role", planar_pb2.Role.items())
 Role.__doc__ = "What a span is: BEAD, LIFT, JOG, CONNECTOR, HAIRPIN extrude; TRAVEL does not."
 
@@ -123,6 +129,25 @@ class Overlap:
 
 
 @dataclasses.dataclass(eq=False)
+class Area:
+    """A part of a region that is not filled like the rest.
+
+    kind: AreaKind
+    loops: Loops
+    direction: rad, of bridges and of rows, from the x axis
+    spacing: mm, sparse: from line to line
+    pattern: Pattern, sparse
+    """
+
+    message = planar_pb2.Area
+    kind: int = AreaKind.SKIN_TOP
+    loops: Loops = dataclasses.field(default_factory=Loops)
+    direction: float = 0.0
+    spacing: float = 0.0
+    pattern: int = Pattern.ROWS
+
+
+@dataclasses.dataclass(eq=False)
 class Region:
     """One connected region of one layer.
 
@@ -136,6 +161,9 @@ class Region:
     unsupported: mm2 with nothing below
     stroke, join: set by `sequence`: number of the stroke, and how it comes here
     inradius: mm, a circle of it fits into the region (a lower bound)
+    areas: list of Area, set by `skins`: what is in none is solid
+    walls: rings along the outline; 0: no walls are told apart, and it is solid all through
+    purpose: RegionClass
     """
 
     message = planar_pb2.Region
@@ -151,6 +179,9 @@ class Region:
     stroke: int = 0
     join: int = Join.START
     inradius: float = 0.0
+    areas: list = listed()
+    walls: int = 0
+    purpose: int = RegionClass.PART
 
     def filled(self, curves):
         """The Paths that fill this region by `curves` (list of Curve).  What no bead reaches is taken for the area
@@ -167,6 +198,7 @@ class Curve:
     closed: it ends where it begins; the first point is not repeated
     x, y: mm
     width: mm, per point, or one for all
+    feature: Feature, per segment, or one for all; none: not told
     """
 
     message = planar_pb2.Curve
@@ -174,6 +206,7 @@ class Curve:
     x: np.ndarray = floats()
     y: np.ndarray = floats()
     width: np.ndarray = floats()
+    feature: np.ndarray = ints()
 
     @classmethod
     def of(cls, points, width, closed=True):

@@ -21,6 +21,7 @@ make_more_inputs() {
     boxes apart.stl 0,0,0,5,5,1 5.01,0,0,9,5,1 # a hairline apart
     boxes thin.stl 0,0,0,12,0.3,1            # a wall thinner than a bead
     boxes neck.stl 0,0,0,4,4,1 4,1.8,0,8,2.2,1 8,0,0,12,4,1 0,0,1,4,4,2 3.9,0,1,4.1,0.3,2 # a narrow way between
+    boxes ledge.stl 0,0,0,20,12,0.6 0,0,0,4,12,4 0,0,3,14,12,4 # overhangs its own foot
     boxes cutter.stl -20,-3,-5,3,20,5
     half_ball 6 > round.off
     without_triangles 3 < round.off > holed.off

@@ -19,7 +19,8 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kPlanar[] = {"slice", "regions", "sequence", "fill", "link3d", "postproc"};
+constexpr const char* kPlanar[] = {"slice", "regions", "skins", "supports", "sequence", "fill", "link3d", "postproc"};
+constexpr const char* kByWish[] = {"skins", "supports"}; // only where one of the options that they alone have is given
 
 int tell(const std::string& text) {
     stream::Sink out("-", stream::Sink::Content::text);
@@ -28,12 +29,47 @@ int tell(const std::string& text) {
     return 0;
 }
 
+bool by_wish(const Stage& stage) {
+    return std::find(std::begin(kByWish), std::end(kByWish), stage.name) != std::end(kByWish);
+}
+
+// Whether one of the words is an option that no other stage has, or one of this stage by its name.
+bool wished(const std::vector<std::string>& words, const std::vector<Stage>& stages, const Stage& stage) {
+    const auto has = [](const Stage& s, const std::string& name) {
+        return std::any_of(s.options.begin(), s.options.end(), [&](const StageOption& o) { return o.name == name; });
+    };
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        if (word.starts_with("--" + stage.name + ".") || word.starts_with("--stage=" + stage.name + "=") ||
+            word.starts_with(stage.name + "="))
+            return true;
+        const std::string name = word.starts_with("--") ? word.substr(2, word.find('=') - 2) : "";
+        return has(stage, name) && std::none_of(stages.begin(), stages.end(), [&](const Stage& other) {
+                   return other.name != stage.name && has(other, name);
+               });
+    });
+}
+
+// Leaves out the stages that nobody asks for.
+void keep_wished(const std::vector<std::string>& words, Request& request, std::vector<Stage>& stages) {
+    const std::vector<Stage> all = stages;
+    const Request given = request;
+    stages.clear(), request.arguments.clear();
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        if (by_wish(all[s]) && !wished(words, all, all[s])) continue;
+        stages.push_back(all[s]), request.arguments.push_back(given.arguments[s]);
+    }
+}
+
 std::string print_help(const std::vector<Stage>& stages) {
     std::string out = "usage: filum print [OPTIONS] [MESH]\n\n"
                       "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
-    for (const auto& s : stages) out += (&s == stages.data() ? " " : " | ") + s.name;
+    for (const auto& s : stages) {
+        out += &s == stages.data() ? " " : " | ";
+        out += by_wish(s) ? "[" + s.name + "]" : s.name;
+    }
     out +=
-        "\n\nAn option goes to every stage that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
+        "\n\nA stage in brackets takes part where an option is given that it alone has.\nAn option goes to every stage "
+        "that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
         "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
         "On a terminal it shows the slowest stage, and at the end in five lines what was made; the same lines stand\n"
         "first in the program.\n"
@@ -148,7 +184,8 @@ int print_part(const std::vector<std::string>& words) {
     for (const char* name : kPlanar) stages.push_back(ask(name));
     if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return tell(print_help(stages));
     swap(words, stages);
-    const Request request = route(words, stages);
+    Request request = route(words, stages);
+    keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
     check_profiles(request, stages);

@@ -33,6 +33,9 @@ polygon::Region good_region() {
     r.id = 4, r.layer = 3, r.z = 0.6, r.height = 0.2, r.area = 100, r.parent = -1, r.stroke = 2, r.join = Join::beside;
     r.loops = square(10);
     r.below = {{1, 50, 2}, {2, 25, 0}};
+    r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::Pattern::wave},
+               {polygon::AreaKind::skin_top, square(2), 0, 0, {}}};
+    r.walls = 2;
     return r;
 }
 
@@ -40,6 +43,8 @@ toolpath::RegionPaths good_paths() {
     toolpath::RegionPaths p;
     p.region = 4, p.layer = 3, p.z = 0.6, p.height = 0.2, p.area = 100, p.join = Join::vertical, p.unplaced = 0.5;
     p.curves = {{true, {{0, 0}, {1, 0}, {1, 1}}, {0.4}}, {false, {{0, 0}, {1, 0}}, {0.4, 0.5}}};
+    p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
+    p.curves[1].feature = {toolpath::Feature::solid};
     p.stacked = {{{0, 0}, {1, 0}}};
     return p;
 }
@@ -53,7 +58,9 @@ toolpath::Span good_span() {
             {0.4, 0.4, 0.5},
             {0.2},
             {{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}},
-            5};
+            5,
+            toolpath::Retraction::by_machine,
+            toolpath::Feature::bridge};
 }
 
 TEST(planar, everything_comes_out_as_it_went_in) {
@@ -68,11 +75,21 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_EQ(r.join, Join::beside);
     ASSERT_EQ(r.below.size(), 2U);
     EXPECT_EQ(r.below[1].area, 25);
+    ASSERT_EQ(r.areas.size(), 2U);
+    EXPECT_EQ(r.areas[0].kind, polygon::AreaKind::sparse);
+    EXPECT_EQ(r.areas[0].loops.points, square(5).points);
+    EXPECT_EQ(r.areas[0].direction, 0.5);
+    EXPECT_EQ(r.areas[0].spacing, 3);
+    EXPECT_EQ(r.areas[0].pattern, polygon::Pattern::wave);
+    EXPECT_EQ(r.areas[1].kind, polygon::AreaKind::skin_top);
+    EXPECT_EQ(r.walls, 2U);
     const auto p = paths(frame(good_paths()));
     ASSERT_EQ(p.curves.size(), 2U);
     EXPECT_TRUE(p.curves[0].closed);
     EXPECT_EQ(p.curves[1].width, (std::vector<double>{0.4, 0.5}));
     EXPECT_EQ(p.unplaced, 0.5);
+    EXPECT_EQ(p.curves[0].feature, good_paths().curves[0].feature);
+    EXPECT_EQ(p.curves[1].feature_at(0), toolpath::Feature::solid);
     EXPECT_EQ(p.stacked, good_paths().stacked);
     const auto s = span(frame(good_span()));
     EXPECT_EQ(s.points, good_span().points);
@@ -80,6 +97,7 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_EQ(s.role, toolpath::Role::jog);
     EXPECT_EQ(s.normals, good_span().normals);
     EXPECT_EQ(s.tool, 5U);
+    EXPECT_EQ(s.feature, toolpath::Feature::bridge);
 }
 
 TEST(planar, an_empty_layer_is_allowed) {
@@ -124,30 +142,36 @@ TEST(planar, broken_regions_are_refused) {
                [](M& m) { m.set_unsupported(-1); }, [](M& m) { m.set_unsupported(kNan); },
                [](M& m) { m.clear_loops(); }, [](M& m) { m.set_join(static_cast<proto::Join>(7)); },
                [](M& m) { m.set_join(static_cast<proto::Join>(-1)); }, [](M& m) { m.mutable_below(0)->set_area(-1); },
-               [](M& m) { m.mutable_below(1)->set_inradius(kNan); }});
+               [](M& m) { m.mutable_below(1)->set_inradius(kNan); }, [](M& m) { m.mutable_areas(0)->set_spacing(0); },
+               [](M& m) { m.mutable_areas(1)->set_spacing(-1); }, [](M& m) { m.mutable_areas(0)->set_direction(kNan); },
+               [](M& m) { m.mutable_areas(0)->set_kind(static_cast<proto::AreaKind>(9)); },
+               [](M& m) { m.mutable_areas(0)->set_pattern(static_cast<proto::Pattern>(9)); },
+               [](M& m) { m.mutable_areas(0)->mutable_loops()->set_x(0, kNan); }});
 }
 
 TEST(planar, broken_paths_are_refused) {
     using M = proto::RegionPaths;
-    refuse<M>(Tag::paths, good_paths(), paths,
-              {[](M& m) { m.set_height(kNan); }, [](M& m) { m.set_area(-1); }, [](M& m) { m.set_unplaced(kNan); },
-               [](M& m) { m.mutable_curves(0)->clear_width(); }, [](M& m) { m.mutable_curves(0)->add_width(0.4); },
-               [](M& m) { m.mutable_curves(0)->set_width(0, 0); },
-               [](M& m) { m.mutable_curves(0)->set_width(0, kNan); },
-               [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
-               [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
-               [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
+    refuse<M>(
+        Tag::paths, good_paths(), paths,
+        {[](M& m) { m.set_height(kNan); }, [](M& m) { m.set_area(-1); }, [](M& m) { m.set_unplaced(kNan); },
+         [](M& m) { m.mutable_curves(0)->clear_width(); }, [](M& m) { m.mutable_curves(0)->add_width(0.4); },
+         [](M& m) { m.mutable_curves(0)->set_width(0, 0); }, [](M& m) { m.mutable_curves(0)->set_width(0, kNan); },
+         [](M& m) { m.mutable_curves(0)->set_feature(0, static_cast<proto::Feature>(99)); },
+         [](M& m) { m.mutable_curves(0)->add_feature(proto::WALL), m.mutable_curves(0)->add_feature(proto::WALL); },
+         [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
+         [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
+         [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
 }
 
 TEST(planar, broken_spans_are_refused) {
     using M = proto::Span;
     refuse<M>(Tag::span, good_span(), span,
               {[](M& m) { m.set_role(static_cast<proto::Role>(9)); }, [](M& m) { m.set_tool(1001); },
-               [](M& m) { m.set_role(proto::TRAVEL); }, [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); },
-               [](M& m) { m.clear_z(); }, [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); },
-               [](M& m) { m.set_height(0, 0); }, [](M& m) { m.clear_x(), m.clear_y(); }, [](M& m) { m.set_nz(0, 0.9); },
-               [](M& m) { m.add_nx(1); }, [](M& m) { m.set_ny(1, kNan); },
-               [](M& m) { m.clear_nx(), m.clear_ny(), m.clear_nz(), m.add_nx(1); }});
+               [](M& m) { m.set_feature(static_cast<proto::Feature>(99)); }, [](M& m) { m.set_role(proto::TRAVEL); },
+               [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); }, [](M& m) { m.clear_z(); },
+               [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); }, [](M& m) { m.set_height(0, 0); },
+               [](M& m) { m.clear_x(), m.clear_y(); }, [](M& m) { m.set_nz(0, 0.9); }, [](M& m) { m.add_nx(1); },
+               [](M& m) { m.set_ny(1, kNan); }, [](M& m) { m.clear_nx(), m.clear_ny(), m.clear_nz(), m.add_nx(1); }});
 }
 
 TEST(planar, a_frame_of_another_kind_is_refused) {

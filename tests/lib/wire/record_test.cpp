@@ -37,6 +37,7 @@ stream::RawFrame region_frame() {
     r.id = 3, r.layer = 4, r.z = 5.5, r.height = 0.25, r.loops = holed(10), r.area = 1.875, r.parent = 1;
     r.below = {{7, 0.75, 0.125, true}, {8, 0.5, 0.0625, false}};
     r.unsupported = 0.375, r.stroke = 9, r.join = Join::beside, r.inradius = 0.6;
+    r.areas = {{polygon::AreaKind::sparse, r.loops, 0.5, 3, polygon::Pattern::wave}}, r.walls = 2;
     return frame(r);
 }
 
@@ -44,6 +45,7 @@ stream::RawFrame paths_frame() {
     toolpath::RegionPaths p;
     p.region = 3, p.layer = 4, p.z = 5.5, p.height = 0.25, p.area = 1.875, p.stroke = 9, p.join = Join::vertical;
     p.curves = {{true, {{1, 2}, {3, 4}, {5, 6}}, {0.4}}, {false, {{7, 8}, {9, 10}}, {0.3, 0.35}}};
+    p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
     p.unplaced = 0.015;
     p.stacked = {{{11, 12}, {13, 14}, {15, 16}}};
     return frame(p);
@@ -139,6 +141,8 @@ TEST(record, holds_every_value_of_its_frame) {
             if (f.cpp_type() == FieldDescriptor::CPPTYPE_STRING) text = text.substr(1, text.size() - 2);
             if (f.cpp_type() == FieldDescriptor::CPPTYPE_DOUBLE) text = shortest_text(std::stod(text));
             if (f.cpp_type() == FieldDescriptor::CPPTYPE_BOOL) text = text == "true" ? "yes" : "no";
+            if (f.cpp_type() == FieldDescriptor::CPPTYPE_ENUM && f.is_repeated()) // columns hold numbers
+                text = std::to_string(f.enum_type()->FindValueByName(text)->number());
             if (f.cpp_type() == FieldDescriptor::CPPTYPE_ENUM)
                 for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
             const auto at = found.values.find(text);
@@ -197,9 +201,9 @@ TEST(record, has_units_and_puts_values_first_then_tables_then_records) {
     const Record r = record(region_frame());
     std::vector<std::string> order;
     for (const Entry& e : r.entries) order.push_back(e.name + " " + e.unit);
-    EXPECT_EQ(order,
-              (std::vector<std::string>{"id ", "layer ", "z mm", "height mm", "area mm2", "parent ", "unsupported mm2",
-                                        "stroke ", "join ", "inradius mm", "loops ", "below "}));
+    EXPECT_EQ(order, (std::vector<std::string>{"id ", "layer ", "z mm", "height mm", "area mm2", "parent ",
+                                               "unsupported mm2", "stroke ", "join ", "inradius mm", "walls ", "class ",
+                                               "loops ", "below ", "areas "}));
     EXPECT_TRUE(std::get<Word>(entry(r, "join").value).named);
     const auto& loops = std::get<std::vector<Record>>(entry(r, "loops").value);
     ASSERT_EQ(loops.size(), 2U);

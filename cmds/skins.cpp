@@ -1,0 +1,86 @@
+// skins - what of each region must be solid, and what is filled in part
+// reads:  Regions
+// writes: Regions
+// memory: the whole part
+#include "skins/skins.hpp"
+#include "base/number.hpp"
+#include "cli/output.hpp"
+#include "wire/planar.hpp"
+
+namespace {
+
+using namespace filum;
+
+struct Options {
+    skins::Options how;
+    std::string infill = "15%", pattern = "rows";
+};
+
+cli::Spec spec(Options& all) {
+    using cli::Option;
+    skins::Options& o = all.how;
+    return {
+        .name = "skins",
+        .synopsis = "what of each region must be solid, and what is filled in part",
+        .description =
+            "Says of each region which parts are sparse: filled in part only. Solid stays what is seen from above or "
+            "below, --top and --bottom layers deep, what lies within --walls rings of the outline, and what is "
+            "narrower than two beads. 'fill' then makes of each region one curve of walls, skins and sparse infill; a "
+            "region without sparse parts is filled as if this stage were not there, and so are all with --infill "
+            "100%.\n\n"
+            "Skins reach over what is sparse by half of what lies between two lines, so that a line lies under each. "
+            "Where lines are farther apart than --bridge, those of the two layers under a skin lie nearer to each "
+            "other.\n\n"
+            "--infill is a share of volume: the spacing of the lines is found such that all that is laid in sparse "
+            "parts, links included, is that share of them, but for those under skins with lines nearer to each other. "
+            "The spacing is told as a fact. Lines lie at the same places in all layers, rows at 45 and 135 degrees in "
+            "turn, so that they lie on each other; waves are the lines of a gyroid.",
+        .in = cli::reads(stream::Payload::regions),
+        .out = cli::writes(stream::Payload::regions),
+        .memory = "the whole part",
+        .options =
+            {Option{"infill", &all.infill, "PERCENT",
+                    "share of the volume inside that is laid: 15%, or 0.15; 100%: all is solid"}
+                 .a_limit(),
+             Option{"infill-pattern", &all.pattern, "", "how sparse parts are filled"}
+                 .one_of({"rows", "wave"})
+                 .a_limit(),
+             Option{"walls", &o.walls, "N", "rings along the outline"}.within(1, 1000).a_limit(),
+             Option{"top", &o.top, "LAYERS", "solid layers under what is seen from above"}.within(0, 1e6).a_limit(),
+             Option{"bottom", &o.bottom, "LAYERS", "solid layers over what is seen from below"}
+                 .within(0, 1e6)
+                 .a_limit(),
+             Option{"bridge", &o.bridge, "MM",
+                    "widest gap between lines under a skin; there they lie nearer to each other if need be"}
+                 .within(0.01, 1e6)
+                 .a_limit(),
+             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
+                 .within(0.01, 100)
+                 .same_as({"regions.bead-width"})
+                 .a_limit()},
+        .examples = {{"slice part.stl | regions | skins > part.regions", "two walls, four skins, 15 % inside"},
+                     {"slice part.stl | regions | skins --infill 30% --walls 3 | sequence | fill > part.paths",
+                      "stronger"}},
+        .see_also = {"regions", "sequence", "fill"}};
+}
+
+void run(const Options& o, const cli::Io& io) {
+    skins::Options options = o.how;
+    options.infill = skins::share(o.infill);
+    options.pattern = o.pattern == "wave" ? polygon::Pattern::wave : polygon::Pattern::rows;
+    std::vector<polygon::Region> regions;
+    auto whole = cli::read_all(io.input, stream::Payload::regions,
+                               [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });
+    Facts facts;
+    skins::skins(regions, options, facts);
+    whole.header.expected = regions.size();
+    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
+    output.pass_on(whole);
+    output.add(facts);
+    for (const auto& r : regions) output.write(wire::frame(r));
+    output.close();
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

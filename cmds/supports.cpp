@@ -1,0 +1,100 @@
+// supports - what carries overhangs, and what holds the first layer
+// reads:  Regions
+// writes: Regions
+// memory: the whole part
+#include "supports/supports.hpp"
+#include "cli/output.hpp"
+#include "geom/angle.hpp"
+#include "wire/planar.hpp"
+
+namespace {
+
+using namespace filum;
+
+struct Options {
+    supports::Options how;
+    double angle_deg = 45;
+    std::string on = "everywhere";
+};
+
+cli::Spec spec(Options& all) {
+    using cli::Option;
+    supports::Options& o = all.how;
+    return {
+        .name = "supports",
+        .synopsis = "what carries overhangs, and what holds the first layer",
+        .description =
+            "Adds regions that are no part: with --support columns under whatever leans out by more than "
+            "--support-angle, with --brim a band about the first layer, with --skirt a ring apart from it. They are "
+            "ordered, filled and joined like all regions: a column climbs as a stroke of its own, before what it "
+            "carries.\n\n"
+            "A column stands on the bed or, unless told otherwise, on the part. It keeps clear of the part by --beside "
+            "in "
+            "a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, in "
+            "the "
+            "last --interface layers two bead widths. Columns nearer to each other than four bead widths are one.\n\n"
+            "What cannot be carried, for lack of room, is told. Put this stage behind 'skins', if that is there.",
+        .in = cli::reads(stream::Payload::regions),
+        .out = cli::writes(stream::Payload::regions),
+        .memory = "the whole part",
+        .options = {Option{"support", &o.support, "", "carry what overhangs"}.a_limit(),
+                    Option{"support-on", &all.on, "", "where columns may stand"}
+                        .one_of({"everywhere", "bed"})
+                        .when("support")
+                        .a_limit(),
+                    Option{"support-angle", &all.angle_deg, "DEG",
+                           "walls that lean by less from the vertical carry themselves"}
+                        .within(0, 89)
+                        .when("support")
+                        .a_limit(),
+                    Option{"gap", &o.gap, "LAYERS", "left out between part and support"}
+                        .within(1, 100)
+                        .when("support")
+                        .a_limit(),
+                    Option{"beside", &o.beside, "MM", "between part and support in a layer"}
+                        .within(0, 100)
+                        .when("support")
+                        .a_limit(),
+                    Option{"interface", &o.interface, "LAYERS",
+                           "of a support next to the part, with lines nearer to each other"}
+                        .within(0, 100)
+                        .when("support")
+                        .a_limit(),
+                    Option{"support-spacing", &o.spacing, "MM", "from line to line of a support"}
+                        .within(0.1, 100)
+                        .when("support")
+                        .a_limit(),
+                    Option{"brim", &o.brim, "MM", "width of a band about the first layer"}.within(0, 100),
+                    Option{"skirt", &o.skirt, "MM", "how far a ring keeps away from the first layer; 0: none"}.within(
+                        0, 100),
+                    Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
+                        .within(0.01, 100)
+                        .same_as({"regions.bead-width"})
+                        .a_limit()},
+        .examples = {{"slice part.stl | regions | supports --support | sequence > part.sequence", "with supports"},
+                     {"slice part.stl | regions | skins | supports --brim 5 | sequence | fill > part.paths",
+                      "a hollow part with a brim"}},
+        .see_also = {"regions", "skins", "sequence"}};
+}
+
+void run(const Options& o, const cli::Io& io) {
+    supports::Options options = o.how;
+    options.angle = geom::radians(o.angle_deg), options.on_part = o.on == "everywhere";
+    std::vector<polygon::Region> regions;
+    auto whole = cli::read_all(io.input, stream::Payload::regions,
+                               [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });
+    Facts facts;
+    Notes notes;
+    const auto all = supports::supports(std::move(regions), options, facts, notes);
+    whole.header.expected = all.size();
+    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
+    output.pass_on(whole);
+    output.add(notes);
+    output.add(facts);
+    for (const auto& r : all) output.write(wire::frame(r));
+    output.close();
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }

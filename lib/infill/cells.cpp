@@ -1,0 +1,118 @@
+#include "infill/cells.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace filum::infill {
+
+namespace {
+
+using geom::Vec2;
+using polygon::Pattern;
+
+constexpr double kBeyond = 1; // mm that cells reach beyond the area
+constexpr int kSteps = 32;    // of a wave
+constexpr double kWave = 2.4; // lengths of a wave: spacings, see docs/algorithms/infill.md
+constexpr double kTau = 2 * std::numbers::pi;
+
+// The box of the points in a frame with the x axis along `along`.
+geom::Box2 box_along(const Loops& area, Vec2 along) {
+    const Vec2 across = geom::left_of(along);
+    geom::Box2 box{{1e300, 1e300}, {-1e300, -1e300}};
+    for (const Vec2 p : area.points) {
+        const Vec2 q{dot(p, along), dot(p, across)};
+        box.lo = {std::min(box.lo.x, q.x), std::min(box.lo.y, q.y)};
+        box.hi = {std::max(box.hi.x, q.x), std::max(box.hi.y, q.y)};
+    }
+    return box;
+}
+
+Loops even_rows(const Loops& area, const Lines& o) {
+    const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
+    const auto box = box_along(area, along);
+    Loops out;
+    for (double k = 2 * std::floor(box.lo.y / o.spacing / 2); k * o.spacing < box.hi.y; k += 2) {
+        const double v0 = k * o.spacing, v1 = (k + 1) * o.spacing, u0 = box.lo.x - kBeyond, u1 = box.hi.x + kBeyond;
+        const Vec2 corners[] = {u0 * along + v0 * across, u1 * along + v0 * across, u1 * along + v1 * across,
+                                u0 * along + v1 * across};
+        out.add(corners);
+    }
+    return out;
+}
+
+// Where sin x cos y + sin y cos z + sin z cos x, a gyroid, is below 0: strips that wind along x where the layer cuts it
+// so that each line has one y for every x, else along y (with the axes changed the equation keeps its form).
+Loops even_waves(const Loops& area, const Lines& o) {
+    const double scale = kTau / (kWave * o.spacing), z = scale * o.z;
+    const bool along_x = std::abs(std::cos(z)) >= std::abs(std::sin(z));
+    const auto flat = box_along(area, {1, 0});
+    const double t0 = scale * ((along_x ? flat.lo.x : flat.lo.y) - kBeyond);
+    const double t1 = scale * ((along_x ? flat.hi.x : flat.hi.y) + kBeyond);
+    const double v0 = scale * (along_x ? flat.lo.y : flat.lo.x), v1 = scale * (along_x ? flat.hi.y : flat.hi.x);
+    // the line's two branches at t: below zero between them
+    const auto branches = [&](double t) -> Vec2 {
+        const double a = along_x ? std::sin(t) : std::sin(z), b = along_x ? std::cos(z) : std::cos(t);
+        const double c = along_x ? -std::sin(z) * std::cos(t) : -std::sin(t) * std::cos(z);
+        const double middle = std::atan2(b, a), half = std::acos(std::clamp(c / std::hypot(a, b), -1.0, 1.0));
+        return {middle + half, middle + kTau - half};
+    };
+    const auto place = [&](double t, double v) {
+        return along_x ? Vec2{t / scale, v / scale} : Vec2{v / scale, t / scale};
+    };
+    const double step = kTau / kSteps;
+    const auto first = static_cast<std::int64_t>(std::floor(t0 / step)),
+               last = static_cast<std::int64_t>(std::ceil(t1 / step));
+    Loops out;
+    for (double k = std::floor(v0 / kTau) - 2; k * kTau < v1 + kTau; ++k) {
+        for (std::int64_t i = first; i <= last; ++i) {
+            const double t = static_cast<double>(i) * step;
+            out.points.push_back(place(t, branches(t).x + k * kTau));
+        }
+        for (std::int64_t i = last; i >= first; --i) {
+            const double t = static_cast<double>(i) * step;
+            out.points.push_back(place(t, branches(t).y + k * kTau));
+        }
+        if (!along_x) std::reverse(out.points.end() - 2 * (last - first + 1), out.points.end());
+        out.close();
+    }
+    return out;
+}
+
+// The part of 0 .. u where the whole part of u is even; negative for negative u.
+double even_part(double u) {
+    const double n = std::floor(u / 2);
+    return n + std::min(u - 2 * n, 1.0);
+}
+
+double even_length_rows(const Loops& area, const Lines& o) {
+    const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
+    double out = 0;
+    for (std::size_t l = 0; l < area.size(); ++l) {
+        const auto loop = area[l];
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const Vec2 p = loop[i], q = loop[i + 1 == loop.size() ? 0 : i + 1];
+            const double u = dot(p, across) / o.spacing, v = dot(q, across) / o.spacing;
+            const double sign = v > u ? 1 : -1;
+            for (double k = std::ceil(std::min(u, v)); k < std::max(u, v); ++k)
+                out += sign * dot(geom::lerp(p, q, (k - u) / (v - u)), along); // where line k leaves or enters
+            const double even = v != u ? (even_part(v) - even_part(u)) / (v - u)
+                                       : (static_cast<std::int64_t>(std::floor(u)) % 2 == 0 ? 1 : 0);
+            out += even * geom::distance(p, q);
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+Loops even_cells(const Loops& area, const Lines& o) {
+    if (o.pattern == Pattern::wave) return even_waves(area, o);
+    return even_rows(area, o);
+}
+
+double even_length(const Loops& area, const Lines& o) {
+    if (o.pattern == Pattern::rows) return even_length_rows(area, o);
+    return polygon::signed_area(area) / o.spacing + length(area) / 2; // as anywhere on average
+}
+
+} // namespace filum::infill

@@ -1,0 +1,45 @@
+// Sparse infill as closed curves (docs/algorithms/infill.md).
+//
+// The plane is parted into cells of two kinds by lines that never meet, as the surface of a zebra: even cells and odd
+// ones.  The outlines of the even cells within an area are closed, cross nothing, pass each line exactly once, and
+// follow the area's outline from line to line, which anchors them there.
+#pragma once
+
+#include "polygon/region.hpp"
+
+#include <span>
+
+namespace filum::infill {
+
+using polygon::Loops;
+
+struct Lines {
+    polygon::Pattern pattern = polygon::Pattern::rows;
+    double direction = 0;    // rad, of rows, from the x axis
+    double spacing = 2;      // mm, from line to line on average: an area A has lines of length A / spacing
+    double bead_width = 0.4; // mm
+    double z = 0;            // mm, of the layer: waves depend on it
+};
+
+// The closed curves that fill `area` (simple): half a bead inside its outline, none nearer than a bead to itself or
+// another.  Even cells narrower than a bead get none.
+Loops loops(const Loops& area, const Lines& lines);
+
+// An area and the lines it gets.
+struct Task {
+    const Loops* area = nullptr;
+    Lines lines;
+};
+
+// The same of an area that is parted: each part has lines of its own, and even cells that meet, if only in a corner, go
+// on from part to part.
+Loops loops(const Loops& area, std::span<const Task> parts);
+
+// mm of all loops.
+double length(const Loops& loops);
+
+// The spacing with which, whatever their own says, the loops of all areas lay `density` of them together, mm.  If the
+// outlines alone are more than that, the spacing is the widest that is tried: 64 times that of endless lines.
+double spacing_for(std::span<const Task> tasks, double density, double bead_width);
+
+} // namespace filum::infill

@@ -1,0 +1,177 @@
+#include "skins/skins.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "infill/infill.hpp"
+#include "parallel/parallel.hpp"
+#include "polygon/clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace filum::skins {
+
+namespace {
+
+using polygon::Loops;
+using polygon::Region;
+
+constexpr double kArc = 0.01;        // mm, of round corners
+constexpr double kHairline = 0.1;    // bead widths: narrower skins are none
+constexpr double kReach = 2;         // bead widths: how far skins reach over what is sparse, at least,
+constexpr double kReachMost = 8;     // and at most
+constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
+constexpr double kNarrowest = 2;     // bead widths: narrower sparse places are made solid
+
+void add(Loops& to, const Loops& from) {
+    for (std::size_t i = 0; i < from.size(); ++i) to.add(from[i]);
+}
+
+// The material of every layer from the first to the last; none where a layer is missing.
+std::vector<Loops> materials(const std::vector<Region>& regions) {
+    std::vector<Loops> out;
+    for (const Region& r : regions) {
+        if (r.layer >= out.size()) out.resize(r.layer + 1);
+        if (r.is == polygon::RegionClass::part) add(out[r.layer], r.loops);
+    }
+    return out;
+}
+
+Loops common(const Loops& a, const Loops& b) {
+    if (a.empty() || b.empty()) return {};
+    if (a.points == b.points && a.start == b.start) return a;
+    return polygon::intersect(a, b);
+}
+
+// What is common to layers i .. i + n - 1, for every i with that many.  By blocks of n: what is common from i to the
+// end of its block, and from there to the last (van Herk 1992), so two steps per layer whatever n.
+std::vector<Loops> common_runs(const std::vector<Loops>& layers, std::size_t n) {
+    const std::size_t count = layers.size();
+    if (n == 0 || count < n) return {};
+    std::vector<Loops> ahead(count), behind(count), out(count - n + 1); // to the end, from the begin of the block
+    parallel::for_chunks(count, n, 0, [&](std::size_t from, std::size_t to) {
+        behind[from] = layers[from], ahead[to - 1] = layers[to - 1];
+        for (std::size_t i = from + 1; i < to; ++i) behind[i] = common(behind[i - 1], layers[i]);
+        for (std::size_t i = to - 1; i-- > from;) ahead[i] = common(ahead[i + 1], layers[i]);
+    });
+    parallel::for_chunks(out.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        out[i] = i % n == 0 ? ahead[i] : common(ahead[i], behind[i + n - 1]);
+    });
+    return out;
+}
+
+// What layer i has both enough material above and below.
+Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::vector<Loops>& below, std::size_t i,
+              const Options& o) {
+    const auto top = static_cast<std::size_t>(o.top), bottom = static_cast<std::size_t>(o.bottom);
+    Loops out = layer;
+    if (top > 0) out = i + 1 < above.size() ? common(out, above[i + 1]) : Loops{};
+    if (bottom > 0) out = i >= bottom && i - bottom < below.size() ? common(out, below[i - bottom]) : Loops{};
+    return out;
+}
+
+// Half of what lies between lines: then a skin is so wide that a line lies under it.
+double reach(const Options& o) { return o.bead_width * std::clamp(1 / (2 * o.infill), kReach, kReachMost); }
+
+// The sparse part of a region of which `inner` has enough above and below: what is far enough from skins, which count
+// where they reach beyond the walls by more than a hairline.
+Loops sparse(const Region& r, const Loops& inner, const Options& o) {
+    if (inner.empty()) return {};
+    const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
+    const Loops within = polygon::offset(r.loops, -(static_cast<double>(o.walls) * w), kArc);
+    if (within.empty()) return {};
+    const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kArc);
+    const Loops rest = skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kArc));
+    return polygon::offset(polygon::offset(rest, -open, kArc), open, kArc);
+}
+
+// What of `area`, the sparse part of a region, carries a skin on one of the next layers.
+Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint32_t layer, const Options& o) {
+    Loops plain = area;
+    for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
+        plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up]) : Loops{};
+    const double open = 2 * kNarrowest * o.bead_width / 2;
+    plain = polygon::offset(polygon::offset(plain, -open, kArc), open, kArc);
+    const Loops rest = polygon::subtract(area, plain);
+    return polygon::offset(polygon::offset(rest, -open / 2, kArc), open / 2, kArc);
+}
+
+// What of a region is seen where the next layer is `other`.
+Loops seen(const Region& r, const Loops& other, const Options& o) {
+    if (other.points == r.loops.points) return {};
+    const double hair = kHairline * o.bead_width / 2;
+    return polygon::offset(polygon::offset(polygon::subtract(r.loops, other), -hair, kArc), hair, kArc);
+}
+
+double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
+
+// Of lines that lay the share of plain areas that is asked for; of dense ones if there are no others; 0 without any.
+double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
+                  const Options& o) {
+    for (const auto* areas : {&plain, &dense}) {
+        std::vector<infill::Task> tasks;
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (!(*areas)[i].empty())
+                tasks.push_back(
+                    {&(*areas)[i], {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z}});
+        if (!tasks.empty()) return infill::spacing_for(tasks, o.infill, o.bead_width);
+    }
+    return 0;
+}
+
+} // namespace
+
+double share(const std::string& text) {
+    const bool percent = !text.empty() && text.back() == '%';
+    const double number = parse_number(percent ? text.substr(0, text.size() - 1) : text, "--infill");
+    const double out = percent ? number / 100 : number;
+    if (!(out > 0 && out <= 1))
+        throw Error(Exit::usage, "cannot use '" + text + "' as --infill: it is not above 0% and up to 100%");
+    return out;
+}
+
+void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
+    if (o.infill >= 1 || regions.empty()) return;
+    const auto layers = materials(regions);
+    const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
+    const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
+    std::vector<Loops> inner(layers.size()), area(regions.size());
+    parallel::for_chunks(layers.size(), 1, 0,
+                         [&](std::size_t i, std::size_t) { inner[i] = covered(layers[i], above, below, i, o); });
+    parallel::for_chunks(regions.size(), 1, 0,
+                         [&](std::size_t i, std::size_t) { area[i] = sparse(regions[i], inner[regions[i].layer], o); });
+    std::vector<Loops> of_layer(layers.size()), dense(regions.size());
+    for (std::size_t i = 0; i < regions.size(); ++i) add(of_layer[regions[i].layer], area[i]);
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        if (area[i].empty()) return;
+        dense[i] = carrying(area[i], of_layer, regions[i].layer, o);
+        area[i] = polygon::subtract(area[i], dense[i]);
+    });
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        Region& r = regions[i];
+        if (r.is != polygon::RegionClass::part) return;
+        r.walls = static_cast<std::uint32_t>(o.walls);
+        const auto put = [&](polygon::AreaKind kind, Loops loops) {
+            if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});
+        };
+        put(polygon::AreaKind::skin_top, seen(r, r.layer + 1 < layers.size() ? layers[r.layer + 1] : Loops{}, o));
+        put(polygon::AreaKind::skin_bottom, seen(r, r.layer > 0 ? layers[r.layer - 1] : Loops{}, o));
+    });
+    const double spacing = spacing_of(regions, area, dense, o);
+    if (spacing == 0) return;
+    const double parts = std::max(1.0, std::ceil(spacing / (o.bridge + o.bead_width)));
+    facts.push_back({"", "infill-spacing", spacing, "mm"});
+    facts.push_back({"", "spacing-under-skins", spacing / parts, "mm"});
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        Region& r = regions[i];
+        const auto put = [&](Loops& loops, double apart) {
+            if (loops.empty()) return;
+            r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), apart, o.pattern});
+        };
+        put(dense[i], spacing / parts);
+        put(area[i], spacing);
+    }
+}
+
+} // namespace filum::skins

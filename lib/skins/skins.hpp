@@ -1,0 +1,30 @@
+// What of a region must be solid (docs/algorithms/skins.md).
+#pragma once
+
+#include "base/fact.hpp"
+#include "base/note.hpp"
+#include "polygon/region.hpp"
+
+#include <string>
+#include <vector>
+
+namespace filum::skins {
+
+struct Options {
+    double bead_width = 0.4;          // mm
+    std::int64_t top = 4, bottom = 4; // layers, >= 0
+    std::int64_t walls = 2;           // rings along the outline, >= 1
+    double infill = 0.15;             // share of the sparse areas' volume that is to be laid
+    double bridge = 2;                // mm: the widest gap between lines that a skin is laid over
+    polygon::Pattern pattern = polygon::Pattern::rows;
+};
+
+// 0.15 of "15%" or "0.15".  Error(usage) for what is not above 0, or above 1.
+double share(const std::string& text);
+
+// Sets areas and walls of all regions of a part, which come in the order of their layers; nothing if the infill is 1.
+// Under skins lines are so near that no gap is wider than `bridge`.
+// Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
+void skins(std::vector<polygon::Region>& regions, const Options& options, Facts& facts);
+
+} // namespace filum::skins

@@ -1,0 +1,35 @@
+// What carries overhangs, and what holds the first layer (docs/algorithms/supports.md).
+#pragma once
+
+#include "base/fact.hpp"
+#include "base/note.hpp"
+#include "polygon/region.hpp"
+
+#include <numbers>
+#include <vector>
+
+namespace filum::supports {
+
+struct Options {
+    double bead_width = 0.4; // mm
+    bool support = false;
+    double angle = std::numbers::pi / 4; // rad from the vertical: steeper walls carry themselves
+    bool on_part = true;                 // supports may stand on the part
+    std::int64_t gap = 1;                // layers left out between part and support, >= 1
+    double beside = 1;                   // mm between part and support in a layer
+    std::int64_t interface = 2;          // layers next to the part whose lines are nearer to each other
+    double spacing = 2.5;                // mm from line to line
+    double brim = 0;                     // mm about the first layer
+    double skirt = 0;                    // mm between the first layer and two beads about it; 0: none
+};
+
+// All regions, those of supports, brims and skirts among them: ids anew, layer by layer, in each layer those of the
+// part first.  Preconditions: regions layer by layer, ids ascending from 0.
+// What overhangs is what of a layer lies farther from the layer below than the angle allows, in pieces as wide as half
+// a bead, or all of a region that lies on nothing.  It is carried from `gap` + 1 layers below, straight down to the bed
+// or the part.  Regions carried by a support have an overlap without a link with it. Notes: overhangs that cannot be
+// carried.
+std::vector<polygon::Region> supports(std::vector<polygon::Region> regions, const Options& options, Facts& facts,
+                                      Notes& notes);
+
+} // namespace filum::supports

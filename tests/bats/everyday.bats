@@ -1,0 +1,92 @@
+#!/usr/bin/env bats
+# Hollow parts: walls, skins and sparse infill in as few strokes as the solid part.
+# shellcheck disable=SC2154
+
+load common
+
+setup_file() {
+    cd "$BATS_FILE_TMPDIR" || exit 1
+    box_stl > part.stl
+    slice --layer-height 0.05 part.stl | regions --bead-width 0.2 -o part.regions # 20 layers
+    slice --scale 3 part.stl | regions -o large.regions                          # 27 x 27 x 3 mm
+}
+
+setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
+
+# value NAME: of a fact in the summary on standard input.
+value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
+
+@test "a hollow box is one stroke without a stop" {
+    skins large.regions | sequence | fill | link3d --quiet -o large.toolpath
+    [[ $(metrics --format tsv large.toolpath | awk '$2 == "strokes" || $1 == "strokes" { print; exit }') =~ [[:space:]]1([[:space:]]|$) ]]
+    peek --text large.toolpath | grep -q 'feature infill'
+}
+
+@test "walls, skins and infill are told apart, and rows turn from layer to layer" {
+    skins large.regions | sequence | fill | link3d --quiet | peek --text > large.text
+    for feature in outer_wall wall solid infill; do grep -q "feature $feature" large.text; done
+    skins large.regions | peek --text | awk '/area kind sparse/ { for (i = 1; i < NF; i++) if ($i == "direction") print $(i + 1) }' |
+        sort -u > directions
+    [[ $(wc -l < directions) == 2 ]]
+}
+
+@test "--infill 100% is the solid part, byte for byte but for the history" {
+    frames() { peek --json | sed 's/"history".*"frames"/"frames"/'; }
+    sequence large.regions | fill | peek --text | sed '1,/^paths/{/^paths/!d}' > solid
+    skins --infill 100% large.regions | sequence | fill | peek --text | sed '1,/^paths/{/^paths/!d}' > full
+    [ -s solid ]
+    cmp solid full
+}
+
+@test "more infill is more material, in the share that is asked for" {
+    slice --scale 4 part.stl --layer-height 0.1 | regions -o deep.regions # 36 x 36 x 4 mm, 40 layers
+    local before=0 laid
+    for infill in 10 20 40; do
+        skins --infill $infill% --bridge 9 deep.regions | sequence | fill | link3d --quiet | peek --text > deep.text
+        # mm of infill, over 32 layers, in 34.4 x 34.4 mm of them
+        laid=$(awk '/^span/ { inside = / feature infill /; n = 0 }
+                    /^ / { if (inside && n++) sum += sqrt(($1 - x) ^ 2 + ($2 - y) ^ 2); x = $1; y = $2 }
+                    END { print sum }' deep.text)
+        awk -v laid="$laid" -v infill="$infill" 'BEGIN {
+            share = laid * 0.4 / (32 * 34.4 * 34.4) * 100
+            if (share < 0.96 * infill || share > 1.04 * infill) { print infill, share; exit 1 } }'
+    done
+}
+
+@test "what --infill cannot be is told" {
+    for wrong in 0% 101% -1 x '' 15%%; do
+        expect 2 skins --infill "$wrong" part.regions
+        complaint skins
+        [[ $err == *infill* ]]
+    done
+}
+
+@test "filum print takes skins into the chain where asked" {
+    [[ $(filum print part.stl --dry-run) != *skins* ]]
+    [[ $(filum print part.stl --dry-run --bead-width 0.5) != *skins* ]]
+    [[ $(filum print part.stl --dry-run --infill 20%) == *'| skins --infill=20% |'* ]]
+    [[ $(filum print part.stl --dry-run --skins.bead-width 0.5) == *'| skins --bead-width=0.5 |'* ]]
+    filum print part.stl --walls 3 --infill 20% --layer-height 0.1 --quiet --machine marlin -o part.gcode
+    [ -s part.gcode ]
+}
+
+@test "a table is carried by columns that are printed before its top, and is one part with few strokes" {
+    boxes table.stl 0,0,0,4,4,4 16,0,0,20,4,4 0,0,4,20,4,5
+    filum print table.stl --infill 20% --support --quiet --machine marlin -o table.gcode
+    [ -s table.gcode ]
+    slice table.stl | regions | skins | supports --support -o table.regions
+    sequence table.regions | fill | link3d --quiet -o table.toolpath
+    peek --text table.toolpath > table.text
+    grep -q 'feature support' table.text
+    grep -q 'feature interface' table.text
+    # no bead of a support is laid after the first one of the top
+    awk '/^span/ { top = top || (/ layer 20 / && !/ travel /); if (top && / feature (support|interface) /) exit 1 }' table.text
+    # three columns 1 mm apart, climbed in turns: the cone lets one be 1.4 mm ahead
+    [[ $(awk '/^span role travel/ { n++ } END { print n + 1 }' table.text) -le 10 ]]
+}
+
+@test "a brim and a skirt are laid with the first layer only" {
+    slice part.stl | regions | supports --brim 3 --skirt 2 | sequence | fill | link3d --quiet | peek --text > brim.text
+    grep -q 'feature skirt' brim.text
+    ! grep 'feature skirt' brim.text | grep -qv 'layer 0 '
+}

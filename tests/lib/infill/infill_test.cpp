@@ -1,0 +1,113 @@
+#include "infill/infill.hpp"
+
+#include "../fill/pattern_check.hpp"
+#include "polygon/simple.hpp"
+
+namespace filum::infill {
+namespace {
+
+using polygon::Pattern;
+
+constexpr double kWidth = 0.4;
+
+std::vector<Loops> random_areas(unsigned seed, double scale) {
+    std::vector<Loops> out;
+    for (Loops area : test::random_regions(seed)) {
+        for (auto& p : area.points) p = scale * p;
+        if (polygon::signed_area(area) > 60) out.push_back(std::move(area));
+    }
+    return out;
+}
+
+Lines lines_of(Pattern pattern, unsigned seed, double spacing) {
+    return {pattern, 0.1 * seed, spacing, kWidth, 0.2 * seed};
+}
+
+TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
+    for (const Pattern pattern : {Pattern::rows, Pattern::wave})
+        for (unsigned seed = 0; seed < 40; ++seed)
+            for (const Loops& area : random_areas(seed, 2)) {
+                const Loops found = loops(area, lines_of(pattern, seed, 1 + 0.1 * seed));
+                EXPECT_TRUE(found.empty() || polygon::is_simple(found)) << seed;
+                // half a bead inside, to the rounding of corners
+                const Loops room = polygon::offset(area, -kWidth / 2 + 0.02);
+                EXPECT_LT(polygon::signed_area(polygon::subtract(found, room)), 1e-4) << seed;
+                // nothing narrower than a bead: opening takes nothing but roundings away
+                const Loops open = polygon::offset(polygon::offset(found, -kWidth / 2 + 0.02), kWidth / 2 - 0.02);
+                EXPECT_LT(polygon::signed_area(polygon::subtract(found, open)),
+                          0.01 + 1e-3 * polygon::signed_area(area))
+                    << seed;
+            }
+}
+
+TEST(Infill, DensityIsWithinTwoPercent) {
+    for (const Pattern pattern : {Pattern::rows, Pattern::wave})
+        for (const double density : {0.1, 0.15, 0.3, 0.5})
+            for (unsigned part = 0; part < 4; ++part) { // parts of 24 layers, with areas that change
+                std::vector<Loops> areas;
+                for (unsigned layer = 0; layer < 24; ++layer)
+                    for (Loops& area : random_areas(7 * part + layer / 8, 3 + 0.01 * layer))
+                        areas.push_back(std::move(area));
+                std::vector<Task> tasks;
+                for (unsigned i = 0; i < areas.size(); ++i)
+                    tasks.push_back({&areas[i], {pattern, (i % 2) * 1.5707963267948966, 0, kWidth, 0.2 * i}});
+                const double spacing = spacing_for(tasks, density, kWidth);
+                double laid = 0, area = 0;
+                for (Task t : tasks) {
+                    t.lines.spacing = spacing;
+                    laid += kWidth * length(loops(*t.area, t.lines));
+                    area += polygon::signed_area(*t.area);
+                }
+                EXPECT_NEAR(laid / area, density, 0.02 * density)
+                    << "pattern " << static_cast<int>(pattern) << " part " << part << " spacing " << spacing;
+            }
+}
+
+// Every line of rows is passed once: a square of side l has l / spacing of them, and half of its outline.
+TEST(Infill, EachLineIsPassedOnce) {
+    const Loops square = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
+    const double laid = length(loops(square, {Pattern::rows, 0, 6, kWidth, 0}));
+    EXPECT_NEAR(laid, 9 * 59.6 + 119.2, 4); // but for the two in the outline
+}
+
+// Lines of a spacing and of half of it side by side: what is even goes on, nothing crosses, nothing stands alone.
+TEST(Infill, PartsOfDifferentSpacingAreOne) {
+    const Loops all = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
+    const Loops island = test::loop({{20, 17}, {41, 20}, {40, 43}, {18, 40}});
+    const Loops rest = polygon::subtract(all, island);
+    for (const double parted : {2.0, 4.0 / 3, 1.0})
+        for (const double angle : {0.0, 0.3, 0.7853981633974483, 1.2}) {
+            const Lines coarse{Pattern::rows, angle, 4, kWidth, 0}, fine{Pattern::rows, angle, parted, kWidth, 0};
+            const Task parts[] = {{&island, fine}, {&rest, coarse}};
+            const Loops found = loops(all, parts);
+            EXPECT_TRUE(polygon::is_simple(found));
+            for (const Loops& part : polygon::split(found).part) {
+                const Loops near = polygon::subtract(polygon::offset(part, kWidth), polygon::offset(all, -kWidth));
+                EXPECT_FALSE(near.empty()) << "a loop away from the outline, angle " << angle;
+            }
+        }
+}
+
+} // namespace
+} // namespace filum::infill
+
+namespace filum::infill {
+namespace {
+
+TEST(Infill, DensityOfAPrism) {
+    for (const double side : {7.4, 12.3, 25.4, 50.0})
+        for (const double density : {0.1, 0.15, 0.2, 0.4}) {
+            const Loops square = test::loop({{1, 2}, {1 + side, 2}, {1 + side, 2 + side}, {1, 2 + side}});
+            std::vector<Task> tasks;
+            for (int layer = 0; layer < 6; ++layer)
+                tasks.push_back(
+                    {&square, {polygon::Pattern::rows, (layer % 2 == 0 ? 1 : 3) * 0.7853981633974483, 0, kWidth, 0}});
+            const double spacing = spacing_for(tasks, density, kWidth);
+            double laid = 0;
+            for (Task t : tasks) t.lines.spacing = spacing, laid += kWidth * length(loops(square, t.lines)) / 6;
+            EXPECT_NEAR(laid / (side * side), density, 0.02 * density) << side << " spacing " << spacing;
+        }
+}
+
+} // namespace
+} // namespace filum::infill

@@ -1,0 +1,130 @@
+#include "supports/supports.hpp"
+
+#include "../fill/pattern_check.hpp"
+
+namespace filum::supports {
+namespace {
+
+using polygon::Loops;
+using polygon::Region;
+using polygon::RegionClass;
+
+std::vector<Region> part_of(const std::vector<Loops>& layers) {
+    std::vector<Region> out;
+    for (std::uint32_t layer = 0; layer < layers.size(); ++layer)
+        for (const Loops& part : polygon::split(layers[layer]).part) {
+            Region r;
+            r.id = static_cast<std::uint32_t>(out.size()), r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2;
+            r.loops = part, r.area = polygon::signed_area(part), r.box = polygon::bounds(part[0]), r.inradius = 0.2;
+            if (layer > 0)
+                for (const Region& below : out)
+                    if (below.layer + 1 == layer && !polygon::intersect(below.loops, part).empty())
+                        r.below.push_back({below.id, 1, 0.2, true});
+            out.push_back(std::move(r));
+        }
+    return out;
+}
+
+Options with_support() {
+    Options o;
+    o.support = true;
+    return o;
+}
+
+// A stem and a plate on it.
+std::vector<Loops> mushroom() {
+    std::vector<Loops> out(10, test::disc({0, 0}, 3));
+    for (int k = 0; k < 3; ++k) out.push_back(test::disc({0, 0}, 12));
+    return out;
+}
+
+// Blobs that wander and change in size from layer to layer.
+std::vector<Loops> random_layers(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * (random() / 4294967296.0); };
+    std::vector<Loops> out;
+    double r = 5, x = 0, y = 8;
+    for (int layer = 0; layer < 30; ++layer) {
+        r = std::clamp(r + uniform(-0.8, 1), 1.5, 9.0), x += uniform(-0.6, 0.6), y += uniform(-0.4, 0.3);
+        out.push_back(polygon::unite(test::disc({x, 0}, r), test::disc({0.5 * x, y}, 2)));
+    }
+    return out;
+}
+
+TEST(Supports, CarriesAPlateAcrossTheGap) {
+    Facts facts;
+    Notes notes;
+    const auto all = supports(part_of(mushroom()), with_support(), facts, notes);
+    EXPECT_TRUE(notes.empty());
+    std::size_t carriers = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_EQ(all[i].id, i);
+        for (const auto& o : all[i].below) EXPECT_LT(all[o.below].layer, all[i].layer);
+        if (all[i].is != RegionClass::support) continue;
+        ++carriers;
+        EXPECT_LE(all[i].layer, 8U); // one layer is left out below the plate
+        EXPECT_GT(all[i].area, 0.8 * 3.1416 * (144 - 9));
+        if (all[i].layer > 0) {
+            ASSERT_EQ(all[i].below.size(), 1U);
+            EXPECT_TRUE(all[i].below[0].link);
+        }
+    }
+    EXPECT_EQ(carriers, 9U);
+    const auto plate = std::find_if(all.begin(), all.end(), [](const Region& r) { return r.layer == 10; });
+    const auto from_afar = std::count_if(plate->below.begin(), plate->below.end(), [&](const polygon::Overlap& o) {
+        return all[o.below].is == RegionClass::support && all[o.below].layer == 8 && !o.link;
+    });
+    EXPECT_EQ(from_afar, 1);
+}
+
+TEST(Supports, KeepClearOfThePart) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        Options o = with_support();
+        o.gap = 1 + seed % 3, o.beside = 0.3 + 0.2 * (seed % 4), o.on_part = seed % 2 == 0;
+        const auto layers = random_layers(seed);
+        Facts facts;
+        Notes notes;
+        const auto all = supports(part_of(layers), o, facts, notes);
+        for (const Region& r : all) {
+            if (r.is != RegionClass::support) continue;
+            const auto meets = [&](const Loops& other) {
+                // but for what round corners are off
+                return polygon::signed_area(polygon::intersect(polygon::offset(r.loops, -0.05), other)) > 0.02;
+            };
+            EXPECT_FALSE(meets(polygon::offset(layers[r.layer], o.beside - 0.05))) << seed << " layer " << r.layer;
+            for (std::int64_t k = -o.gap; k <= o.gap; ++k) {
+                const std::int64_t at = static_cast<std::int64_t>(r.layer) + k;
+                if (k == 0 || at < 0 || at >= static_cast<std::int64_t>(layers.size())) continue;
+                EXPECT_FALSE(meets(layers[static_cast<std::size_t>(at)]))
+                    << seed << " layer " << r.layer << " to " << k;
+            }
+            EXPECT_TRUE(o.on_part || r.layer == 0 || !r.below.empty()) << seed; // stands on what stands on the bed
+        }
+    }
+}
+
+TEST(Supports, RimsLieAboutTheFirstLayer) {
+    Options o;
+    o.brim = 4, o.skirt = 3;
+    Facts facts;
+    Notes notes;
+    const auto all = supports(part_of(mushroom()), o, facts, notes);
+    ASSERT_EQ(all.size(), 15U);
+    EXPECT_EQ(all[1].is, RegionClass::rim);
+    EXPECT_EQ(all[1].layer, 0U);
+    EXPECT_NEAR(all[1].area, 3.1416 * (49 - 9), 1.5);
+    EXPECT_EQ(all[2].is, RegionClass::rim);
+    EXPECT_NEAR(polygon::bounds(all[2].loops).hi.x, 3 + 4 + 3 + 0.8, 0.05);
+}
+
+TEST(Supports, WithoutWishesNothingChanges) {
+    Facts facts;
+    Notes notes;
+    const auto before = part_of(mushroom());
+    const auto all = supports(before, {}, facts, notes);
+    ASSERT_EQ(all.size(), before.size());
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].loops.points, before[i].loops.points);
+}
+
+} // namespace
+} // namespace filum::supports
