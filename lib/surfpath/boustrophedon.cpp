@@ -116,7 +116,8 @@ class Path {
         const double l = transits_.length(from, to);
         if (std::isfinite(l)) return l;
         const Line line = across(from, to);
-        return line.size() > 1 ? kBreak + surface::curve::length(line) : l;
+        const double straight = surface::curve::length(line);
+        return line.size() > 1 && straight <= o_.across ? kBreak + straight : l;
     }
 
     // Straight across the surface from one end to another; empty if that does not lead there.

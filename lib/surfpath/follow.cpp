@@ -3,6 +3,7 @@
 #include "surface/curve/ease.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/stripes.hpp"
+#include "surfpath/splice.hpp"
 #include "surfpath/winding.hpp"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace filum::surfpath {
 namespace {
 
 constexpr double kSmoothed = 0.2; // spacings: what is smaller, of directions, lines cannot follow
+constexpr double kAcross = 10;    // spacings: ways over other lines, at most
+constexpr std::size_t kChain = 4; // closed lines beside each other that make a spiral
 constexpr double kGive = 0.25;    // spacings: how far lines may move to keep the radius
 
 field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
@@ -23,6 +26,23 @@ field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
                                   [](const surface::Field& f) { return f.name == kDirection; });
     (said ? given.given : stressed ? given.stress : given.angle) = 1;
     return given;
+}
+
+// The lines as rows; of closed ones, long chains as rings to be wound, others as part of lines beside them.
+std::pair<std::vector<Raw>, std::vector<Vec3>> opened(const Surface& s, std::vector<Line> lines, double spacing,
+                                                      double radius) {
+    const auto numbered = [&] {
+        std::vector<Raw> out;
+        for (std::size_t i = 0; i < lines.size(); ++i) out.push_back({lines[i], spacing * static_cast<double>(i)});
+        return out;
+    };
+    auto rings = numbered();
+    std::vector<char> wound;
+    for (const std::size_t size : level_rings(s, rings, spacing)) wound.push_back(size >= kChain ? 1 : 0);
+    const auto crossed = splice_loops(s, lines, wound, spacing, radius);
+    rings = numbered();
+    level_rings(s, rings, spacing);
+    return {std::move(rings), crossed};
 }
 
 void tell(const Surface& s, const field::Directions& d, Plan& out) {
@@ -50,13 +70,16 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         for (Line& l : all) out.strokes.push_back({{{std::move(l), false}}});
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
-        std::vector<Raw> raw;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
-        const Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
+        const auto [raw, crossed] = opened(s, std::move(all), o.spacing, gentle);
+        Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
+        turns.across = kAcross * o.spacing;
         Rows found = rows(s, raw, o.spacing / 2, o.spacing / 2);
         wind(s, found, o.spacing, false);
         out = boustrophedon(s, found, turns);
+        if (!crossed.empty())
+            out.notes.push_back({"", "loop joined by shifts that cross",
+                                 o.spacing * o.spacing * static_cast<double>(crossed.size()), "mm2", crossed.size(), -1,
+                                 crossed[0].x, crossed[0].y, crossed[0].z});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
     tell(s, directions, out);
