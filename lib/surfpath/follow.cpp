@@ -12,10 +12,13 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSmoothed = 0.2; // spacings: what is smaller, of directions, lines cannot follow
-constexpr double kAcross = 10;    // spacings: ways over other lines, at most
-constexpr std::size_t kChain = 4; // closed lines beside each other that make a spiral
-constexpr double kGive = 0.25;    // spacings: how far lines may move to keep the radius
+constexpr double kSmoothed = 0.2;  // spacings: what is smaller, of directions, lines cannot follow
+constexpr double kLongestWay = 50; // mm: ways along what is laid, at most: a cut costs as much fibre
+constexpr double kAcross = 10;     // spacings: ways over other lines, at most
+constexpr std::size_t kChain = 4;  // closed lines beside each other that make a spiral
+constexpr double kEasedTo = 1.15;  // of the least radius: what lines are eased to, so that samples of them keep it
+constexpr double kGive =
+    0.1; // spacings: how far lines may move to keep the radius; more would cut off the turns of pairs
 
 field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
     if (given.given > 0 || given.stress > 0 || given.angle > 0 || given.rim > 0) return given;
@@ -64,7 +67,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
     auto all = field::lines(s, field::stripes(s, cells, directions.along, o.spacing));
     const double gentle = std::max(o.least_radius, o.spacing / 2);
-    for (Line& l : all) l = surface::curve::ease(s, l, {.radius = gentle, .corridor = kGive * o.spacing}).line;
+    for (Line& l : all)
+        l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
     Plan out;
     if (o.turns == RowTurns::none) {
         for (Line& l : all) out.strokes.push_back({{{std::move(l), false}}});
@@ -73,6 +77,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         const auto [raw, crossed] = opened(s, std::move(all), o.spacing, gentle);
         Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
         turns.across = kAcross * o.spacing;
+        turns.along = kLongestWay;
         Rows found = rows(s, raw, o.spacing / 2, o.spacing / 2);
         wind(s, found, o.spacing, false);
         out = boustrophedon(s, found, turns);

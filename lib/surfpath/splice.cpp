@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLoopBeside = 1.3; // spacings: how far from each other lines side by side are, at most
 constexpr double kLoopGrain = 0.25; // spacings, between the places that are compared
+constexpr double kLoopWider = 1.15; // of the least radius: what shifts are rounded to, so that samples keep it
 constexpr double kLoopGive = 0.25;  // spacings: how far lines move to round the shift's corners
 
 struct Spot3 {
@@ -123,19 +124,37 @@ class Splicer {
             before = surface::curve::part(other, ways_other, 0, at.other - half_);
             after = surface::curve::part(other, ways_other, at.other + half_, rest);
         }
-        const Line over = surface::curve::join(s_, before.places.back(), round.places.front());
-        const Place& to = other.closed ? before.places.front() : after.places.front();
-        const Line back = surface::curve::join(s_, round.places.back(), to);
-        if (!surface::curve::leads(s_, over) || !surface::curve::leads(s_, back)) return {};
-        Line out = std::move(before);
-        for (const Line* more : {&over, static_cast<const Line*>(&round), &back}) surface::curve::append(out, *more);
+        const Line to = other.closed ? before : after;
+        const auto over = shift(before, round), back = shift(round, to);
+        if (over.size() < 2 || back.size() < 2) return {};
+        const double more = half_, all_round = surface::curve::length(round);
+        Line out = cut(before, other.closed ? more : 0, more);
+        for (const Line& next : {over, cut(round, more, all_round > 2 * more ? more : 0), back})
+            surface::curve::append(out, next);
         if (other.closed) {
             out.places.pop_back();
             out.closed = true;
         } else {
-            surface::curve::append(out, after);
+            surface::curve::append(out, cut(after, more, 0));
         }
-        return surface::curve::ease(s_, out, {.radius = radius_, .corridor = kLoopGive * d_}).line;
+        return out;
+    }
+
+    // The line without this much at its ends, mm.
+    static Line cut(const Line& line, double begin, double end) {
+        const auto ways = surface::curve::arc_lengths(line);
+        return surface::curve::part(line, ways, begin, ways.back() - end);
+    }
+
+    // From the last stretch of one line over to the first one of another, half_ mm of each included, rounded.
+    [[nodiscard]] Line shift(const Line& from, const Line& to) const {
+        const auto ways_from = surface::curve::arc_lengths(from), ways_to = surface::curve::arc_lengths(to);
+        Line out = surface::curve::part(from, ways_from, ways_from.back() - half_, ways_from.back());
+        const Line over = surface::curve::join(s_, from.places.back(), to.places.front());
+        if (!surface::curve::leads(s_, over)) return {};
+        surface::curve::append(out, over);
+        surface::curve::append(out, surface::curve::part(to, ways_to, 0, half_));
+        return surface::curve::ease(s_, out, {.radius = kLoopWider * radius_, .corridor = kLoopGive * d_}).line;
     }
 
     const Surface& s_;
