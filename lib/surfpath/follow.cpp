@@ -7,6 +7,7 @@
 #include "surfpath/winding.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace filum::surfpath {
 
@@ -48,6 +49,26 @@ std::pair<std::vector<Raw>, std::vector<Vec3>> opened(const Surface& s, std::vec
     return {std::move(rings), crossed};
 }
 
+// Each by itself, always the one next whose nearer end is nearest to where the last one ended; the first of equals.
+std::vector<Line> in_turn(std::vector<Line> lines) {
+    std::vector<Line> out;
+    while (!lines.empty()) {
+        std::size_t best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < lines.size() && !out.empty(); ++i) {
+            const Vec3 at = out.back().closed ? out.back()[0] : out.back()[out.back().size() - 1];
+            const double begin = distance(lines[i][0], at), end = distance(lines[i][lines[i].size() - 1], at);
+            if (!(std::min(begin, end) < least)) continue;
+            least = std::min(begin, end);
+            best = i;
+            if (end < begin && !lines[i].closed) surface::curve::reverse(lines[i]);
+        }
+        out.push_back(std::move(lines[best]));
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(best));
+    }
+    return out;
+}
+
 void tell(const Surface& s, const field::Directions& d, Plan& out) {
     out.facts.push_back({"", "tightest-bend", d.tightest, "1/mm"});
     const auto note = [&](const char* what, double amount) {
@@ -71,7 +92,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
     Plan out;
     if (o.turns == RowTurns::none) {
-        for (Line& l : all) out.strokes.push_back({{{std::move(l), false}}});
+        for (Line& l : in_turn(std::move(all))) out.strokes.push_back({{{std::move(l), false}}});
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
         const auto [raw, crossed] = opened(s, std::move(all), o.spacing, gentle);
