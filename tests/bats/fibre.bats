@@ -135,7 +135,7 @@ setup() {
     geodesic dome.off > dome.surface
     surfpath --quiet field --spacing 4 --min-radius 2 --angle 45 --reference Y dome.surface > ply.toolpath
     surfpath --quiet field --spacing 4 --min-radius 2 --angle 45 dome.surface > other.toolpath
-    ! cmp -s ply.toolpath other.toolpath
+    if cmp -s ply.toolpath other.toolpath; then false; fi
     for one in ply other; do
         [ "$(metrics --surface dome.surface --format tsv $one.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
     done
