@@ -39,6 +39,8 @@ set(FILUM_HIDES_surface CGAL::CGAL) # whose flags (-frounding-math) are for its 
 set(FILUM_USES_geodesic Eigen3::Eigen ${CHOLMOD_LIBRARY})
 set(FILUM_USES_stressfield Eigen3::Eigen PkgConfig::pugixml ZLIB::ZLIB)
 set(FILUM_USES_partition Eigen3::Eigen)
+set(FILUM_USES_surface_directions Eigen3::Eigen)
+set(FILUM_USES_surfpath_field Eigen3::Eigen)
 set(FILUM_USES_baselines_kipping2022 Eigen3::Eigen)
 set(FILUM_USES_stream filum_proto)
 set(FILUM_USES_wire filum_proto)

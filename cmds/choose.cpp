@@ -48,7 +48,7 @@ cli::Spec spec(Options& o) {
         .memory = "the patches, and windows of distance of one candidate per thread",
         .options =
             {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
-                 {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+                 {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field"}),
              Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
              Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.within(
                  0, 1e5),
@@ -62,7 +62,7 @@ cli::Spec spec(Options& o) {
                  .a_limit()
                  .a_limit(),
              Option{"turns", &plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
-                 .one_of({"none", "hairpin", "wide"})
+                 .one_of({"usual", "none", "hairpin", "wide"})
                  .when("algorithm=best|ortheo")
                  .a_limit(),
              Option{"min-length", &plan.min_length, "MM", "of the lines of ortheo: shorter ones are left out"}

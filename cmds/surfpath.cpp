@@ -15,7 +15,9 @@ constexpr const char* kDescription =
     "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
     "they follow is where `geodesic` measured from: fina, rows at equal distances from a line; fexa, rows in "
     "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
-    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Rows are taken "
+    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. field needs no "
+    "source: its lines follow the stress, an angle to a reference direction, as plies are given, or a rim. Rows are "
+    "taken "
     "some apart, so that turns are wide; those that must be tighter than --min-radius are spans of their own, "
     "declared as hairpins. What cannot be placed is noted.\n\n"
     "Of several surfaces, patches of one part, each is filled in its turn. What `choose` has planned for a surface "
@@ -67,7 +69,7 @@ cli::Spec spec(Options& o) {
         .memory = "the model, and windows of distance",
         .options = cli::with(
             {Option{"algorithm", &o.algorithm, "", "what lines the path follows; the first word may say it"}.one_of(
-                 {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral"}),
+                 {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
                  .within(0.001, 1000)
@@ -76,13 +78,22 @@ cli::Spec spec(Options& o) {
                  {"choose.min-radius"}),
              Option{"strict", &o.plan.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}
                  .a_limit(),
-             Option{"turns", &o.plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
-                 .one_of({"none", "hairpin", "wide"})
-                 .when("!method=kipping2022 algorithm=planned|ortheo"),
+             Option{"turns", &o.plan.turns, "",
+                    "lines end at the rim, or go on by tight or wide turns; usual: of ortheo none, of field wide"}
+                 .one_of({"usual", "none", "hairpin", "wide"})
+                 .when("!method=kipping2022 algorithm=planned|ortheo|field"),
              Option{"min-length", &o.plan.min_length, "MM", "of lines of ortheo: shorter ones are left out"}
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|ortheo")
                  .a_limit(),
+             Option{"follow", &o.follow, "NAME=W,...",
+                    "what field follows: direction, stress, angle, rim; none: the first that the surface has"}
+                 .when("!method=kipping2022 algorithm=planned|field"),
+             Option{"angle", &o.angle_deg, "DEG", "of field, from the reference, counter-clockwise"}
+                 .within(-360, 360)
+                 .when("!method=kipping2022 algorithm=planned|field"),
+             Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angle: a direction, laid onto the surface"}.when(
+                 "!method=kipping2022 algorithm=planned|field"),
              Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),

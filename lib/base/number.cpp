@@ -72,4 +72,21 @@ double parse_number(std::string_view text, std::string_view what) {
     return value;
 }
 
+std::vector<std::pair<std::string, double>> parse_weights(std::string_view words, const std::string& what) {
+    std::vector<std::pair<std::string, double>> out;
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(','), words.size());
+        const std::string word(words.substr(0, end));
+        const std::size_t equals = word.find('=');
+        if (equals == std::string::npos)
+            throw Error(Exit::usage, "cannot use " + what + " '" + word + "'; say NAME=NUMBER");
+        const double weight = parse_number(std::string_view(word).substr(equals + 1), what);
+        if (!std::isfinite(weight) || weight < 0)
+            throw Error(Exit::usage, "cannot use " + what + " '" + word + "'; weights are 0 or more");
+        out.emplace_back(word.substr(0, equals), weight);
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return out;
+}
+
 } // namespace filum

@@ -3,6 +3,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace filum {
 
@@ -17,5 +19,8 @@ std::string shortest_text(double value);
 
 // The whole of `text` as a number; throws Error(usage) naming `what`.
 double parse_number(std::string_view text, std::string_view what);
+
+// "NAME=NUMBER,...", in that order; numbers are finite, 0 or more.  Throws Error(usage) naming the option `what`.
+std::vector<std::pair<std::string, double>> parse_weights(std::string_view words, const std::string& what);
 
 } // namespace filum

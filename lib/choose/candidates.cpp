@@ -114,12 +114,13 @@ Seed plane(const Surface& s, const Vec3& centre, const Vec3& normal, double part
 
 void add_given(const Sheet& sheet, std::vector<Candidate>& out) {
     const auto& given = sheet.sources;
-    if (given.empty()) return;
     Seed seed;
     seed.kind = Seed::Kind::given;
+    if (surfpath::algorithm(sheet.algorithm) == Algorithm::field) out.push_back({Algorithm::field, seed});
+    if (given.empty()) return;
     const bool lines =
         std::any_of(given.segments.begin(), given.segments.end(), [](const surface::Segment& s) { return s.a != s.b; });
-    if (const auto planned = surfpath::algorithm(sheet.algorithm))
+    if (const auto planned = surfpath::algorithm(sheet.algorithm); planned && planned != Algorithm::field)
         out.push_back({*planned, seed});
     else if (lines)
         for (const Algorithm algorithm : {Algorithm::fina, Algorithm::fexa, Algorithm::ortheo})
@@ -147,6 +148,7 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
     const Frame f = frame(sheet, pull);
     std::vector<Candidate> out;
     add_given(sheet, out);
+    if (!pull.empty()) out.push_back({Algorithm::field, {Seed::Kind::stress, {}, {}, {}}});
     if (!s.rims.empty()) {
         out.push_back({Algorithm::geo_contour, {}});
         out.push_back({Algorithm::geo_fiso, {}});
@@ -160,6 +162,7 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
             out.push_back({Algorithm::ortheo, through(Seed::Kind::across, p)});
         }
     for (const Vec3& d : directions(f)) {
+        out.push_back({Algorithm::field, {Seed::Kind::direction, {}, d, {}}});
         const Vec3 across = signed_way(unit(cross(d, f.normal)));
         out.push_back({Algorithm::fexa, plane(s, f.centre, across, 0)});
         for (const double part : {0.0, 0.2, 0.8}) out.push_back({Algorithm::fina, plane(s, f.centre, across, part)});

@@ -21,7 +21,7 @@ constexpr double kSmall = 25;              // spacings square: smaller patches a
 constexpr double kStable[] = {2e-3, 1e-4}; // of the area: to what coverage is measured, roughly and at last
 constexpr double kFine = 0.75;             // of the sides asked for: a mean edge below is made longer
 const std::map<Algorithm, std::size_t> kPromising{
-    {Algorithm::fina, 4}, {Algorithm::fexa, 2}, {Algorithm::ortheo, 2}}; // others: 1
+    {Algorithm::fina, 4}, {Algorithm::fexa, 2}, {Algorithm::ortheo, 2}, {Algorithm::field, 2}}; // others: 1
 
 // A patch to lay candidates on, by these options.
 struct Ground {
@@ -50,7 +50,9 @@ Ground rough(const Sheet& sheet, const Options& o, double area) {
 }
 
 Criteria lay(const Ground& ground, const Candidate& candidate) {
-    Sheet sheet{ground.sheet.surface, {}, {}, sources(ground.sheet, ground.pull, candidate.seed)};
+    Sheet sheet{ground.sheet.surface, {}, {}, ground.sheet.sources};
+    if (candidate.algorithm == Algorithm::field) sheet.fields = ground.sheet.fields;
+    put(sheet, ground.pull, candidate.seed);
     surfpath::Options plan = ground.plan;
     plan.algorithm = candidate.algorithm;
     metrics::surface::Fibres fibres;
@@ -151,7 +153,8 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     }
     const Candidate& best = out.trials[out.best].candidate;
     sheet.algorithm = surfpath::name(best.algorithm);
-    geodesic::measure(sheet, sources(sheet, ground.pull, best.seed), {}, notes);
+    put(sheet, ground.pull, best.seed);
+    if (!sheet.sources.empty()) geodesic::measure(sheet, surface::Sources(sheet.sources), {}, notes);
     return out;
 }
 

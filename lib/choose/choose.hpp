@@ -37,8 +37,8 @@ struct Choice {
 
 // The best of candidates() for the patch, in three rounds:
 // 1. each by its estimate() on a rough patch: the same in triangles with sides of (mostly) two spacings;
-// 2. of every algorithm the most promising (two of each that needs no line, five fina, three fexa, three ortheo;
-// without
+// 2. of every algorithm the most promising (two of each that needs no line, five fina, three fexa, three ortheo, two
+// field; without
 //    load cases the first) are laid on the rough patch, everything twice as large, unless the patch is smaller than 25
 //    spacings square;
 // 3. the best `finals` of these by their scores, and what the patch came with, are laid on the patch as asked; if all

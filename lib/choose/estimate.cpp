@@ -13,6 +13,12 @@ Vec3 slope(const Surface& s, std::uint32_t t, const std::vector<double>& value) 
     return 1 / dot(n, n) * cross((value[b] - value[a]) * v - (value[c] - value[a]) * u, n);
 }
 
+// Where field would go at a vertex, on a triangle of the normal `n`, of any length.
+Vec3 laid(const Seed& seed, const std::vector<Vec3>& pull, std::uint32_t v, const Vec3& n) {
+    const Vec3 d = seed.kind == Seed::Kind::stress ? pull[v] : seed.a;
+    return d - dot(d, n) / dot(n, n) * n;
+}
+
 } // namespace
 
 double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candidate& candidate) {
@@ -20,17 +26,20 @@ double estimate(const Sheet& sheet, const std::vector<Vec3>& pull, const Candida
     const auto loads = metrics::surface::load_cases(sheet);
     if (loads.empty()) return std::nan("");
     const bool planes = candidate.algorithm == surfpath::Algorithm::fexa && candidate.seed.kind == Seed::Kind::plane;
+    const bool by_field = candidate.algorithm == surfpath::Algorithm::field;
     const auto from = sources(sheet, pull, candidate.seed);
-    const auto distance = planes ? std::vector<double>{} : geodesic::exact_distances(s, from).distance;
+    const auto distance = planes || by_field ? std::vector<double>{} : geodesic::exact_distances(s, from).distance;
     double along = 0, most = 0;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& corners = s.triangles[t];
         const Vec3 a = s.vertices[corners[0]];
         const Vec3 n = cross(s.vertices[corners[1]] - a, s.vertices[corners[2]] - a);
-        const Vec3 up = planes ? candidate.seed.plane.normal : slope(s, t, distance);
-        const Vec3 way = candidate.algorithm == surfpath::Algorithm::ortheo ? up : cross(n, up);
-        if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;
+        const Vec3 up = by_field ? Vec3{} : planes ? candidate.seed.plane.normal : slope(s, t, distance);
         for (const std::uint32_t v : corners) {
+            const Vec3 way = by_field                                             ? laid(candidate.seed, pull, v, n)
+                             : candidate.algorithm == surfpath::Algorithm::ortheo ? up
+                                                                                  : cross(n, up);
+            if (!(norm(way) > 0) || !std::isfinite(norm(way))) continue;
             const auto at = metrics::surface::pull(loads, v, 1 / norm(way) * way);
             along += norm(n) * at.along;
             most += norm(n) * at.most;

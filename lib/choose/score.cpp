@@ -30,18 +30,7 @@ double& named(Weights& w, std::string_view name) {
 
 Weights weights(std::string_view words) {
     Weights out;
-    while (!words.empty()) {
-        const std::size_t end = std::min(words.find(','), words.size());
-        const std::string_view word = words.substr(0, end);
-        const std::size_t equals = word.find('=');
-        if (equals == std::string_view::npos)
-            throw Error(Exit::usage, "cannot use --weights '" + std::string(word) + "'; say NAME=NUMBER");
-        double& weight = named(out, word.substr(0, equals));
-        weight = parse_number(word.substr(equals + 1), "--weights");
-        if (!std::isfinite(weight) || weight < 0)
-            throw Error(Exit::usage, "cannot use --weights '" + std::string(word) + "'; weights are 0 or more");
-        words.remove_prefix(std::min(end + 1, words.size()));
-    }
+    for (const auto& [name, weight] : parse_weights(words, "--weights")) named(out, name) = weight;
     if (!(out.coverage + out.load + out.angle + out.cuts + out.overlap > 0))
         throw Error(Exit::usage, "cannot use --weights that are all 0");
     return out;

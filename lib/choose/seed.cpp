@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "metrics/surface/load.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/algorithm.hpp"
 
 namespace filum::choose {
 
@@ -114,6 +115,10 @@ std::string spoken(const Seed& seed) {
         return "point:" + words(seed.a);
     case Seed::Kind::side:
         return "side:" + words(seed.a) + ":" + words(seed.b);
+    case Seed::Kind::stress:
+        return "stress";
+    case Seed::Kind::direction:
+        return "direction:" + words(seed.a);
     case Seed::Kind::along:
         return "along:" + words(seed.a);
     case Seed::Kind::across:
@@ -177,8 +182,22 @@ surface::Sources sources(const Sheet& sheet, const std::vector<Vec3>& pull, cons
         return stress_line(sheet, pull, seed);
     case Seed::Kind::given:
         return sheet.sources;
+    case Seed::Kind::stress:
+    case Seed::Kind::direction:
+        break;
     }
     return out;
+}
+
+void put(Sheet& sheet, const std::vector<Vec3>& pull, const Seed& seed) {
+    sheet.sources = sources(sheet, pull, seed);
+    if (seed.kind == Seed::Kind::given) return;
+    std::erase_if(sheet.fields, [](const surface::Field& f) { return f.name == surfpath::kDirection; });
+    if (seed.kind != Seed::Kind::direction) return;
+    surface::Field out{surfpath::kDirection, {}, 3};
+    for (std::size_t v = 0; v < sheet.surface.vertices.size(); ++v)
+        out.values.insert(out.values.end(), {seed.a.x, seed.a.y, seed.a.z});
+    sheet.fields.push_back(std::move(out));
 }
 
 } // namespace filum::choose

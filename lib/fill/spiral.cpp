@@ -158,7 +158,7 @@ std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double c
     std::size_t crossings = 0;
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
-        const auto [a, b] = all[i];
+        const geom::Vec2 a = all[i].a, b = all[i].b;
         found.clear(); // a pair may share several cells
         grid.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
                   [&](std::uint32_t j) {

@@ -3,7 +3,7 @@
 
 #include "base/fact.hpp"
 #include "base/note.hpp"
-#include "partition/load.hpp"
+#include "partition/cells.hpp"
 #include "partition/merge.hpp"
 #include "partition/seams.hpp"
 

@@ -1,7 +1,7 @@
 // What cells have in common: a mean normal and a mean direction.
 #pragma once
 
-#include "partition/load.hpp"
+#include "partition/cells.hpp"
 
 namespace filum::partition {
 

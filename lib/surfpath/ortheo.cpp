@@ -96,7 +96,7 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
     const Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
-    const bool alone = o.turns == RowTurns::none;
+    const bool alone = o.turns == RowTurns::none || o.turns == RowTurns::usual;
     const Strands found = strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
     Plan out;

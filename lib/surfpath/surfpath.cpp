@@ -2,11 +2,13 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "surface/curve/transfer.hpp"
 #include "surfpath/bare.hpp"
 #include "surfpath/declare.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
 #include "surfpath/fine.hpp"
+#include "surfpath/follow.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
@@ -21,7 +23,8 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLongest = 2;  // spacings: sides of the triangles that lines are found on
+constexpr double kLongest = 2;        // spacings: sides of the triangles that lines are found on
+constexpr double kLongestStriped = 1; // likewise, of those that stripes are found on
 constexpr double kBeside = 0.5; // mm beside a tight turn that are declared with it, or half a spacing: by whatever
                                 // stretch of the path curvature is measured, it shows there
 
@@ -39,8 +42,18 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
         return geo_contour(sheet, options);
     case Algorithm::geo_spiral:
         return geo_spiral(sheet, options);
+    case Algorithm::field:
+        return follow(sheet, options);
     }
     throw std::logic_error("no such algorithm");
+}
+
+// What field may follow.
+std::vector<surface::Field> directions(const surface::Sheet& sheet) {
+    std::vector<surface::Field> out;
+    for (const auto& f : sheet.fields)
+        if (f.name.starts_with("stress.") || f.name == kDirection) out.push_back(f);
+    return out;
 }
 
 std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
@@ -48,7 +61,10 @@ std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p
 } // namespace
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
-    const Fine small = fine(sheet, kLongest * options.spacing);
+    const bool by_field = options.algorithm == Algorithm::field;
+    Fine small = fine(sheet, (by_field ? kLongestStriped : kLongest) * options.spacing);
+    if (by_field)
+        small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
     Plan out = lines(small.sheet, options);
     back(out, small);
     keep_to_surface(sheet.surface, out);

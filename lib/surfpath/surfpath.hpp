@@ -3,22 +3,26 @@
 
 #include "surface/sheet.hpp"
 #include "surfpath/algorithm.hpp"
+#include "surfpath/field/directions.hpp"
 #include "surfpath/plan.hpp"
 
 namespace filum::surfpath {
 
-enum class Method : std::uint8_t { filum, kipping2022 };    // ours, or as the paper says
-enum class RowTurns : std::uint8_t { none, hairpin, wide }; // of ortheo: rows end at the boundary, or go on
+enum class Method : std::uint8_t { filum, kipping2022 }; // ours, or as the paper says
+// Of ortheo and field: lines end at the rim, or go on; usual: of ortheo they end, of field they go on by wide turns.
+enum class RowTurns : std::uint8_t { usual, none, hairpin, wide };
 
 struct Options {
     Algorithm algorithm = Algorithm::geo_fiso;
     Method method = Method::filum;
     double spacing = 1;        // mm, d: between neighbouring lines
     double least_radius = 2.4; // mm: of turns, where there is room
-    RowTurns turns = RowTurns::none;
+    RowTurns turns = RowTurns::usual;
     double min_length = 0; // mm: of the lines of ortheo; shorter ones are left out
     double offset = 0;     // mm: along the normals, at which the path will be laid
-    bool strict = false;   // no turn may be tighter than least_radius
+    field::Sources
+        follow{}; // what field follows; nothing: directions that the sheet carries, else its stress, else the angle
+    bool strict = false; // no turn may be tighter than least_radius
 };
 
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.

@@ -183,7 +183,12 @@ Merged merge(const Span& span, const Tolerance& given, std::span<const geom::Seg
     std::vector<std::uint8_t> as_given(l.size(), 0);
     Course c = course(l, t, as_given);
     for (int k = 0; t.path > 0 && k <= kUntangled; ++k) {
-        const auto all = tangles(l, c.moves, c.begins, others);
+        auto all = tangles(l, c.moves, c.begins, others, t.grid);
+        // what crosses as it was given does so by rounding alone
+        std::erase_if(all, [&](const Tangle& x) {
+            return std::find(as_given.begin() + x.first, as_given.begin() + x.last + 1, 0) ==
+                   as_given.begin() + x.last + 1;
+        });
         if (all.empty()) break;
         if (k == kUntangled) t.path = 0;
         for (const Tangle& x : all) std::fill(as_given.begin() + x.first, as_given.begin() + x.last + 1, 1);

@@ -71,12 +71,13 @@ struct Arc {
 Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
               double& off);
 
-// Moves that cross each other or one of `others` where what they lay did not, as segments [first, last] of `line`;
-// `begins` of each move, ascending: the point of the line at or before which it begins.
+// Moves that cross each other or one of `others`, with ends rounded to whole multiples of `grid` mm (0: as they are),
+// where what they lay did not, as segments [first, last] of `line`; `begins` of each move, ascending: the point of the
+// line at or before which it begins.
 struct Tangle {
     std::uint32_t first = 0, last = 0;
 };
 std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins,
-                            std::span<const geom::Segment> others);
+                            std::span<const geom::Segment> others, double grid);
 
 } // namespace filum::toolpath

@@ -44,15 +44,25 @@ void add_arc(Chords& out, Vec2 from, const Move& m) {
     }
 }
 
-Chords chords(Vec2 at, std::span<const Move> moves) {
+// The nearest place that a program can name.
+Vec2 rounded(Vec2 p, double grid) {
+    return grid > 0 ? Vec2{std::round(p.x / grid) * grid, std::round(p.y / grid) * grid} : p;
+}
+
+Chords chords(Vec2 at, std::span<const Move> moves, double grid) {
     Chords out;
+    at = rounded(at, grid);
     for (std::uint32_t m = 0; m < moves.size(); ++m) {
-        if (moves[m].sweep != 0)
-            add_arc(out, at, moves[m]);
+        Move move = moves[m];
+        const Vec2 to = rounded(move.to.xy(), grid);
+        move.to.x = to.x;
+        move.to.y = to.y;
+        if (move.sweep != 0)
+            add_arc(out, at, move);
         else
-            out.segments.push_back({at, moves[m].to.xy()});
+            out.segments.push_back({at, to});
         out.move.resize(out.segments.size(), m);
-        at = moves[m].to.xy();
+        at = to;
     }
     return out;
 }
@@ -95,9 +105,9 @@ bool crossed_before(const Line& l, const Tangle& a, const Tangle& b) {
 } // namespace
 
 std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::span<const std::uint32_t> begins,
-                            std::span<const geom::Segment> others) {
+                            std::span<const geom::Segment> others, double grid) {
     std::vector<Tangle> out;
-    const Chords all = chords(line.points.front().xy(), moves);
+    const Chords all = chords(line.points.front().xy(), moves, grid);
     const auto n = static_cast<std::uint32_t>(all.segments.size());
     if (n < 3 && others.empty()) return out;
     // A move lays what lies from the point at or before its start to the one at or after its end.
@@ -108,11 +118,11 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
     const bool arcs = std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.sweep != 0; });
     double length = 0;
     for (const auto& s : all.segments) length += distance(s.a, s.b);
-    const geom::SegmentGrid grid(all.segments, std::max(length / n, kLeastMove));
+    const geom::SegmentGrid cells(all.segments, std::max(length / n, kLeastMove));
     const auto near = [&](const geom::Segment& s, auto&& f) {
         const double more = arcs ? 2 * kSagitta : 0;
-        grid.near({std::min(s.a.x, s.b.x) - more, std::min(s.a.y, s.b.y) - more},
-                  {std::max(s.a.x, s.b.x) + more, std::max(s.a.y, s.b.y) + more}, f);
+        cells.near({std::min(s.a.x, s.b.x) - more, std::min(s.a.y, s.b.y) - more},
+                   {std::max(s.a.x, s.b.x) + more, std::max(s.a.y, s.b.y) + more}, f);
     };
     for (std::uint32_t i = 0; i < n; ++i)
         near(all.segments[i], [&](std::uint32_t k) {
@@ -126,7 +136,8 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
         });
     for (const geom::Segment& s : others)
         near(s, [&](std::uint32_t k) {
-            if (!cross(all.segments[k], moves[all.move[k]], s, {})) return;
+            const geom::Segment other{rounded(s.a, grid), rounded(s.b, grid)};
+            if (!cross(all.segments[k], moves[all.move[k]], other, {})) return;
             if (const Tangle one = range(all.move[k]); !crossed_before(line, one, s)) out.push_back(one);
         });
     return out;

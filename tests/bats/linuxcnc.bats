@@ -64,6 +64,26 @@ kinematics.tilt_point_z=10,kinematics.turn_speed_deg=60,kinematics.tilt_speed_de
     awk '{ exit !($1 <= 0.02 && $3 <= 0.05) }' result
 }
 
+# Its samples are the controller's own milliseconds, however fast this machine is.
+@test "the print time said is the controller's, on a machine as fast as the profile says" {
+    enter_room
+    as_the_ini="motion.acceleration=2000,motion.travel_acceleration=2000,kinematics.tilt_speed_deg=40,\
+kinematics.turn_speed_deg=60,kinematics.tilt_acceleration_deg=600,kinematics.turn_acceleration_deg=900"
+    geodesic dome.off --source plane:0,1,0,8 | surfpath --quiet fina --spacing 5 --layer-height 0.1 --min-radius 5 > rows.toolpath
+    geodesic dome.off --source boundary | surfpath --quiet geo-contour --spacing 3 --layer-height 0.1 > rings.toolpath
+    for path in rows rings; do
+        for form in tip joints; do
+            postproc --machine linuxcnc-xyzac --job job.tsv --set "kinematics.numbers=$form,extrusion.kind=valve,\
+extrusion.on=M62 P0,extrusion.off=M63 P0,feeds.bead=15,feeds.first_layer=15,kinematics.tilt_point_y=20,\
+kinematics.tilt_point_z=10,$as_the_ini" $path.toolpath > $path-$form.ngc
+            simulate $path-$form
+            said=$(awk -F '\t' '$1 == "job.print_time_s" { print $2 }' job.tsv)
+            "$machine/bead-time.py" $path-$form/samples.txt | awk -v said="$said" -v of=$path-$form \
+                '{ print of ": said " said " s, bead on " $1 " s"; exit !(said > 0.9 * $1 && said < 1.1 * $1) }'
+        done
+    done
+}
+
 # The output of the cutter is sampled with the joints: it comes on where the program says, and the machine stands still.
 @test "the fibre is cut where the program says, by a machine that stands still" {
     enter_room

@@ -10,7 +10,7 @@ setup_file() {
     for tool in cpack dpkg-deb dpkg-shlibdeps; do command -v $tool > /dev/null || skip "no $tool"; done
     box_stl > part.stl
     "$FILUM_SOURCE/scripts/package" --out "$PWD" > said 2>&1 || { cat said && exit 1; }
-    for package in filum_*.deb python3-filum_*.deb; do dpkg-deb -x $package root; done
+    for package in filum_*.deb python3-filum_*.deb; do dpkg-deb -x $package tree; done
 }
 
 setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
@@ -19,19 +19,19 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     for file in bin/filum libexec/filum/slice share/man/man1/filum.1 share/man/man1/filum-slice.1 share/doc/filum/LICENSE \
         share/bash-completion/completions/filum share/filum/proto/filum/stream.proto share/filum/profiles/marlin.toml \
         lib/python3/dist-packages/filum/stream_pb2.py lib/python3/dist-packages/filum/__init__.py; do
-        [ -s "root/usr/$file" ] || { echo "missing: $file" && return 1; }
+        [ -s "tree/usr/$file" ] || { echo "missing: $file" && return 1; }
     done
     dpkg-deb -f filum_*.deb Depends | grep -q libprotobuf
     dpkg-deb -f python3-filum_*.deb Depends | grep -q python3-numpy
     [ "$(dpkg-deb -f python3-filum_*.deb Architecture)" = all ]
-    ! grep -rlI "$FILUM_SOURCE" root/usr
+    ! grep -rlI "$FILUM_SOURCE" tree/usr
 }
 
 @test "unpacked, they print, from the shell and from Python" {
-    env -i PATH=/usr/bin:/bin root/usr/bin/filum print part.stl -o part.gcode
+    env -i PATH=/usr/bin:/bin tree/usr/bin/filum print part.stl -o part.gcode
     [ "$(grep -c '^G1 ' part.gcode)" -gt 20 ]
     /usr/bin/python3 -c 'import numpy, google.protobuf' 2> /dev/null || skip "no python3-numpy, python3-protobuf"
-    env -i PATH="$PWD/root/usr/bin:/usr/bin:/bin" PYTHONPATH=root/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 \
+    env -i PATH="$PWD/tree/usr/bin:/usr/bin:/bin" PYTHONPATH=tree/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 \
         /usr/bin/python3 -c 'import filum; print(filum.slice("part.stl").regions().sequence().fill().link3d().gcode(), end="")' > python.gcode
     cmp part.gcode python.gcode
 }

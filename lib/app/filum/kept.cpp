@@ -5,8 +5,6 @@
 #include "base/printable.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -23,18 +21,9 @@ std::string lower(std::string text) {
     return text;
 }
 
-std::string folder_for_a_while() {
-    const char* where = std::getenv("TMPDIR");
-    std::string name = std::string(where != nullptr && *where != 0 ? where : "/tmp") + "/filum-print-XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr)
-        throw Error(Exit::io, "cannot make a folder in '" + fs::path(name).parent_path().string() +
-                                  "': " + std::strerror(errno) + "; name another by TMPDIR");
-    return name;
-}
-
 } // namespace
 
-Kept::Kept(const Request& request, const std::vector<Stage>& stages) : folder_(folder_for_a_while()) {
+Kept::Kept(const Request& request, const std::vector<Stage>& stages) {
     std::error_code failed;
     if (!request.keep.empty() && (fs::create_directories(request.keep, failed), failed))
         throw Error(Exit::io, "cannot make the folder '" + request.keep + "': " + failed.message());
@@ -44,9 +33,7 @@ Kept::Kept(const Request& request, const std::vector<Stage>& stages) : folder_(f
         const std::string name = std::to_string(s + 1) + "-" + stages[s].name + "." + lower(payloads_.back());
         const bool wanted = request.keep.empty() ? request.shows() : true;
         names_.push_back(stream && !request.keep.empty() ? request.keep + "/" + name : "");
-        files_.push_back(!stream || !wanted     ? ""
-                         : request.keep.empty() ? folder_ + "/" + name
-                                                : names_.back() + ".part");
+        files_.push_back(!stream || !wanted ? "" : request.keep.empty() ? folder_.file(name) : names_.back() + ".part");
         if (!names_.back().empty()) unfinished_.push_back(files_.back());
     }
 }
@@ -54,7 +41,6 @@ Kept::Kept(const Request& request, const std::vector<Stage>& stages) : folder_(f
 Kept::~Kept() {
     std::error_code failed;
     for (const std::string& file : unfinished_) fs::remove(file, failed);
-    fs::remove_all(folder_, failed);
 }
 
 void Kept::commit() {
@@ -83,7 +69,7 @@ void Kept::draw(const std::vector<std::string>& words, const std::string& output
 }
 
 void Kept::report(const std::string& input, const std::string& machine, const std::string& output) const {
-    const std::string figures = folder_ + "/figures.tsv", regions = last("Regions");
+    const std::string figures = folder_.file("figures.tsv"), regions = last("Regions");
     std::vector<std::string> words;
     if (!machine.empty()) words.push_back("--machine=" + machine);
     if (!regions.empty()) words.push_back("--regions=" + regions);

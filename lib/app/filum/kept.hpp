@@ -1,6 +1,7 @@
 // What `filum print` keeps of its stages' streams, and makes of them.
 #pragma once
 
+#include "app/filum/folder.hpp"
 #include "app/filum/route.hpp"
 
 #include <string>
@@ -18,7 +19,7 @@ class Kept {
 
     // A file per stage for its output; "" where nobody needs it.
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
-    [[nodiscard]] std::string summary() const { return folder_ + "/summary"; }
+    [[nodiscard]] std::string summary() const { return folder_.file("summary"); }
     // Gives the streams of --keep their names.
     void commit();
     // Runs `render` on the toolpath with more words.  Throws Error(failure) if that fails: it has said why.
@@ -31,7 +32,7 @@ class Kept {
     [[nodiscard]] std::string last(const std::string& payload) const; // the file of the last such stream, or ""
 
   private:
-    std::string folder_; // for a while
+    Folder folder_;
     std::vector<std::string> files_, names_, payloads_;
     std::vector<std::string> unfinished_; // as long as the streams may be incomplete
 };

@@ -20,9 +20,6 @@ namespace filum::app::filum {
 
 namespace {
 
-constexpr const char* kPlanar[] = {"slice", "regions", "skins", "supports", "sequence", "fill", "link3d", "postproc"};
-constexpr const char* kByWish[] = {"skins", "supports"}; // only where one of the options that they alone have is given
-
 int tell(const std::string& text) {
     stream::Sink out("-", stream::Sink::Content::text);
     out.write(text);
@@ -54,10 +51,12 @@ bool wished(const std::vector<std::string>& words, const std::vector<Stage>& sta
 void keep_wished(const std::vector<std::string>& words, Request& request, std::vector<Stage>& stages) {
     const std::vector<Stage> all = stages;
     const Request given = request;
-    stages.clear(), request.arguments.clear();
+    stages.clear();
+    request.arguments.clear();
     for (std::size_t s = 0; s < all.size(); ++s) {
         if (by_wish(all[s]) && !wished(words, all, all[s])) continue;
-        stages.push_back(all[s]), request.arguments.push_back(given.arguments[s]);
+        stages.push_back(all[s]);
+        request.arguments.push_back(given.arguments[s]);
     }
 }
 

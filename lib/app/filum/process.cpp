@@ -17,7 +17,7 @@ namespace filum::app::filum {
 namespace {
 
 constexpr int kPipe = 1 << 20;
-constexpr const char* kTee = "/usr/bin/tee"; // of coreutils
+constexpr const char* kTee = "tee"; // of coreutils
 
 [[noreturn]] void fail(const std::string& what) {
     throw Error(Exit::failure, "cannot " + what + ": " + std::strerror(errno));
@@ -52,7 +52,7 @@ void close_if_open(int& fd) {
     if (in >= 0) ::dup2(in, STDIN_FILENO);
     if (out >= 0) ::dup2(out, STDOUT_FILENO);
     if (chained) ::setenv("FILUM_CHAIN", "1", 1);
-    ::execv(argv[0], argv);
+    ::execvp(argv[0], argv);
     ::_exit(127);
 }
 
@@ -107,7 +107,7 @@ std::string output_of(const Command& command, bool silently) {
 
 void become(const Command& command) {
     auto argv = arguments(command);
-    ::execv(argv[0], argv.data());
+    ::execvp(argv[0], argv.data());
     fail("start '" + command[0] + "'");
 }
 

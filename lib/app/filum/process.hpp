@@ -7,7 +7,7 @@
 
 namespace filum::app::filum {
 
-using Command = std::vector<std::string>; // program file and arguments
+using Command = std::vector<std::string>; // program, looked for on the PATH unless it has a '/', and arguments
 
 // What the command writes to standard output, reading nothing.  `silently`: what it says on standard error, of one
 // argument, is dropped.  Throws Error(failure) if it does not end with 0.

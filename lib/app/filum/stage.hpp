@@ -33,6 +33,11 @@ std::string stage_program(const std::string& name);
 
 bool is_stage(const std::string& name);
 
+// The planar chain, first to last, and those of it that take part only where one of their own options is given.
+inline constexpr const char* kPlanar[] = {"slice",    "regions", "skins",  "supports",
+                                          "sequence", "fill",    "link3d", "postproc"};
+inline constexpr const char* kByWish[] = {"skins", "supports"};
+
 // Names of all stages, in alphabetical order.
 std::vector<std::string> stage_names();
 

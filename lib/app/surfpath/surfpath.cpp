@@ -1,5 +1,8 @@
 #include "app/surfpath/surfpath.hpp"
 
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "geom/angle.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -10,6 +13,7 @@ namespace filum::app::surfpath {
 namespace {
 
 using filum::surfpath::Algorithm;
+using geom::Vec3;
 
 filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorithm algorithm) {
     filum::surfpath::Options asked = o.plan;
@@ -26,6 +30,39 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorit
     return out;
 }
 
+Vec3 reference(const std::string& words) {
+    for (const auto& [name, axis] :
+         {std::pair("X", Vec3{1, 0, 0}), std::pair("Y", Vec3{0, 1, 0}), std::pair("Z", Vec3{0, 0, 1})})
+        if (words == name) return axis;
+    std::vector<double> xyz;
+    for (std::size_t at = 0; at <= words.size();) {
+        const std::size_t end = std::min(words.find(',', at), words.size());
+        xyz.push_back(parse_number(std::string_view(words).substr(at, end - at), "--reference"));
+        at = end + 1;
+    }
+    if (xyz.size() != 3 || !std::isfinite(norm(Vec3{xyz[0], xyz[1], xyz[2]})) ||
+        !(norm(Vec3{xyz[0], xyz[1], xyz[2]}) > 0))
+        throw Error(Exit::usage, "cannot use --reference '" + words + "'; say X, Y, Z or three numbers, as 1,0,0.5");
+    return {xyz[0], xyz[1], xyz[2]};
+}
+
+// What field is to follow; the angle alone if that is all that is said.
+filum::surfpath::field::Sources followed(const Options& o) {
+    filum::surfpath::field::Sources out;
+    out.turn = geom::radians(o.angle_deg);
+    out.reference = reference(o.reference);
+    for (const auto& [name, weight] : parse_weights(o.follow, "--follow")) {
+        if (name != "direction" && name != "stress" && name != "angle" && name != "rim")
+            throw Error(Exit::usage, "cannot follow '" + name + "'; --follow knows direction, stress, angle and rim");
+        (name == "direction" ? out.given
+         : name == "stress"  ? out.stress
+         : name == "angle"   ? out.angle
+                             : out.rim) = weight;
+    }
+    if (o.follow.empty() && (o.angle_deg != 0 || o.reference != "X")) out.angle = 1;
+    return out;
+}
+
 // Warns of options of algorithms that no patch follows.
 void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io) {
     const auto used = [&](Algorithm a) {
@@ -34,7 +71,9 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     const auto idle = [&](const std::vector<const char*>& options, const char* of) {
         for (const char* option : options) io.idle(option, std::string("no surface is filled by ") + of);
     };
-    if (!used(Algorithm::ortheo)) idle({"turns", "min-length", "d-iso", "min-spacing"}, "ortheo");
+    if (!used(Algorithm::ortheo)) idle({"min-length", "d-iso", "min-spacing"}, "ortheo");
+    if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
+    if (!used(Algorithm::field)) idle({"follow", "angle", "reference"}, "field");
     if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
         idle({"plane"}, "fina, fexa or ortheo");
     const bool rings = used(Algorithm::geo_fiso) || used(Algorithm::geo_contour);
@@ -50,8 +89,10 @@ void run(const Options& o, const cli::Io& io) {
                                [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
     const auto algorithms = filum::surfpath::algorithms(sheets, filum::surfpath::algorithm(o.algorithm));
     tell_idle(algorithms, io);
+    Options asked = o;
+    asked.plan.follow = followed(o);
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads,
-                                               [&](std::size_t k) { return lay(sheets[k], o, *algorithms[k]); });
+                                               [&](std::size_t k) { return lay(sheets[k], asked, *algorithms[k]); });
     filum::surfpath::Laying laying = o.laying;
     laying.width = o.plan.spacing;
     laying.layer = static_cast<std::uint32_t>(o.ply);

@@ -12,6 +12,8 @@ struct Options {
     std::string algorithm = "planned"; // by what the surfaces carry, or a name
     filum::surfpath::Options plan;
     filum::surfpath::Laying laying;
+    std::string follow, reference = "X"; // of field, as users have them
+    double angle_deg = 0;
     std::int64_t ply = 0;
     std::vector<double>
         plane; // normal and distance, mm, beside which rows of the paper lie; empty: that of the sources

@@ -28,6 +28,8 @@ surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
         return geo_contour(sheet, o);
     case Algorithm::geo_spiral:
         return geo_spiral(sheet, o);
+    case Algorithm::field:
+        throw Error(Exit::usage, "cannot lay field as Kipping et al. 2022 did; leave out --method");
     }
     throw std::logic_error("no such algorithm");
 }

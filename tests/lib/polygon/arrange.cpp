@@ -1,5 +1,6 @@
 // Arrangements of random walls: the faces tile the plane, winding is what counting says, outlines are simple.
 #include "polygon/arrange.hpp"
+#include "../trials.hpp"
 #include "geom/segment.hpp"
 #include "polygon/simple.hpp"
 
@@ -85,7 +86,7 @@ bool crosses_nowhere(const Loops& loops) {
 
 TEST(Arrange, unions_hold_what_winding_says) {
     std::mt19937 random(7);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < trials(300); ++round) {
         const double step = round % 3 == 0 ? 1 : round % 3 == 1 ? 0.01 : 1e-4; // 1: everything lies on everything
         const double size = round % 2 == 0 ? 10 : 0.01 + step * 8;             // small: as coarse as the grid
         const Loops in = tangle(random, 1 + round % 5, 3 + round % 7, size, step);

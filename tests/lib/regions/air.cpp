@@ -1,4 +1,5 @@
 #include "regions/air.hpp"
+#include "../trials.hpp"
 #include "regions/overlaps.hpp"
 #include "shapes.hpp"
 
@@ -64,7 +65,7 @@ double distance_to(const std::vector<polygon::Region>& regions, Vec2 p) {
 // Against points on a grid, each asked for its distance to the layer below.
 TEST(Air, AgreesWithAGridOfPoints) {
     Random random(5);
-    for (int trial = 0; trial < 30; ++trial) {
+    for (int trial = 0; trial < trials(30); ++trial) {
         std::vector<Loops> sides[2];
         for (auto& s : sides) {
             Loops soup;

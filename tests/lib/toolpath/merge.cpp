@@ -1,5 +1,6 @@
 #include "toolpath/merge.hpp"
 
+#include "../trials.hpp"
 #include "geom/polyline.hpp"
 #include "geom/segment.hpp"
 #include "lines.hpp"
@@ -43,7 +44,7 @@ int crossings(const std::vector<Vec3>& line) {
 TEST(Merge, KeepsTheLineItsEndsAndItsMaterial) {
     std::mt19937 random(7);
     std::size_t given = 0, left = 0;
-    for (int k = 0; k < 3000; ++k) {
+    for (int k = 0; k < trials(3000); ++k) {
         const Span s = lines::random_line(random);
         Tolerance t;
         t.path = k % 4 == 0 ? 0.1 : k % 4 == 1 ? 0.02 : k % 4 == 2 ? 0.005 : 0;
@@ -62,7 +63,9 @@ TEST(Merge, KeepsTheLineItsEndsAndItsMaterial) {
         ASSERT_TRUE(lines::follows(s.points, way, most)) << k << ", " << s.points.size() << " points, " << t.path;
         ASSERT_LE(m.off, t.path) << k;
         ASSERT_TRUE(lines::follows(s.points, way, m.off + 3 * kLeastMove + chord + 1e-9)) << k << " off " << m.off;
-        given += s.points.size() - 1, left += m.moves.size();
+        if (t.grid > 0) continue; // rounding tangles lines as wild as these: those stay as they are
+        given += s.points.size() - 1;
+        left += m.moves.size();
     }
     EXPECT_LT(2 * left, given);
 }
@@ -215,7 +218,7 @@ TEST(Merge, NothingCrossesThatDidNot) {
     std::mt19937 random(5);
     const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
     int tangled = 0;
-    for (int k = 0; k < 400; ++k) {
+    for (int k = 0; k < trials(400); ++k) {
         Span s{Role::bead, 0, 0, 0, {}, {0.4}, {0.2}};
         const double gap = uniform(0.0005, 0.02), wave = uniform(0.2, 3);
         const auto side = [&](double x) { return 0.008 * std::sin(wave * x) + 0.004 * std::sin(3.7 * wave * x + k); };
@@ -230,6 +233,34 @@ TEST(Merge, NothingCrossesThatDidNot) {
         tangled += m.moves.size() > 100 ? 1 : 0;
     }
     EXPECT_GT(tangled, 0); // it did happen
+}
+
+TEST(Merge, NothingCrossesInWholeMicrometres) {
+    // two lines that the program's decimals bring together: moves that were apart by less may cross there
+    std::mt19937 random(11);
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+    const auto rounded = [](std::vector<Vec3> way) { // in micrometres: what touches there does not cross
+        for (Vec3& p : way) p = {std::round(p.x * 1000), std::round(p.y * 1000), p.z};
+        return way;
+    };
+    int before = 0;
+    for (int k = 0; k < trials(400); ++k) {
+        Span s{Role::bead, 0, 0, 0, {}, {0.4}, {0.2}};
+        const double gap = uniform(0.001, 0.004), tilt = uniform(-0.02, 0.02), bend = uniform(0.02, 0.2);
+        const auto side = [&](double x) { return tilt * x + 0.01 * std::sin(bend * x * x); };
+        for (int i = 0; i <= 60; ++i) s.points.push_back({0.1 * i, side(0.1 * i), 0.2});
+        s.points.push_back({7, 0, 0.2});
+        for (int i = 60; i >= 0; --i) s.points.push_back({0.1 * i + 0.05, side(0.1 * i + 0.05) - gap, 0.2});
+        if (crossings(s.points) + crossings(rounded(s.points)) > 0) continue; // before anything is merged
+        Tolerance t;
+        t.path = 0.01;
+        const auto loose = merge(s, t);
+        before += crossings(rounded(lines::way(s.points.front(), loose.moves, 1e-7)));
+        t.grid = 1e-3;
+        const auto m = merge(s, t);
+        EXPECT_EQ(crossings(rounded(lines::way(s.points.front(), m.moves, 1e-7))), 0) << k;
+    }
+    EXPECT_GT(before, 0); // rounding alone did it
 }
 
 TEST(Merge, SpacePointsThatAMoveDoesNotNeed) {

@@ -33,7 +33,7 @@ TEST(geodesic, measures_from_a_corner_of_a_mesh_file) {
     const Folder at;
     Options o;
     o.source = "vertex:0";
-    o.measure.method = ::filum::geodesic::Method::exact;
+    o.measure.method = filum::geodesic::Method::exact;
     Stream all;
     const auto sheet = made(at, o, at.write("part.off", kSquare), &all);
     ASSERT_EQ(sheet.fields.size(), 1U);
@@ -94,13 +94,13 @@ TEST(geodesic, takes_sources_from_files) {
     const Folder at;
     Options o;
     o.lines = at.write("line.txt", "0 0 0\n0 2 0\n"); // the side x = 0
-    o.measure.method = ::filum::geodesic::Method::exact;
+    o.measure.method = filum::geodesic::Method::exact;
     const auto sheet = made(at, o, at.write("part.off", kSquare));
     for (std::size_t i = 0; i < 5; ++i)
         EXPECT_NEAR(sheet.fields.at(0).values[i], sheet.surface.vertices[i].x, 1e-6) << i;
     Options wall;
     wall.mesh = at.write("wall.off", "OFF\n4 2 0\n1 -1 -1\n1 3 -1\n1 3 1\n1 -1 1\n3 0 1 2\n3 0 2 3\n"); // x = 1
-    wall.measure.method = ::filum::geodesic::Method::exact;
+    wall.measure.method = filum::geodesic::Method::exact;
     const auto split = made(at, wall, at("part.off"));
     for (std::size_t i = 0; i < 5; ++i)
         EXPECT_NEAR(split.fields.at(0).values[i], std::abs(split.surface.vertices[i].x - 1), 1e-6) << i;

@@ -1,4 +1,5 @@
 #include "metrics/planar/air.hpp"
+#include "../../trials.hpp"
 #include "toolpaths.hpp"
 
 #include "geom/segment.hpp"
@@ -61,7 +62,7 @@ TEST(Air, ALayerThatIsMissingCarriesNothing) {
 TEST(Air, AgreesWithSamples) {
     std::mt19937 random(3);
     const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * (random() / 4294967295.0); };
-    for (int trial = 0; trial < 40; ++trial) {
+    for (int trial = 0; trial < trials(40); ++trial) {
         Beads b;
         for (std::uint32_t layer = 0; layer < 2; ++layer) {
             b.moving = false;

@@ -1,19 +1,16 @@
-#include "partition/load.hpp"
+#include "surface/directions/pull.hpp"
 
 #include "base/error.hpp"
+#include "surface/directions/rosy.hpp"
 
 #include <algorithm>
-#include <complex>
 
-#include <Eigen/SparseCholesky>
-
-namespace filum::partition {
+namespace filum::surface::directions {
 
 namespace {
 
-constexpr double kFull = 0.9;     // share of the area below the load of full trust
-constexpr double kLeast = 0.2;    // trust of directions where there is next to no load
-constexpr double kNothing = 1e-9; // keeps the system definite where nothing is known
+constexpr double kFull = 0.9;  // share of the area below the load of full trust
+constexpr double kLeast = 0.2; // trust of directions where there is next to no load
 
 struct Case {
     const surface::Field* d = nullptr;
@@ -64,35 +61,6 @@ Vec3 pulled(const Case& c, std::size_t v, const Vec3& n) {
     return s * norm(flat) * flat; // of length s (d . p)^2
 }
 
-using Complex = std::complex<double>;
-using ComplexMatrix = Eigen::SparseMatrix<Complex>;
-
-// `d` in the tangent plane across n, with its angle from across(n) doubled.
-Complex doubled(const Vec3& d, const Vec3& n) {
-    const Vec3 x = across(n);
-    const Complex z{dot(d, x), dot(d, cross(n, x))};
-    return z * z;
-}
-
-ComplexMatrix system(const Pull& p, const Cells& cells, double length) {
-    std::vector<Eigen::Triplet<Complex>> entries;
-    entries.reserve(p.load.size() + 3 * cells.sides.size());
-    const auto at = [](std::uint32_t v) { return static_cast<int>(v); };
-    for (std::uint32_t v = 0; v < p.load.size(); ++v)
-        entries.emplace_back(at(v), at(v), cells.area[v] * (kNothing + p.trust[v]));
-    for (const Side& side : cells.sides) {
-        const double w = length * length * side.conductance;
-        const Vec3 &na = cells.normal[side.a], &nb = cells.normal[side.b];
-        entries.emplace_back(at(side.a), at(side.a), w);
-        entries.emplace_back(at(side.b), at(side.b), w);
-        entries.emplace_back(at(side.b), at(side.a), -w * doubled(turned(across(na), na, nb), nb)); // lower triangle
-    }
-    const auto n = static_cast<int>(p.load.size());
-    ComplexMatrix out(n, n);
-    out.setFromTriplets(entries.begin(), entries.end());
-    return out;
-}
-
 } // namespace
 
 Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& options) {
@@ -118,20 +86,14 @@ Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& op
 
 void smooth(Pull& p, const Cells& cells, double length) {
     if (std::none_of(p.trust.begin(), p.trust.end(), [](double t) { return t > 0; })) return;
-    Eigen::SimplicialLDLT<ComplexMatrix> factor(system(p, cells, length));
-    if (factor.info() != Eigen::Success)
-        throw Error(Exit::failure, "cannot smooth the directions: the surface's triangles are too uneven; remesh it");
-    Eigen::VectorXcd given(static_cast<Eigen::Index>(p.load.size()));
-    for (std::size_t v = 0; v < p.load.size(); ++v)
-        given[static_cast<Eigen::Index>(v)] = cells.area[v] * p.trust[v] * doubled(p.along[v], cells.normal[v]);
-    const Eigen::VectorXcd z = factor.solve(given);
+    std::vector<Complex> given(p.load.size());
+    for (std::size_t v = 0; v < given.size(); ++v) given[v] = doubled(p.along[v], cells.normal[v]);
+    const auto z = smoothed(cells, given, p.trust, length);
     for (std::size_t v = 0; v < p.load.size(); ++v) {
-        const Complex here = z[static_cast<Eigen::Index>(v)];
-        const double sure = std::abs(here), half = std::arg(here) / 2;
-        const Vec3 n = cells.normal[v], x = across(n);
-        p.along[v] = sure > 1e-6 ? std::cos(half) * x + std::sin(half) * cross(n, x) : Vec3{};
+        const double sure = std::abs(z[v]);
+        p.along[v] = sure > 1e-6 ? direction(z[v], cells.normal[v]) : Vec3{};
         p.trust[v] = sure > 1e-6 ? std::min(1.0, sure) * std::max(kLeast, p.trust[v]) : 0;
     }
 }
 
-} // namespace filum::partition
+} // namespace filum::surface::directions

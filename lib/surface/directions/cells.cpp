@@ -1,10 +1,10 @@
-#include "partition/cells.hpp"
+#include "surface/directions/cells.hpp"
 
 #include "surface/curve/line.hpp"
 
 #include <algorithm>
 
-namespace filum::partition {
+namespace filum::surface::directions {
 
 namespace {
 
@@ -81,4 +81,4 @@ double percentile(std::vector<std::pair<double, double>> all, double share) {
     return 0;
 }
 
-} // namespace filum::partition
+} // namespace filum::surface::directions

@@ -1,12 +1,12 @@
 // Along what, and how strongly, a surface is pulled.
 #pragma once
 
-#include "partition/cells.hpp"
+#include "surface/directions/cells.hpp"
 #include "surface/sheet.hpp"
 
 #include <string>
 
-namespace filum::partition {
+namespace filum::surface::directions {
 
 struct Pull {
     std::vector<Vec3> along;   // per vertex, unit, in the tangent plane, without a sign; (0, 0, 0): not known
@@ -35,4 +35,4 @@ Pull pull(const surface::Sheet& sheet, const Cells& cells, const PullOptions& op
 // direction fields", with a data term.)
 void smooth(Pull& pull, const Cells& cells, double length);
 
-} // namespace filum::partition
+} // namespace filum::surface::directions

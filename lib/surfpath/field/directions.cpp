@@ -1,0 +1,140 @@
+#include "surfpath/field/directions.hpp"
+
+#include "base/error.hpp"
+#include "surface/directions/pull.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace filum::surfpath::field {
+
+namespace {
+
+using surface::kNone;
+using surface::directions::direction;
+using surface::directions::doubled;
+using surface::directions::transport;
+
+constexpr double kFall = 0.25;    // of a weight: what is left of it after a round
+constexpr double kNone2 = 1e-4;   // of a weight: less of it is none
+constexpr int kRounds = 16;       // of lowering weights
+constexpr double kUnknown = 1e-6; // |z|: less of it is no direction
+
+void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, Wanted& out) {
+    const auto pull = surface::directions::pull(sheet, cells, {});
+    if (std::none_of(pull.trust.begin(), pull.trust.end(), [](double t) { return t > 0; }))
+        throw Error(Exit::bad_input, "cannot follow the stress: the surface carries none that pulls; run stressfield "
+                                     "first");
+    for (std::size_t v = 0; v < out.z.size(); ++v)
+        out.z[v] += share * pull.trust[v] * doubled(pull.along[v], cells.normal[v]);
+}
+
+void add_given(const surface::Sheet& sheet, const Cells& cells, const Sources& o, Wanted& out) {
+    const auto it = std::find_if(sheet.fields.begin(), sheet.fields.end(),
+                                 [&](const surface::Field& f) { return f.name == o.field && f.components == 3; });
+    if (it == sheet.fields.end())
+        throw Error(Exit::bad_input, "cannot follow a direction: the surface carries no field of vectors '" +
+                                         std::string(o.field) + "'");
+    for (std::size_t v = 0; v < out.z.size(); ++v) {
+        const Vec3 d = it->vector(v);
+        if (const double l = norm(d); l > 0 && std::isfinite(l))
+            out.z[v] += o.given * doubled(1 / l * d, cells.normal[v]);
+    }
+}
+
+void add_angle(const Cells& cells, const Sources& o, Wanted& out) {
+    const Vec3 to = 1 / norm(o.reference) * o.reference;
+    const Complex turned = std::polar(1.0, 2 * o.turn);
+    for (std::size_t v = 0; v < out.z.size(); ++v) // of the length squared of its part along the surface
+        out.z[v] += o.angle * turned * doubled(to, cells.normal[v]);
+}
+
+void add_rims(const Surface& s, const Cells& cells, double share, Wanted& out) {
+    for (const auto& rim : s.rims)
+        for (const std::uint32_t h : rim.sides) {
+            const Vec3 d = s.vertices[s.head(h)] - s.vertices[s.tail(h)];
+            for (const std::uint32_t v : {s.tail(h), s.head(h)}) {
+                const Complex z = doubled(d, cells.normal[v]);
+                out.z[v] += std::abs(z) > 0 ? share / 2 / std::abs(z) * z : Complex{};
+            }
+        }
+}
+
+// What lines through a triangle turn on their way, 1/mm: the slope of their angle along them.
+double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, std::uint32_t t) {
+    const auto& c = s.triangles[t];
+    const Vec3 n = surface::normal(s, t);
+    std::array<Complex, 3> u;
+    Complex sum{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = z[c[k]] * transport(cells.normal[c[k]], n);
+        if (!(std::abs(u[k]) > kUnknown)) return 0;
+        u[k] /= std::abs(u[k]);
+        sum += u[k];
+    }
+    if (!(std::abs(sum) > kUnknown)) return std::numeric_limits<double>::infinity();
+    const Vec3 d = direction(sum, n);
+    Vec3 slope;
+    const double twice_area = 2 * surface::area(s, t);
+    for (std::size_t k = 0; k < 3; ++k) { // half of the doubled angle, from the mean on
+        const double angle = std::arg(u[k] * std::conj(sum)) / 2;
+        slope = slope + angle / twice_area * cross(n, s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
+    }
+    return std::abs(dot(slope, d));
+}
+
+} // namespace
+
+Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o) {
+    const std::size_t n = sheet.surface.vertices.size();
+    Wanted out{std::vector<Complex>(n), std::vector<double>(n, 0)};
+    if (o.given > 0) add_given(sheet, cells, o, out);
+    if (o.stress > 0) add_stress(sheet, cells, o.stress, out);
+    if (o.angle > 0) add_angle(cells, o, out);
+    if (o.rim > 0) add_rims(sheet.surface, cells, o.rim, out);
+    for (std::size_t v = 0; v < n; ++v) {
+        const double much = std::abs(out.z[v]);
+        out.weight[v] = std::min(1.0, much);
+        if (much > 0) out.z[v] /= much;
+    }
+    if (std::none_of(out.weight.begin(), out.weight.end(), [](double w) { return w > kUnknown; }))
+        throw Error(Exit::bad_input, "cannot follow a direction: none is given anywhere on the surface; see --follow "
+                                     "and --reference");
+    return out;
+}
+
+Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, double length, double radius) {
+    Directions out;
+    const std::size_t n = s.vertices.size();
+    std::vector<double> share(n, 1), weight = wanted.weight;
+    std::vector<Complex> z;
+    for (int round = 0; round < kRounds; ++round) {
+        z = surface::directions::smoothed(cells, wanted.z, weight, length);
+        std::vector<char> tight(n, 0);
+        out.tight = out.tightest = 0;
+        for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+            const double k = bend(s, cells, z, t);
+            if (k > out.tightest) {
+                out.tightest = k;
+                out.tight_at = s.vertices[s.triangles[t][0]];
+            }
+            if (!(k * radius > 1)) continue;
+            out.tight += surface::area(s, t);
+            for (const std::uint32_t v : s.triangles[t]) tight[v] = share[v] > kNone2 && weight[v] > 0 ? 1 : tight[v];
+        }
+        if (std::none_of(tight.begin(), tight.end(), [](char c) { return c != 0; })) break;
+        for (std::size_t v = 0; v < n; ++v)
+            if (tight[v]) {
+                share[v] = share[v] * kFall > kNone2 ? share[v] * kFall : 0;
+                weight[v] = wanted.weight[v] * share[v];
+            }
+    }
+    for (std::size_t v = 0; v < n; ++v) {
+        out.along.push_back(direction(std::abs(z[v]) > 0 ? z[v] : Complex{1, 0}, cells.normal[v]));
+        out.given_up += share[v] < 0.5 ? cells.area[v] : 0;
+    }
+    return out;
+}
+
+} // namespace filum::surfpath::field

@@ -1,0 +1,157 @@
+#include "surfpath/field/stripes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace filum::surfpath::field {
+
+namespace {
+
+using surface::kNone;
+
+constexpr double kHalfTurn = std::numbers::pi;
+constexpr double kInside = 1e-6; // of an edge: as near to its ends as crossings come
+
+// Where lines cross an edge, in the order of the half-edge from its lesser vertex.
+struct Crossing {
+    std::uint32_t edge = 0; // that half-edge, or the only one
+    Vec3 point;
+    std::array<std::uint32_t, 2> other{kNone, kNone};   // the crossings that it is joined with,
+    std::array<std::uint32_t, 2> through{kNone, kNone}; // and the triangles between
+};
+
+class Tracer {
+  public:
+    Tracer(const Surface& s, const Stripes& stripes) : s_(s), stripes_(stripes), first_(s.twin.size() + 1, 0) {}
+
+    std::vector<Line> all() {
+        for (std::uint32_t h = 0; h < s_.twin.size(); ++h) {
+            first_[h] = static_cast<std::uint32_t>(found_.size());
+            if (own(h)) cross_edge(h);
+        }
+        first_.back() = static_cast<std::uint32_t>(found_.size());
+        for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) join(t);
+        std::vector<Line> out;
+        used_.assign(found_.size(), 0);
+        for (std::uint32_t i = 0; i < found_.size(); ++i) // those that end at rims, then closed ones
+            if (!used_[i] && found_[i].other[1] == kNone) out.push_back(follow(i));
+        for (std::uint32_t i = 0; i < found_.size(); ++i)
+            if (!used_[i]) out.push_back(follow(i));
+        return out;
+    }
+
+  private:
+    // Whether the edge is kept under this half-edge.
+    [[nodiscard]] bool own(std::uint32_t h) const { return s_.twin[h] == kNone || s_.tail(h) < s_.head(h); }
+
+    void cross_edge(std::uint32_t h) {
+        const bool ahead = s_.tail(h) < s_.head(h);
+        const std::uint32_t a = ahead ? s_.tail(h) : s_.head(h), b = ahead ? s_.head(h) : s_.tail(h);
+        const double grown = stripes_.growth[h];
+        const double from = std::arg(stripes_.phase[a]), to = from + grown;
+        const double low = std::min(from, to), high = std::max(from, to);
+        const auto begin = found_.size();
+        for (double k = std::ceil(low / kHalfTurn - 0.5); (k + 0.5) * kHalfTurn < high; ++k) {
+            const double share = std::clamp(((k + 0.5) * kHalfTurn - from) / grown, kInside, 1 - kInside);
+            found_.push_back({h, s_.vertices[a] + share * (s_.vertices[b] - s_.vertices[a]), {kNone, kNone}, {}});
+        }
+        if (ahead != (grown > 0)) std::reverse(found_.begin() + static_cast<std::ptrdiff_t>(begin), found_.end());
+    }
+
+    // The crossings of a triangle's sides, round about it.
+    [[nodiscard]] std::vector<std::uint32_t> round(std::uint32_t t) const {
+        std::vector<std::uint32_t> out;
+        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const std::uint32_t e = own(h) ? h : s_.twin[h];
+            for (std::uint32_t i = first_[e]; i < first_[e + 1]; ++i)
+                out.push_back(e == h ? i : first_[e + 1] - 1 - (i - first_[e]));
+        }
+        return out;
+    }
+
+    // Joins the crossings of a triangle in pairs, none across another, by the least length in all.
+    void join(std::uint32_t t) {
+        const auto about = round(t);
+        const std::size_t n = about.size();
+        if (n < 2) return;
+        const auto at = [&](std::size_t i) { return about[i % n]; };
+        std::vector<double> best((n + 1) * (n + 1), 0); // of those from i up to before j
+        std::vector<std::size_t> with((n + 1) * (n + 1), 0);
+        for (std::size_t span = 2; span <= n; span += 2)
+            for (std::size_t i = 0; i + span <= n; ++i) {
+                double& least = best[i * (n + 1) + i + span];
+                least = std::numeric_limits<double>::infinity();
+                for (std::size_t k = i + 1; k < i + span; k += 2) {
+                    const double l =
+                        cost(at(i), at(k)) + best[(i + 1) * (n + 1) + k] + best[(k + 1) * (n + 1) + i + span];
+                    if (l < least) {
+                        least = l;
+                        with[i * (n + 1) + i + span] = k;
+                    }
+                }
+            }
+        std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - n % 2}};
+        while (!open.empty()) {
+            const auto [i, j] = open.back();
+            open.pop_back();
+            if (j < i + 2) continue;
+            const std::size_t k = with[i * (n + 1) + j];
+            tie(at(i), at(k), t);
+            open.emplace_back(i + 1, k);
+            open.emplace_back(k + 1, j);
+        }
+    }
+
+    // Two of one side are neighbours of a turn: only if nothing else is left.
+    [[nodiscard]] double cost(std::uint32_t a, std::uint32_t b) const {
+        return distance(found_[a].point, found_[b].point) + (found_[a].edge == found_[b].edge ? 1e6 : 0);
+    }
+
+    void tie(std::uint32_t a, std::uint32_t b, std::uint32_t t) {
+        for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
+            const std::size_t k = found_[x].other[0] == kNone ? 0 : 1;
+            found_[x].other[k] = y;
+            found_[x].through[k] = t;
+        }
+    }
+
+    Line follow(std::uint32_t i) {
+        Line out;
+        std::uint32_t before = kNone;
+        while (true) {
+            used_[i] = 1;
+            Crossing& c = found_[i];
+            // A line that comes back through the same two crossings goes on by the other triangle.
+            std::size_t k = 0;
+            if (before != kNone) k = c.through[0] == before ? 1 : 0;
+            if (c.other[k] == kNone) {
+                out.places.push_back({before == kNone ? c.edge / 3 : before, c.point});
+                return out;
+            }
+            out.places.push_back({c.through[k], c.point});
+            before = c.through[k];
+            i = c.other[k];
+            if (used_[i]) {
+                const bool back = distance(found_[i].point, out[0]) == 0;
+                out.closed = back && found_[i].other[1] != kNone;
+                if (!out.closed) out.places.push_back({before, found_[i].point});
+                return out;
+            }
+        }
+    }
+
+    const Surface& s_;
+    const Stripes& stripes_;
+    std::vector<std::uint32_t> first_; // per half-edge: its crossings
+    std::vector<Crossing> found_;
+    std::vector<char> used_;
+};
+
+} // namespace
+
+std::vector<Line> lines(const Surface& s, const Stripes& stripes) { return Tracer(s, stripes).all(); }
+
+} // namespace filum::surfpath::field
