@@ -1,11 +1,14 @@
 #include "render/flat.hpp"
 
+#include "base/number.hpp"
 #include "geom/segment.hpp"
 #include "parallel/parallel.hpp"
+#include "render/key.hpp"
 #include "render/layer.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace filum::render {
 
@@ -32,6 +35,18 @@ Frame frame(const geom::Box2& box, int width, int height) {
     const double w = std::max(box.hi.x - box.lo.x, 1e-6), h = std::max(box.hi.y - box.lo.y, 1e-6);
     f.scale = std::min(0.94 * width / w, 0.90 * height / h);
     return f;
+}
+
+// Which layer it is, and how high its top lies.
+std::string title(const Scene& scene) {
+    if (scene.spans.empty() && scene.outlines.empty()) return "";
+    double z = -std::numeric_limits<double>::infinity();
+    for (const toolpath::Span& s : scene.spans)
+        if (fills(s.role))
+            for (const geom::Vec3& p : s.points) z = std::max(z, p.z);
+    if (!std::isfinite(z) && !scene.outlines.empty()) z = scene.outlines.front().z;
+    const std::uint32_t layer = scene.spans.empty() ? scene.outlines.front().layer : scene.spans.front().layer;
+    return "layer " + std::to_string(layer) + (std::isfinite(z) ? ", z " + fixed_text(z, 2) + " mm" : "");
 }
 
 // What lies at a sample.
@@ -194,7 +209,10 @@ Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int 
         if (view.travels)
             draw_line(out, f.to_pixel(t.a), f.to_pixel(t.b), 1.2, role_colour(toolpath::Role::travel), 0.7);
     draw_marks(out, layer, f);
-    draw_legend(out, tint);
+    Key key(out);
+    key.text(title(scene));
+    add_legend(key, tint);
+    key.ruler(f.scale);
     return out;
 }
 
