@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace filum::surfpath {
 
@@ -114,9 +115,10 @@ class Path {
     // there and so counts for more; mm.
     [[nodiscard]] double way_length(std::uint32_t from, std::uint32_t to) const {
         const double l = transits_.length(from, to);
-        if (std::isfinite(l)) return l;
+        if (l <= o_.along) return l;
         const Line line = across(from, to);
-        return line.size() > 1 ? kBreak + surface::curve::length(line) : l;
+        const double straight = surface::curve::length(line);
+        return line.size() > 1 && straight <= o_.across ? kBreak + straight : std::numeric_limits<double>::infinity();
     }
 
     // Straight across the surface from one end to another; empty if that does not lead there.
@@ -146,9 +148,9 @@ class Path {
             return out;
         }
         const auto way = transits_.way(from, to);
-        const auto stretches = known ? std::vector<Line>{transits_.along(from, to)}
-                               : way ? way->stretches
-                                     : std::vector<Line>{across(from, to)};
+        const auto stretches = known                            ? std::vector<Line>{transits_.along(from, to)}
+                               : way && way->length <= o_.along ? way->stretches
+                                                                : std::vector<Line>{across(from, to)};
         for (const Line& l : stretches) transited_ += surface::curve::length(l);
         return turner_.eased(from, stretches, to);
     }

@@ -3,16 +3,23 @@
 #include "surface/curve/ease.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/stripes.hpp"
+#include "surfpath/splice.hpp"
 #include "surfpath/winding.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSmoothed = 0.2; // spacings: what is smaller, of directions, lines cannot follow
-constexpr double kGive = 0.25;    // spacings: how far lines may move to keep the radius
+constexpr double kSmoothed = 0.2;  // spacings: what is smaller, of directions, lines cannot follow
+constexpr double kLongestWay = 50; // mm: ways along what is laid, at most: a cut costs as much fibre
+constexpr double kAcross = 10;     // spacings: ways over other lines, at most
+constexpr std::size_t kChain = 4;  // closed lines beside each other that make a spiral
+constexpr double kEasedTo = 1.15;  // of the least radius: what lines are eased to, so that samples of them keep it
+constexpr double kGive =
+    0.1; // spacings: how far lines may move to keep the radius; more would cut off the turns of pairs
 
 field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
     if (given.given > 0 || given.stress > 0 || given.angle > 0 || given.rim > 0) return given;
@@ -23,6 +30,43 @@ field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
                                   [](const surface::Field& f) { return f.name == kDirection; });
     (said ? given.given : stressed ? given.stress : given.angle) = 1;
     return given;
+}
+
+// The lines as rows; of closed ones, long chains as rings to be wound, others as part of lines beside them.
+std::pair<std::vector<Raw>, std::vector<Vec3>> opened(const Surface& s, std::vector<Line> lines, double spacing,
+                                                      double radius) {
+    const auto numbered = [&] {
+        std::vector<Raw> out;
+        for (std::size_t i = 0; i < lines.size(); ++i) out.push_back({lines[i], spacing * static_cast<double>(i)});
+        return out;
+    };
+    auto rings = numbered();
+    std::vector<char> wound;
+    for (const std::size_t size : level_rings(s, rings, spacing)) wound.push_back(size >= kChain ? 1 : 0);
+    const auto crossed = splice_loops(s, lines, wound, spacing, radius);
+    rings = numbered();
+    level_rings(s, rings, spacing);
+    return {std::move(rings), crossed};
+}
+
+// Each by itself, always the one next whose nearer end is nearest to where the last one ended; the first of equals.
+std::vector<Line> in_turn(std::vector<Line> lines) {
+    std::vector<Line> out;
+    while (!lines.empty()) {
+        std::size_t best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < lines.size() && !out.empty(); ++i) {
+            const Vec3 at = out.back().closed ? out.back()[0] : out.back()[out.back().size() - 1];
+            const double begin = distance(lines[i][0], at), end = distance(lines[i][lines[i].size() - 1], at);
+            if (!(std::min(begin, end) < least)) continue;
+            least = std::min(begin, end);
+            best = i;
+            if (end < begin && !lines[i].closed) surface::curve::reverse(lines[i]);
+        }
+        out.push_back(std::move(lines[best]));
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(best));
+    }
+    return out;
 }
 
 void tell(const Surface& s, const field::Directions& d, Plan& out) {
@@ -44,19 +88,24 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
     auto all = field::lines(s, field::stripes(s, cells, directions.along, o.spacing));
     const double gentle = std::max(o.least_radius, o.spacing / 2);
-    for (Line& l : all) l = surface::curve::ease(s, l, {.radius = gentle, .corridor = kGive * o.spacing}).line;
+    for (Line& l : all)
+        l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
     Plan out;
     if (o.turns == RowTurns::none) {
-        for (Line& l : all) out.strokes.push_back({{{std::move(l), false}}});
+        for (Line& l : in_turn(std::move(all))) out.strokes.push_back({{{std::move(l), false}}});
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
-        std::vector<Raw> raw;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
-        const Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
+        const auto [raw, crossed] = opened(s, std::move(all), o.spacing, gentle);
+        Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
+        turns.across = kAcross * o.spacing;
+        turns.along = kLongestWay;
         Rows found = rows(s, raw, o.spacing / 2, o.spacing / 2);
         wind(s, found, o.spacing, false);
         out = boustrophedon(s, found, turns);
+        if (!crossed.empty())
+            out.notes.push_back({"", "loop joined by shifts that cross",
+                                 o.spacing * o.spacing * static_cast<double>(crossed.size()), "mm2", crossed.size(), -1,
+                                 crossed[0].x, crossed[0].y, crossed[0].z});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
     tell(s, directions, out);

@@ -8,10 +8,10 @@ namespace filum::surfpath {
 
 // Lines along what `options.follow` says (field/directions.hpp), the field smoothed until they bend no tighter than the
 // least radius, one spacing apart by stripes (field/stripes.hpp); where directions spread, lines are born in twos,
-// joined by a hairpin.  Turns "wide" (and "usual"): the lines are led into each other as rows are; "hairpin": by tight
-// turns; "none": each is a stroke of its own.
-// Facts: rows, cuts, "tightest-bend" 1/mm of the field.  Notes: where the field bends tighter than the least radius
-// though nothing is asked for there, and where it leaves what is asked for to keep the radius.
+// joined by a hairpin.  Closed lines become spirals, or part of lines beside them (splice.hpp).  Turns "wide" (and
+// "usual"): the lines are led into each other as rows are; "hairpin": by tight turns; "none": each is a stroke of its
+// own. Facts: rows, cuts, "tightest-bend" 1/mm of the field.  Notes: shifts that cross, where the field bends tighter
+// than the least radius though nothing is asked for there, and where it leaves what is asked for to keep the radius.
 // Throws Error(bad_input) if there is nothing to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 

@@ -65,7 +65,7 @@ std::vector<LaidTurn> Turner::turns() const {
         for (std::uint32_t b = a + 1; b < n; ++b) {
             if (same_line(a, b)) {
                 const double l = surface::curve::length(transits_.along(a, b));
-                if (l > 0) out.push_back({a, b, 0, 0, 0, l, {}});
+                if (l > 0 && l <= o_.along) out.push_back({a, b, 0, 0, 0, l, {}});
             } else if (a / 2 != b / 2 && near(a, b)) {
                 if (auto t = lay(a, b); t.line.size() > 1) out.push_back(std::move(t));
             }

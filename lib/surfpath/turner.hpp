@@ -9,9 +9,11 @@
 
 namespace filum::surfpath {
 
-struct Turning {
+struct Turning {               // what is left out has no limit
     double spacing = 1;        // mm, between rows
     double least_radius = 2.4; // mm, of turns, where there is room
+    double across = 1e300;     // mm: of ways straight over other rows, at most; rather than longer ones a cut
+    double along = 1e300;      // mm: likewise, of ways along rims and other rows
 };
 
 // Turns are never tighter than those between neighbouring rows.

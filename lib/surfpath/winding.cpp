@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kSamples = 24; // of a ring, to tell whether another runs beside it
 constexpr double kRingsBeside = 1.6; // of the difference of levels: how far apart rings beside each other may be
 constexpr double kSpiralStep = 0.4;  // of the spacing, between places of a spiral
+constexpr double kApart = 100;       // spacings, of levels, between chains that have nothing to do with each other
 constexpr double kNearInset = 2;     // spacings: from where the spiral's end is led to the inset
 
 struct Foot {
@@ -37,14 +38,21 @@ struct Contour {
     double level;
 };
 
+// How far rings are from each other, mm, in the mean; infinite if anywhere farther than `most`.
+double apart(const Contour& a, const Contour& b, double most) {
+    double sum = 0;
+    for (std::size_t i = 0; i < kSamples; ++i)
+        for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+            const double way = static_cast<double>(i) / kSamples * from->ways.back();
+            const double far = foot(to->line, to->ways, surface::curve::at(from->line, from->ways, way).point).far;
+            if (far > most) return std::numeric_limits<double>::infinity();
+            sum += far;
+        }
+    return sum / (2 * kSamples);
+}
+
 bool beside(const Contour& a, const Contour& b) {
-    const double most = kRingsBeside * std::abs(a.level - b.level);
-    for (std::size_t i = 0; i < kSamples; ++i) {
-        const double f = static_cast<double>(i) / kSamples;
-        if (foot(b.line, b.ways, surface::curve::at(a.line, a.ways, f * a.ways.back()).point).far > most) return false;
-        if (foot(a.line, a.ways, surface::curve::at(b.line, b.ways, f * b.ways.back()).point).far > most) return false;
-    }
-    return true;
+    return std::isfinite(apart(a, b, kRingsBeside * std::abs(a.level - b.level)));
 }
 
 // Rings in chains, each beside the next.
@@ -181,6 +189,68 @@ void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     std::erase_if(rows.rows, [](const Row& row) { return row.line.closed; });
     std::move(wound.begin(), wound.end(), std::back_inserter(rows.rows));
     std::stable_sort(rows.rows.begin(), rows.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
+}
+
+namespace {
+
+// Turns `b` round unless `a`, which runs beside it, lies to its left.
+void turn_from(const Surface& s, Line& b, const Contour& a) {
+    const auto ways = surface::curve::arc_lengths(b);
+    const Place p = b.places[0];
+    const Vec3 t = surface::curve::at(b, ways, ways.back() / 1000).point - p.point;
+    const Vec3 q = surface::curve::at(a.line, a.ways, foot(a.line, a.ways, p.point).way).point;
+    if (dot(cross(surface::normal(s, p.triangle), t), q - p.point) < 0) surface::curve::reverse(b);
+}
+
+} // namespace
+
+std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, double spacing) {
+    std::vector<std::size_t> which;
+    std::vector<Contour> rings;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i].line.closed) {
+            which.push_back(i);
+            rings.push_back({lines[i].line, surface::curve::arc_lengths(lines[i].line), 0});
+        }
+    const std::size_t n = rings.size();
+    using Near = std::pair<double, std::size_t>;
+    std::vector<std::vector<Near>> next(n); // nearest first
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = i + 1; k < n; ++k) {
+            const double far = apart(rings[i], rings[k], kRingsBeside * spacing);
+            if (!std::isfinite(far)) continue;
+            next[i].emplace_back(far, k);
+            next[k].emplace_back(far, i);
+        }
+    for (auto& near : next) std::sort(near.begin(), near.end());
+    std::vector<char> seen(n, 0);
+    std::vector<std::size_t> sizes(lines.size(), 0);
+    double level = 0;
+    for (const std::size_t most : {1U, 2U, 1000U}) // from the ends of chains on, then what closes up or branches
+        for (std::size_t i = 0; i < n; ++i) {
+            if (seen[i] || next[i].size() > most) continue;
+            level += kApart * spacing;
+            std::vector<std::size_t> chain;
+            for (std::size_t at = i; at < n;) {
+                seen[at] = 1;
+                chain.push_back(at);
+                lines[which[at]].level = level;
+                level += spacing;
+                const auto on =
+                    std::find_if(next[at].begin(), next[at].end(), [&](const Near& k) { return seen[k.second] == 0; });
+                at = on == next[at].end() ? n : on->second;
+            }
+            for (std::size_t k = 0; k < chain.size(); ++k) {
+                sizes[which[chain[k]]] = chain.size();
+                if (k > 0) turn_from(s, lines[which[chain[k]]].line, rings[chain[k - 1]]);
+            }
+            if (chain.size() > 1) { // the first one as the second
+                Line& first = lines[which[chain[0]]].line;
+                turn_from(s, first, rings[chain[1]]);
+                surface::curve::reverse(first);
+            }
+        }
+    return sizes;
 }
 
 } // namespace filum::surfpath

@@ -12,4 +12,10 @@ namespace filum::surfpath {
 // The levels of `rows` are those along one direction.
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim);
 
+// Gives the closed ones of `lines` levels by which wind() finds them, and turns them so that what is less lies to their
+// left: in chains of which each runs beside the next, all along, levels grow by the spacing from one to the next, and
+// by much more from chain to chain.  Of open ones the level stays.  Returns per line how many its chain has; 0 for open
+// ones.
+std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, double spacing);
+
 } // namespace filum::surfpath

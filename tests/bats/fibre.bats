@@ -130,3 +130,19 @@ setup() {
         [ "$(grep -c 'SELECT_TOOL(2)\|CHANGE_TOOL(2)\|CHANGE_TOOL' canon.txt)" -ge 2 ]
     done
 }
+
+@test "field follows the angle to a reference without a source, as one stroke, and needs stress where that is asked for" {
+    geodesic dome.off > dome.surface
+    surfpath --quiet field --spacing 4 --min-radius 2 --angle 45 --reference Y dome.surface > ply.toolpath
+    surfpath --quiet field --spacing 4 --min-radius 2 --angle 45 dome.surface > other.toolpath
+    ! cmp -s ply.toolpath other.toolpath
+    for one in ply other; do
+        [ "$(metrics --surface dome.surface --format tsv $one.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
+    done
+    run surfpath field --follow stress=1 dome.surface -o none
+    [ "$status" -eq 3 ] && [[ $output == *"the surface carries none that pulls; run stressfield first"* ]]
+    run surfpath field --follow wind=1 dome.surface -o none
+    [ "$status" -eq 2 ] && [[ $output == *"cannot follow 'wind'; --follow knows direction, stress, angle and rim"* ]]
+    run surfpath field --reference 0,0,0 dome.surface -o none
+    [ "$status" -eq 2 ] && [[ $output == *"cannot use --reference '0,0,0'"* ]]
+}

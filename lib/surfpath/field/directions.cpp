@@ -16,10 +16,12 @@ using surface::directions::direction;
 using surface::directions::doubled;
 using surface::directions::transport;
 
-constexpr double kFall = 0.25;    // of a weight: what is left of it after a round
-constexpr double kNone2 = 1e-4;   // of a weight: less of it is none
-constexpr int kRounds = 16;       // of lowering weights
-constexpr double kUnknown = 1e-6; // |z|: less of it is no direction
+constexpr double kFall = 0.25;       // of a weight: what is left of it after a round
+constexpr double kLeastShare = 1e-4; // of a weight: less of it is none
+constexpr int kRounds = 40;          // of lowering weights, at most
+constexpr int kPatience = 3;         // rounds that may help nothing
+constexpr double kAround = 0.25;     // least radii about what is too tight where weights are lowered, too
+constexpr double kUnknown = 1e-6;    // |z|: less of it is no direction
 
 void add_stress(const surface::Sheet& sheet, const Cells& cells, double share, Wanted& out) {
     const auto pull = surface::directions::pull(sheet, cells, {});
@@ -104,35 +106,75 @@ Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o)
     return out;
 }
 
-Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, double length, double radius) {
-    Directions out;
-    const std::size_t n = s.vertices.size();
-    std::vector<double> share(n, 1), weight = wanted.weight;
-    std::vector<Complex> z;
-    for (int round = 0; round < kRounds; ++round) {
-        z = surface::directions::smoothed(cells, wanted.z, weight, length);
-        std::vector<char> tight(n, 0);
-        out.tight = out.tightest = 0;
-        for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-            const double k = bend(s, cells, z, t);
-            if (k > out.tightest) {
-                out.tightest = k;
-                out.tight_at = s.vertices[s.triangles[t][0]];
-            }
-            if (!(k * radius > 1)) continue;
-            out.tight += surface::area(s, t);
-            for (const std::uint32_t v : s.triangles[t]) tight[v] = share[v] > kNone2 && weight[v] > 0 ? 1 : tight[v];
+namespace {
+
+struct Bends {
+    double most = 0, tight = 0; // 1/mm; mm2 where it is above 1 / radius
+    double excess = 0;          // mm: what bends more than 1 / radius, over the area
+    Vec3 at;                    // of the most
+    std::vector<char> where;    // per vertex: a corner of those triangles
+};
+
+Bends bends(const Surface& s, const Cells& cells, std::span<const Complex> z, double radius) {
+    Bends out;
+    out.where.assign(z.size(), 0);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const double k = bend(s, cells, z, t);
+        if (k > out.most) {
+            out.most = k;
+            out.at = s.vertices[s.triangles[t][0]];
         }
-        if (std::none_of(tight.begin(), tight.end(), [](char c) { return c != 0; })) break;
-        for (std::size_t v = 0; v < n; ++v)
-            if (tight[v]) {
-                share[v] = share[v] * kFall > kNone2 ? share[v] * kFall : 0;
-                weight[v] = wanted.weight[v] * share[v];
-            }
+        if (!(k * radius > 1)) continue;
+        out.tight += surface::area(s, t);
+        out.excess += (k - 1 / radius) * surface::area(s, t);
+        for (const std::uint32_t v : s.triangles[t]) out.where[v] = 1;
     }
+    return out;
+}
+
+// Adds what is up to `reach` mm from what is marked, along edges, as these go on the average.
+void widen(const Cells& cells, double reach, std::vector<char>& where) {
+    for (double done = 0; done < reach; done += cells.mean_side) {
+        auto wider = where;
+        for (const auto& side : cells.sides)
+            if (where[side.a] != where[side.b]) wider[side.a] = wider[side.b] = 1;
+        where.swap(wider);
+    }
+}
+
+} // namespace
+
+Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, double length, double radius) {
+    const std::size_t n = s.vertices.size();
+    std::vector<double> share(n, 1), best_share, weight = wanted.weight;
+    std::vector<Complex> best;
+    const double let_go = 4 * length * length / (radius * radius); // over half a radius in a round
+    Bends least;
+    auto given = wanted.z;
+    for (int round = 0, idle = 0; round < kRounds && idle <= kPatience; ++round) {
+        const auto z = surface::directions::smoothed(cells, given, weight, length);
+        Bends now = bends(s, cells, z, radius);
+        idle = best.empty() || now.excess < least.excess ? 0 : idle + 1;
+        auto where = now.where;
+        if (idle == 0) {
+            best = z;
+            best_share = share;
+            least = std::move(now);
+        }
+        if (!(least.tight > 0)) break;
+        widen(cells, kAround * radius * (1 + idle), where);
+        for (std::size_t v = 0; v < n; ++v) {
+            if (where[v]) share[v] = share[v] * kFall > kLeastShare ? share[v] * kFall : 0;
+            weight[v] = wanted.weight[v] * share[v];
+            if (share[v] > 0 || !(std::abs(z[v]) > kUnknown)) continue;
+            weight[v] = let_go; // nothing is wanted: what is there diffuses, of size 1, so that it turns evenly
+            given[v] = 1 / std::abs(z[v]) * z[v];
+        }
+    }
+    Directions out{{}, least.most, least.tight, least.at, 0};
     for (std::size_t v = 0; v < n; ++v) {
-        out.along.push_back(direction(std::abs(z[v]) > 0 ? z[v] : Complex{1, 0}, cells.normal[v]));
-        out.given_up += share[v] < 0.5 ? cells.area[v] : 0;
+        out.along.push_back(direction(std::abs(best[v]) > 0 ? best[v] : Complex{1, 0}, cells.normal[v]));
+        out.given_up += best_share[v] < 0.5 ? cells.area[v] : 0;
     }
     return out;
 }

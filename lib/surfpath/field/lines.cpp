@@ -1,3 +1,4 @@
+#include "geom/disjoint_sets.hpp"
 #include "surfpath/field/stripes.hpp"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ class Tracer {
         }
         first_.back() = static_cast<std::uint32_t>(found_.size());
         for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) join(t);
+        open_loops();
         std::vector<Line> out;
         used_.assign(found_.size(), 0);
         for (std::uint32_t i = 0; i < found_.size(); ++i) // those that end at rims, then closed ones
@@ -77,6 +79,7 @@ class Tracer {
         const auto about = round(t);
         const std::size_t n = about.size();
         if (n < 2) return;
+        const bool odd = singular(s_, stripes_, t);
         const auto at = [&](std::size_t i) { return about[i % n]; };
         std::vector<double> best((n + 1) * (n + 1), 0); // of those from i up to before j
         std::vector<std::size_t> with((n + 1) * (n + 1), 0);
@@ -100,6 +103,7 @@ class Tracer {
             if (j < i + 2) continue;
             const std::size_t k = with[i * (n + 1) + j];
             tie(at(i), at(k), t);
+            if (odd) chords_.push_back({t, at(i), at(k)});
             open.emplace_back(i + 1, k);
             open.emplace_back(k + 1, j);
         }
@@ -116,6 +120,70 @@ class Tracer {
             found_[x].other[k] = y;
             found_[x].through[k] = t;
         }
+    }
+
+    void untie(std::uint32_t a, std::uint32_t b, std::uint32_t t) {
+        for (const auto& [x, y] : {std::pair(a, b), std::pair(b, a)}) {
+            Crossing& c = found_[x];
+            const std::size_t k = c.other[0] == y && c.through[0] == t ? 0 : 1;
+            if (k == 0) {
+                c.other[0] = c.other[1];
+                c.through[0] = c.through[1];
+            }
+            c.other[1] = c.through[1] = kNone;
+        }
+    }
+
+    // Where two lines meet in a singular triangle, of which one is closed, they become one by the other way to join
+    // them.
+    void open_loops() {
+        geom::DisjointSets lines(found_.size());
+        std::vector<char> open(found_.size(), 0);
+        for (std::uint32_t i = 0; i < found_.size(); ++i)
+            for (const std::uint32_t k : found_[i].other)
+                if (k != kNone) lines.unite(i, k);
+        for (std::uint32_t i = 0; i < found_.size(); ++i)
+            if (found_[i].other[1] == kNone) open[lines.root(i)] = 1;
+        for (std::size_t i = 0; i < chords_.size(); ++i)
+            for (std::size_t k = i + 1; k < chords_.size() && chords_[k].triangle == chords_[i].triangle; ++k) {
+                const auto a = lines.root(chords_[i].a), b = lines.root(chords_[k].a);
+                if (a == b || (open[a] != 0 && open[b] != 0) || !swap(chords_[i], chords_[k])) continue;
+                const bool ends = open[a] != 0 || open[b] != 0;
+                lines.unite(a, b);
+                open[lines.root(a)] = ends ? 1 : 0;
+            }
+    }
+
+    struct Chord {
+        std::uint32_t triangle, a, b;
+    };
+
+    // Joins the ends of two chords of a triangle the other way; false if another chord lies between.
+    bool swap(Chord& x, Chord& y) {
+        const std::uint32_t t = x.triangle;
+        const auto about = round(t);
+        const auto where = [&](std::uint32_t i) { return std::find(about.begin(), about.end(), i) - about.begin(); };
+        std::array<std::uint32_t, 4> ends{x.a, x.b, y.a, y.b};
+        std::sort(ends.begin(), ends.end(), [&](std::uint32_t i, std::uint32_t k) { return where(i) < where(k); });
+        const bool first = (ends[0] == x.a && ends[1] == x.b) || (ends[0] == x.b && ends[1] == x.a) ||
+                           (ends[0] == y.a && ends[1] == y.b) || (ends[0] == y.b && ends[1] == y.a);
+        const std::array<std::uint32_t, 4> to =
+            first ? std::array{ends[0], ends[3], ends[1], ends[2]} : std::array{ends[0], ends[1], ends[2], ends[3]};
+        for (const Chord& c : chords_) { // one that ends between the ends of another would cross it
+            if (c.triangle != t || c.a == x.a || c.a == y.a) continue;
+            for (const std::size_t k : {0U, 2U}) {
+                const auto [low, high] = std::minmax(where(to[k]), where(to[k + 1]));
+                const auto inside = [&](std::uint32_t i) { return where(i) > low && where(i) < high; };
+                if (inside(c.a) != inside(c.b)) return false;
+            }
+        }
+        untie(x.a, x.b, t);
+        untie(y.a, y.b, t);
+        x = {t, to[0], to[1]};
+        y = {t, to[2], to[3]};
+        tie(x.a, x.b, t);
+        tie(y.a, y.b, t);
+        return true;
     }
 
     Line follow(std::uint32_t i) {
@@ -147,6 +215,7 @@ class Tracer {
     const Stripes& stripes_;
     std::vector<std::uint32_t> first_; // per half-edge: its crossings
     std::vector<Crossing> found_;
+    std::vector<Chord> chords_; // of singular triangles, by those
     std::vector<char> used_;
 };
 

@@ -113,9 +113,20 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
         const std::uint32_t a = std::min(s.tail(h), s.head(h)), b = std::max(s.tail(h), s.head(h));
         const Step g = step(s, cells, along, w, a, b);
         const Complex to = g.flipped ? std::conj(out.phase[b]) : out.phase[b];
+        out.flipped.push_back(g.flipped ? 1 : 0);
         out.growth.push_back(g.growth + std::arg(to * std::conj(out.phase[a]) * std::polar(1.0, -g.growth)));
     }
     return out;
+}
+
+bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle) {
+    double sum = 0, sign = 1; // as the first corner counts
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const bool ahead = s.tail(h) < s.head(h), flipped = stripes.flipped[h] != 0;
+        sum += sign * (ahead || flipped ? stripes.growth[h] : -stripes.growth[h]);
+        sign = flipped ? -sign : sign;
+    }
+    return sign < 0 || std::abs(sum) > kPi;
 }
 
 } // namespace filum::surfpath::field

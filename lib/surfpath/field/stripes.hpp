@@ -15,6 +15,7 @@ struct Stripes {
     // Per half-edge, both halves alike: by how much the angle grows from the end with the lesser number to the other,
     // counted as at the first.  A line is where the angle is an odd number of right angles.
     std::vector<double> growth;
+    std::vector<char> flipped; // likewise: the other end counts the other way round
 };
 
 // Stripes whose lines run along `along`, `spacing` mm apart.  Least of |grad psi - i w psi|^2 over the area, |psi| = 1,
@@ -26,8 +27,13 @@ struct Stripes {
 // within the surface.
 Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, double spacing);
 
+// Whether the angle does not come back to what it was, once round the triangle: there lines are born, or directions
+// have no sign that all three corners agree on.
+bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle);
+
 // The lines: where the stripes' angle is an odd number of right angles.  Threaded, open from rim to rim or closed, in
-// the order of their first half-edges.
+// the order of their first half-edges.  In singular triangles there are two ways to join those that meet; the shorter
+// one, unless the other makes a closed line part of another.
 std::vector<Line> lines(const Surface& s, const Stripes& stripes);
 
 } // namespace filum::surfpath::field

@@ -1,0 +1,126 @@
+// Paths along fields, where what must come of them is known.
+#include "surfpath/follow.hpp"
+
+#include "../surface/grid.hpp"
+#include "geom/angle.hpp"
+#include "surface/curve/walk.hpp"
+#include "surfpath/splice.hpp"
+
+#include "plans.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace filum::surfpath {
+namespace {
+
+surface::Sheet sheet_of(const mesh::Mesh& mesh) {
+    Notes notes;
+    return {surface::connect(mesh, notes), {}, {}};
+}
+
+Options field(double turn) {
+    Options out{.algorithm = Algorithm::field};
+    out.follow.angle = 1;
+    out.follow.turn = turn;
+    return out;
+}
+
+mesh::Mesh plate() {
+    return surface::grid(30, 20, 40, 27, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; });
+}
+
+// Tube of radius 10 and 30 long.
+mesh::Mesh tube() {
+    mesh::Mesh out;
+    const std::uint32_t n = 64, m = 30;
+    for (std::uint32_t j = 0; j <= m; ++j)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const double a = 2 * std::numbers::pi * i / n;
+            out.vertices.push_back({10 * std::cos(a), 10 * std::sin(a), static_cast<double>(j)});
+        }
+    for (std::uint32_t j = 0; j < m; ++j)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t a = n * j + i, b = n * j + (i + 1) % n;
+            out.triangles.insert(out.triangles.end(), {{a, b, b + n}, {a, b + n, a + n}});
+        }
+    return out;
+}
+
+TEST(follow, a_plate_at_any_angle_is_one_path_of_straight_rows) {
+    for (const double degrees : {0.0, 30.0, 45.0, 90.0}) {
+        const auto sheet = sheet_of(plate());
+        Options o = field(degrees * geom::kDegree);
+        o.least_radius = 0.5; // turns are small beside the plate
+        const Plan p = plan(sheet, o);
+        EXPECT_EQ(p.strokes.size(), 1U) << degrees;
+        EXPECT_GT(covered(sheet.surface, p), 0.9) << degrees;
+        EXPECT_LT(fact(p, "tightest-bend"), 1e-3) << degrees;
+    }
+}
+
+TEST(follow, lines_alone_cover_all_and_nothing_twice) {
+    const auto sheet = sheet_of(plate());
+    Options o = field(25 * geom::kDegree);
+    o.turns = RowTurns::none;
+    const Plan p = plan(sheet, o);
+    double length = 0;
+    for (const Stroke& s : p.strokes) length += surface::curve::length(s.pieces.at(0).line);
+    EXPECT_NEAR(length, 600, 12);
+    EXPECT_GT(covered(sheet.surface, p), 0.985);
+}
+
+// Round the tube lines are closed: they become one helix from rim to rim.
+TEST(follow, round_a_tube_is_one_helix) {
+    const auto sheet = sheet_of(tube());
+    Options o = field(90 * geom::kDegree);
+    o.follow.reference = {0, 0, 1};
+    const Plan p = plan(sheet, o);
+    ASSERT_EQ(p.strokes.size(), 1U);
+    EXPECT_GT(covered(sheet.surface, p), 0.97);
+    double length = 0;
+    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+    EXPECT_NEAR(length, 30 * 2 * std::numbers::pi * 10, 80);
+}
+
+// Places decide, not numbers.
+TEST(follow, the_order_of_triangles_does_not_matter) {
+    auto mesh = plate();
+    const Plan one = plan(sheet_of(mesh), field(0.5));
+    std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + 1000, mesh.triangles.end());
+    const Plan other = plan(sheet_of(mesh), field(0.5));
+    ASSERT_EQ(one.strokes.size(), other.strokes.size());
+    ASSERT_EQ(one.strokes[0].pieces.size(), other.strokes[0].pieces.size());
+    for (std::size_t i = 0; i < one.strokes[0].pieces.size(); ++i)
+        EXPECT_EQ(one.strokes[0].pieces[i].line[0], other.strokes[0].pieces[i].line[0]);
+}
+
+// A loop beside a straight line becomes part of it, and nothing of it is lost but what the shifts save.
+TEST(splice, a_loop_becomes_part_of_the_line_beside_it) {
+    const auto sheet = sheet_of(plate());
+    const Surface& s = sheet.surface;
+    const auto place = [&](double x, double y) {
+        const auto at = surface::nearest(s, {x, y, 0});
+        return Place{at.triangle, at.a};
+    };
+    Line straight, loop;
+    for (int i = 0; i <= 280; ++i) straight.places.push_back(place(1 + 0.1 * i, 5));
+    for (int i = 0; i <= 200; ++i) loop.places.push_back(place(5 + 0.1 * i, 6));
+    for (int i = 0; i <= 30; ++i) loop.places.push_back(place(25, 6.1 + 0.1 * i));
+    for (int i = 0; i <= 200; ++i) loop.places.push_back(place(25 - 0.1 * i, 9.1));
+    for (int i = 1; i < 30; ++i) loop.places.push_back(place(5, 9.1 - 0.1 * i));
+    loop.closed = true;
+    std::vector<Line> lines{surface::curve::threaded(s, straight), surface::curve::threaded(s, loop)};
+    const double before = surface::curve::length(lines[0]) + surface::curve::length(lines[1]);
+    const auto crossed = splice_loops(s, lines, {0, 0}, 1, 2.4);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(crossed.size(), 1U);
+    EXPECT_FALSE(lines[0].closed);
+    EXPECT_NEAR(surface::curve::length(lines[0]), before, 2);
+    EXPECT_NEAR(lines[0][0].x, 1, 1e-9);
+    EXPECT_NEAR(lines[0][lines[0].size() - 1].x, 29, 1e-9);
+}
+
+} // namespace
+} // namespace filum::surfpath
