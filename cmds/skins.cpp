@@ -50,6 +50,9 @@ cli::Spec spec(Options& all) {
              Option{"bottom", &o.bottom, "LAYERS", "solid layers over what is seen from below"}
                  .within(0, 1e6)
                  .a_limit(),
+             Option{"solid-below", &o.solid_below, "MM2", "connected sparse parts that are smaller are made solid"}
+                 .within(0, 1e6)
+                 .a_limit(),
              Option{"bridge", &o.bridge, "MM",
                     "widest gap between lines under a skin; there they lie nearer to each other if need be"}
                  .within(0.01, 1e6)

@@ -132,7 +132,7 @@ Loose closed_curves(const Region& r, double w, const Try& how) {
         std::vector<infill::Task> tasks;
         for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
             const Area& a = *parts.area[k];
-            tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z}});
+            tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z, a.gap}});
         }
         add(out, infill::loops(parts.all_sparse, tasks), w, Feature::infill);
         for (const Loops& part : how.open > 0 ? in_parts(parts.solid, how.open * w) : parts.solid)

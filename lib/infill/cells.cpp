@@ -1,7 +1,9 @@
 #include "infill/cells.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace filum::infill {
 
@@ -10,9 +12,10 @@ namespace {
 using geom::Vec2;
 using polygon::Pattern;
 
-constexpr double kBeyond = 1; // mm that cells reach beyond the area
-constexpr int kSteps = 32;    // of a wave
-constexpr double kWave = 2.4; // lengths of a wave: spacings, see docs/algorithms/infill.md
+constexpr double kBeyond = 1;     // mm that cells reach beyond the area
+constexpr double kNearest = 1.25; // bead widths: lines that are nearer leave no cell between them
+constexpr int kSteps = 32;        // of a wave
+constexpr double kWave = 2.4;     // lengths of a wave: spacings, see docs/algorithms/infill.md
 constexpr double kTau = 2 * std::numbers::pi;
 
 // The box of the points in a frame with the x axis along `along`.
@@ -27,12 +30,52 @@ geom::Box2 box_along(const Loops& area, Vec2 along) {
     return box;
 }
 
+// Where rows lie: one every spacing and, if no gap may be wider than o.gap, others between.  The first ones keep half
+// of that from those that go on below and carry them, but divide the spacing by three at least; what is between these
+// is divided evenly by an odd number.  So each spacing has an odd number of steps, and even cells go on in even ones.
+// No two lines come so near to each other that a cell between them would be too narrow.
+class Ruler {
+  public:
+    explicit Ruler(const Lines& o) : spacing_(o.spacing) {
+        const double least = kNearest * o.bead_width, third = o.spacing / 3;
+        at_.push_back(0);
+        if (o.gap > 0 && o.spacing > o.gap + o.bead_width && third >= least) {
+            const double first = std::min(third, std::max(least, o.gap / 2)), rest = o.spacing - 2 * first;
+            const int most = odd_below(rest / least), wanted = odd_above(rest / (o.gap + o.bead_width));
+            const int steps = std::max(1, std::min(most, wanted));
+            for (int k = 0; k <= steps; ++k) at_.push_back(first + rest * k / steps);
+        }
+        at_.push_back(o.spacing);
+        steps_ = static_cast<double>(at_.size() - 1);
+    }
+    // Of line j, mm.
+    [[nodiscard]] double place(double j) const {
+        const double whole = std::floor(j / steps_);
+        return whole * spacing_ + at_[static_cast<std::size_t>(j - whole * steps_)];
+    }
+    // The other way round, evenly between lines.
+    [[nodiscard]] double line(double v) const {
+        const double whole = std::floor(v / spacing_), rest = v - whole * spacing_;
+        const auto next = std::upper_bound(at_.begin() + 1, at_.end() - 1, rest);
+        const auto k = static_cast<double>(next - at_.begin() - 1);
+        return whole * steps_ + k + (rest - *(next - 1)) / (*next - *(next - 1));
+    }
+
+  private:
+    static int odd_above(double x) { return 2 * static_cast<int>(std::ceil((x - 1) / 2)) + 1; }
+    static int odd_below(double x) { return 2 * static_cast<int>(std::floor((x - 1) / 2)) + 1; }
+
+    double spacing_, steps_ = 1;
+    std::vector<double> at_; // within a spacing, both ends among them
+};
+
 Loops even_rows(const Loops& area, const Lines& o) {
     const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
     const auto box = box_along(area, along);
+    const Ruler ruler(o);
     Loops out;
-    for (double k = 2 * std::floor(box.lo.y / o.spacing / 2); k * o.spacing < box.hi.y; k += 2) {
-        const double v0 = k * o.spacing, v1 = (k + 1) * o.spacing, u0 = box.lo.x - kBeyond, u1 = box.hi.x + kBeyond;
+    for (double k = 2 * std::floor(ruler.line(box.lo.y) / 2); ruler.place(k) < box.hi.y; k += 2) {
+        const double v0 = ruler.place(k), v1 = ruler.place(k + 1), u0 = box.lo.x - kBeyond, u1 = box.hi.x + kBeyond;
         const Vec2 corners[] = {u0 * along + v0 * across, u1 * along + v0 * across, u1 * along + v1 * across,
                                 u0 * along + v1 * across};
         out.add(corners);
@@ -40,10 +83,17 @@ Loops even_rows(const Loops& area, const Lines& o) {
     return out;
 }
 
+// The spacing of lines that lie evenly so near that no gap is wider than o.gap.
+double near_enough(const Lines& o) {
+    if (!(o.gap > 0)) return o.spacing;
+    const double parts = std::ceil(o.spacing / (o.gap + o.bead_width));
+    return o.spacing / (2 * std::floor(parts / 2) + 1); // odd, so that lines go on where they were
+}
+
 // Where sin x cos y + sin y cos z + sin z cos x, a gyroid, is below 0: strips that wind along x where the layer cuts it
 // so that each line has one y for every x, else along y (with the axes changed the equation keeps its form).
 Loops even_waves(const Loops& area, const Lines& o) {
-    const double scale = kTau / (kWave * o.spacing), z = scale * o.z;
+    const double scale = kTau / (kWave * near_enough(o)), z = scale * o.z;
     const bool along_x = std::abs(std::cos(z)) >= std::abs(std::sin(z));
     const auto flat = box_along(area, {1, 0});
     const double t0 = scale * ((along_x ? flat.lo.x : flat.lo.y) - kBeyond);
@@ -86,15 +136,16 @@ double even_part(double u) {
 
 double even_length_rows(const Loops& area, const Lines& o) {
     const Vec2 along{std::cos(o.direction), std::sin(o.direction)}, across = geom::left_of(along);
+    const Ruler ruler(o);
     double out = 0;
     for (std::size_t l = 0; l < area.size(); ++l) {
         const auto loop = area[l];
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Vec2 p = loop[i], q = loop[i + 1 == loop.size() ? 0 : i + 1];
-            const double u = dot(p, across) / o.spacing, v = dot(q, across) / o.spacing;
+            const double a = dot(p, across), b = dot(q, across), u = ruler.line(a), v = ruler.line(b);
             const double sign = v > u ? 1 : -1;
-            for (double k = std::ceil(std::min(u, v)); k < std::max(u, v); ++k)
-                out += sign * dot(geom::lerp(p, q, (k - u) / (v - u)), along); // where line k leaves or enters
+            for (double k = std::ceil(std::min(u, v)); k < std::max(u, v); ++k) // where line k leaves or enters
+                out += sign * dot(geom::lerp(p, q, (ruler.place(k) - a) / (b - a)), along);
             const double even = v != u ? (even_part(v) - even_part(u)) / (v - u)
                                        : (static_cast<std::int64_t>(std::floor(u)) % 2 == 0 ? 1 : 0);
             out += even * geom::distance(p, q);
@@ -112,7 +163,7 @@ Loops even_cells(const Loops& area, const Lines& o) {
 
 double even_length(const Loops& area, const Lines& o) {
     if (o.pattern == Pattern::rows) return even_length_rows(area, o);
-    return polygon::signed_area(area) / o.spacing + length(area) / 2; // as anywhere on average
+    return polygon::signed_area(area) / near_enough(o) + length(area) / 2; // as anywhere on average
 }
 
 } // namespace filum::infill

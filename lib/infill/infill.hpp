@@ -19,6 +19,7 @@ struct Lines {
     double spacing = 2;      // mm, from line to line on average: an area A has lines of length A / spacing
     double bead_width = 0.4; // mm
     double z = 0;            // mm, of the layer: waves depend on it
+    double gap = 0;          // mm: no gap is wider, by more lines between those; 0: as the spacing says
 };
 
 // The closed curves that fill `area` (simple): half a bead inside its outline, none nearer than a bead to itself or

@@ -97,7 +97,8 @@ void LookAhead::straight(const PlannedMove& m) {
     leg.tilt = m.tilt / l;
     leg.turn = m.turn / l;
     double speed = leg.linear ? std::min(m.feed, motion_.max_speed) : m.feed;
-    double a = m.extruding ? motion_.acceleration : motion_.travel_acceleration;
+    const double laying = m.acceleration > 0 ? m.acceleration : motion_.acceleration;
+    double a = m.extruding ? laying : motion_.travel_acceleration;
     if (!leg.linear) a = std::numeric_limits<double>::infinity();
     speed = std::min(speed, along(motion_.max_speed_z, m.step.z, l));
     a = std::min(a, along(motion_.acceleration_z, m.step.z, l));
@@ -110,9 +111,8 @@ void LookAhead::straight(const PlannedMove& m) {
     leg.gain2 = 2 * a * l;
     const bool gently = motion_.controller == Controller::klipper;
     // Klipper keeps the corner speed whatever the acceleration is set to, Marlin the deviation.
-    leg.share = a / (gently && !m.extruding ? motion_.travel_acceleration : motion_.acceleration);
-    leg.gentle2 =
-        gently ? std::min(leg.gain2, 2 * l * motion_.acceleration * (1 - motion_.minimum_cruise_ratio)) : leg.gain2;
+    leg.share = a / (gently && !m.extruding ? motion_.travel_acceleration : laying);
+    leg.gentle2 = gently ? std::min(leg.gain2, 2 * l * laying * (1 - motion_.minimum_cruise_ratio)) : leg.gain2;
     if (!legs_.empty()) {
         const Leg& before = legs_.back();
         leg.corner2 = std::min({corner2(before, leg), leg.cruise2, before.cruise2});

@@ -15,8 +15,9 @@ struct PlannedMove {
     double tilt = 0, turn = 0; // rad
     double extruded = 0;       // extruder units
     bool extruding = false;
-    double sweep = 0; // rad of an arc, positive counter-clockwise; 0: straight
-    geom::Vec2 arm{}; // mm, of an arc, from its centre to where it begins
+    double acceleration = 0; // mm/s2, of what extrudes; 0: motion.acceleration
+    double sweep = 0;        // rad of an arc, positive counter-clockwise; 0: straight
+    geom::Vec2 arm{};        // mm, of an arc, from its centre to where it begins
 };
 
 class Planner {

@@ -23,7 +23,8 @@ Parabolic::Segment Parabolic::segment(const PlannedMove& m) const {
                  : linear     ? straight
                               : std::max(std::abs(m.tilt), std::abs(m.turn));
     if (!(out.length > 0)) return out;
-    const double l = out.length, a = m.extruding ? motion_.acceleration : motion_.travel_acceleration;
+    const double l = out.length, laying = m.acceleration > 0 ? m.acceleration : motion_.acceleration,
+                 a = m.extruding ? laying : motion_.travel_acceleration;
     double speed = linear ? std::min(m.feed, motion_.max_speed) : m.feed;
     double bound = std::min(along(motion_.acceleration_z, m.step.z, l), along(a, m.step.z, l));
     speed = std::min(speed, along(motion_.max_speed_z, m.step.z, l));

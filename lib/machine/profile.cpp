@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "machine/read_features.hpp"
 #include "machine/reader.hpp"
 #include "machine/template.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 
 using Range = Document::Range;
 constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kMostAcceleration = 1e7; // mm/s2
 
 // A positive number not above `max`.
 Range above_zero(double max) { return {0, max, true}; }
@@ -108,8 +110,8 @@ void read_motion(Document& doc, Profile& p) {
     read_planner(doc, m);
     doc.number("motion.max_speed", m.max_speed, above_zero(1e5));
     doc.number("motion.max_speed_z", m.max_speed_z, above_zero(1e5));
-    doc.number("motion.acceleration", m.acceleration, above_zero(1e7));
-    doc.number("motion.travel_acceleration", m.travel_acceleration, above_zero(1e7));
+    doc.number("motion.acceleration", m.acceleration, above_zero(kMostAcceleration));
+    doc.number("motion.travel_acceleration", m.travel_acceleration, above_zero(kMostAcceleration));
     doc.number("motion.corner_speed", m.corner_speed, above_zero(1e5));
 }
 
@@ -225,6 +227,8 @@ void read_templates(Document& doc, Profile& p) {
     doc.text("templates.end", p.templates.end);
     check_codes(doc, p,
                 {{"templates.start", &p.templates.start},
+                 {"features.set_acceleration", &p.features.set_acceleration},
+                 {"features.set_fan", &p.features.set_fan},
                  {"templates.layer", &p.templates.layer},
                  {"templates.first_layer", &p.templates.first_layer},
                  {"templates.upper_layers", &p.templates.upper_layers},
@@ -335,6 +339,7 @@ Profile parse_profile(std::string_view text, const std::string& file, const std:
     read_limits(doc, p.limits);
     read_motion(doc, p);
     read_feeds(doc, p);
+    read_features(doc, p.motion.controller, kMostAcceleration, p.features);
     read_travel(doc, p.travel);
     read_multi_axis(doc, p.axes);
     p.axes.limits.radius_min = p.bed.x_min;

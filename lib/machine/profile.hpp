@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geom/vec.hpp"
+#include "machine/feature_rules.hpp"
 #include "machine/fibre.hpp"
 #include "machine/head.hpp"
 #include "machine/multi_axis.hpp"
@@ -129,6 +130,7 @@ struct Profile {
     Extrusion extrusion;
     Limits limits;
     Feeds feeds;
+    FeatureRules features;
     Travel travel;
     Motion motion;
     Merging merging; // none of the file's: the user says it

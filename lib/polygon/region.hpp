@@ -48,6 +48,7 @@ struct Area {
     double direction = 0; // rad, of bridges and of rows, from the x axis
     double spacing = 0;   // mm, sparse: from line to line
     Pattern pattern = Pattern::rows;
+    double gap = 0; // mm, sparse: no gap is wider, by more lines between those; 0: as the spacing says
 };
 
 // What a region is there for.

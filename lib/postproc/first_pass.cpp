@@ -85,7 +85,10 @@ void Surveyor::spend() {
 void Surveyor::spend_move(const Step& step, const Vec3& d) {
     const bool rotary = profile_->axes.active(), fibre = profile_->fibre.lays(step.tool);
     if (profile_->axes.chain.carrier == kinematics::Carrier::frame) return clock_.pause(step.seconds);
-    machine::PlannedMove m{.step = d, .feed = step.feed, .extruding = step.act == Act::extrude};
+    machine::PlannedMove m{.step = d,
+                           .feed = step.feed,
+                           .extruding = step.act == Act::extrude,
+                           .acceleration = profile_->features[step.feature].acceleration};
     m.extruded = fibre ? step.fed : step.volume * profile_->extrusion.per_mm3();
     if (step.sweep != 0) {
         m.sweep = step.sweep;

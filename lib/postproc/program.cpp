@@ -117,6 +117,7 @@ void Program::layer(const Step& step) {
         height_ = step.height;
     }
     const bool upper = step.layer > 0;
+    if (upper_ != upper) fan_ = -1; // the codes of the layers set it
     if (std::exchange(upper_, upper) != upper)
         code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
     code(profile_->templates.layer);
@@ -148,6 +149,25 @@ void Program::bead_comments(const Step& step) {
     if (differs(step.width, width_)) comment("WIDTH:" + fixed_text(width_ = step.width, 3));
     if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
     role_ = step.role, feature_ = step.feature;
+}
+
+// What beads of the feature have of their own, where it changes.
+void Program::feature_codes(const Step& step) {
+    const machine::FeatureRules& rules = profile_->features;
+    const machine::FeatureRule& rule = rules[step.feature];
+    const auto set = [&](double& now, double wanted, const char* name, const std::string& codes) {
+        if (now == wanted) return;
+        values_[name] = now = wanted;
+        code(codes);
+    };
+    const double usual = profile_->motion.acceleration;
+    if (rules.accelerates)
+        set(acceleration_, rule.acceleration > 0 ? rule.acceleration : usual, "acceleration", rules.set_acceleration);
+    if (!rules.blows || step.layer == 0) return;
+    const auto fan = values_.find("fan");
+    const double blown = fan == values_.end() ? 0 : fan->second;
+    if (fan_ < 0) fan_ = blown;
+    set(fan_, rule.fan >= 0 ? rule.fan : blown, "fan_speed", rules.set_fan);
 }
 
 // Appends the code and the words that changed; false, and nothing appended, if none did.  All in units.
@@ -271,6 +291,7 @@ void Program::move(const Step& step) {
     } else if (step.act == Act::travel) {
         if (!words(to, rotary && step.seconds > 0 ? "G1" : profile_->format.travel_code)) return;
     } else {
+        feature_codes(step);
         laid_ += feeds(step);
         bead_comments(step);
         if (!bead_words(step, to)) return; // too short to see: its material goes on with the next

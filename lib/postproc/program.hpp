@@ -43,6 +43,7 @@ class Program final : public Writer {
     void feed(const Step& step, double way);
     void feed_units(double value);
     void bead_comments(const Step& step);
+    void feature_codes(const Step& step);
     void reset_extruder();
 
     Vec2 shift_;
@@ -58,8 +59,9 @@ class Program final : public Writer {
     bool upper_ = false;             // the layer is above the first
     Role role_ = Role::travel;
     Feature feature_ = Feature::none;
-    double width_ = 0, height_ = 0; // as last told to viewers
-    std::uint64_t lines_ = 0;       // moves written
+    double acceleration_ = -1, fan_ = -1; // as last told to the machine for a feature; -1: not yet
+    double width_ = 0, height_ = 0;       // as last told to viewers
+    std::uint64_t lines_ = 0;             // moves written
 };
 
 } // namespace filum::postproc

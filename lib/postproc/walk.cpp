@@ -187,15 +187,16 @@ void Walk::extrude(const toolpath::Span& span) {
     for (const toolpath::Move& m : merged.moves) {
         if (m.length == 0) continue;
         const bool last = &m == &merged.moves.back();
-        const Laying how = laying(
-            *profile_, tool_, {span.role, span.layer, m.length, std::abs(m.to.z - z), m.volume, span.feature}, last);
+        const double volume = m.volume * profile_->features[span.feature].flow;
+        const Laying how = laying(*profile_, tool_,
+                                  {span.role, span.layer, m.length, std::abs(m.to.z - z), volume, span.feature}, last);
         put({.act = Act::extrude,
              .role = span.role,
              .feature = span.feature,
              .layer = span.layer,
              .to = m.to,
              .feed = how.feed,
-             .volume = m.volume,
+             .volume = volume,
              .width = m.width,
              .height = m.height,
              .length = m.length,

@@ -74,6 +74,14 @@ Loops covered(const Loops& layer, const std::vector<Loops>& above, const std::ve
 // Half of what lies between lines: then a skin is so wide that a line lies under it.
 double reach(const Options& o) { return o.bead_width * std::clamp(1 / (2 * o.infill), kReach, kReachMost); }
 
+// Without its connected parts that are so small that they are filled whole.
+Loops large(const Loops& sparse, double least) {
+    Loops out;
+    for (const Loops& part : polygon::split(sparse).part)
+        if (polygon::signed_area(part) >= least) add(out, part);
+    return out;
+}
+
 // The sparse part of a region of which `inner` has enough above and below: what is far enough from skins, which count
 // where they reach beyond the walls by more than a hairline.
 Loops sparse(const Region& r, const Loops& inner, const Options& o) {
@@ -83,7 +91,7 @@ Loops sparse(const Region& r, const Loops& inner, const Options& o) {
     if (within.empty()) return {};
     const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kArc);
     const Loops rest = skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kArc));
-    return polygon::offset(polygon::offset(rest, -open, kArc), open, kArc);
+    return large(polygon::offset(polygon::offset(rest, -open, kArc), open, kArc), o.solid_below);
 }
 
 // What of `area`, the sparse part of a region, carries a skin on one of the next layers.
@@ -160,17 +168,16 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     });
     const double spacing = spacing_of(regions, area, dense, o);
     if (spacing == 0) return;
-    const double parts = std::max(1.0, std::ceil(spacing / (o.bridge + o.bead_width)));
     facts.push_back({"", "infill-spacing", spacing, "mm"});
-    facts.push_back({"", "spacing-under-skins", spacing / parts, "mm"});
     for (std::size_t i = 0; i < regions.size(); ++i) {
         Region& r = regions[i];
-        const auto put = [&](Loops& loops, double apart) {
+        const auto put = [&](Loops& loops, double gap) {
             if (loops.empty()) return;
-            r.areas.push_back({polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), apart, o.pattern});
+            r.areas.push_back(
+                {polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), spacing, o.pattern, gap});
         };
-        put(dense[i], spacing / parts);
-        put(area[i], spacing);
+        put(dense[i], o.bridge);
+        put(area[i], 0);
     }
 }
 

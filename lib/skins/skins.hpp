@@ -15,6 +15,7 @@ struct Options {
     std::int64_t top = 4, bottom = 4; // layers, >= 0
     std::int64_t walls = 2;           // rings along the outline, >= 1
     double infill = 0.15;             // share of the sparse areas' volume that is to be laid
+    double solid_below = 70;          // mm2: smaller sparse parts are made solid
     double bridge = 2;                // mm: the widest gap between lines that a skin is laid over
     polygon::Pattern pattern = polygon::Pattern::rows;
 };

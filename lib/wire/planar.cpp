@@ -103,12 +103,17 @@ Join join(int value, const char* what) {
 polygon::Area area(const proto::Area& m) {
     if (m.kind() < 0 || m.kind() > 3) bad_frame("region", "unknown kind of area");
     if (m.pattern() < 0 || m.pattern() > 2) bad_frame("region", "unknown pattern");
-    polygon::Area out{static_cast<polygon::AreaKind>(m.kind()), loops(m.loops(), "region"), m.direction(), m.spacing(),
-                      static_cast<polygon::Pattern>(m.pattern())};
+    polygon::Area out{static_cast<polygon::AreaKind>(m.kind()),
+                      loops(m.loops(), "region"),
+                      m.direction(),
+                      m.spacing(),
+                      static_cast<polygon::Pattern>(m.pattern()),
+                      m.gap()};
     if (!usable(out.direction)) bad_frame("region", "a direction is not a number");
     const bool sparse = out.kind == polygon::AreaKind::sparse;
     if (!usable(out.spacing) || out.spacing < 0 || (sparse && out.spacing == 0))
         bad_frame("region", "the spacing of an area is not positive");
+    if (!usable(out.gap) || out.gap < 0) bad_frame("region", "the gap of an area is negative");
     return out;
 }
 
@@ -118,6 +123,7 @@ void put_area(proto::Area& m, const polygon::Area& area) {
     m.set_direction(area.direction);
     m.set_spacing(area.spacing);
     m.set_pattern(static_cast<proto::Pattern>(area.pattern));
+    m.set_gap(area.gap);
 }
 
 } // namespace

@@ -137,6 +137,7 @@ class Area:
     direction: rad, of bridges and of rows, from the x axis
     spacing: mm, sparse: from line to line
     pattern: Pattern, sparse
+    gap: mm, sparse: no gap is wider, by more lines between those; 0: as the spacing says
     """
 
     message = planar_pb2.Area
@@ -145,6 +146,7 @@ class Area:
     direction: float = 0.0
     spacing: float = 0.0
     pattern: int = Pattern.ROWS
+    gap: float = 0.0
 
 
 @dataclasses.dataclass(eq=False)

@@ -201,14 +201,29 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
 @test "names of other slicers are answered with ours" {
     expect 2 slice part.stl --layer_height 0.2
     [[ $err == *"here it is '--layer-height'"* ]]
-    expect 2 filum print part.stl --line-width 0.5
+    expect 2 fill part.stl --line-width 0.5
     [[ $err == *"here it is '--bead-width'"* ]]
-    expect 2 filum print part.stl --print-speed 80
+    expect 2 postproc part.stl --print-speed 80
     [[ $err == *"here it is '--set feeds.bead=50'"* ]]
     expect 2 fill --fill-pattern zigzag part.stl
     [[ $err == *"here it is '--pattern'"* ]]
     expect 2 filum print part.stl --export-gcode x
     [[ $err == *"here it is '--output'"* ]]
+}
+
+@test "filum print takes options by the names of slicers, and their files of settings" {
+    ours() { filum print part.stl --dry-run "$@"; }
+    [[ $(ours --line-width 0.5) == *'| fill --bead-width=0.5 |'* ]]
+    [[ $(ours --print-speed 80 --temperature 230) == *'postproc --set=feeds.bead=80,nozzle_temp=230'* ]]
+    [[ $(ours --rotate 45 --scale 150%) == 'slice --rotate=0,0,45 --scale=1.5 '* ]]
+    printf 'layer_height = 0.25\nfill_density = 20%%\nperimeters = 2\nironing = 1\n' > slicer.ini
+    expect 0 filum print part.stl --dry-run --load slicer.ini --perimeters 3
+    [[ $out == *'slice --layer-height=0.25 '*'| skins --infill=20% --walls=2 --walls=3 |'* ]]
+    [[ $err == *'1 settings of --load have no meaning here: ironing'* ]]
+    expect 5 filum print part.stl --load missing.ini
+    filum print part.stl --load slicer.ini --perimeters 3 --layer-height 0.1 --quiet --output loaded.gcode
+    filum print part.stl --infill 20% --walls 3 --layer-height 0.1 --quiet --output typed.gcode
+    cmp <(grep -v '^;' loaded.gcode) <(grep -v '^;' typed.gcode)
 }
 
 @test "an option that does nothing in any stage is refused by the stage that has it" {

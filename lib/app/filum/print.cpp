@@ -2,6 +2,7 @@
 
 #include "app/filum/kept.hpp"
 #include "app/filum/route.hpp"
+#include "app/filum/slicer_names.hpp"
 #include "app/filum/watch.hpp"
 #include "base/error.hpp"
 #include "base/nearest.hpp"
@@ -74,6 +75,10 @@ std::string print_help(const std::vector<Stage>& stages) {
         "first in the program.\n"
         "If a stage fails, the exit code is its own, and no file appears.\n\n"
         "  -o, --output FILE   where to write\n"
+        "  --load FILE         settings of PrusaSlicer, an .ini file: what of it has a meaning here; the rest is "
+        "told.\n"
+        "                      Options win over it. Options by slicers' names are taken, too: --fill-density 15%,\n"
+        "                      --temperature 210, --rotate 45, --scale 150%\n"
         "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
         "  --report FILE       a page to look around in, x.html: every bead, figures, places, how it was made\n"
         "  --stage NAME=FILE   your own program in place of a stage, as fill=./mine; several times for several\n"
@@ -139,6 +144,14 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
     return line + "\n";
 }
 
+// What files of settings say that means nothing here.
+void tell_left(const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    std::cerr << "filum: " << names.size() << " settings of --load have no meaning here:";
+    for (const std::string& name : names) std::cerr << ' ' << name;
+    std::cerr << std::endl;
+}
+
 // The exit code of the chain, where it is not 0 and the stage has said why; else throws.
 int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
     std::size_t who = 0;
@@ -178,15 +191,18 @@ void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
 
 } // namespace
 
-int print_part(const std::vector<std::string>& words) {
+int print_part(const std::vector<std::string>& typed) {
     std::vector<Stage> stages;
     for (const char* name : kPlanar) stages.push_back(ask(name));
-    if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) return tell(print_help(stages));
+    if (!typed.empty() && (typed[0] == "--help" || typed[0] == "-h")) return tell(print_help(stages));
+    const Translated ours = in_our_words(typed, stages);
+    const auto& words = ours.words;
     swap(words, stages);
     Request request = route(words, stages);
     keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
+    if (!request.quiet) tell_left(ours.left);
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
     if (request.dry_run) return tell(pipeline(commands, stages));

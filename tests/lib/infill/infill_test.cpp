@@ -70,14 +70,42 @@ TEST(Infill, EachLineIsPassedOnce) {
     EXPECT_NEAR(laid, 9 * 59.6 + 119.2, 4); // but for the two in the outline
 }
 
+// Lines that carry: those that go on below are among them, no gap is wider than asked for, and the first between them
+// are within half of that from one that goes on, as long as three fit.
+TEST(Infill, NoGapIsWiderThanAskedFor) {
+    for (const double spacing : {2.0, 2.5, 3.4, 4.4, 7.0, 13.0})
+        for (const double gap : {0.5, 1.0, 2.0}) {
+            const Loops square = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
+            const auto places = [&](double widest) { // y of rows, in the middle of the square
+                std::vector<double> out;
+                const Loops found = loops(square, {Pattern::rows, 0, spacing, kWidth, 0, widest});
+                for (std::size_t l = 0; l < found.size(); ++l)
+                    for (std::size_t i = 0; i < found[l].size(); ++i) {
+                        const geom::Vec2 a = found[l][i], b = found[l][(i + 1) % found[l].size()];
+                        if ((a.x < 30) != (b.x < 30)) out.push_back((a.y + b.y) / 2);
+                    }
+                std::sort(out.begin(), out.end());
+                return out;
+            };
+            const auto plain = places(0), near = places(gap);
+            for (const double y : plain)
+                EXPECT_TRUE(y < 1 || y > 59 || // along the outline
+                            std::any_of(near.begin(), near.end(), [&](double p) { return std::abs(p - y) < 0.02; }))
+                    << spacing << " " << gap << " " << y;
+            for (std::size_t i = 1; i < near.size(); ++i)
+                EXPECT_LE(near[i] - near[i - 1] - kWidth, std::max(gap, 2.75 * kWidth) + 0.02) // room for three
+                    << spacing << " " << gap;
+        }
+}
+
 // Lines of a spacing and of half of it side by side: what is even goes on, nothing crosses, nothing stands alone.
 TEST(Infill, PartsOfDifferentSpacingAreOne) {
     const Loops all = test::loop({{0, 0}, {60, 0}, {60, 60}, {0, 60}});
     const Loops island = test::loop({{20, 17}, {41, 20}, {40, 43}, {18, 40}});
     const Loops rest = polygon::subtract(all, island);
-    for (const double parted : {2.0, 4.0 / 3, 1.0})
+    for (const double parted : {3.0, 2.0, 4.0 / 3, 1.0})
         for (const double angle : {0.0, 0.3, 0.7853981633974483, 1.2}) {
-            const Lines coarse{Pattern::rows, angle, 4, kWidth, 0}, fine{Pattern::rows, angle, parted, kWidth, 0};
+            const Lines coarse{Pattern::rows, angle, 4, kWidth, 0}, fine{Pattern::rows, angle, 4, kWidth, 0, parted};
             const Task parts[] = {{&island, fine}, {&rest, coarse}};
             const Loops found = loops(all, parts);
             EXPECT_TRUE(polygon::is_simple(found));

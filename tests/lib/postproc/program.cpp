@@ -51,6 +51,53 @@ TEST(Program, ABreakRetractsLiftsMovesAndComesBack) {
     EXPECT_EQ(lines, wanted);
 }
 
+TEST(Program, FeaturesHaveFlowAccelerationAndFanOfTheirOwn) {
+    using toolpath::Feature;
+    std::vector<Span> spans;
+    geom::Vec3 at{0, 0, 0.2};
+    const std::pair<Feature, std::uint32_t> beads[] = {
+        {Feature::wall, 0}, {Feature::bridge, 0}, {Feature::wall, 1}, {Feature::bridge, 1}, {Feature::wall, 1}};
+    for (const auto& [feature, layer] : beads) {
+        const geom::Vec3 to{at.x + 10, at.y, 0.2 + 0.2 * layer};
+        if (to.z != at.z) at.z = to.z;
+        Span bead{Role::bead, 0, layer, layer, {at, to}, {0.4}, {0.2}};
+        bead.feature = feature;
+        if (!spans.empty() && spans.back().points.back().z != at.z) spans.back().points.back().z = at.z;
+        spans.push_back(bead), at = to;
+    }
+    const char* const rules = "upper_layers = \"M105 S{fan}\"\n[features.bridge]\nflow = 1.5\nacceleration = 500\nfan "
+                              "= 200\n[values]\nfan = 99\n";
+    const std::string text = sample::write(sample::profile(sample::kFilament, rules), spans).text;
+    std::vector<std::string> told;
+    for (std::size_t from = 0, end = 0; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
+        if (const auto line = text.substr(from, end - from); line.starts_with("M204") || line.starts_with("M106"))
+            told.push_back(line);
+    const std::vector<std::string> wanted{"M204 P1500", "M204 P500",  "M204 P1500", "M204 P500",
+                                          "M106 S200",  "M204 P1500", "M106 S99"};
+    EXPECT_EQ(told, wanted); // no fan below the second layer
+    std::vector<double> laid;
+    for (const auto& m : interpreter::read(text).moves)
+        if (m.de > 0 && m.xy() > 1) laid.push_back(m.de);
+    ASSERT_EQ(laid.size(), 5U);
+    EXPECT_NEAR(laid[3] / laid[4], 1.5, 1e-3);
+    // what begins and ends slowly takes longer
+    const auto plain = sample::write(sample::profile(sample::kFilament), spans);
+    const auto slow = sample::write(sample::profile(sample::kFilament, "[features.wall]\nacceleration = 100\n"), spans);
+    EXPECT_GT(slow.first_pass.seconds, plain.first_pass.seconds + 0.1);
+}
+
+TEST(Program, CodesOfFeaturesNeedToBeKnown) {
+    const std::string linuxcnc = "[motion]\ncontroller = \"linuxcnc\"\n";
+    EXPECT_TRUE(has(
+        error_of([&] { sample::profile(sample::kFilament, linuxcnc + "[features.wall]\nfan = 1\n"); }, Exit::bad_input),
+        "set_fan"));
+    EXPECT_TRUE(has(error_of([&] { sample::profile(sample::kFilament, "[features.wal]\nfan = 1\n"); }, Exit::bad_input),
+                    "wal"));
+    const auto own = sample::profile(sample::kFilament, linuxcnc + "[features]\nset_fan = \"M7 Q{fan_speed}\"\n"
+                                                                   "[features.wall]\nfan = 1\n");
+    EXPECT_EQ(own.features[toolpath::Feature::wall].fan, 1);
+}
+
 TEST(Program, ATravelRisesAboveAllThatIsPrinted) {
     auto spans = three_strokes();
     spans[2].points = {{10, 20, 0.2}, {10, 20, 30}, {0, 20, 30}}; // a tower

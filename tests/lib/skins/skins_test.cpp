@@ -56,7 +56,7 @@ TEST(Skins, NothingSparseIsSeenThroughTooFewLayers) {
             const auto before = random_part(seed, 30);
             auto part = before;
             Options o;
-            o.top = top, o.bottom = bottom, o.walls = 1 + seed % 3;
+            o.top = top, o.bottom = bottom, o.walls = 1 + seed % 3, o.solid_below = 0;
             Facts facts;
             skins(part, o, facts);
             double sparse = 0;
@@ -90,11 +90,29 @@ TEST(Skins, AreasOfARegionDoNotOverlap) {
         if (sparse.size() < 2) continue;
         ++dense;
         EXPECT_LT(polygon::signed_area(polygon::intersect(sparse[0]->loops, sparse[1]->loops)), 1e-3);
-        EXPECT_LE(sparse[0]->spacing, o.bridge + o.bead_width);
-        const double parts = sparse[1]->spacing / sparse[0]->spacing;
-        EXPECT_NEAR(parts, std::round(parts), 1e-9); // every line goes on
+        EXPECT_EQ(sparse[0]->gap, o.bridge);
+        EXPECT_EQ(sparse[1]->gap, 0);
+        EXPECT_EQ(sparse[0]->spacing, sparse[1]->spacing); // every line goes on
     }
     EXPECT_GT(dense, 0U);
+}
+
+TEST(Skins, SmallSparsePartsAreSolid) {
+    for (const double least : {0.0, 40.0, 120.0, 1e4}) {
+        auto part = random_part(5, 30);
+        Facts facts;
+        Options o;
+        o.solid_below = least;
+        skins(part, o, facts);
+        std::size_t small = 0, large = 0;
+        for (const Region& r : part)
+            for (const Loops& piece : polygon::split(polygon::unite(sparse_of(r))).part) {
+                const double area = polygon::signed_area(piece);
+                if (area > 1e-3) ++(area < least - 1 ? small : large);
+            }
+        EXPECT_EQ(small, 0U) << least;
+        EXPECT_EQ(large > 0, least < 1e4) << least;
+    }
 }
 
 TEST(Skins, AllOfIt) {

@@ -49,10 +49,9 @@ TEST(Fine, SourcesStayWholeAndSingle) {
     for (int round = 0; round < 60; ++round) {
         sheet.sources = {};
         const auto t = static_cast<std::uint32_t>(random() % s.triangles.size());
-        const auto& [a, b, c] = s.triangles[t];
-        const auto inside = [&](double u, double v) {
-            return s.vertices[a] + u * (s.vertices[b] - s.vertices[a]) + v * (s.vertices[c] - s.vertices[a]);
-        };
+        const Vec3 &a = s.vertices[s.triangles[t][0]], ab = s.vertices[s.triangles[t][1]] - a,
+                   ac = s.vertices[s.triangles[t][2]] - a;
+        const auto inside = [&](double u, double v) { return a + u * ab + v * ac; };
         const double u = unit(), v = unit() * (1 - u), x = unit(), y = unit() * (1 - x);
         if (round % 3 == 0) // between the middles of two sides, where triangles are cut
             sheet.sources.segments = {{t, inside(0.5, 0), inside(0, 0.5)}};

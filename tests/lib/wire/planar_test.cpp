@@ -33,7 +33,7 @@ polygon::Region good_region() {
     r.id = 4, r.layer = 3, r.z = 0.6, r.height = 0.2, r.area = 100, r.parent = -1, r.stroke = 2, r.join = Join::beside;
     r.loops = square(10);
     r.below = {{1, 50, 2}, {2, 25, 0}};
-    r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::Pattern::wave},
+    r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::Pattern::wave, 1.5},
                {polygon::AreaKind::skin_top, square(2), 0, 0, {}}};
     r.walls = 2;
     return r;

@@ -1,0 +1,71 @@
+#include "app/filum/slicer_names.hpp"
+
+#include "../files.hpp"
+#include "base/error.hpp"
+
+namespace filum::app::filum {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::vector<Stage> some_stages() {
+    const auto stage = [](const char* name, std::initializer_list<const char*> options) {
+        Stage s;
+        s.name = name;
+        for (const char* o : options) s.options.push_back({o, std::string(o) != "support"});
+        return s;
+    };
+    return {stage("slice", {"scale", "rotate", "layer-height"}),
+            stage("skins", {"infill", "infill-pattern", "walls", "top", "bottom", "bead-width", "solid-below"}),
+            stage("supports", {"support", "support-angle", "support-on", "brim", "skirt"}),
+            stage("postproc", {"set", "machine"})};
+}
+
+Words ours(const Words& theirs) { return in_our_words(theirs, some_stages()).words; }
+
+TEST(slicer_names, options_by_their_names_work) {
+    EXPECT_EQ(ours({"--fill-density", "15%"}), Words{"--infill=15%"});
+    EXPECT_EQ(ours({"--fill_density=20"}), Words{"--infill=20%"});
+    EXPECT_EQ(ours({"--nozzle", "0.6", "p.stl"}), (Words{"--bead-width=0.6", "p.stl"}));
+    EXPECT_EQ(ours({"--rotate", "45"}), Words{"--rotate=0,0,45"});
+    EXPECT_EQ(ours({"--rotate", "1,2,3"}), Words{"--rotate=1,2,3"});
+    EXPECT_EQ(ours({"--rotate-x=90"}), Words{"--rotate=90,0,0"});
+    EXPECT_EQ(ours({"--scale", "150%"}), Words{"--scale=1.5"});
+    EXPECT_EQ(ours({"--scale", "2"}), Words{"--scale=2"});
+    EXPECT_EQ(ours({"--support-material", "--support-material-threshold", "40"}),
+              (Words{"--support", "--support-angle=50"}));
+    EXPECT_EQ(ours({"--fill-pattern", "gyroid"}), Words{"--infill-pattern=wave"});
+}
+
+TEST(slicer_names, all_keys_of_the_machine_are_one_option) {
+    EXPECT_EQ(ours({"--temperature", "210", "p.stl", "--set", "feeds.bead=40", "--bed-temperature=50"}),
+              (Words{"--set=nozzle_temp=210,feeds.bead=40,bed_temp=50", "p.stl"}));
+}
+
+TEST(slicer_names, own_words_stay) {
+    const Words words{"--infill", "15%", "--unknown", "-o", "x.gcode", "p.stl", "--", "--temperature", "--set=x"};
+    EXPECT_EQ(ours(words), words);
+}
+
+TEST(slicer_names, refuses_what_does_not_fit) {
+    for (const Words& wrong : {Words{"--temperature"}, Words{"--temperature", "hot"}, Words{"--fill-pattern", "stars"},
+                               Words{"--scale", "x%"}, Words{"--load"}, Words{"--load", "/nowhere/x.ini"}})
+        EXPECT_THROW(ours(wrong), Error) << wrong[0];
+}
+
+TEST(slicer_names, a_file_gives_what_has_a_meaning_and_tells_the_rest) {
+    const test::Folder at;
+    const std::string file = at.write("x.ini", "# generated\nlayer_height = 0.3\nfill_density = 25%\nperimeters = 3\n"
+                                               "nozzle_diameter = 0.4,0.6\nextrusion_width = 0.45\nraft_layers = 0\n"
+                                               "ironing = 1\ntemperature = 230\nskirts = 0\nskirt_distance = 6\n"
+                                               "support_material = 0\nsupport_material_threshold = 40\n"
+                                               "perimeter_speed = 80%\nfill_pattern = honeycomb\n");
+    const Translated t = in_our_words({"--walls", "4", "--load", file, "--temperature", "200"}, some_stages());
+    EXPECT_EQ(t.words, (Words{"--layer-height=0.3", "--infill=25%", "--walls=3", "--bead-width=0.45",
+                              "--set=nozzle_temp=230,nozzle_temp=200", "--walls", "4"}));
+    EXPECT_EQ(t.left, (Words{"ironing", "perimeter_speed", "fill_pattern"}));
+    EXPECT_THROW(in_our_words({"--load", at.write("empty.ini", "\n# nothing\n")}, some_stages()), Error);
+}
+
+} // namespace
+} // namespace filum::app::filum
