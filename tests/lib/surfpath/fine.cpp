@@ -56,7 +56,7 @@ TEST(Fine, SourcesStayWholeAndSingle) {
         if (round % 3 == 0) // between the middles of two sides, where triangles are cut
             sheet.sources.segments = {{t, inside(0.5, 0), inside(0, 0.5)}};
         else if (round % 3 == 1) // along a side
-            sheet.sources.segments = {{t, s.vertices[a], s.vertices[b]}};
+            sheet.sources.segments = {{t, a, inside(1, 0)}};
         else
             sheet.sources.segments = {{t, inside(u, v), inside(x, y)}};
         const Fine f = fine(sheet, 1.5);
