@@ -172,7 +172,7 @@ class Tracer {
         for (const Chord& c : chords_) { // one that ends between the ends of another would cross it
             if (c.triangle != t || c.a == x.a || c.a == y.a) continue;
             for (const std::size_t k : {0U, 2U}) {
-                const auto [low, high] = std::minmax(where(to[k]), where(to[k + 1]));
+                const auto i0 = where(to[k]), i1 = where(to[k + 1]), low = std::min(i0, i1), high = std::max(i0, i1);
                 const auto inside = [&](std::uint32_t i) { return where(i) > low && where(i) < high; };
                 if (inside(c.a) != inside(c.b)) return false;
             }
