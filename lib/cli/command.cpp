@@ -2,10 +2,10 @@
 
 #include "base/number.hpp"
 #include "base/printable.hpp"
-#include "cli/bar.hpp"
 #include "cli/document.hpp"
 #include "cli/output.hpp"
 #include "cli/parse.hpp"
+#include "cli/progress.hpp"
 #include "parallel/parallel.hpp"
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 #include <exception>
 #include <malloc.h>
 #include <new>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace filum::cli {
@@ -81,43 +80,6 @@ void Report::say() const {
         if (std::isfinite(n.z)) text += "," + fixed_text(n.z, 2);
         io_->say(text);
     }
-}
-
-Progress::Progress(const Io& io, std::uint64_t expected) : program_(io.program), expected_(expected) {
-    struct stat info {};
-    const bool piped = ::fstat(STDOUT_FILENO, &info) == 0 && S_ISFIFO(info.st_mode);
-    active_ = !io.quiet && ::isatty(STDERR_FILENO) != 0 && !piped;
-    if (const char* told = std::getenv("FILUM_PROGRESS")) {
-        told_ = std::atoi(told);
-        active_ = false;
-    }
-}
-
-Progress::~Progress() {
-    if (active_ && done_ > 0) std::fputs("\r\033[K", stderr);
-}
-
-void Progress::step() {
-    ++done_;
-    if (done_ % 16 != 0 && done_ != expected_) return;
-    if (told_ >= 0) {
-        const std::string line = program_ + " " + std::to_string(done_) + " " + std::to_string(expected_) + "\n";
-        if (::write(told_, line.data(), line.size()) < 0) return; // nobody has time for it
-    } else if (active_) {
-        draw();
-    }
-}
-
-void Progress::draw() const { std::fprintf(stderr, "\r%s", bar(program_, done_, expected_).c_str()); }
-
-std::string bar(const std::string& name, std::uint64_t done, std::uint64_t expected) {
-    if (done == 0 && expected == 0) return name;
-    if (expected == 0) return name + ": " + std::to_string(done);
-    constexpr std::uint64_t width = 30;
-    const std::uint64_t filled = std::min(width, done * width / expected);
-    const std::string percent = std::to_string(std::min<std::uint64_t>(100, done * 100 / expected));
-    return name + " [" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-           std::string(3 - percent.size(), ' ') + percent + " %";
 }
 
 namespace {
@@ -264,6 +226,7 @@ int detail::run(int argc, char** argv, const Spec& spec, const std::function<voi
         Io io;
         const std::string text = parse(argc, argv, spec, io);
         if (text.empty()) {
+            const Clock clock(io);
             work(io);
             return 0;
         }

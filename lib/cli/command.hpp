@@ -52,24 +52,6 @@ class Report {
     Notes sums_;
 };
 
-// Progress on standard error when that is a terminal and standard output is not a pipe; else silent.  Where the
-// environment variable FILUM_PROGRESS names a file descriptor, lines "PROGRAM DONE EXPECTED" there instead.
-class Progress {
-  public:
-    Progress(const Io& io, std::uint64_t expected); // 0: unknown, counts only
-    ~Progress();                                    // wipes the line
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    void step();
-
-  private:
-    void draw() const;
-    std::string program_;
-    std::uint64_t expected_ = 0, done_ = 0;
-    bool active_ = false;
-    int told_ = -1; // file descriptor
-};
-
 // Shape "map": one payload frame in, any number out, on all cores, in order.  Notes and facts of the input pass
 // through; `work` adds its own notes.  Writes the end frame only if the input's was read.
 using MapWork = std::function<std::vector<stream::RawFrame>(stream::RawFrame, Notes&)>;

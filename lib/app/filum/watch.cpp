@@ -1,6 +1,6 @@
 #include "app/filum/watch.hpp"
 
-#include "cli/bar.hpp"
+#include "cli/progress.hpp"
 
 #include <chrono>
 #include <fcntl.h>

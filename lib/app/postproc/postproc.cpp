@@ -1,6 +1,7 @@
 #include "app/postproc/postproc.hpp"
 
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "postproc/about.hpp"
 #include "postproc/job.hpp"
 #include "postproc/measure.hpp"
