@@ -28,6 +28,57 @@ constexpr const char* kDescription =
     "--mask, what bears less load; both are noted with place and area. Facts tell for each patch its area, the mean "
     "cosine between directions and their mean (coherence), and what 95 % of angles and bends stay below.";
 
+std::vector<cli::Option> options(app::partition::Options& o) {
+    using cli::Option;
+    return {
+        Option{"by", &o.how.pull.by, "", "what directions come from; auto: stress if there is one, else shape"}
+            .one_of({"auto", "stress", "shape"})
+            .when("!as-is")
+            .a_limit(),
+        Option{"case", &o.cases, "NAME,...", "the load cases that count; none: all"}.when("!by=shape !field !as-is"),
+        Option{"field", &o.how.pull.field, "NAME", "a field of vectors whose directions count instead of stresses"}
+            .when("!by=shape !as-is"),
+        Option{"angle", &o.how.limits.angle_deg, "DEG", "how far directions may be from their patch's mean"}
+            .above(0)
+            .at_most(90)
+            .when("!as-is !by=shape")
+            .a_limit(),
+        Option{"bend", &o.how.limits.bend_deg, "DEG", "how far normals may be from their patch's mean"}
+            .above(0)
+            .at_most(180)
+            .when("!as-is")
+            .a_limit(),
+        Option{"crease", &o.how.seams.crease_deg, "DEG", "edges that bend more are borders"}
+            .above(0)
+            .at_most(180)
+            .when("!as-is")
+            .a_limit(),
+        Option{"seam", &o.seam, "FILE", "lines of points that are borders: a text, as geodesic's --source-lines"}
+            .not_a_setting(),
+        Option{"faces", &o.how.seams.faces, "", "edges between CAD faces are borders"}.when("!as-is"),
+        Option{"patches", &o.how.limits.patches, "N", "divide into so many, whatever the angles; 0: by the angles"}
+            .at_least(0)
+            .at_most(10000)
+            .when("!as-is")
+            .a_limit(),
+        Option{"min-area", &o.how.limits.least_area, "MM2", "of a patch; 0: a hundredth of the surface"}
+            .within(0, 1e12)
+            .when("!as-is")
+            .a_limit(),
+        Option{"mask", &o.how.mask, "SHARE", "leave out what bears less than this share of the greatest load"}
+            .within(0, 1)
+            .when("!as-is !by=shape")
+            .a_limit(),
+        Option{"detail", &o.how.detail, "MM", "smaller things are smoothed; 0: a 50th of the root of the area"}
+            .zero_or_at_least(0.001)
+            .at_most(1e6)
+            .when("!as-is")
+            .a_limit(),
+        Option{"as-is", &o.as_is, "", "do not divide: surfaces without a name are patches, too"}.a_limit(),
+        {"names", &o.names, "NAME,...", "of the patches that have none, in order; none: letters"},
+        {"only", &o.only, "NAME,...", "write only these patches"}};
+}
+
 cli::Spec spec(app::partition::Options& o) {
     return {
         .name = "partition",
@@ -36,54 +87,7 @@ cli::Spec spec(app::partition::Options& o) {
         .in = cli::reads(stream::Payload::surface),
         .out = cli::writes(stream::Payload::surface),
         .memory = "the surfaces, and some hundred bytes per vertex",
-        .options =
-            {Option{"by", &o.how.pull.by, "", "what directions come from; auto: stress if there is one, else shape"}
-                 .one_of({"auto", "stress", "shape"})
-                 .when("!as-is")
-                 .a_limit(),
-             Option{"case", &o.cases, "NAME,...", "the load cases that count; none: all"}.when(
-                 "!by=shape !field !as-is"),
-             Option{"field", &o.how.pull.field, "NAME", "a field of vectors whose directions count instead of stresses"}
-                 .when("!by=shape !as-is"),
-             Option{"angle", &o.how.limits.angle_deg, "DEG", "how far directions may be from their patch's mean"}
-                 .above(0)
-                 .at_most(90)
-                 .when("!as-is !by=shape")
-                 .a_limit(),
-             Option{"bend", &o.how.limits.bend_deg, "DEG", "how far normals may be from their patch's mean"}
-                 .above(0)
-                 .at_most(180)
-                 .when("!as-is")
-                 .a_limit(),
-             Option{"crease", &o.how.seams.crease_deg, "DEG", "edges that bend more are borders"}
-                 .above(0)
-                 .at_most(180)
-                 .when("!as-is")
-                 .a_limit(),
-             Option{"seam", &o.seam, "FILE", "lines of points that are borders: a text, as geodesic's --source-lines"}
-                 .not_a_setting(),
-             Option{"faces", &o.how.seams.faces, "", "edges between CAD faces are borders"}.when("!as-is"),
-             Option{"patches", &o.how.limits.patches, "N", "divide into so many, whatever the angles; 0: by the angles"}
-                 .at_least(0)
-                 .at_most(10000)
-                 .when("!as-is")
-                 .a_limit(),
-             Option{"min-area", &o.how.limits.least_area, "MM2", "of a patch; 0: a hundredth of the surface"}
-                 .within(0, 1e12)
-                 .when("!as-is")
-                 .a_limit(),
-             Option{"mask", &o.how.mask, "SHARE", "leave out what bears less than this share of the greatest load"}
-                 .within(0, 1)
-                 .when("!as-is !by=shape")
-                 .a_limit(),
-             Option{"detail", &o.how.detail, "MM", "smaller things are smoothed; 0: a 50th of the root of the area"}
-                 .zero_or_at_least(0.001)
-                 .at_most(1e6)
-                 .when("!as-is")
-                 .a_limit(),
-             Option{"as-is", &o.as_is, "", "do not divide: surfaces without a name are patches, too"}.a_limit(),
-             {"names", &o.names, "NAME,...", "of the patches that have none, in order; none: letters"},
-             {"only", &o.only, "NAME,...", "write only these patches"}},
+        .options = options(o),
         .examples = {{"geodesic part.stl | partition > part.patches", "the faces of a part"},
                      {"geodesic part.stl | partition | partition --only B > face.surface", "one of them"}},
         .see_also = {"stressfield", "surfpath", "geodesic", "render"},

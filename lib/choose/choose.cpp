@@ -126,8 +126,8 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     const bool rings = o.plan.algorithm == Algorithm::geo_fiso || o.plan.algorithm == Algorithm::geo_contour;
     if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
     const Ground ground{sheet, pulls(sheet), o.plan, kStable[1]};
-    for (Candidate& c : o.by_hand ? by_hand(o) : candidates(sheet, ground.pull))
-        out.trials.push_back({std::move(c), std::nan(""), {}, {}, 0, 0, {}});
+    for (const Candidate& c : o.by_hand ? by_hand(o) : candidates(sheet, ground.pull))
+        out.trials.push_back({c, std::nan(""), {}, {}, 0, 0, {}});
     const Ground small = o.by_hand ? Ground{} : rough(sheet, o, out.area);
     std::vector<std::size_t> all(out.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});

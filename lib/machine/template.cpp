@@ -97,7 +97,11 @@ TemplateFault check_template(std::string_view text, const Values& own) {
         if (p.kind == Piece::Kind::fault) return {"a brace has no partner; write {{ or }} for a plain one", line};
         const std::string name(p.text);
         if (own.count(name) == 0 && std::find(known.begin(), known.end(), name) == known.end())
-            return {"unknown placeholder '{" + name + "}'; add '" + name + "' to [values] or see postproc --help",
+            return {std::string("unknown placeholder '{")
+                        .append(name)
+                        .append("}'; add '")
+                        .append(name)
+                        .append("' to [values] or see postproc --help"),
                     line};
     }
     return {};

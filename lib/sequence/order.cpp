@@ -86,6 +86,7 @@ std::vector<Ends> layer_ends(const Graph& g, const std::vector<std::vector<Index
 // Appends the regions of a layer: the first, then the nearest next, the last one last.
 void append_nearest(const Graph& g, const std::vector<Index>& layer, const Ends& ends, Order& out) {
     std::vector<geom::Vec2> centre;
+    centre.reserve(layer.size());
     for (const Index v : layer) centre.push_back(g.node[v].centre);
     geom::NearestPoints left(centre);
     for (std::uint32_t i = 0; i < layer.size(); ++i)

@@ -96,8 +96,9 @@ Reading read_points(const Part& part, double z, const geom::Box3& box, std::size
     Reading out;
     out.cell = w * d / static_cast<double>(columns * rows);
     for (std::size_t i = 0; i < columns * rows; ++i) {
-        const double u = static_cast<double>(i % columns) + scattered(2 * (seed * 1000003 + i)),
-                     v = static_cast<double>(i / columns) + scattered(2 * (seed * 1000003 + i) + 1);
+        const std::size_t column = i % columns, row = i / columns;
+        const double u = static_cast<double>(column) + scattered(2 * (seed * 1000003 + i)),
+                     v = static_cast<double>(row) + scattered(2 * (seed * 1000003 + i) + 1);
         out.point.push_back(
             {box.lo.x + w * u / static_cast<double>(columns), box.lo.y + d * v / static_cast<double>(rows)});
         out.winding.push_back(part.winding->at({out.point.back().x, out.point.back().y, z}));

@@ -15,6 +15,7 @@ namespace {
 void write(const std::vector<cli::Whole>& before, const std::vector<surface::Sheet>& patches, const Notes& notes,
            const Facts& facts, const cli::Io& self) {
     std::vector<const stream::Header*> headers;
+    headers.reserve(before.size());
     for (const auto& b : before) headers.push_back(&b.header);
     auto header = cli::header(self, stream::Payload::surface, headers);
     header.expected = patches.size();
