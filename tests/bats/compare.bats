@@ -24,6 +24,7 @@ column() { awk -F'\t' -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] =
     [ "$(column moves)" -gt 100 ]
     awk -v c="$(column cpu_s)" -v m="$(column peak_mb)" 'BEGIN { exit !(c > 0 && m > 1) }'
     grep -q '^filum ' table
+    grep -q '<title>part: filum' out/part.html
 }
 
 @test "what cannot be had is said, what can is right" {
