@@ -5,6 +5,7 @@
 #include "supports/supports.hpp"
 #include "cli/output.hpp"
 #include "geom/angle.hpp"
+#include "regions/air.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -79,13 +80,16 @@ cli::Spec spec(Options& all) {
 
 void run(const Options& o, const cli::Io& io) {
     supports::Options options = o.how;
-    options.angle = geom::radians(o.angle_deg), options.on_part = o.on == "everywhere";
-    std::vector<polygon::Region> regions;
+    options.angle = geom::radians(o.angle_deg);
+    options.on_part = o.on == "everywhere";
+    std::vector<polygon::Region> given;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
-                               [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });
+                               [&](stream::RawFrame frame) { given.push_back(wire::region(frame)); });
     Facts facts;
     Notes notes;
-    const auto all = supports::supports(std::move(regions), options, facts, notes);
+    const auto all = supports::supports(std::move(given), options, facts, notes);
+    // what hung is carried now, or told by this stage
+    if (options.support) std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
     whole.header.expected = all.size();
     cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);

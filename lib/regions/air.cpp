@@ -152,7 +152,7 @@ void hang(std::span<Region> upper, std::span<const Region> lower, std::span<cons
 
 std::optional<Note> note(const Air& air) {
     if (air.layers == 0) return std::nullopt;
-    std::string what = "material in mid-air";
+    std::string what = kMidAir;
     if (!std::isfinite(air.reach))
         what += ", some with no layer below it";
     else if (air.bridge > 0)

@@ -9,6 +9,9 @@
 
 namespace filum::regions {
 
+// How the note of what hangs begins.
+inline constexpr const char* kMidAir = "material in mid-air";
+
 // How beads are carried: one lies on the layer below if half of its width does.
 struct Carried {
     double bead_width = 0; // mm

@@ -74,7 +74,10 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     boxes table.stl 0,0,0,4,4,4 16,0,0,20,4,4 0,0,4,20,4,5
     filum print table.stl --infill 20% --support --quiet --machine marlin -o table.gcode
     [ -s table.gcode ]
-    slice table.stl | regions | skins | supports --support -o table.regions
+    slice table.stl | regions -o hanging.regions
+    peek --text hanging.regions | grep -q "^note stage regions what 'material in mid-air"
+    skins hanging.regions | supports --support -o table.regions
+    [[ $(peek --text table.regions | grep -c 'mid-air') == 0 ]] # it hangs no more
     sequence table.regions | fill | link3d --quiet -o table.toolpath
     peek --text table.toolpath > table.text
     grep -q 'feature support' table.text
