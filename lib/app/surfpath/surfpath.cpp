@@ -84,13 +84,13 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
 } // namespace
 
 void run(const Options& o, const cli::Io& io) {
+    Options asked = o;
+    asked.plan.follow = followed(o);
     std::vector<surface::Sheet> sheets;
     auto whole = cli::read_all(io.input, stream::Payload::surface,
                                [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
     const auto algorithms = filum::surfpath::algorithms(sheets, filum::surfpath::algorithm(o.algorithm));
     tell_idle(algorithms, io);
-    Options asked = o;
-    asked.plan.follow = followed(o);
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads,
                                                [&](std::size_t k) { return lay(sheets[k], asked, *algorithms[k]); });
     filum::surfpath::Laying laying = o.laying;
