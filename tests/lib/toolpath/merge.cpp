@@ -244,7 +244,7 @@ TEST(Merge, NothingCrossesInWholeMicrometres) {
         return way;
     };
     int before = 0;
-    for (int k = 0; k < trials(400); ++k) {
+    for (int k = 0; k < 400; ++k) {
         Span s{Role::bead, 0, 0, 0, {}, {0.4}, {0.2}};
         const double gap = uniform(0.001, 0.004), tilt = uniform(-0.02, 0.02), bend = uniform(0.02, 0.2);
         const auto side = [&](double x) { return tilt * x + 0.01 * std::sin(bend * x * x); };
