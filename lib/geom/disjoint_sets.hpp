@@ -11,11 +11,13 @@ namespace filum::geom {
 // Of the numbers 0 to n - 1.  The least number of a set stands for it.
 class DisjointSets {
   public:
-    explicit DisjointSets(std::size_t n = 0) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+    explicit DisjointSets(std::size_t n = 0) : parent_(n), sets_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
     [[nodiscard]] std::size_t size() const { return parent_.size(); }
+    [[nodiscard]] std::size_t sets() const { return sets_; }
     std::uint32_t add() { // a set of its own
         parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+        ++sets_;
         return parent_.back();
     }
     std::uint32_t root(std::uint32_t v) {
@@ -28,6 +30,7 @@ class DisjointSets {
         b = root(b);
         if (a == b) return false;
         parent_[std::max(a, b)] = std::min(a, b);
+        --sets_;
         return true;
     }
     // The sets numbered by their least members, per number; how many there are.
@@ -43,6 +46,7 @@ class DisjointSets {
 
   private:
     std::vector<std::uint32_t> parent_;
+    std::size_t sets_;
 };
 
 } // namespace filum::geom

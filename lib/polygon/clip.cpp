@@ -164,12 +164,21 @@ Loops intersect_touching(const Loops& a, const Loops& b, Fill rule) {
 Loops subtract(const Loops& a, const Loops& b, Fill rule) { return combine(cl::ctDifference, a, b, rule); }
 
 Loops offset(const Loops& a, double delta, double arc_tolerance) {
+    if (a.empty()) return {};
     try {
         return tiled({&a, 1}, std::abs(delta),
                      [&](std::span<const Loops> tile) { return offset_tile(tile[0], delta, arc_tolerance); });
     } catch (const cl::clipperException& e) {
         throw Error(Exit::bad_input, std::string("cannot offset outlines: ") + e.what());
     }
+}
+
+Loops opened(const Loops& a, double radius, double arc_tolerance) {
+    return offset(offset(a, -radius, arc_tolerance), radius, arc_tolerance);
+}
+
+Loops closed(const Loops& a, double radius, double arc_tolerance) {
+    return offset(offset(a, radius, arc_tolerance), -radius, arc_tolerance);
 }
 
 Loops around(std::span<const Vec2> line, double radius, double arc_tolerance) {

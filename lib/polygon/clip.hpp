@@ -9,6 +9,9 @@
 
 namespace filum::polygon {
 
+// Off by so much, mm, are arcs where beads are to lie: as near as a machine comes.
+inline constexpr double kBeadArc = 0.01;
+
 enum class Fill { nonzero, even_odd, positive };
 
 Loops unite(const Loops& a, Fill rule = Fill::nonzero);
@@ -20,6 +23,12 @@ Loops subtract(const Loops& a, const Loops& b, Fill rule = Fill::nonzero);
 
 // `a` grown by `delta` mm (shrunk if negative), corners rounded; arcs are off by at most `arc_tolerance` mm.
 Loops offset(const Loops& a, double delta, double arc_tolerance = 0.002);
+
+// What of `a` is at least 2 `radius` wide: all discs of that radius in it (opening); empty if a is.
+Loops opened(const Loops& a, double radius, double arc_tolerance = 0.002);
+
+// `a` with what is narrower than 2 `radius` between its parts: all that no such disc beside it reaches (closing).
+Loops closed(const Loops& a, double radius, double arc_tolerance = 0.002);
 
 // Everything within `radius` mm of the open line: a bead with round ends.  A line of one point gives a disc.
 Loops around(std::span<const Vec2> line, double radius, double arc_tolerance = 0.002);

@@ -26,6 +26,11 @@ struct Loops {
         points.insert(points.end(), loop.begin(), loop.end());
         close();
     }
+    void add(const Loops& more) {
+        const auto shift = static_cast<std::uint32_t>(points.size());
+        points.insert(points.end(), more.points.begin(), more.points.end());
+        for (std::size_t l = 1; l < more.start.size(); ++l) start.push_back(more.start[l] + shift);
+    }
     // Ends the loop whose points were pushed directly.
     void close() { start.push_back(static_cast<std::uint32_t>(points.size())); }
 };

@@ -5,6 +5,8 @@
 #include "polygon/loops.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace filum::polygon {
@@ -30,7 +32,7 @@ struct Overlap {
 enum class AreaKind : std::uint8_t {
     skin_top,    // solid, seen from above
     skin_bottom, // solid, seen from below
-    bridge,      // solid, over air between what carries it
+    bridge,      // solid, over air between what carries it; loops: the air
     sparse,      // filled in part
 };
 
@@ -76,5 +78,8 @@ struct Region {
     std::uint32_t walls = 0; // rings along the outline; 0: no walls are told apart, and it is solid all through
     RegionClass is = RegionClass::part;
 };
+
+// The material of every layer from the first to the last (of one class: `only`); none where a layer is missing.
+std::vector<Loops> materials(std::span<const Region> regions, std::optional<RegionClass> only = {});
 
 } // namespace filum::polygon
