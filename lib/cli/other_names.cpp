@@ -1,99 +1,149 @@
 #include "cli/other_names.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace filum::cli {
 
 namespace {
 
-// Theirs, or ours of before, with '-'; ours: an option, and what to give it where that is a key of the profile.
-struct Name {
-    std::string_view theirs, option, value;
-};
-constexpr Name kOtherNames[] = {
-    {"least-radius", "min-radius", ""},
-    {"least-spacing", "min-spacing", ""},
-    {"least-area", "min-area", ""},
-    {"height", "layer-height", ""},
-    {"line-width", "bead-width", ""},
-    {"extrusion-width", "bead-width", ""},
-    {"nozzle-diameter", "bead-width", ""},
-    {"machine-nozzle-size", "bead-width", ""},
-    {"initial-layer-height", "first-layer-height", ""},
-    {"layer-height-0", "first-layer-height", ""},
-    {"initial-layer-print-height", "first-layer-height", ""},
-    {"fill-pattern", "pattern", ""},
-    {"infill-pattern", "pattern", ""},
-    {"sparse-infill-pattern", "pattern", ""},
-    {"fill-density", "infill", ""},
-    {"infill-density", "infill", ""},
-    {"infill-sparse-density", "infill", ""},
-    {"sparse-infill-density", "infill", ""},
-    {"perimeters", "walls", ""},
-    {"wall-count", "walls", ""},
-    {"wall-line-count", "walls", ""},
-    {"wall-loops", "walls", ""},
-    {"top-solid-layers", "top", ""},
-    {"top-layers", "top", ""},
-    {"top-shell-layers", "top", ""},
-    {"bottom-solid-layers", "bottom", ""},
-    {"bottom-layers", "bottom", ""},
-    {"bottom-shell-layers", "bottom", ""},
-    {"support-material", "support", ""},
-    {"support-enable", "support", ""},
-    {"enable-support", "support", ""},
-    {"fill-angle", "angles", ""},
-    {"infill-angles", "angles", ""},
-    {"adaptive-layer-height-enabled", "adaptive", ""},
-    {"printer", "machine", ""},
-    {"printer-profile", "machine", ""},
-    {"profile", "machine", ""},
-    {"gcode-flavor", "machine", ""},
-    {"machine-gcode-flavor", "machine", ""},
-    {"export-gcode", "output", ""},
-    {"load", "machine", ""},
-    {"temperature", "set", "nozzle_temp=210"},
-    {"nozzle-temperature", "set", "nozzle_temp=210"},
-    {"material-print-temperature", "set", "nozzle_temp=210"},
-    {"bed-temperature", "set", "bed_temp=60"},
-    {"material-bed-temperature", "set", "bed_temp=60"},
-    {"filament-diameter", "set", "extrusion.diameter=1.75"},
-    {"material-diameter", "set", "extrusion.diameter=1.75"},
-    {"extrusion-multiplier", "set", "extrusion.flow=1"},
-    {"material-flow", "set", "extrusion.flow=1"},
-    {"print-speed", "set", "feeds.bead=50"},
-    {"speed-print", "set", "feeds.bead=50"},
-    {"infill-speed", "set", "feeds.bead=50"},
-    {"perimeter-speed", "set", "feeds.bead=50"},
-    {"first-layer-speed", "set", "feeds.first_layer=25"},
-    {"speed-layer-0", "set", "feeds.first_layer=25"},
-    {"travel-speed", "set", "feeds.travel=150"},
-    {"speed-travel", "set", "feeds.travel=150"},
-    {"retract-length", "set", "travel.retract=0.8"},
-    {"retraction-amount", "set", "travel.retract=0.8"},
-    {"retraction-length", "set", "travel.retract=0.8"},
-    {"retract-speed", "set", "travel.retract_speed=35"},
-    {"retract-lift", "set", "travel.lift=0.6"},
-    {"retraction-hop", "set", "travel.lift=0.6"},
-    {"start-gcode", "machine", "FILE, a profile whose templates.start it is"},
-    {"end-gcode", "machine", "FILE, a profile whose templates.end it is"},
+// Of a name with several entries the first is taken whose option the program has.
+constexpr OtherName kOtherNames[] = {
+    // Filum's own, of before
+    {"least-radius", "min-radius"},
+    {"least-spacing", "min-spacing"},
+    {"least-area", "min-area"},
+    {"height", "layer-height"},
+    // layers and beads
+    {"nozzle", "bead-width"},
+    {"nozzle-diameter", "bead-width", Value::length},
+    {"machine-nozzle-size", "bead-width", Value::length},
+    {"extrusion-width", "bead-width", Value::length},
+    {"line-width", "bead-width", Value::length},
+    {"first-layer-height", "first-layer-height", Value::length},
+    {"initial-layer-height", "first-layer-height", Value::length},
+    {"initial-layer-print-height", "first-layer-height", Value::length},
+    {"layer-height-0", "first-layer-height", Value::length},
+    {"adaptive-layer-height-enabled", "adaptive", Value::flag},
+    {"duplicate", "copies"},
+    {"duplicate-distance", "apart", Value::length},
+    {"cut", "cut-below", Value::none},
+    {"xy-size-compensation", "xy-compensation"},
+    {"xy-contour-compensation", "xy-compensation"},
+    {"xy-offset", "xy-compensation"},
+    {"horizontal-expansion", "xy-compensation"},
+    {"xy-hole-compensation", "hole-compensation"},
+    {"hole-xy-offset", "hole-compensation"},
+    {"elefant-foot-compensation", "elephant-foot", Value::length},
+    {"elephant-foot-compensation", "elephant-foot", Value::length},
+    {"filament-shrink", "shrinkage", Value::none},
+    {"filament-shrinkage-compensation-xy", "shrinkage", Value::none},
+    {"seam-position", "seam", Value::none},
+    {"z-seam-type", "seam", Value::none},
+    {"pause-at-layer", "pause-at"},
+    {"rotate-x", "rotate", Value::turn_x},
+    {"rotate-y", "rotate", Value::turn_y},
+    {"rotate-z", "rotate", Value::turn_z},
+    // what is inside
+    {"perimeters", "walls"},
+    {"wall-count", "walls"},
+    {"wall-line-count", "walls"},
+    {"wall-loops", "walls"},
+    {"fill-density", "infill", Value::share},
+    {"infill-density", "infill", Value::share},
+    {"infill-sparse-density", "infill", Value::share},
+    {"sparse-infill-density", "infill", Value::share},
+    {"fill-pattern", "infill-pattern", Value::pattern},
+    {"sparse-infill-pattern", "infill-pattern", Value::pattern},
+    {"fill-pattern", "pattern", Value::none},
+    {"infill-pattern", "pattern", Value::none},
+    {"sparse-infill-pattern", "pattern", Value::none},
+    {"fill-angle", "angles", Value::none},
+    {"infill-angles", "angles", Value::none},
+    {"top-solid-layers", "top"},
+    {"top-layers", "top"},
+    {"top-shell-layers", "top"},
+    {"bottom-solid-layers", "bottom"},
+    {"bottom-layers", "bottom"},
+    {"bottom-shell-layers", "bottom"},
+    {"solid-infill-below-area", "solid-below"},
+    // supports and what lies about the part
+    {"support-material", "support", Value::flag},
+    {"support-enable", "support", Value::flag},
+    {"enable-support", "support", Value::flag},
+    {"support-material-threshold", "support-angle", Value::steepness},
+    {"support-material-buildplate-only", "support-on", Value::bed_only},
+    {"support-material-xy-spacing", "beside", Value::length},
+    {"support-material-spacing", "support-spacing", Value::length},
+    {"support-material-interface-layers", "interface"},
+    {"raft-layers", "raft"},
+    {"brim-width", "brim"},
+    {"skirt-distance", "skirt"},
+    // the machine
+    {"printer", "machine", Value::none},
+    {"printer-profile", "machine", Value::none},
+    {"profile", "machine", Value::none},
+    {"load", "machine", Value::none},
+    {"gcode-flavor", "machine", Value::none},
+    {"machine-gcode-flavor", "machine", Value::none},
+    {"start-gcode", "machine", Value::none},
+    {"end-gcode", "machine", Value::none},
+    {"export-gcode", "output", Value::none},
+    {"filament-diameter", "extrusion.diameter", Value::key},
+    {"material-diameter", "extrusion.diameter", Value::key},
+    {"extrusion-multiplier", "extrusion.flow", Value::key},
+    {"temperature", "nozzle_temp", Value::key},
+    {"nozzle-temperature", "nozzle_temp", Value::key},
+    {"material-print-temperature", "nozzle_temp", Value::key},
+    {"first-layer-temperature", "first_nozzle_temp", Value::key},
+    {"bed-temperature", "bed_temp", Value::key},
+    {"material-bed-temperature", "bed_temp", Value::key},
+    {"first-layer-bed-temperature", "first_bed_temp", Value::key},
+    {"print-speed", "feeds.bead", Value::key},
+    {"speed-print", "feeds.bead", Value::key},
+    {"perimeter-speed", "feeds.wall", Value::key},
+    {"external-perimeter-speed", "feeds.outer_wall", Value::key},
+    {"infill-speed", "feeds.infill", Value::key},
+    {"solid-infill-speed", "feeds.solid", Value::key},
+    {"top-solid-infill-speed", "feeds.top", Value::key},
+    {"support-material-speed", "feeds.support", Value::key},
+    {"support-material-interface-speed", "feeds.interface", Value::key},
+    {"first-layer-speed", "feeds.first_layer", Value::key},
+    {"speed-layer-0", "feeds.first_layer", Value::key},
+    {"travel-speed", "feeds.travel", Value::key},
+    {"speed-travel", "feeds.travel", Value::key},
+    {"retract-length", "travel.retract", Value::key},
+    {"retraction-amount", "travel.retract", Value::key},
+    {"retraction-length", "travel.retract", Value::key},
+    {"retract-speed", "travel.retract_speed", Value::key},
+    {"retract-lift", "travel.lift", Value::key},
+    {"retraction-hop", "travel.lift", Value::key},
 };
 
 } // namespace
 
-std::string in_our_words(std::string_view name, std::span<const std::string> names) {
-    std::string theirs(name.substr(0, name.find('=')));
-    std::replace(theirs.begin(), theirs.end(), '_', '-');
+const OtherName* other_name(std::string_view theirs, const std::function<bool(std::string_view)>& has) {
+    std::string name(theirs.substr(0, theirs.find('=')));
+    std::replace(name.begin(), name.end(), '_', '-');
+    const auto* at = std::find_if(std::begin(kOtherNames), std::end(kOtherNames), [&](const OtherName& n) {
+        return n.theirs == name && has(n.value == Value::key ? "set" : n.ours);
+    });
+    return at == std::end(kOtherNames) ? nullptr : at;
+}
+
+std::string ours_of(const OtherName& name) {
+    if (name.value == Value::key) return "--set " + std::string(name.ours) + "=N";
+    return "--" + std::string(name.ours);
+}
+
+std::string in_our_words(std::string_view theirs, std::span<const std::string> names) {
     const auto has = [&](std::string_view option) {
         return std::find(names.begin(), names.end(), option) != names.end();
     };
-    if (theirs != name && has(theirs)) return "; here it is '--" + theirs + "'";
-    for (const Name& n : kOtherNames)
-        if (n.theirs == theirs && has(n.option))
-            return "; here it is '--" + std::string(n.option) + (n.value.empty() ? "" : " ") + std::string(n.value) +
-                   "'";
-    return "";
+    std::string dashed(theirs.substr(0, theirs.find('=')));
+    std::replace(dashed.begin(), dashed.end(), '_', '-');
+    if (dashed != theirs && has(dashed)) return "; here it is '--" + dashed + "'";
+    const OtherName* known = other_name(theirs, has);
+    return known != nullptr ? "; here it is '" + ours_of(*known) + "'" : "";
 }
 
 } // namespace filum::cli

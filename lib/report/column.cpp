@@ -1,5 +1,6 @@
 #include "report/column.hpp"
 
+#include "base/base64.hpp"
 #include "base/error.hpp"
 
 #include <vector>
@@ -21,23 +22,6 @@ std::vector<unsigned char> planes(std::span<const std::int32_t> numbers) {
         const std::uint32_t folded = (by << 1) ^ (by >> 31 != 0 ? UINT32_MAX : 0);
         for (std::size_t k = 0; k < 4; ++k) out[k * n + i] = static_cast<unsigned char>(folded >> (8 * k));
         before = value;
-    }
-    return out;
-}
-
-std::string base64(std::span<const unsigned char> bytes) {
-    constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t left = bytes.size() - i;
-        const std::uint32_t three = (std::uint32_t{bytes[i]} << 16) |
-                                    (left > 1 ? std::uint32_t{bytes[i + 1]} << 8 : 0) |
-                                    (left > 2 ? std::uint32_t{bytes[i + 2]} : 0);
-        out += letters[three >> 18];
-        out += letters[three >> 12 & 63];
-        out += left > 1 ? letters[three >> 6 & 63] : '=';
-        out += left > 2 ? letters[three & 63] : '=';
     }
     return out;
 }

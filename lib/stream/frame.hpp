@@ -37,11 +37,19 @@ struct Setting {
     bool changed = false; // differs from the program's default
 };
 
+// One of several things that stand on the bed together.
+struct Object {
+    std::string name;
+    std::vector<double> x, y; // mm, its convex outline seen from above, counter-clockwise
+    double height = 0;        // mm, of its top above the bed
+};
+
 // One program's part in making a stream.
 struct Run {
     std::string program, version;
     std::vector<Setting> settings;
     std::vector<std::uint32_t> parents; // indices into Header::history
+    std::vector<Object> objects = {};   // that it put on the bed, if they are several
 };
 
 struct Header {

@@ -4,7 +4,21 @@
 
 #include "filum/stream.pb.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace filum::stream {
+
+namespace {
+
+bool finite(const Object& object) {
+    const auto all = [](const std::vector<double>& values) {
+        return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+    };
+    return all(object.x) && all(object.y) && std::isfinite(object.height);
+}
+
+} // namespace
 
 void be_quiet() { google::protobuf::SetLogHandler(nullptr); }
 
@@ -43,6 +57,13 @@ std::string serialise(const Header& header) {
             t->set_changed(s.changed);
         }
         for (const auto parent : run.parents) r->add_parents(parent);
+        for (const Object& object : run.objects) {
+            auto* to = r->add_objects();
+            to->set_name(object.name);
+            to->set_height(object.height);
+            to->mutable_x()->Add(object.x.begin(), object.x.end());
+            to->mutable_y()->Add(object.y.begin(), object.y.end());
+        }
     }
     return m.SerializeAsString();
 }
@@ -64,6 +85,11 @@ Header parse_header(std::string_view body) {
             if (parent >= out.history.size())
                 throw Error(Exit::bad_input, "cannot use the header frame: history refers to a later run");
             run.parents.push_back(parent);
+        }
+        for (const auto& o : r.objects()) {
+            run.objects.push_back({o.name(), {o.x().begin(), o.x().end()}, {o.y().begin(), o.y().end()}, o.height()});
+            if (o.x_size() < 3 || o.x_size() != o.y_size() || !finite(run.objects.back()))
+                throw Error(Exit::bad_input, "cannot use the header frame: an object has no outline");
         }
         out.history.push_back(std::move(run));
     }

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import stream_pb2
 from .planar import (Area, AreaKind, Curve, Feature, Join, Layer, Line, Loops, Overlap, Paths, Pattern, Region, RegionClass,
-                     Retraction, Role, Span, ints, listed)
+                     Retraction, Role, Span, floats, ints, listed)
 from .surface import Field, Isolines, Sources, Surface
 
 Payload = enum.IntEnum("Payload", stream_pb2.Payload.items())
@@ -62,19 +62,32 @@ class Setting:
 
 
 @dataclasses.dataclass(eq=False)
+class Object:
+    """One of several things that stand on the bed together: name, x and y of its convex outline, height of its top."""
+
+    message = stream_pb2.Object
+    name: str = ""
+    x: np.ndarray = floats()
+    y: np.ndarray = floats()
+    height: float = 0.0
+
+
+@dataclasses.dataclass(eq=False)
 class Run:
     """One program's part in making a stream: program and its version, settings (list of Setting), and parents: numbers of
-    earlier runs, what it read."""
+    earlier runs, what it read; objects: those that it put on the bed, if they are several."""
 
     message = stream_pb2.Run
     program: str = ""
     version: str = ""
     settings: list = listed()
     parents: np.ndarray = ints()
+    objects: list = listed()
 
 
 CLASSES = {c.message.DESCRIPTOR.full_name: c for c in (
-    Loops, Layer, Overlap, Area, Region, Curve, Line, Paths, Span, Field, Sources, Isolines, Surface, Note, Fact, Setting, Run)}
+    Loops, Layer, Overlap, Area, Region, Curve, Line, Paths, Span, Field, Sources, Isolines, Surface, Note, Fact, Setting, Object,
+    Run)}
 FRAME_OF = {Layer: "layer", Region: "region", Paths: "paths", Span: "span", Surface: "surface", Note: "note", Fact: "fact"}
 PAYLOAD_OF = {Layer: Payload.LAYERS, Region: Payload.REGIONS, Paths: Payload.PATHS, Span: Payload.TOOLPATH,
               Surface: Payload.SURFACE}

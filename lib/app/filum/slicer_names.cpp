@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "cli/other_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,85 +15,11 @@ namespace filum::app::filum {
 
 namespace {
 
-// How a value of theirs becomes one of ours.
-enum class As : std::uint8_t {
-    same,      // as it stands
-    length,    // mm; a share of something else is left, and so is 0, which says "by itself"
-    share,     // 15% or 15 becomes 15%
-    flag,      // 0 or 1
-    steepness, // degrees from the horizontal; here they count from the vertical
-    pattern,   // of infill
-    key,       // of the machine's profile, by --set; a share of something else is left
-    bed_only,  // 0 or 1: where supports may stand
-    turn_x,    // degrees
-    turn_y,
-    turn_z,
-};
-
-struct Name {
-    std::string_view theirs, ours;
-    As as = As::same;
-};
-
-constexpr Name kNames[] = {
-    {"nozzle", "bead-width"},
-    {"nozzle-diameter", "bead-width", As::length},
-    {"extrusion-width", "bead-width", As::length},
-    {"line-width", "bead-width", As::length},
-    {"first-layer-height", "first-layer-height", As::length},
-    {"perimeters", "walls"},
-    {"wall-loops", "walls"},
-    {"wall-line-count", "walls"},
-    {"fill-density", "infill", As::share},
-    {"infill-density", "infill", As::share},
-    {"sparse-infill-density", "infill", As::share},
-    {"infill-sparse-density", "infill", As::share},
-    {"fill-pattern", "infill-pattern", As::pattern},
-    {"sparse-infill-pattern", "infill-pattern", As::pattern},
-    {"top-solid-layers", "top"},
-    {"top-layers", "top"},
-    {"top-shell-layers", "top"},
-    {"bottom-solid-layers", "bottom"},
-    {"bottom-layers", "bottom"},
-    {"bottom-shell-layers", "bottom"},
-    {"solid-infill-below-area", "solid-below"},
-    {"support-material", "support", As::flag},
-    {"enable-support", "support", As::flag},
-    {"support-enable", "support", As::flag},
-    {"support-material-threshold", "support-angle", As::steepness},
-    {"support-material-buildplate-only", "support-on", As::bed_only},
-    {"support-material-xy-spacing", "beside", As::length},
-    {"support-material-spacing", "support-spacing", As::length},
-    {"support-material-interface-layers", "interface"},
-    {"brim-width", "brim"},
-    {"skirt-distance", "skirt"},
-    {"filament-diameter", "extrusion.diameter", As::key},
-    {"extrusion-multiplier", "extrusion.flow", As::key},
-    {"temperature", "nozzle_temp", As::key},
-    {"nozzle-temperature", "nozzle_temp", As::key},
-    {"first-layer-temperature", "first_nozzle_temp", As::key},
-    {"bed-temperature", "bed_temp", As::key},
-    {"first-layer-bed-temperature", "first_bed_temp", As::key},
-    {"print-speed", "feeds.bead", As::key},
-    {"perimeter-speed", "feeds.wall", As::key},
-    {"external-perimeter-speed", "feeds.outer_wall", As::key},
-    {"infill-speed", "feeds.infill", As::key},
-    {"solid-infill-speed", "feeds.solid", As::key},
-    {"top-solid-infill-speed", "feeds.top", As::key},
-    {"support-material-speed", "feeds.support", As::key},
-    {"support-material-interface-speed", "feeds.interface", As::key},
-    {"first-layer-speed", "feeds.first_layer", As::key},
-    {"travel-speed", "feeds.travel", As::key},
-    {"retract-length", "travel.retract", As::key},
-    {"retract-speed", "travel.retract_speed", As::key},
-    {"retract-lift", "travel.lift", As::key},
-    {"rotate-x", "rotate", As::turn_x},
-    {"rotate-y", "rotate", As::turn_y},
-    {"rotate-z", "rotate", As::turn_z},
-};
+using cli::OtherName;
+using cli::Value;
 
 // Ours by the same name and with the same meaning in a file.
-constexpr std::string_view kSame[] = {"layer-height"};
+constexpr std::string_view kSame[] = {"layer-height", "z-offset"};
 
 std::string dashed(std::string name) {
     std::replace(name.begin(), name.end(), '_', '-');
@@ -104,66 +31,67 @@ std::string trimmed(const std::string& text) {
     return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
 }
 
-const Name* known(const std::string& dashed_name) {
-    const auto* at =
-        std::find_if(std::begin(kNames), std::end(kNames), [&](const Name& n) { return n.theirs == dashed_name; });
-    return at == std::end(kNames) ? nullptr : at;
-}
-
 bool percent(const std::string& text) { return !text.empty() && text.back() == '%'; }
 
 double number(const std::string& text, const std::string& of) {
     return parse_number(percent(text) ? text.substr(0, text.size() - 1) : text, "--" + of);
 }
 
-// Slicers' patterns of straight lines that this program lays as rows, and of waves.
+// Slicers' patterns of straight lines that this program lays as rows, of waves, and of lines along the outline.
 std::string pattern(const std::string& theirs) {
     for (const char* rows : {"rectilinear", "alignedrectilinear", "line", "lines", "grid", "zigzag", "zig-zag", "rows"})
         if (theirs == rows) return "rows";
+    if (theirs == "concentric") return "concentric";
     return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
 }
 
 // Our words for a setting; none if it says what has no meaning here.
-std::optional<std::string> translated(const Name& n, const std::string& value) {
+std::optional<std::string> translated(const OtherName& n, const std::string& value) {
     const std::string option = "--" + std::string(n.ours), theirs(n.theirs);
-    switch (n.as) {
-    case As::same:
+    switch (n.value) {
+    case Value::same:
         return option + "=" + value;
-    case As::length:
+    case Value::length:
         if (percent(value) || number(value, theirs) <= 0) return std::nullopt;
         return option + "=" + value;
-    case As::share:
+    case Value::share:
         return option + "=" + (percent(value) ? value : shortest_text(number(value, theirs)) + "%");
-    case As::flag:
+    case Value::flag:
         if (!value.empty() && value != "1") return std::nullopt;
         return option;
-    case As::steepness:
+    case Value::steepness:
         if (number(value, theirs) <= 0) return std::nullopt;
         return option + "=" + shortest_text(90 - number(value, theirs));
-    case As::pattern:
+    case Value::pattern:
         if (pattern(value).empty()) return std::nullopt;
         return option + "=" + pattern(value);
-    case As::key:
+    case Value::key:
         if (percent(value)) return std::nullopt;
         number(value, theirs);
         return "--set=" + std::string(n.ours) + "=" + value;
-    case As::bed_only:
+    case Value::bed_only:
         if (value != "1") return std::nullopt;
         return option + "=bed";
-    case As::turn_x:
+    case Value::turn_x:
         return option + "=" + value + ",0,0";
-    case As::turn_y:
+    case Value::turn_y:
         return option + "=0," + value + ",0";
-    case As::turn_z:
+    case Value::turn_z:
         return option + "=0,0," + value;
+    case Value::none:
+        break;
     }
     return std::nullopt;
 }
 
-bool has(const std::vector<Stage>& stages, const std::string& name) {
+bool has(const std::vector<Stage>& stages, std::string_view name) {
     return std::any_of(stages.begin(), stages.end(), [&](const Stage& s) {
         return std::any_of(s.options.begin(), s.options.end(), [&](const StageOption& o) { return o.name == name; });
     });
+}
+
+const OtherName* known(const std::vector<Stage>& stages, const std::string& theirs) {
+    return cli::other_name(theirs, [&](std::string_view ours) { return has(stages, ours); });
 }
 
 struct Setting {
@@ -192,7 +120,7 @@ bool says_nothing(const std::string& value) {
 }
 
 // What of a file has a meaning here.  Lists, as for several extruders, give their first value.
-void load(const std::string& file, Translated& out) {
+void load(const std::string& file, const std::vector<Stage>& stages, Translated& out) {
     const std::vector<Setting> all = settings_in(file);
     const auto value_of = [&](std::string_view key) {
         for (const Setting& s : all)
@@ -202,7 +130,7 @@ void load(const std::string& file, Translated& out) {
     const bool supports = value_of("support-material") == "1", wide = !says_nothing(value_of("extrusion-width"));
     for (const Setting& s : all) {
         const std::string name = dashed(s.key), value = s.value.substr(0, s.value.find_first_of(",;"));
-        const Name* n = known(name);
+        const OtherName* n = known(stages, name);
         const bool of_supports = name.starts_with("support-material-");
         // a skirt of none is none at any distance; the nozzle is as wide as the bead where that is not said
         const bool idle = (of_supports && !supports) ||
@@ -213,7 +141,8 @@ void load(const std::string& file, Translated& out) {
             if (n != nullptr && !idle) word = translated(*n, value);
         } catch (const Error&) { // a value of another kind
         }
-        if (std::find(std::begin(kSame), std::end(kSame), name) != std::end(kSame)) word = "--" + name + "=" + value;
+        if (!idle && std::find(std::begin(kSame), std::end(kSame), name) != std::end(kSame))
+            word = "--" + name + "=" + value;
         if (word)
             out.words.push_back(*word);
         else if (!idle)
@@ -248,7 +177,7 @@ void join_sets(std::vector<std::string>& words) {
 
 } // namespace
 
-Translated in_our_words(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
+Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Translated out;
     std::vector<std::string> rest;
     std::size_t i = 0;
@@ -263,17 +192,17 @@ Translated in_our_words(const std::vector<std::string>& words, const std::vector
                 throw Error(Exit::usage, "cannot use '--" + typed + "' without a value; see 'filum help print'");
             return words[++i];
         };
-        const Name* n = typed.empty() || has(stages, typed) ? nullptr : known(dashed(typed));
+        const OtherName* n = typed.empty() || has(stages, typed) ? nullptr : known(stages, typed);
         if (typed == "load") {
-            load(value(), out);
+            load(value(), stages, out);
         } else if (typed == "set" || typed == "rotate" || typed == "scale") {
             rest.push_back("--" + typed + "=" + own_value(typed, value()));
         } else if (n != nullptr) {
-            const std::string given = n->as == As::flag && equal == std::string::npos ? "1" : value();
+            const std::string given = n->value == Value::flag && equal == std::string::npos ? "1" : value();
             const auto ours = translated(*n, given);
             if (!ours)
-                throw Error(Exit::usage, "cannot use '--" + typed + "' with '" + given + "'; here it is '" +
-                                             (n->as == As::key ? "--set " : "--") + std::string(n->ours) + "'");
+                throw Error(Exit::usage,
+                            "cannot use '--" + typed + "' with '" + given + "'; here it is '" + cli::ours_of(*n) + "'");
             rest.push_back(*ours);
         } else {
             rest.push_back(word);

@@ -20,6 +20,6 @@ struct Translated {
 // --infill=15%, --temperature 210 --set=nozzle_temp=210, --rotate 45 --rotate=0,0,45, --scale 150% --scale=1.5.  All
 // --set become one.  What stands behind "--" stays.  Throws Error: usage for a value that does not fit or is missing,
 // io for a file that cannot be read, bad_input for one without settings.
-Translated in_our_words(const std::vector<std::string>& words, const std::vector<Stage>& stages);
+Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

@@ -16,22 +16,34 @@ void member(std::string& out, const std::string& name, const std::string& value)
     out += json_text(name) + ":" + value;
 }
 
-std::string numbers(const std::vector<double>& values) {
+// "[f(a),f(b),...]".
+template <class Range, class F>
+std::string array(const Range& all, const F& f) {
     std::string out = "[";
-    for (const double v : values) {
+    for (const auto& one : all) {
         if (out.size() > 1) out += ',';
-        out += number(v);
+        out += f(one);
     }
     return out + "]";
 }
 
+std::string numbers(const std::vector<double>& values) {
+    return array(values, [](double v) { return number(v); });
+}
+
 std::string records(const std::vector<Record>& all) {
-    std::string out = "[";
-    for (const Record& r : all) {
-        if (out.size() > 1) out += ',';
-        out += json(r);
-    }
-    return out + "]";
+    return array(all, [](const Record& r) { return json(r); });
+}
+
+std::string objects(const std::vector<stream::Object>& all) {
+    return array(all, [](const stream::Object& object) {
+        std::string one = "{";
+        member(one, "name", json_text(object.name));
+        member(one, "x", numbers(object.x));
+        member(one, "y", numbers(object.y));
+        member(one, "height", number(object.height));
+        return one + "}";
+    });
 }
 
 std::string table_members(const Table& table) {
@@ -61,49 +73,46 @@ std::string json(const Record& record) {
 }
 
 std::string json(const stream::Header& header) {
-    std::string runs = "[";
-    for (const auto& run : header.history) {
-        std::string settings = "{", parents;
+    const auto runs = array(header.history, [](const auto& run) {
+        std::string settings = "{", one = "{";
         for (const auto& s : run.settings) member(settings, s.name, json_text(s.value));
-        for (const auto p : run.parents) parents += (parents.empty() ? "" : ",") + std::to_string(p);
-        std::string one = "{";
         member(one, "program", json_text(run.program));
         member(one, "version", json_text(run.version));
         member(one, "settings", settings + "}");
-        member(one, "parents", "[" + parents + "]");
-        runs += (runs.size() > 1 ? "," : "") + one + "}";
-    }
+        member(one, "parents", array(run.parents, [](auto p) { return std::to_string(p); }));
+        if (!run.objects.empty()) member(one, "objects", objects(run.objects));
+        return one + "}";
+    });
     std::string out = "{";
     member(out, "payload", json_text(stream::name(header.payload)));
     member(out, "units", "\"mm\"");
-    member(out, "history", runs + "]");
+    member(out, "history", runs);
     return out + "}";
 }
 
 std::string json(const Summary& s) {
-    std::string kinds = "{", ranges = "{", areas = "{", named = "{", notes = "[", out = "{";
+    std::string kinds = "{", ranges = "{", areas = "{", named = "{", out = "{";
     for (const auto& [kind, count] : s.records) member(kinds, kind, std::to_string(count));
     for (const auto& [name, count] : s.named) member(named, name, std::to_string(count));
     for (const auto& [name, sum] : s.areas) member(areas, name, number(sum));
     for (const auto& [name, r] : s.ranges) member(ranges, name, "[" + number(r.lo) + "," + number(r.hi) + "]");
-    for (const Note& n : s.notes) {
+    const auto notes = array(s.notes, [](const Note& n) {
         std::string one = "{";
         member(one, "stage", json_text(n.stage));
         member(one, "what", json_text(n.what));
         member(one, "amount", number(n.amount));
         member(one, "unit", json_text(n.unit));
         member(one, "count", std::to_string(n.count));
-        notes += (notes.size() > 1 ? "," : "") + one + "}";
-    }
-    std::string facts = "[";
-    for (const Fact& f : s.facts) {
+        return one + "}";
+    });
+    const auto facts = array(s.facts, [](const Fact& f) {
         std::string one = "{";
         member(one, "stage", json_text(f.stage));
         member(one, "name", json_text(f.name));
         member(one, "value", number(f.value));
         member(one, "unit", json_text(f.unit));
-        facts += (facts.size() > 1 ? "," : "") + one + "}";
-    }
+        return one + "}";
+    });
     member(out, "records", kinds + "}");
     member(out, "points", std::to_string(s.points));
     member(out, "layers", std::to_string(s.layers));
@@ -111,8 +120,8 @@ std::string json(const Summary& s) {
     member(out, "named", named + "}");
     member(out, "areas", areas + "}");
     member(out, "ranges", ranges + "}");
-    member(out, "facts", facts + "]");
-    member(out, "notes", notes + "]");
+    member(out, "facts", facts);
+    member(out, "notes", notes);
     return out + "}";
 }
 

@@ -75,6 +75,9 @@ std::string text(const stream::Header& header) {
         for (const auto& s : run.settings)
             out += std::string(14, ' ') + printable(s.name + " = " + s.value) +
                    (s.changed ? "  (not the default)" : "") + "\n";
+        for (const auto& object : run.objects)
+            out += std::string(14, ' ') + "object " + printable(object.name) + " of " +
+                   std::to_string(object.x.size()) + " corners, " + fixed_text(object.height, 4) + " mm high\n";
     }
     return out;
 }

@@ -15,13 +15,13 @@ std::vector<Stage> some_stages() {
         for (const char* o : options) s.options.push_back({o, std::string(o) != "support"});
         return s;
     };
-    return {stage("slice", {"scale", "rotate", "layer-height"}),
+    return {stage("slice", {"scale", "rotate", "layer-height", "copies", "xy-compensation", "elephant-foot"}),
             stage("skins", {"infill", "infill-pattern", "walls", "top", "bottom", "bead-width", "solid-below"}),
             stage("supports", {"support", "support-angle", "support-on", "brim", "skirt"}),
-            stage("postproc", {"set", "machine"})};
+            stage("postproc", {"set", "machine", "z-offset"})};
 }
 
-Words ours(const Words& theirs) { return in_our_words(theirs, some_stages()).words; }
+Words ours(const Words& theirs) { return translated(theirs, some_stages()).words; }
 
 TEST(slicer_names, options_by_their_names_work) {
     EXPECT_EQ(ours({"--fill-density", "15%"}), Words{"--infill=15%"});
@@ -35,11 +35,22 @@ TEST(slicer_names, options_by_their_names_work) {
     EXPECT_EQ(ours({"--support-material", "--support-material-threshold", "40"}),
               (Words{"--support", "--support-angle=50"}));
     EXPECT_EQ(ours({"--fill-pattern", "gyroid"}), Words{"--infill-pattern=wave"});
+    EXPECT_EQ(ours({"--fill-pattern", "concentric"}), Words{"--infill-pattern=concentric"});
 }
 
 TEST(slicer_names, all_keys_of_the_machine_are_one_option) {
     EXPECT_EQ(ours({"--temperature", "210", "p.stl", "--set", "feeds.bead=40", "--bed-temperature=50"}),
               (Words{"--set=nozzle_temp=210,feeds.bead=40,bed_temp=50", "p.stl"}));
+}
+
+TEST(slicer_names, compensation_and_copies_have_other_names) {
+    EXPECT_EQ(ours({"--duplicate", "3", "p.stl"}), (Words{"--copies=3", "p.stl"}));
+    const test::Folder at;
+    const std::string file = at.write("x.ini", "xy_size_compensation = -0.1\nelefant_foot_compensation = 0.2\n"
+                                               "z_offset = -0.05\n");
+    EXPECT_EQ(ours({"--load", file}), (Words{"--xy-compensation=-0.1", "--elephant-foot=0.2", "--z-offset=-0.05"}));
+    const std::string none = at.write("y.ini", "xy_size_compensation = 0\nz_offset = 0\nlayer_height = 0.2\n");
+    EXPECT_EQ(ours({"--load", none}), Words{"--layer-height=0.2"});
 }
 
 TEST(slicer_names, own_words_stay) {
@@ -60,11 +71,11 @@ TEST(slicer_names, a_file_gives_what_has_a_meaning_and_tells_the_rest) {
                                                "ironing = 1\ntemperature = 230\nskirts = 0\nskirt_distance = 6\n"
                                                "support_material = 0\nsupport_material_threshold = 40\n"
                                                "perimeter_speed = 80%\nfill_pattern = honeycomb\n");
-    const Translated t = in_our_words({"--walls", "4", "--load", file, "--temperature", "200"}, some_stages());
+    const Translated t = translated({"--walls", "4", "--load", file, "--temperature", "200"}, some_stages());
     EXPECT_EQ(t.words, (Words{"--layer-height=0.3", "--infill=25%", "--walls=3", "--bead-width=0.45",
                               "--set=nozzle_temp=230,nozzle_temp=200", "--walls", "4"}));
     EXPECT_EQ(t.left, (Words{"ironing", "perimeter_speed", "fill_pattern"}));
-    EXPECT_THROW(in_our_words({"--load", at.write("empty.ini", "\n# nothing\n")}, some_stages()), Error);
+    EXPECT_THROW(translated({"--load", at.write("empty.ini", "\n# nothing\n")}, some_stages()), Error);
 }
 
 } // namespace
