@@ -3,6 +3,7 @@
 #include "base/number.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
+#include "regions/farthest.hpp"
 #include "regions/inradius.hpp"
 
 #include <algorithm>
@@ -22,12 +23,9 @@ using polygon::Region;
 constexpr double kArc = 1.0 / 32; // of the bead width: how far the arcs around corners of the layer below may be off
 constexpr int kWays = 36;         // directions in which a bridge is looked for: every 5 degrees
 
-void append(Loops& to, const Loops& from) {
-    for (std::size_t l = 0; l < from.size(); ++l) to.add(from[l]);
-}
-
 Box2 grown(Box2 box, double by) {
-    box.lo = box.lo - Vec2{by, by}, box.hi = box.hi + Vec2{by, by};
+    box.lo = box.lo - Vec2{by, by};
+    box.hi = box.hi + Vec2{by, by};
     return box;
 }
 
@@ -35,7 +33,7 @@ Box2 grown(Box2 box, double by) {
 Loops within(std::span<const Region> lower, const Box2& box) {
     Loops out, frame;
     for (const Region& l : lower)
-        if (meet(l.box, box)) append(out, l.loops);
+        if (meet(l.box, box)) out.add(l.loops);
     const Box2 all = polygon::bounds(out);
     if (out.empty() || (all.lo.x >= box.lo.x && all.lo.y >= box.lo.y && all.hi.x <= box.hi.x && all.hi.y <= box.hi.y))
         return out;
@@ -46,33 +44,6 @@ Loops within(std::span<const Region> lower, const Box2& box) {
 // The part of `area` that is farther than `r` from `lower`.
 Loops farther(const Loops& area, const Loops& lower, double r, double arc) {
     return polygon::subtract(area, polygon::offset(lower, r, arc));
-}
-
-// The point of `area` farthest from `lower`, to `tolerance`; nothing unless it is farther than `least`, infinitely far
-// if there is nothing.  No point is farther than `most`.
-struct Farthest {
-    double reach = 0;
-    Vec2 at;
-};
-Farthest farthest(const Loops& area, std::span<const Region> lower, double least, double most, double tolerance,
-                  double arc) {
-    Loops left = area;
-    const Box2 box = polygon::bounds(area);
-    const auto reaches = [&](double r) {
-        Loops rest = farther(left, within(lower, grown(box, r + tolerance)), r, arc);
-        if (rest.empty()) return false;
-        left = std::move(rest);
-        return true;
-    };
-    if (!reaches(least)) return {};
-    double lo = std::numeric_limits<double>::infinity();
-    if (!lower.empty()) {
-        double step = tolerance;
-        for (lo = least; lo + step < most && reaches(lo + step); step *= 2) lo += step;
-        for (; step > tolerance; lo += reaches(lo + step) ? step : 0) step /= 2;
-    }
-    const Box2 rest = polygon::bounds(left);
-    return {lo, geom::lerp(rest.lo, rest.hi, 0.5)};
 }
 
 // The shortest straight way through p from the layer below to the layer below; 0 if there is none.
@@ -121,9 +92,10 @@ void hang(std::span<Region> upper, std::span<const Region> lower, std::span<cons
     for (std::size_t i = 0; i < upper.size(); ++i) {
         upper[i].unsupported = 0;
         if (upper[i].area - covered[i] < dot) continue;
-        append(free, upper[i].loops);
+        free.add(upper[i].loops);
         among.push_back(i);
-        box.add(upper[i].box.lo), box.add(upper[i].box.hi);
+        box.add(upper[i].box.lo);
+        box.add(upper[i].box.hi);
     }
     if (among.empty()) return;
     bool any = false;
@@ -131,21 +103,17 @@ void hang(std::span<Region> upper, std::span<const Region> lower, std::span<cons
     for (const Loops& piece : polygon::split(farther(free, under, allowed, arc)).part) {
         const double area = polygon::signed_area(piece);
         const std::size_t of = owner(upper, among, piece);
-        const bool island = covered[of] == 0;
-        if (!island && area < dot) continue;
+        if (covered[of] > 0 && area < dot) continue;
         if (inradius_bound(piece, how.hairline / 2, how.hairline / 2) == 0) continue;
         upper[of].unsupported += area;
         air.area += area;
         any = true;
-        // a piece that hangs on something is no farther from it than it is long
-        const Box2 around = polygon::bounds(piece);
-        const double most = island ? std::numeric_limits<double>::infinity()
-                                   : allowed + geom::distance(around.lo, around.hi) + how.hairline;
-        if (most <= air.reach) continue;
-        const Farthest f = farthest(piece, lower, std::max(air.reach, allowed), most, how.hairline, arc);
-        if (f.reach <= air.reach) continue;
-        air.reach = f.reach, air.at = f.at, air.layer = upper[of].layer;
-        air.bridge = bridge_over(f.at, lower);
+        const auto worst = farthest(piece, lower, std::max(air.reach, allowed), how.hairline);
+        if (!worst) continue;
+        air.reach = worst->reach;
+        air.at = worst->at;
+        air.layer = upper[of].layer;
+        air.bridge = bridge_over(air.at, lower);
     }
     air.layers += any ? 1 : 0;
 }

@@ -105,7 +105,7 @@ Parts mended(const Loops& loops, Notes& notes) {
     for (std::size_t i = 0; i < found.part.size(); ++i) {
         Loops part = found.part[i];
         for (double r = 0.0005; r < 0.02 && crosses_itself(part); r *= 2) {
-            const Parts opened = polygon::split(polygon::offset(polygon::offset(found.part[i], -r), r));
+            const Parts opened = polygon::split(polygon::opened(found.part[i], r));
             part = {};
             double largest = 0; // what an opening by a few um cuts off is dust
             for (const auto& p : opened.part)

@@ -69,8 +69,7 @@ TEST(Air, AgreesWithAGridOfPoints) {
         std::vector<Loops> sides[2];
         for (auto& s : sides) {
             Loops soup;
-            for (int i = 0; i < 6; ++i)
-                soup.add(star(random, {uniform(random, 0, 12), uniform(random, 0, 12)}, uniform(random, 1, 4), 9));
+            for (int i = 0; i < 6; ++i) soup.add(random_star(random, 12, 1, 4, 9));
             s = polygon::split(soup).part;
         }
         const auto lower = layer_of(sides[0], 0);

@@ -66,8 +66,7 @@ TEST(Nesting, AgreesWithEveryPairOfEdges) {
     int simple = 0;
     for (int trial = 0; trial < 400; ++trial) {
         Loops loops;
-        for (int i = 0; i < 3; ++i)
-            loops.add(star(random, {uniform(random, 0, 6), uniform(random, 0, 6)}, uniform(random, 0.5, 3), 7));
+        for (int i = 0; i < 3; ++i) loops.add(random_star(random, 6, 0.5, 3, 7));
         const bool touching = any_pair(loops, [](const auto& a, const auto& b) {
             if (a[0] == b[1] || a[1] == b[0]) return false;
             return geom::segment_distance(a[0], a[1], b[0], b[1]) == 0;
@@ -83,8 +82,7 @@ TEST(Outlines, NeverCrossWhateverComesIn) {
     Random random(2);
     for (int trial = 0; trial < 150; ++trial) {
         Loops soup;
-        for (int i = 0; i < 4; ++i)
-            soup.add(star(random, {uniform(random, 0, 4), uniform(random, 0, 4)}, uniform(random, 0.01, 3), 9));
+        for (int i = 0; i < 4; ++i) soup.add(random_star(random, 4, 0.01, 3, 9));
         Notes notes;
         const auto parts = outlines(soup, 0.001, 0, notes);
         double area = 0;
@@ -158,8 +156,7 @@ TEST(Overlaps, AgreeWithOneIntersectionPerPair) {
         std::vector<Loops> sides[2];
         for (auto& s : sides) {
             Loops soup;
-            for (int i = 0; i < 8; ++i)
-                soup.add(star(random, {uniform(random, 0, 12), uniform(random, 0, 12)}, uniform(random, 0.5, 3), 8));
+            for (int i = 0; i < 8; ++i) soup.add(random_star(random, 12, 0.5, 3, 8));
             s = polygon::split(soup).part;
         }
         const auto lower = layer_of(sides[0], 100);

@@ -41,6 +41,12 @@ inline std::vector<Vec2> star(Random& random, Vec2 at, double size, int points) 
     return out;
 }
 
+// A star somewhere in a square of side `span`, of a size between two.
+inline std::vector<Vec2> random_star(Random& random, double span, double least, double most, int points) {
+    const Vec2 at{uniform(random, 0, span), uniform(random, 0, span)};
+    return star(random, at, uniform(random, least, most), points);
+}
+
 inline std::vector<polygon::Region> layer_of(const std::vector<Loops>& outlines, std::uint32_t first) {
     std::vector<polygon::Region> out;
     for (const auto& l : outlines) {
