@@ -1,4 +1,5 @@
 #include "fill/contour.hpp"
+#include "fill/crossings.hpp"
 
 #include "fill/attempt.hpp"
 #include "fill/spiral.hpp"
@@ -11,7 +12,7 @@ std::vector<toolpath::Curve> contour(const polygon::Loops& region, const Contour
     for (const double share : kShares) {
         out = rings::curves_of(rings::lanes(
             region, {.width = o.bead_width, .most = o.rings, .tolerance = share * tolerance_for(o.bead_width)}));
-        if (count_crossings(out, o.bead_width) == 0) break;
+        if (crossing_pairs(out, o.bead_width).empty()) break;
     }
     return out;
 }

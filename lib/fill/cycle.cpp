@@ -3,10 +3,10 @@
 #include "fill/double_spiral.hpp"
 #include "fill/links.hpp"
 #include "fill/ring_graph.hpp"
+#include "geom/disjoint_sets.hpp"
 #include "polygon/segments.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace filum::fill {
 
@@ -19,6 +19,9 @@ constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
 // square of that.
 constexpr double kLink = 0.25;
+constexpr double kSmallLink = 0.17;         // the same where there is no room for that
+constexpr double kHairLink = 0.05;          // and where parts only touch
+constexpr double kMostSamples = 1024;       // of a ring, where links are looked for
 constexpr double kNarrowLink = 0.5;         // bead widths
 constexpr double kLinkEnd = 0.2;            // share of a link's length on which it becomes as wide as its rings
 constexpr double kShortestSegment = 0.0125; // bead widths: shorter segments could cross their neighbours once rounded
@@ -53,24 +56,6 @@ struct Bridge {
     }
 };
 
-class Forest { // disjoint sets of rings
-  public:
-    explicit Forest(std::size_t n) : up_(n), groups_(n) { std::iota(up_.begin(), up_.end(), 0U); }
-    std::uint32_t root(std::uint32_t i) {
-        while (up_[i] != i) i = up_[i] = up_[up_[i]];
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = root(a), b = root(b);
-        if (a != b) up_[std::max(a, b)] = std::min(a, b), --groups_;
-    }
-    [[nodiscard]] std::size_t groups() const { return groups_; }
-
-  private:
-    std::vector<std::uint32_t> up_;
-    std::size_t groups_;
-};
-
 // The line without segments shorter than `least`, but never with fewer than three points.
 ClosedLine without_short_segments(const ClosedLine& line, double least) {
     ClosedLine out;
@@ -79,47 +64,65 @@ ClosedLine without_short_segments(const ClosedLine& line, double least) {
         out.points.push_back(line.points[i]);
         out.width.push_back(line.width[i]);
     }
-    while (out.points.size() > 1 && geom::distance(out.points.front(), out.points.back()) < least)
-        out.points.pop_back(), out.width.pop_back();
+    while (out.points.size() > 1 && geom::distance(out.points.front(), out.points.back()) < least) {
+        out.points.pop_back();
+        out.width.pop_back();
+    }
     return out.points.size() < 3 ? line : out;
 }
 
 class Joiner {
   public:
-    Joiner(const rings::Rings& rings, double width, const Loops& outline)
+    Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), forest_(graph_.size()), splices_(graph_), links_(1.5 * width) {}
+          width_(width), groups_(graph_.size()), splices_(graph_), links_(1.5 * width), hung_(&hung) {
+        if (!hung) return;
+        for (std::uint32_t r = 0; r < rings.size(); ++r)
+            over_air_.push_back(std::any_of(rings.points.begin() + rings.start[r],
+                                            rings.points.begin() + rings.start[r + 1],
+                                            [&](Vec2 p) { return hung(p) > 0; })
+                                    ? 1
+                                    : 0);
+    }
 
     std::vector<ClosedLine> run(bool spirals) {
         if (spirals) wind();
         // few samples first: most rings face their neighbours all the way round
-        for (const double samples : {8.0, 64.0, 1024.0}) {
-            if (forest_.groups() <= 1) break;
-            const auto found = candidates(samples);
-            for (const double half : {kLink, 0.17}) accept(found, half);
+        for (const double samples : {8.0, 64.0, kMostSamples}) {
+            if (groups_.sets() <= 1) break;
+            link(samples, {kLink, kSmallLink});
         }
-        if (forest_.groups() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
+        for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_)
+            link(kMostSamples, {kLink, kSmallLink});
+        if (groups_.sets() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
             stay_inside_ = false;
-            const auto found = candidates(1024);
-            for (const double half : {kLink, 0.17, 0.05}) accept(found, half);
+            link(kMostSamples, {kLink, kSmallLink, kHairLink});
         }
         return trace();
     }
 
   private:
+    // Exchanges where so many samples of a ring see another, the wide ones first.
+    void link(double samples, std::initializer_list<double> halves) {
+        const auto found = candidates(samples);
+        for (const double half : halves) accept(found, half);
+    }
+
     // Double spirals wherever three rings or more that are still apart run side by side.  From the outside in, so that
     // most begin at an outline and end at a centre.
     void wind() {
         std::vector<char> wound(graph_.size(), 0);
-        for (std::uint32_t r = 0; r < graph_.size() && forest_.groups() > 1; ++r) {
-            if (wound[r]) continue;
+        for (std::uint32_t r = 0; r < graph_.size() && groups_.sets() > 1; ++r) {
+            if (wound[r] || runs_over_air(r)) continue;
             const auto splice = best_spiral(r);
             if (!splice) continue;
-            for (const Window& w : splice->windows) forest_.unite(r, w.ring), wound[w.ring] = 1;
+            for (const Window& w : splice->windows) groups_.unite(r, w.ring), wound[w.ring] = 1;
             for (const Link& l : splice->links) links_.push_back({rim(*splice, l.from), rim(*splice, l.to)});
             splices_.add(*splice);
         }
     }
+
+    [[nodiscard]] bool runs_over_air(std::uint32_t ring) const { return !over_air_.empty() && over_air_[ring] != 0; }
 
     [[nodiscard]] Vec2 rim(const Splice& splice, Rim r) const {
         const Window& w = splice.windows[r.window];
@@ -132,10 +135,10 @@ class Joiner {
         const auto n = static_cast<int>(std::clamp(l / (2 * width_), 1.0, kPlaces));
         std::vector<Lanes> found;
         for (int k = 0; k < n; ++k) {
-            std::vector<std::uint32_t> roots{forest_.root(r)};
+            std::vector<std::uint32_t> roots{groups_.root(r)};
             found.push_back(lanes_across(graph_, r, l * (k + 0.5) / n, k % 2 == 0, width_, [&](std::uint32_t other) {
-                const std::uint32_t root = forest_.root(other);
-                if (std::find(roots.begin(), roots.end(), root) != roots.end()) return false;
+                const std::uint32_t root = groups_.root(other);
+                if (runs_over_air(other) || std::find(roots.begin(), roots.end(), root) != roots.end()) return false;
                 roots.push_back(root);
                 return true;
             }));
@@ -166,14 +169,15 @@ class Joiner {
         std::vector<Candidate> out;
         const std::uint32_t largest = largest_group();
         for (std::uint32_t r = 0; r < graph_.size(); ++r) {
-            if (forest_.root(r) == largest && samples > 8) continue;
+            if (groups_.root(r) == largest && samples > 8) continue;
             const double l = graph_.length(r);
             const auto n = static_cast<int>(std::clamp(l / (0.25 * width_), 1.0, samples));
             for (int k = 0; k < n; ++k) {
                 const double s = l * (k + 0.5) / n;
                 const Vec2 here = graph_.at(r, s);
+                if (*hung_ && (*hung_)(here) > may_hang_) continue;
                 const auto there = graph_.nearest(here, kNeighbourReach * width_, [&](std::uint32_t other) {
-                    return forest_.root(other) != forest_.root(r);
+                    return groups_.root(other) != groups_.root(r);
                 });
                 if (!there || there->distance == 0) continue;
                 const double gap = there->distance / width_;
@@ -193,14 +197,14 @@ class Joiner {
 
     std::uint32_t largest_group() {
         std::vector<std::uint32_t> count(graph_.size(), 0);
-        for (std::uint32_t r = 0; r < graph_.size(); ++r) ++count[forest_.root(r)];
+        for (std::uint32_t r = 0; r < graph_.size(); ++r) ++count[groups_.root(r)];
         return static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
     }
 
     void accept(const std::vector<Candidate>& found, double half) {
         for (const Candidate& c : found) {
-            if (forest_.groups() <= 1) return;
-            if (forest_.root(c.ring) == forest_.root(c.other)) continue;
+            if (groups_.sets() <= 1) return;
+            if (groups_.root(c.ring) == groups_.root(c.other)) continue;
             Bridge b;
             // half of a bead wide, or as wide as their rings
             const double least = half < kLink ? 0 : std::min(c.bead / 2, kNarrowLink * width_ / 2);
@@ -208,7 +212,7 @@ class Joiner {
             if (!make(c, window, b) || !fits(b, window)) continue;
             splices_.add(b.splice(2 * window));
             for (const int k : {0, 1}) links_.push_back(b.link(k));
-            forest_.unite(c.ring, c.other);
+            groups_.unite(c.ring, c.other);
         }
     }
 
@@ -259,16 +263,20 @@ class Joiner {
     geom::SegmentGrid outline_grid_;
     double width_;
     bool stay_inside_ = true;
-    Forest forest_;
+    int may_hang_ = 0;          // links, as hung_ says
+    geom::DisjointSets groups_; // of rings
     Splices splices_;
     Links links_;
+    const Hanging* hung_;
+    std::vector<char> over_air_; // per ring; none if nothing hangs
 };
 
 } // namespace
 
-std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals) {
+std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals,
+                                   const Hanging& hung) {
     if (rings.size() == 0) return {};
-    return Joiner(rings, width, outline).run(spirals);
+    return Joiner(rings, width, outline, hung).run(spirals);
 }
 
 std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines) {

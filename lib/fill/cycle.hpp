@@ -5,11 +5,16 @@
 #include "fill/splices.hpp"
 #include "toolpath/path.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace filum::fill {
 
 using ClosedLine = BeadLine; // its last point runs on to its first
+
+// How a bead is carried at a place: 0 from below, 1 by what is next to it, kHangsMost not at all.
+using Hanging = std::function<int(Vec2)>;
+inline constexpr int kHangsMost = 2;
 
 // Joins rings along a spanning tree.  Where two rings face each other, both give up a short window of about one bead
 // width and two links close the gap, so two closed curves become one (Lemma 1: exchange).  Windows never overlap and
@@ -21,10 +26,13 @@ using ClosedLine = BeadLine; // its last point runs on to its first
 //
 // No link crosses `outline` either: rings on both sides of a narrow slot are near, but not neighbours.
 //
+// With `hung`, links are laid in the air only if rings cannot be joined elsewhere, and at its rim rather than further
+// out; rings that run there are in no double spiral.
+//
 // Returns one curve if all rings could be joined, else one per connected group, the longest first.
 // Ties: better facing first, then the lower ring, then the earlier place on it.
 std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline = {},
-                                   bool spirals = false);
+                                   bool spirals = false, const Hanging& hung = {});
 
 // The lines as closed curves, in their order.
 std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines);

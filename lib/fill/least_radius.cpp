@@ -33,7 +33,7 @@ bool sliver(const Loops& piece, double tolerance) {
 // The part without the corners, tips and specks that no disc of `radius` reaches; arms larger than those stay, and so
 // do slivers.
 Loops rounded_off(const Loops& part, double radius, double tolerance) {
-    const Loops open = polygon::offset(polygon::offset(part, -radius, tolerance), radius, tolerance);
+    const Loops open = polygon::opened(part, radius, tolerance);
     Loops corners;
     bool arms = false;
     for (const Loops& piece : polygon::split(polygon::subtract(part, open)).part) {

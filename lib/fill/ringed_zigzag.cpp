@@ -1,10 +1,12 @@
 #include "fill/ringed_zigzag.hpp"
 
 #include "fill/attempt.hpp"
+#include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
 #include "fill/maze.hpp"
 #include "fill/rows.hpp"
 #include "fill/spiral.hpp"
+#include "fill/uncross.hpp"
 #include "polygon/clip.hpp"
 #include "rings/lanes.hpp"
 
@@ -36,7 +38,7 @@ Attempt ringed_zigzag_by(const Loops& region, const RingedZigzagOptions& o, cons
         out.curves = rings::curves_of(outer.lanes);
         for (auto& curve : closed_curves(join_rings(core, w, region))) out.curves.push_back(std::move(curve));
     }
-    out.crossings = count_crossings(out.curves, w);
+    out.crossings = crossing_pairs(out.curves, w).size();
     return out;
 }
 
@@ -45,6 +47,7 @@ Attempt ringed_zigzag_by(const Loops& region, const RingedZigzagOptions& o, cons
 std::vector<toolpath::Curve> ringed_zigzag(const Loops& region, const RingedZigzagOptions& o, Notes& notes,
                                            double* unplaced) {
     Attempt best = best_rows(o.linked, [&](const RowSetting& s) { return ringed_zigzag_by(region, o, s); });
+    if (best.crossings > 0) uncross(best.curves, o.bead_width, notes);
     if (o.linked) note_unjoined(best.curves, notes);
     if (unplaced != nullptr) *unplaced = best.unplaced;
     return std::move(best.curves);

@@ -1,24 +1,16 @@
 // Parallel lines across a planar area: what `rectilinear` and `zigzag` are made of.
 #pragma once
 
-#include "polygon/loops.hpp"
+#include "polygon/stretches.hpp"
 
 #include <vector>
 
 namespace filum::fill {
 
-// The points turned by `angle` rad about the origin.
-polygon::Loops rotated(const polygon::Loops& loops, double angle);
-void rotate(std::vector<geom::Vec2>& points, double angle);
-
-// A stretch of a line y = const that lies in the area, mm.
-struct Stretch {
-    double from = 0, to = 0;
-};
-
-// For each y (ascending) the stretches of that line inside `area` (even-odd), from left to right.  An edge belongs to
-// the lines lower <= y < upper, so that no vertex is counted twice.
-std::vector<std::vector<Stretch>> scan(const polygon::Loops& area, const std::vector<double>& y);
+using polygon::rotate;
+using polygon::rotated;
+using polygon::scan;
+using Stretch = polygon::LevelStretch;
 
 // Where to cut an area into level strips about `height` mm high: ascending y, the first and the last at its bounds.
 // Strips are from 1 - give to 1 + give times `height` high where the extent allows it at all (all equally high where

@@ -34,7 +34,4 @@ struct Spiral {
 // corners of the outline that point inwards.
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
-// Pairs of segments of curves that properly cross.
-std::size_t count_crossings(const std::vector<toolpath::Curve>& curves, double cell);
-
 } // namespace filum::fill

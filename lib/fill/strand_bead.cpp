@@ -1,5 +1,6 @@
 #include "fill/strand_bead.hpp"
 
+#include "fill/crossings.hpp"
 #include "fill/curve_place.hpp"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
 void round_corner(Leg& before, Leg& after, double radius) {
     if (before.strand == after.strand || !before.once || !after.once) return;
     const double by = std::min({radius, before.length / 2, after.length / 2});
+    if (by < kSamePoint) return;
     const Vec2 corner = before.line.back();
     shorten(before.line, by);
     std::reverse(after.line.begin(), after.line.end());
@@ -82,7 +84,10 @@ void round_corner(Leg& before, Leg& after, double radius) {
 }
 
 void append_leg(const Leg& leg, double taper, toolpath::Curve& to) {
-    if (to.points.empty()) to.points.push_back(leg.line.front()), to.width.push_back(leg.width);
+    if (to.points.empty()) {
+        to.points.push_back(leg.line.front());
+        to.width.push_back(leg.width);
+    }
     bool same = to.width.back() == leg.width;
     for (const Vec2 p : leg.line) {
         const Vec2 last = to.points.back();
@@ -98,6 +103,35 @@ void append_leg(const Leg& leg, double taper, toolpath::Curve& to) {
     }
 }
 
+struct Bead {
+    toolpath::Curve curve;
+    std::vector<std::uint32_t> last; // per leg: the last segment of the curve that belongs to it
+};
+
+// The legs with the corner behind leg i rounded by at most radius[i].
+Bead joined(std::vector<Leg> legs, std::span<const double> radius, double taper) {
+    for (std::size_t i = 0; i + 1 < legs.size(); ++i) round_corner(legs[i], legs[i + 1], radius[i]);
+    Bead out;
+    for (const Leg& l : legs) {
+        append_leg(l, taper, out.curve);
+        out.last.push_back(static_cast<std::uint32_t>(out.curve.points.size() - 2));
+    }
+    return out;
+}
+
+// Halves the radii of the corners at the ends of the leg that a segment belongs to.  False: they are 0 all.
+bool less_round(const Bead& bead, std::uint32_t segment, std::vector<double>& radius) {
+    const auto leg =
+        static_cast<std::size_t>(std::lower_bound(bead.last.begin(), bead.last.end(), segment) - bead.last.begin());
+    bool some = false;
+    for (const std::size_t corner : {leg, leg - 1})
+        if (corner < radius.size() && radius[corner] > 0) {
+            radius[corner] = radius[corner] < kSamePoint ? 0 : radius[corner] / 2;
+            some = true;
+        }
+    return some;
+}
+
 } // namespace
 
 Passes passes(const StrandGraph& graph, const StrandWalk& walk) {
@@ -111,9 +145,17 @@ toolpath::Curve strand_bead(const StrandGraph& graph, std::span<const Step> trai
                             double radius) {
     std::vector<Leg> legs;
     for (const Step& s : trail) legs.push_back(leg(graph, s, passes, width));
-    for (std::size_t i = 0; i + 1 < legs.size(); ++i) round_corner(legs[i], legs[i + 1], radius);
+    std::vector<double> radii(legs.empty() ? 0 : legs.size() - 1, radius);
     toolpath::Curve out;
-    for (const Leg& l : legs) append_leg(l, kTaperLength * width, out);
+    for (bool again = true; again;) {
+        const Bead bead = joined(legs, radii, kTaperLength * width);
+        again = false;
+        for (const auto& [i, j] : crossing_pairs({bead.curve}, width)) {
+            again |= less_round(bead, i, radii);
+            again |= less_round(bead, j, radii);
+        }
+        out = bead.curve;
+    }
     if (std::all_of(out.width.begin(), out.width.end(), [&](double w) { return w == width; })) out.width = {width};
     return out;
 }

@@ -10,7 +10,8 @@ namespace filum::fill {
 
 // The open curve along `trail`, `width` wide; what all trails of the walk pass k times is laid in beads of width / k.
 // Corners between strands and turns that are passed once are rounded, by cutting off at most `radius` mm and half of
-// either side.  `passes` holds how often each strand (first) and arc (second) is passed, see below.
+// either side, and less where the bead would cross itself.  `passes` holds how often each strand (first) and arc
+// (second) is passed, see below.
 struct Passes {
     std::vector<std::uint32_t> strand, arc;
 };

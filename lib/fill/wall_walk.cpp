@@ -1,4 +1,5 @@
 #include "fill/wall_walk.hpp"
+#include "fill/crossings.hpp"
 
 #include "fill/none.hpp"
 #include "fill/spiral.hpp"
@@ -243,7 +244,7 @@ WallWalk wall_walk(const WallGraph& g) {
     for (const bool apart : {true, false}) { // lanes that cross are laid on one line
         out.curves.clear();
         for (const auto& ends : all) out.curves.push_back(lay_walls(g, circuit, ends, circuit.closed(ends), apart));
-        if (count_crossings(out.curves, 0.5) == 0) break;
+        if (crossing_pairs(out.curves, 0.5).empty()) break;
     }
     for (std::size_t k = 0; k < g.walls.size(); ++k)
         if (passes[k] > 1) out.twice += g.walls[k].length, out.at = g.walls[k].line.front();

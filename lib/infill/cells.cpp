@@ -1,5 +1,7 @@
 #include "infill/cells.hpp"
 
+#include "polygon/clip.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -128,6 +130,23 @@ Loops even_waves(const Loops& area, const Lines& o) {
     return out;
 }
 
+// Bands along the rim between lines (k + 1/2) spacings inside it, k counted from 0, from every even line to the next:
+// so lines lie evenly, and half a spacing is left beside the rim.
+Loops even_bands(const Lines& o) {
+    const Ruler ruler(o);
+    const auto inside = [&](double line) {
+        return polygon::offset(*o.rim, std::min(0.0, o.spacing / 2 - ruler.place(line)), polygon::kBeadArc);
+    };
+    Loops out;
+    for (double j = 1;; j += 2) { // line 0 lies outside, half a spacing
+        if (ruler.place(j + 1) <= o.spacing / 2) continue;
+        const Loops band = inside(j);
+        if (band.empty()) return out;
+        const Loops hole = inside(j + 1);
+        out.add(hole.empty() ? band : polygon::subtract(band, hole));
+    }
+}
+
 // The part of 0 .. u where the whole part of u is even; negative for negative u.
 double even_part(double u) {
     const double n = std::floor(u / 2);
@@ -157,13 +176,16 @@ double even_length_rows(const Loops& area, const Lines& o) {
 } // namespace
 
 Loops even_cells(const Loops& area, const Lines& o) {
+    if (area.empty()) return {}; // has no box
     if (o.pattern == Pattern::wave) return even_waves(area, o);
-    return even_rows(area, o);
+    return o.pattern == Pattern::concentric ? even_bands(o) : even_rows(area, o);
 }
 
 double even_length(const Loops& area, const Lines& o) {
     if (o.pattern == Pattern::rows) return even_length_rows(area, o);
-    return polygon::signed_area(area) / near_enough(o) + length(area) / 2; // as anywhere on average
+    const double endless = polygon::signed_area(area) / near_enough(o);
+    // waves follow half of the outline, as anywhere on average
+    return o.pattern == Pattern::wave ? endless + length(area) / 2 : endless;
 }
 
 } // namespace filum::infill

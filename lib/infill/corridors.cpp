@@ -16,7 +16,6 @@ using geom::Vec2;
 using polygon::Loops;
 
 constexpr double kAtOutline = 0.05; // mm: what rounding and thinning leave between a cell and the outline it follows
-constexpr double kArcs = 0.01;      // mm, of round ends
 constexpr double kWide = 0.55;      // bead widths to each side: a little more than a bead, so that opening leaves it
 
 bool reaches(const Loops& part, const std::vector<Segment>& outline, const geom::SegmentGrid& grid) {
@@ -74,9 +73,9 @@ Loops with_corridors(const Loops& cells, const Loops& room, double w) {
             const Way way = nearest(sides, i, groups);
             if (way.length2 >= 1e300) break;
             const Vec2 line[] = {way.a, way.b};
-            const bool point = way.length2 < kArcs * kArcs;
-            const Loops corridor = polygon::around(std::span(line).first(point ? 1 : 2), kWide * w, kArcs);
-            for (std::size_t l = 0; l < corridor.size(); ++l) added.add(corridor[l]);
+            const bool point = way.length2 < polygon::kBeadArc * polygon::kBeadArc;
+            const Loops corridor = polygon::around(std::span(line).first(point ? 1 : 2), kWide * w, polygon::kBeadArc);
+            added.add(corridor);
             groups.unite(i, static_cast<std::uint32_t>(way.to));
         }
     }

@@ -2,27 +2,69 @@
 
 #include "infill/cells.hpp"
 #include "infill/corridors.hpp"
+#include "infill/links.hpp"
+#include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace filum::infill {
 
 namespace {
 
-constexpr double kArc = 0.01;      // mm, of round corners
-constexpr double kWidest = 64;     // spacings of endless lines
-constexpr double kNeck = 1.25;     // bead widths: closed by this, corners that meet get a neck as wide as a bead
-constexpr double kSame = 1e-3;     // of the spacing: as near as it is found
+using polygon::Pattern;
+
+constexpr double kWidest = 64; // spacings of endless lines
+constexpr double kSame = 1e-3; // of the spacing: as near as it is found
+constexpr double kNear = 5e-3; // the same where areas are filled for it: a quarter of the 2 % that the share may be off
 constexpr std::size_t kTried = 48; // areas that are filled to know how much corners take
 constexpr int kRounds = 2;         // of that
+constexpr double kAround = 1.25;   // the spacing times or by this: where that of concentric lines, which come and go
+                                   // whole, is sought by filling
 
 // Where loops may run.
-Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, kArc); }
+Loops inner(const Loops& area, double bead_width) { return polygon::offset(area, -bead_width / 2, polygon::kBeadArc); }
 
-// What of `a` is at least 2 `radius` wide.
-Loops opened(const Loops& a, double radius) { return polygon::offset(polygon::offset(a, -radius, kArc), radius, kArc); }
+// With a rim: `area`, if they have none.
+Lines drawn_in(const Loops& area, Lines lines) {
+    if (lines.rim == nullptr) lines.rim = &area;
+    return lines;
+}
+
+// The outlines of cells along a rim, which come near to each other where the rim does: first, gaps narrower than a bead
+// are filled, then cells narrower than one left out.
+Loops linked(const Loops& cells, const Loops& room, double w) {
+    const Loops wide = polygon::intersect(polygon::closed(cells, w / 2, polygon::kBeadArc), room);
+    return with_links(polygon::opened(wide, w / 2, polygon::kBeadArc), room, w);
+}
+
+// Some of all areas, that are filled to know how much is laid.
+struct Sample {
+    std::span<const Task> tasks;
+    std::vector<std::size_t> of;
+
+    explicit Sample(std::span<const Task> all) : tasks(all) {
+        const std::size_t stride = std::max<std::size_t>(1, all.size() / kTried);
+        for (std::size_t i = stride / 2; i < all.size(); i += stride) of.push_back(i);
+    }
+    [[nodiscard]] double area() const {
+        double sum = 0;
+        for (const std::size_t i : of) sum += polygon::signed_area(*tasks[i].area);
+        return sum;
+    }
+    // mm, with lines of this spacing
+    [[nodiscard]] double laid(double spacing) const {
+        std::vector<double> each(of.size());
+        parallel::for_chunks(of.size(), 1, 0, [&](std::size_t k, std::size_t) {
+            Lines lines = tasks[of[k]].lines;
+            lines.spacing = spacing;
+            each[k] = length(loops(*tasks[of[k]].area, lines));
+        });
+        return std::accumulate(each.begin(), each.end(), 0.0);
+    }
+};
 
 // The spacing with which `length_of` is `wanted`.
 template <class LengthOf>
@@ -35,13 +77,30 @@ double bisected(double lo, double hi, double wanted, LengthOf&& length_of) {
     return (lo + hi) / 2;
 }
 
+// Of the spacings tried about `from`, the one with which the sample gets the share that is nearest to what is wanted.
+double nearest_by_filling(const Sample& sample, double from, double density, double bead_width) {
+    const double wanted = density * sample.area() / bead_width;
+    double lo = from / kAround, hi = from * kAround, best = from, off = 1e300;
+    while (hi - lo > kNear * lo) {
+        const double middle = (lo + hi) / 2, more = sample.laid(middle) - wanted;
+        if (std::abs(more) < off) {
+            best = middle;
+            off = std::abs(more);
+        }
+        (more > 0 ? lo : hi) = middle;
+    }
+    return best;
+}
+
 } // namespace
 
 Loops loops(const Loops& area, const Lines& o) {
     const double half = o.bead_width / 2;
     const Loops room = inner(area, o.bead_width);
     if (room.empty()) return {};
-    return opened(polygon::intersect(room, even_cells(room, o)), half);
+    if (o.pattern == Pattern::concentric)
+        return linked(polygon::intersect(room, even_cells(room, drawn_in(area, o))), room, o.bead_width);
+    return polygon::opened(polygon::intersect(room, even_cells(room, o)), half, polygon::kBeadArc);
 }
 
 Loops loops(const Loops& area, std::span<const Task> parts) {
@@ -49,12 +108,12 @@ Loops loops(const Loops& area, std::span<const Task> parts) {
     if (parts.size() == 1) return loops(area, parts[0].lines);
     const double w = parts[0].lines.bead_width;
     Loops cells;
-    for (const Task& t : parts) {
-        const Loops own = polygon::intersect(*t.area, even_cells(*t.area, t.lines));
-        for (std::size_t i = 0; i < own.size(); ++i) cells.add(own[i]);
-    }
+    for (const Task& t : parts) cells.add(polygon::intersect(*t.area, even_cells(*t.area, drawn_in(area, t.lines))));
     const Loops room = inner(area, w);
-    return with_corridors(opened(polygon::intersect(polygon::unite(cells), room), w / 2), room, w);
+    const Loops within = polygon::intersect(polygon::unite(cells), room);
+    if (std::any_of(parts.begin(), parts.end(), [](const Task& t) { return t.lines.pattern == Pattern::concentric; }))
+        return linked(within, room, w);
+    return with_corridors(polygon::opened(within, w / 2, polygon::kBeadArc), room, w);
 }
 
 double length(const Loops& loops) {
@@ -80,21 +139,28 @@ double spacing_for(std::span<const Task> tasks, double density, double bead_widt
         }
         return sum;
     };
+    const Sample sample(tasks);
     double laid = 1; // of what is calculated: corners are round, cells that are too narrow left out
     double spacing = bisected(bead_width, kWidest * endless, wanted, by_calculation);
-    const std::size_t stride = std::max<std::size_t>(1, tasks.size() / kTried);
     for (int round = 0; round < kRounds; ++round) {
-        double real = 0, calculated = 0;
-        for (std::size_t i = stride / 2; i < tasks.size(); i += stride) {
+        double calculated = 0;
+        for (const std::size_t i : sample.of) {
             Lines lines = tasks[i].lines;
             lines.spacing = spacing;
-            real += length(loops(*tasks[i].area, lines));
             calculated += even_length(rooms[i], lines);
         }
+        const double real = sample.laid(spacing);
         if (real > 0) laid = real / calculated;
         spacing = bisected(bead_width, kWidest * endless, wanted / laid, by_calculation);
     }
-    return spacing;
+    if (std::none_of(tasks.begin(), tasks.end(), [](const Task& t) { return t.lines.pattern == Pattern::concentric; }))
+        return spacing;
+    return nearest_by_filling(sample, spacing, density, bead_width);
+}
+
+double share_laid(std::span<const Task> tasks, double spacing, double bead_width) {
+    const Sample sample(tasks);
+    return bead_width * sample.laid(spacing) / sample.area();
 }
 
 } // namespace filum::infill

@@ -20,10 +20,13 @@ struct Lines {
     double bead_width = 0.4; // mm
     double z = 0;            // mm, of the layer: waves depend on it
     double gap = 0;          // mm: no gap is wider, by more lines between those; 0: as the spacing says
+    const Loops* rim =
+        nullptr; // concentric: what they are drawn in, so that areas of one rim have the same; none: the area
 };
 
 // The closed curves that fill `area` (simple): half a bead inside its outline, none nearer than a bead to itself or
-// another.  Even cells narrower than a bead get none.
+// another.  Even cells narrower than a bead get none.  Concentric ones are joined to each other and the outline by
+// links of two beads side by side.
 Loops loops(const Loops& area, const Lines& lines);
 
 // An area and the lines it gets.
@@ -41,6 +44,11 @@ double length(const Loops& loops);
 
 // The spacing with which, whatever their own says, the loops of all areas lay `density` of them together, mm.  If the
 // outlines alone are more than that, the spacing is the widest that is tried: 64 times that of endless lines.
+// Concentric lines come and go whole, so in long areas with few of them the share jumps: then the nearest that is
+// found.
 double spacing_for(std::span<const Task> tasks, double density, double bead_width);
+
+// What the loops of the tasks' areas lay of them with that spacing; of a sample of 48 areas, if there are more.
+double share_laid(std::span<const Task> tasks, double spacing, double bead_width);
 
 } // namespace filum::infill

@@ -1,4 +1,5 @@
 // Few sharp turns: double spirals, rounded corners, widened turns.
+#include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
 #include "fill/rounding.hpp"
 #include "fill/spiral.hpp"
@@ -87,7 +88,7 @@ TEST_P(Joined, SpiralsKeepEveryRingInOneCurveThatDoesNotCrossItself) {
     const auto plain = join_rings(rings, kWidth, region, false);
     const auto wound = join_rings(rings, kWidth, region, true);
     EXPECT_EQ(wound.size(), plain.size());
-    EXPECT_EQ(count_crossings(curves(wound), kWidth), 0U);
+    EXPECT_EQ(crossing_pairs(curves(wound), kWidth).size(), 0U);
     std::vector<geom::Segment> segments;
     for (const auto& l : wound)
         for (std::size_t i = 0; i < l.points.size(); ++i)

@@ -1,4 +1,5 @@
 // No tighter turns than asked for, and an honest account of those that are.
+#include "fill/crossings.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
@@ -61,7 +62,7 @@ TEST_P(RoundRegion, EveryTighterTurnIsCounted) {
         Notes notes;
         const Spiral s = spiral(region, {.bead_width = kWidth, .min_radius = radius}, notes);
         ASSERT_EQ(s.curves.size(), 1U);
-        EXPECT_EQ(count_crossings(s.curves, kWidth), 0U);
+        EXPECT_EQ(crossing_pairs(s.curves, kWidth).size(), 0U);
         // places of tighter vertices, a bead width of path apart
         const auto& p = s.curves[0].points;
         std::size_t places = 0;

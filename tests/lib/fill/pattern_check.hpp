@@ -56,11 +56,16 @@ inline std::vector<Loops> random_regions(unsigned seed) {
         p.push_back({r * std::cos(a), r * std::sin(a)});
     }
     Loops area = loop(p);
-    for (int k = static_cast<int>(random() % 6); k > 0; --k)
-        area = polygon::subtract(area, disc({uniform(-5, 5), uniform(-5, 5)}, uniform(0.2, 1.5)));
+    // Each number has its statement: in what order a compiler evaluates arguments is its own affair.
+    for (int k = static_cast<int>(random() % 6); k > 0; --k) {
+        const double r = uniform(0.2, 1.5);
+        const Vec2 c{uniform(-5, 5), uniform(-5, 5)};
+        area = polygon::subtract(area, disc(c, r));
+    }
     for (int k = static_cast<int>(random() % 3); k > 0; --k) {
         const Vec2 a{uniform(-6, 6), uniform(-6, 6)};
-        area = polygon::subtract(area, rectangle(a.x, a.y, a.x + uniform(0.05, 3), a.y + uniform(0.05, 3)));
+        const Vec2 size{uniform(0.05, 3), uniform(0.05, 3)};
+        area = polygon::subtract(area, rectangle(a.x, a.y, a.x + size.x, a.y + size.y));
     }
     return regions_of(area);
 }

@@ -69,11 +69,14 @@ inline Loops random_region(std::uint32_t seed) {
     for (int k = 0; k < 6; ++k) {
         const Vec2 c{uniform(0, 12), uniform(0, 12)};
         const double r = uniform(0.3, 4);
-        const auto piece = k % 2 == 0 ? disc(c, r, 7 + static_cast<int>(uniform(0, 40)))
-                                      : rectangle(c.x, c.y, c.x + uniform(0.2, 9), c.y + uniform(0.2, 3));
-        area = polygon::unite(area, piece);
+        const Vec2 size{uniform(0.2, 9), uniform(0.2, 3)};
+        const int corners = 7 + static_cast<int>(uniform(0, 40));
+        area = polygon::unite(area, k % 2 == 0 ? disc(c, r, corners) : rectangle(c.x, c.y, c.x + size.x, c.y + size.y));
     }
-    for (int k = 0; k < 4; ++k) holes.add(disc({uniform(0, 12), uniform(0, 12)}, uniform(0.2, 1.5), 16)[0]);
+    for (int k = 0; k < 4; ++k) {
+        const Vec2 c{uniform(0, 12), uniform(0, 12)};
+        holes.add(disc(c, uniform(0.2, 1.5), 16)[0]);
+    }
     const auto parts = polygon::split(polygon::simplify(polygon::subtract(area, polygon::unite(holes)), 0.001));
     std::size_t largest = 0;
     for (std::size_t i = 0; i < parts.part.size(); ++i)

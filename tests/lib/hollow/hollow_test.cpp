@@ -1,7 +1,11 @@
 #include "hollow/hollow.hpp"
 
 #include "../fill/pattern_check.hpp"
+#include "../trials.hpp"
+#include "fill/crossings.hpp"
 #include "fill/spiral.hpp"
+
+#include <numbers>
 
 namespace filum::hollow {
 namespace {
@@ -21,7 +25,7 @@ struct Case {
 // Regions of many shapes, parts of which are sparse: all inside, or what a random blob covers, with one spacing or two.
 std::vector<Case> random_cases(unsigned seeds) {
     std::vector<Case> out;
-    for (unsigned seed = 0; seed < seeds; ++seed)
+    for (unsigned seed = 0, n = trials(static_cast<int>(seeds)); seed < n; ++seed)
         for (Loops loops : test::random_regions(seed)) {
             for (auto& p : loops.points) p = 2.0 * p;
             polygon::Region r;
@@ -30,7 +34,7 @@ std::vector<Case> random_cases(unsigned seeds) {
             Loops sparse = polygon::offset(loops, -kWidth * r.walls);
             if (seed % 2 == 0) sparse = polygon::intersect(sparse, test::disc({3, 2}, 9));
             if (seed % 5 == 0) sparse = polygon::subtract(sparse, test::disc({-2, 1}, 2));
-            const auto pattern = seed % 4 == 1 ? Pattern::wave : Pattern::rows;
+            const auto pattern = seed % 4 == 1 ? Pattern::wave : seed % 4 == 2 ? Pattern::concentric : Pattern::rows;
             const double spacing = 1.5 + 0.2 * (seed % 10);
             if (seed % 3 == 0) {
                 const Loops dense = polygon::intersect(sparse, test::disc({4, 0}, 6));
@@ -38,6 +42,11 @@ std::vector<Case> random_cases(unsigned seeds) {
                 r.areas.push_back({AreaKind::sparse, dense, 0.3 * seed, spacing / 2, pattern});
             }
             r.areas.push_back({AreaKind::sparse, sparse, 0.3 * seed, spacing, pattern});
+            if (seed % 2 == 0) { // not all of it is left where it is solid
+                const Loops air =
+                    polygon::intersect(polygon::offset(loops, -kWidth * r.walls), test::disc({-1, -2}, 4));
+                if (!air.empty()) r.areas.push_back({AreaKind::bridge, air, 0.2 * seed, 0, {}});
+            }
             r.loops = std::move(loops);
             out.push_back({std::move(r), seed});
         }
@@ -52,13 +61,28 @@ TEST(Hollow, OneClosedCurveThatDoesNotCrossItself) {
         ++all;
         ASSERT_FALSE(paths.curves.empty()) << c.seed;
         for (const auto& curve : paths.curves) EXPECT_TRUE(curve.closed);
-        EXPECT_EQ(fill::count_crossings(paths.curves, kWidth), 0U) << c.seed;
+        EXPECT_EQ(fill::crossing_pairs(paths.curves, kWidth).size(), 0U) << c.seed;
         if (paths.curves.size() > 1) ++more;
         EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
         EXPECT_LT(test::farthest_outside(c.region.loops, paths.curves), 0.12)
             << c.seed; // acute tips may be moved a little
     }
     EXPECT_EQ(more, 0U) << "of " << all;
+}
+
+TEST(Hollow, ConcentricLinesAreOneCurveWithWallsAndSkins) {
+    std::size_t more = 0, all = 0;
+    for (Case& c : random_cases(40)) {
+        for (auto& a : c.region.areas)
+            if (a.kind == AreaKind::sparse) a = {a.kind, a.loops, 0, 1.5 + 0.2 * (c.seed % 10), Pattern::concentric};
+        Notes notes;
+        const auto paths = fill(c.region, {.bead_width = kWidth}, notes);
+        EXPECT_EQ(fill::crossing_pairs(paths.curves, kWidth).size(), 0U) << c.seed;
+        EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
+        more += paths.curves.size() > 1 ? 1 : 0;
+        ++all;
+    }
+    EXPECT_LE(more, all / 40); // where no window is free for an exchange at a link's end: told
 }
 
 // Walls and skins are solid: beads cover what is not sparse.
@@ -68,7 +92,8 @@ TEST(Hollow, WallsAndSkinsAreCovered) {
         Notes notes;
         const auto paths = fill(c.region, {.bead_width = kWidth}, notes);
         Loops solid = c.region.loops;
-        for (const auto& a : c.region.areas) solid = polygon::subtract(solid, a.loops);
+        for (const auto& a : c.region.areas)
+            if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
         const double area = polygon::signed_area(solid);
         uncovered += area * (1 - test::coverage(solid, paths.curves)), all += area;
     }
@@ -95,6 +120,45 @@ TEST(Hollow, FeaturesTellWhereABeadLies) {
     EXPECT_NEAR(of(Feature::wall), 115.2, 3);
     EXPECT_NEAR(of(Feature::solid) * kWidth, 19.2 * 18.4, 8);
     EXPECT_NEAR(of(Feature::infill) * kWidth, 19.2 * 18.4 * 0.4 / 3 + 0.4 * 37, 15);
+}
+
+TEST(Hollow, RowsOfABridgeRunAlongItAndTurnWhereItIsCarried) {
+    const Loops plate = test::loop({{0, 0}, {30, 0}, {30, 20}, {0, 20}});
+    // in the middle of it; and all of it but its walls, so that rows end at these
+    for (const auto& [air, direction] : {std::pair{test::disc({15, 10}, 6), 0.0},
+                                         {test::disc({15, 10}, 6), 0.5},
+                                         {test::disc({15, 10}, 6), std::numbers::pi / 2},
+                                         {test::disc({15, 10}, 6), 2.4},
+                                         {polygon::offset(plate, -2 * kWidth), std::numbers::pi / 2},
+                                         {polygon::offset(plate, -2 * kWidth), 0.0}}) {
+        polygon::Region r;
+        r.walls = 2;
+        r.loops = plate;
+        r.area = 600;
+        const Loops inside = polygon::offset(air, -3 * kWidth); // but for turns two beads deep, and what rounds them
+        r.areas.push_back({AreaKind::bridge, air, direction, 0, {}});
+        Notes notes;
+        const auto paths = fill(r, {.bead_width = kWidth}, notes);
+        ASSERT_EQ(paths.curves.size(), 1U);
+        EXPECT_EQ(fill::crossing_pairs(paths.curves, kWidth).size(), 0U);
+        const auto& c = paths.curves[0];
+        const geom::Vec2 along{std::cos(direction), std::sin(direction)};
+        double all = 0, askew = 0, other = 0;
+        for (std::size_t i = 0; i < c.points.size(); ++i) {
+            const geom::Vec2 a = c.points[i], d = c.points[(i + 1) % c.points.size()] - a;
+            const int parts = 1 + static_cast<int>(geom::norm(d) / 0.05);
+            const double length = geom::norm(d) / parts;
+            for (int k = 0; k < parts; ++k) {
+                if (!polygon::contains(inside, a + ((k + 0.5) / parts) * d)) continue;
+                all += length;
+                askew += std::abs(cross(along, d)) > 0.1 * geom::norm(d) ? length : 0;
+                other += c.feature[i] != Feature::bridge ? length : 0;
+            }
+        }
+        EXPECT_NEAR(all * kWidth, polygon::signed_area(inside), 0.02 * polygon::signed_area(inside)) << direction;
+        EXPECT_LT(askew, 0.01 * all) << direction;
+        EXPECT_EQ(other, 0) << direction;
+    }
 }
 
 } // namespace

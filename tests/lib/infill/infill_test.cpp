@@ -1,6 +1,9 @@
 #include "infill/infill.hpp"
 
 #include "../fill/pattern_check.hpp"
+#include "../trials.hpp"
+#include "geom/segment.hpp"
+#include "polygon/segments.hpp"
 #include "polygon/simple.hpp"
 
 namespace filum::infill {
@@ -24,8 +27,9 @@ Lines lines_of(Pattern pattern, unsigned seed, double spacing) {
 }
 
 TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
-    for (const Pattern pattern : {Pattern::rows, Pattern::wave})
-        for (unsigned seed = 0; seed < 40; ++seed)
+    unsigned areas = 0, necks = 0;
+    for (const Pattern pattern : {Pattern::rows, Pattern::wave, Pattern::concentric})
+        for (unsigned seed = 0, n = trials(40); seed < n; ++seed)
             for (const Loops& area : random_areas(seed, 2)) {
                 const Loops found = loops(area, lines_of(pattern, seed, 1 + 0.1 * seed));
                 EXPECT_TRUE(found.empty() || polygon::is_simple(found)) << seed;
@@ -34,16 +38,35 @@ TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
                 EXPECT_LT(polygon::signed_area(polygon::subtract(found, room)), 1e-4) << seed;
                 // nothing narrower than a bead: opening takes nothing but roundings away
                 const Loops open = polygon::offset(polygon::offset(found, -kWidth / 2 + 0.02), kWidth / 2 - 0.02);
-                EXPECT_LT(polygon::signed_area(polygon::subtract(found, open)),
-                          0.01 + 1e-3 * polygon::signed_area(area))
-                    << seed;
+                const Loops lost = polygon::subtract(found, open);
+                if (pattern != Pattern::concentric) {
+                    EXPECT_LT(polygon::signed_area(lost), 0.01 + 1e-3 * polygon::signed_area(area)) << seed;
+                    continue;
+                }
+                // corners of links are sharp; necks are there where no place for a link has shoulders
+                ++areas;
+                for (const Loops& piece : polygon::split(lost).part)
+                    if (polygon::signed_area(piece) > kWidth * kWidth / 4) ++necks;
             }
+    EXPECT_LE(10 * necks, std::max(10U, areas))
+        << necks; // 3 of 40 areas now: what a better choice of places would mend
+}
+
+// Of the tasks' areas, what beads cover that are one spacing apart.
+double share_of(const std::vector<Task>& tasks, double spacing) {
+    double laid = 0, area = 0;
+    for (Task t : tasks) {
+        t.lines.spacing = spacing;
+        laid += kWidth * length(loops(*t.area, t.lines));
+        area += polygon::signed_area(*t.area);
+    }
+    return laid / area;
 }
 
 TEST(Infill, DensityIsWithinTwoPercent) {
     for (const Pattern pattern : {Pattern::rows, Pattern::wave})
         for (const double density : {0.1, 0.15, 0.3, 0.5})
-            for (unsigned part = 0; part < 4; ++part) { // parts of 24 layers, with areas that change
+            for (unsigned part = 0, n = trials(4); part < n; ++part) { // parts of 24 layers, with areas that change
                 std::vector<Loops> areas;
                 for (unsigned layer = 0; layer < 24; ++layer)
                     for (Loops& area : random_areas(7 * part + layer / 8, 3 + 0.01 * layer))
@@ -52,15 +75,66 @@ TEST(Infill, DensityIsWithinTwoPercent) {
                 for (unsigned i = 0; i < areas.size(); ++i)
                     tasks.push_back({&areas[i], {pattern, (i % 2) * 1.5707963267948966, 0, kWidth, 0.2 * i}});
                 const double spacing = spacing_for(tasks, density, kWidth);
-                double laid = 0, area = 0;
-                for (Task t : tasks) {
-                    t.lines.spacing = spacing;
-                    laid += kWidth * length(loops(*t.area, t.lines));
-                    area += polygon::signed_area(*t.area);
-                }
-                EXPECT_NEAR(laid / area, density, 0.02 * density)
+                EXPECT_NEAR(share_of(tasks, spacing), density, 0.02 * density)
                     << "pattern " << static_cast<int>(pattern) << " part " << part << " spacing " << spacing;
             }
+}
+
+TEST(Infill, DensityOfConcentricLinesIsWithinTwoPercent) {
+    for (const double density : {0.15, 0.3}) {
+        std::vector<Loops> areas;
+        for (unsigned layer = 0; layer < 6; ++layer)
+            for (Loops& area : random_areas(layer / 2, 2 + 0.02 * layer)) areas.push_back(std::move(area));
+        std::vector<Task> tasks;
+        for (const Loops& area : areas) tasks.push_back({&area, lines_of(Pattern::concentric, 0, 0)});
+        const double spacing = spacing_for(tasks, density, kWidth);
+        const double share = share_of(tasks, spacing);
+        EXPECT_NEAR(share, density, 0.02 * density) << "spacing " << spacing;
+        EXPECT_NEAR(share_laid(tasks, spacing, kWidth), share, 1e-9);
+    }
+}
+
+// With one rim, what is left of an area beside a skin has the lines of the whole area: it lies on them.  Others follow
+// the skin, or are links.
+TEST(Infill, ConcentricLinesOfOneRimLieOnEachOther) {
+    for (unsigned seed = 0, n = trials(12); seed < n; ++seed)
+        for (const Loops& rim : random_areas(seed, 3)) {
+            Lines lines = lines_of(Pattern::concentric, seed, 3);
+            lines.rim = &rim;
+            const Loops skin = test::disc({2, 1}, 4), area = polygon::opened(polygon::subtract(rim, skin), kWidth);
+            const auto below = polygon::segments(loops(rim, lines)), above = polygon::segments(loops(area, lines));
+            const Loops room = polygon::offset(area, -kWidth);
+            double all = 0, off = 0;
+            for (const auto& s : above) {
+                const geom::Vec2 p = geom::lerp(s.a, s.b, 0.5);
+                if (!polygon::contains(room, p)) continue;
+                const bool lies = std::any_of(below.begin(), below.end(), [&](const auto& b) {
+                    return geom::point_segment_distance(b.a, b.b, p) < kWidth / 2;
+                });
+                all += geom::distance(s.a, s.b);
+                off += lies ? 0 : geom::distance(s.a, s.b);
+            }
+            EXPECT_LT(off, 0.15 * all + 12) << seed; // two links of two lines
+        }
+}
+
+// A ring of a wall around a hole, and one outside, with lines between: along them one comes everywhere.
+TEST(Infill, ConcentricLinesJoinAllOutlines) {
+    const Loops hole = test::disc({20, 20}, 5), far = test::disc({9, 9}, 3);
+    for (const double spacing : {1.5, 2.2, 4.0, 8.0, 13.0, 40.0}) {
+        Loops area = test::loop({{0, 0}, {40, 0}, {40, 40}, {0, 40}});
+        area = polygon::subtract(polygon::subtract(area, hole), far);
+        const Loops &outlines = area, found = loops(area, {Pattern::concentric, 0, spacing, kWidth, 0});
+        // a bead's reach around what is laid, and around walls: one connected thing
+        Loops laid;
+        for (const Loops* lines : {&found, &outlines})
+            for (std::size_t l = 0; l < lines->size(); ++l) {
+                std::vector<geom::Vec2> line((*lines)[l].begin(), (*lines)[l].end());
+                line.push_back(line.front());
+                laid = polygon::unite(laid, polygon::around(line, 0.55 * kWidth));
+            }
+        EXPECT_EQ(polygon::split(laid).part.size(), 1U) << spacing;
+    }
 }
 
 // Every line of rows is passed once: a square of side l has l / spacing of them, and half of its outline.

@@ -91,15 +91,23 @@ TEST(Lanes, FromTheOutlineAreTheFirstOfAll) {
     EXPECT_EQ(two.points, std::vector<Vec2>(all.points.begin(), all.points.begin() + two.start.back()));
 }
 
+// Where a wall is just as thick as decides between two numbers of lanes, rounding decides: that moves a little material
+// in a shape now and then, and next to nothing in all.
 TEST(Lanes, DoNotDependOnHowTheRegionLiesOrIsDivided) {
+    double all = 0, off = 0;
     for (unsigned seed = 0; seed < 12; ++seed)
         for (const Loops& region : test::random_regions(seed)) {
             const double area = polygon::signed_area(region), plain = laid_area(lanes(region, {.width = kWidth}));
             const Loops others[] = {mapped(region, -1, 0, 0, 1), mapped(region, 0, -1, 1, 0),
                                     mapped(region, 0.8, -0.6, 0.6, 0.8), divided(region, 7)};
-            for (const Loops& other : others)
-                EXPECT_NEAR(laid_area(lanes(other, {.width = kWidth})), plain, 0.005 * area + 0.001) << seed;
+            for (const Loops& other : others) {
+                const double difference = std::abs(laid_area(lanes(other, {.width = kWidth})) - plain);
+                EXPECT_LT(difference, 0.01 * area + 0.001) << seed;
+                all += area;
+                off += difference;
+            }
         }
+    EXPECT_LT(off, 0.001 * all);
 }
 
 TEST(Lanes, ScaleWithTheBead) {

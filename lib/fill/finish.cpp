@@ -1,0 +1,100 @@
+#include "fill/finish.hpp"
+
+#include "fill/cycle.hpp"
+#include "fill/rounding.hpp"
+#include "geom/segment_grid.hpp"
+#include "polygon/segments.hpp"
+#include "rings/lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::fill {
+
+namespace {
+
+constexpr double kTinyRing = 0.25; // bead widths squared, laid: a ring that may be left out if it cannot be joined
+
+// To the micrometre, which machines are told: what does not cross here does not cross there.
+geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
+
+// Whether a bead runs from a to b and back over itself to c: no turn at all, and where it is cut, rounding makes it
+// cross itself.
+bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
+    constexpr double kFlat = 0.002; // mm: two steps of the grid
+    return dot(b - a, c - b) <= 0 &&
+           (geom::point_segment_distance(b, c, a) < kFlat || geom::point_segment_distance(a, b, c) < kFlat);
+}
+
+// Puts the line on the grid; drops points that fall together and the tips of spikes.
+void tidy(toolpath::Curve& line) {
+    for (geom::Vec2& p : line.points) p = snapped(p);
+    toolpath::Curve out;
+    const auto size = [&] { return out.points.size(); };
+    const auto drop = [&] {
+        out.points.pop_back();
+        out.width.pop_back();
+    };
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const geom::Vec2 p = line.points[i];
+        while (size() > 1 && spike(out.points[size() - 2], out.points.back(), p)) drop();
+        if (size() > 0 && out.points.back() == p) continue;
+        out.points.push_back(p);
+        out.width.push_back(line.width[i]);
+    }
+    std::size_t first = 0; // the same where the line closes
+    for (bool again = true; again && size() - first > 3;) {
+        again = out.points.back() == out.points[first] ||
+                spike(out.points[size() - 2], out.points.back(), out.points[first]);
+        if (again) {
+            drop();
+        } else if (spike(out.points.back(), out.points[first], out.points[first + 1])) {
+            again = true;
+            ++first;
+        }
+    }
+    if (size() - first < 3) return; // less than a curve: as it was
+    line.points.assign(out.points.begin() + static_cast<std::ptrdiff_t>(first), out.points.end());
+    line.width.assign(out.width.begin() + static_cast<std::ptrdiff_t>(first), out.width.end());
+}
+
+} // namespace
+
+std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how) {
+    const double w = how.bead_width;
+    const auto edges = polygon::segments(region);
+    const geom::SegmentGrid grid(edges, 1.5 * w);
+    const auto room = [&](geom::Vec2 p) {
+        double best = w;
+        grid.near({p.x - w, p.y - w}, {p.x + w, p.y + w}, [&](std::uint32_t i) {
+            best = std::min(best, geom::point_segment_distance(edges[i].a, edges[i].b, p));
+        });
+        return best;
+    };
+    std::vector<toolpath::Curve> out;
+    for (ClosedLine& line : join_rings(rings, w, region, how.wind, how.hung)) {
+        if (how.round) line = rounded(with_wide_turns(line, w, room), w, how.reach, room);
+        toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
+        if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, rings::kLeastVoid * w * w);
+        tidy(curve);
+        out.push_back(std::move(curve));
+    }
+    return out;
+}
+
+double leave_tiny(std::vector<toolpath::Curve>& curves, double bead_width) {
+    const double least = kTinyRing * bead_width * bead_width;
+    double left = 0;
+    for (std::size_t i = curves.size(); i-- > 1;) {
+        const toolpath::Curve& c = curves[i];
+        double area = 0;
+        for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
+            area += c.width_at(k) * geom::distance(c.points[k], c.points[(k + 1) % n]);
+        if (area >= least) continue;
+        left += area;
+        curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return left;
+}
+
+} // namespace filum::fill
