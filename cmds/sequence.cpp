@@ -2,13 +2,13 @@
 // reads:  Regions
 // writes: Regions
 // memory: the whole graph
-#include "sequence/sequence.hpp"
 #include "base/number.hpp"
 #include "baselines/sun2019/order.hpp"
 #include "cli/head_options.hpp"
 #include "cli/output.hpp"
 #include "machine/head.hpp"
 #include "sequence/budget.hpp"
+#include "sequence/slabs_apart.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -20,7 +20,7 @@ enum class Order : std::uint8_t { columns, layers, sun2019 };
 struct Options {
     Order order = Order::columns;
     machine::HeadChoice head;
-    std::string budget = "600", ends;
+    std::string budget = "600", ends, pause_at;
     bool report = false;
 };
 
@@ -59,7 +59,13 @@ cli::Spec spec(Options& o) {
                  .when("order=columns")
                  .a_limit(),
              cli::Option{"report", &o.report, "", "print strokes and bounds on standard error"}.not_a_setting(),
-             cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}.not_a_setting()}),
+             cli::Option{"pause-at", &o.pause_at, "LAYER|Zmm,...",
+                         "nothing of a layer, counted from 0, or above a height begins before all below is there, for "
+                         "a pause by postproc: 12 or 2.4mm"}
+                 .a_limit(),
+             cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}
+                 .when("!pause-at")
+                 .not_a_setting()}),
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},
@@ -84,7 +90,12 @@ void run(const Options& o, const cli::Io& given) {
         regions.push_back(wire::region(frame));
         frames.push_back(std::move(frame));
     });
-    auto result = sequence::sequence(std::move(regions), options);
+    const auto pauses = machine::parse_pauses(o.pause_at);
+    const auto passed = [&](const polygon::Region& r) { return pauses.before(r.layer, r.z, r.height); };
+    if (regions.empty() || passed(regions.back()) == passed(regions.front()))
+        io.idle("pause-at", "the part has nothing on both sides of it");
+    auto result = pauses.count() > 0 ? sequence::sequence_apart(regions, options, pauses)
+                                     : sequence::sequence(std::move(regions), options);
 
     whole.header.expected = frames.size();
     cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));

@@ -31,10 +31,16 @@ cli::Spec spec(Options& all) {
             "Skins reach over what is sparse by half of what lies between two lines, so that a line lies under each. "
             "Where lines are farther apart than --bridge, those of the two layers under a skin lie nearer to each "
             "other.\n\n"
+            "Where a skin spans more than --bridge over air, 'fill' lays it in rows along the direction whose longest "
+            "row "
+            "is the shortest: beads of class bridge, with a feed, flow and fan of their own in the machine's "
+            "profile.\n\n"
             "--infill is a share of volume: the spacing of the lines is found such that all that is laid in sparse "
             "parts, links included, is that share of them, but for those under skins with lines nearer to each other. "
             "The spacing is told as a fact. Lines lie at the same places in all layers, rows at 45 and 135 degrees in "
-            "turn, so that they lie on each other; waves are the lines of a gyroid.",
+            "turn, so that they lie on each other; waves are the lines of a gyroid; concentric ones follow the walls, "
+            "and "
+            "lie on those below where the outline stays.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",
@@ -43,7 +49,7 @@ cli::Spec spec(Options& all) {
                     "share of the volume inside that is laid: 15%, or 0.15; 100%: all is solid"}
                  .a_limit(),
              Option{"infill-pattern", &all.pattern, "", "how sparse parts are filled"}
-                 .one_of({"rows", "wave"})
+                 .one_of({"rows", "wave", "concentric"})
                  .a_limit(),
              Option{"walls", &o.walls, "N", "rings along the outline"}.within(1, 1000).a_limit(),
              Option{"top", &o.top, "LAYERS", "solid layers under what is seen from above"}.within(0, 1e6).a_limit(),
@@ -54,7 +60,9 @@ cli::Spec spec(Options& all) {
                  .within(0, 1e6)
                  .a_limit(),
              Option{"bridge", &o.bridge, "MM",
-                    "widest gap between lines under a skin; there they lie nearer to each other if need be"}
+                    "widest gap that a skin is laid over as it is: between lines, which lie nearer to each other under "
+                    "skins if "
+                    "need be, and over air, beyond which it is a bridge"}
                  .within(0.01, 1e6)
                  .a_limit(),
              Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
@@ -70,7 +78,9 @@ cli::Spec spec(Options& all) {
 void run(const Options& o, const cli::Io& io) {
     skins::Options options = o.how;
     options.infill = skins::share(o.infill);
-    options.pattern = o.pattern == "wave" ? polygon::Pattern::wave : polygon::Pattern::rows;
+    options.pattern = o.pattern == "wave"         ? polygon::Pattern::wave
+                      : o.pattern == "concentric" ? polygon::Pattern::concentric
+                                                  : polygon::Pattern::rows;
     std::vector<polygon::Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
                                [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });

@@ -26,7 +26,8 @@ cli::Spec spec(Options& all) {
         .synopsis = "what carries overhangs, and what holds the first layer",
         .description =
             "Adds regions that are no part: with --support columns under whatever leans out by more than "
-            "--support-angle, with --brim a band about the first layer, with --skirt a ring apart from it. They are "
+            "--support-angle, with --raft layers under all of it, with --brim a band about the first layer, with "
+            "--skirt a ring apart from it. They are "
             "ordered, filled and joined like all regions: a column climbs as a stroke of its own, before what it "
             "carries.\n\n"
             "A column stands on the bed or, unless told otherwise, on the part. It keeps clear of the part by --beside "
@@ -34,7 +35,13 @@ cli::Spec spec(Options& all) {
             "a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, in "
             "the "
             "last --interface layers two bead widths. Columns nearer to each other than four bead widths are one.\n\n"
-            "What cannot be carried, for lack of room, is told. Put this stage behind 'skins', if that is there.",
+            "--raft raises the part by so many layers and --gap, and carries all of its first layer by a support as "
+            "wide as it "
+            "and two beads more. A brim and a skirt lie about all that lies on the bed.\n\n"
+            "What still hangs in the air, as 'regions' tells it, is told anew: where there is no room for a column, "
+            "where it "
+            "may not stand, between a wall and a column --beside it, and what leans by less than --support-angle but "
+            "by more than half a bead. Put this stage behind 'skins', if that is there.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",
@@ -50,7 +57,7 @@ cli::Spec spec(Options& all) {
                         .a_limit(),
                     Option{"gap", &o.gap, "LAYERS", "left out between part and support"}
                         .within(1, 100)
-                        .when("support")
+                        .when("support/raft")
                         .a_limit(),
                     Option{"beside", &o.beside, "MM", "between part and support in a layer"}
                         .within(0, 100)
@@ -59,12 +66,13 @@ cli::Spec spec(Options& all) {
                     Option{"interface", &o.interface, "LAYERS",
                            "of a support next to the part, with lines nearer to each other"}
                         .within(0, 100)
-                        .when("support")
+                        .when("support/raft")
                         .a_limit(),
                     Option{"support-spacing", &o.spacing, "MM", "from line to line of a support"}
                         .within(0.1, 100)
-                        .when("support")
+                        .when("support/raft")
                         .a_limit(),
+                    Option{"raft", &o.raft, "LAYERS", "under all of the part, of supports; 0: none"}.within(0, 1000),
                     Option{"brim", &o.brim, "MM", "width of a band about the first layer"}.within(0, 100),
                     Option{"skirt", &o.skirt, "MM", "how far a ring keeps away from the first layer; 0: none"}.within(
                         0, 100),
@@ -88,8 +96,9 @@ void run(const Options& o, const cli::Io& io) {
     Facts facts;
     Notes notes;
     const auto all = supports::supports(std::move(given), options, facts, notes);
-    // what hung is carried now, or told by this stage
-    if (options.support) std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
+    // what hung without supports; this stage tells what still does
+    if (options.support || options.raft > 0)
+        std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
     whole.header.expected = all.size();
     cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);

@@ -5,6 +5,7 @@
 #include "infill/infill.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
+#include "skins/bridges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,28 +15,21 @@ namespace filum::skins {
 
 namespace {
 
+using polygon::kBeadArc;
 using polygon::Loops;
 using polygon::Region;
 
-constexpr double kArc = 0.01;        // mm, of round corners
 constexpr double kHairline = 0.1;    // bead widths: narrower skins are none
 constexpr double kReach = 2;         // bead widths: how far skins reach over what is sparse, at least,
 constexpr double kReachMost = 8;     // and at most
 constexpr std::size_t kCarrying = 2; // layers whose lines carry a skin: one of each direction
 constexpr double kNarrowest = 2;     // bead widths: narrower sparse places are made solid
 
-void add(Loops& to, const Loops& from) {
-    for (std::size_t i = 0; i < from.size(); ++i) to.add(from[i]);
-}
-
-// The material of every layer from the first to the last; none where a layer is missing.
-std::vector<Loops> materials(const std::vector<Region>& regions) {
-    std::vector<Loops> out;
-    for (const Region& r : regions) {
-        if (r.layer >= out.size()) out.resize(r.layer + 1);
-        if (r.is == polygon::RegionClass::part) add(out[r.layer], r.loops);
-    }
-    return out;
+// With as few points as beads need: that is what all further steps take their time by.
+std::vector<Loops> coarse(std::vector<Loops> layers) {
+    parallel::for_chunks(layers.size(), 1, 0,
+                         [&](std::size_t i, std::size_t) { layers[i] = polygon::simplify(layers[i], kBeadArc); });
+    return layers;
 }
 
 Loops common(const Loops& a, const Loops& b) {
@@ -51,7 +45,8 @@ std::vector<Loops> common_runs(const std::vector<Loops>& layers, std::size_t n) 
     if (n == 0 || count < n) return {};
     std::vector<Loops> ahead(count), behind(count), out(count - n + 1); // to the end, from the begin of the block
     parallel::for_chunks(count, n, 0, [&](std::size_t from, std::size_t to) {
-        behind[from] = layers[from], ahead[to - 1] = layers[to - 1];
+        behind[from] = layers[from];
+        ahead[to - 1] = layers[to - 1];
         for (std::size_t i = from + 1; i < to; ++i) behind[i] = common(behind[i - 1], layers[i]);
         for (std::size_t i = to - 1; i-- > from;) ahead[i] = common(ahead[i + 1], layers[i]);
     });
@@ -78,8 +73,14 @@ double reach(const Options& o) { return o.bead_width * std::clamp(1 / (2 * o.inf
 Loops large(const Loops& sparse, double least) {
     Loops out;
     for (const Loops& part : polygon::split(sparse).part)
-        if (polygon::signed_area(part) >= least) add(out, part);
+        if (polygon::signed_area(part) >= least) out.add(part);
     return out;
+}
+
+// What walls leave of a region.
+Loops within_walls(const Region& r, const Options& o) {
+    return polygon::offset(polygon::simplify(r.loops, kBeadArc), -(static_cast<double>(o.walls) * o.bead_width),
+                           kBeadArc);
 }
 
 // The sparse part of a region of which `inner` has enough above and below: what is far enough from skins, which count
@@ -87,11 +88,12 @@ Loops large(const Loops& sparse, double least) {
 Loops sparse(const Region& r, const Loops& inner, const Options& o) {
     if (inner.empty()) return {};
     const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
-    const Loops within = polygon::offset(r.loops, -(static_cast<double>(o.walls) * w), kArc);
+    const Loops within = within_walls(r, o);
     if (within.empty()) return {};
-    const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kArc);
-    const Loops rest = skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kArc));
-    return large(polygon::offset(polygon::offset(rest, -open, kArc), open, kArc), o.solid_below);
+    const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kBeadArc);
+    const Loops rest =
+        skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kBeadArc));
+    return large(polygon::opened(rest, open, kBeadArc), o.solid_below);
 }
 
 // What of `area`, the sparse part of a region, carries a skin on one of the next layers.
@@ -100,30 +102,59 @@ Loops carrying(const Loops& area, const std::vector<Loops>& sparse_of, std::uint
     for (std::size_t up = 1; up <= kCarrying && !plain.empty(); ++up)
         plain = layer + up < sparse_of.size() ? common(plain, sparse_of[layer + up]) : Loops{};
     const double open = 2 * kNarrowest * o.bead_width / 2;
-    plain = polygon::offset(polygon::offset(plain, -open, kArc), open, kArc);
+    plain = polygon::opened(plain, open, kBeadArc);
     const Loops rest = polygon::subtract(area, plain);
-    return polygon::offset(polygon::offset(rest, -open / 2, kArc), open / 2, kArc);
+    return polygon::opened(rest, open / 2, kBeadArc);
 }
 
-// What of a region is seen where the next layer is `other`.
-Loops seen(const Region& r, const Loops& other, const Options& o) {
-    if (other.points == r.loops.points) return {};
+// What of a region's outline is seen where the next layer is `other`.
+Loops seen(const Loops& outline, const Loops& other, const Options& o) {
+    if (other.points == outline.points) return {};
     const double hair = kHairline * o.bead_width / 2;
-    return polygon::offset(polygon::offset(polygon::subtract(r.loops, other), -hair, kArc), hair, kArc);
+    return polygon::opened(polygon::subtract(outline, other), hair, kBeadArc);
+}
+
+// Puts down walls, what is seen, and bridges of a region.
+void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o) {
+    if (r.is != polygon::RegionClass::part) return;
+    r.walls = static_cast<std::uint32_t>(o.walls);
+    const auto put = [&](polygon::AreaKind kind, Loops loops) {
+        if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});
+    };
+    const Loops outline = polygon::simplify(r.loops, kBeadArc);
+    put(polygon::AreaKind::skin_top, seen(outline, r.layer + 1 < layers.size() ? layers[r.layer + 1] : Loops{}, o));
+    const Loops nothing, &below = r.layer > 0 ? layers[r.layer - 1] : nothing;
+    Loops free = seen(outline, below, o);
+    if (r.layer > 0 && o.bottom > 0 && !free.empty()) {
+        const Loops within = within_walls(r, o);
+        for (auto& bridge : bridges(within, below, o)) r.areas.push_back(std::move(bridge));
+    }
+    put(polygon::AreaKind::skin_bottom, std::move(free));
 }
 
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
 
 // Of lines that lay the share of plain areas that is asked for; of dense ones if there are no others; 0 without any.
 double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
-                  const Options& o) {
+                  const Options& o, Facts& facts) {
+    std::vector<Loops> rims(regions.size());
+    if (o.pattern == polygon::Pattern::concentric)
+        parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+            if (!plain[i].empty() || !dense[i].empty()) rims[i] = within_walls(regions[i], o);
+        });
     for (const auto* areas : {&plain, &dense}) {
         std::vector<infill::Task> tasks;
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (!(*areas)[i].empty())
                 tasks.push_back(
-                    {&(*areas)[i], {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z}});
-        if (!tasks.empty()) return infill::spacing_for(tasks, o.infill, o.bead_width);
+                    {&(*areas)[i],
+                     {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z, 0, &rims[i]}});
+        if (tasks.empty()) continue;
+        const double spacing = infill::spacing_for(tasks, o.infill, o.bead_width);
+        facts.push_back({"", "infill-spacing", spacing, "mm"});
+        if (o.pattern == polygon::Pattern::concentric)
+            facts.push_back({"", "infill-share", 100 * infill::share_laid(tasks, spacing, o.bead_width), "%"});
+        return spacing;
     }
     return 0;
 }
@@ -141,7 +172,7 @@ double share(const std::string& text) {
 
 void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     if (o.infill >= 1 || regions.empty()) return;
-    const auto layers = materials(regions);
+    const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
     const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
     const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
     std::vector<Loops> inner(layers.size()), area(regions.size());
@@ -150,25 +181,15 @@ void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
     parallel::for_chunks(regions.size(), 1, 0,
                          [&](std::size_t i, std::size_t) { area[i] = sparse(regions[i], inner[regions[i].layer], o); });
     std::vector<Loops> of_layer(layers.size()), dense(regions.size());
-    for (std::size_t i = 0; i < regions.size(); ++i) add(of_layer[regions[i].layer], area[i]);
+    for (std::size_t i = 0; i < regions.size(); ++i) of_layer[regions[i].layer].add(area[i]);
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
         if (area[i].empty()) return;
         dense[i] = carrying(area[i], of_layer, regions[i].layer, o);
         area[i] = polygon::subtract(area[i], dense[i]);
     });
-    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        Region& r = regions[i];
-        if (r.is != polygon::RegionClass::part) return;
-        r.walls = static_cast<std::uint32_t>(o.walls);
-        const auto put = [&](polygon::AreaKind kind, Loops loops) {
-            if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});
-        };
-        put(polygon::AreaKind::skin_top, seen(r, r.layer + 1 < layers.size() ? layers[r.layer + 1] : Loops{}, o));
-        put(polygon::AreaKind::skin_bottom, seen(r, r.layer > 0 ? layers[r.layer - 1] : Loops{}, o));
-    });
-    const double spacing = spacing_of(regions, area, dense, o);
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { tell_solid(regions[i], layers, o); });
+    const double spacing = spacing_of(regions, area, dense, o, facts);
     if (spacing == 0) return;
-    facts.push_back({"", "infill-spacing", spacing, "mm"});
     for (std::size_t i = 0; i < regions.size(); ++i) {
         Region& r = regions[i];
         const auto put = [&](Loops& loops, double gap) {

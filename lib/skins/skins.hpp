@@ -16,7 +16,7 @@ struct Options {
     std::int64_t walls = 2;           // rings along the outline, >= 1
     double infill = 0.15;             // share of the sparse areas' volume that is to be laid
     double solid_below = 70;          // mm2: smaller sparse parts are made solid
-    double bridge = 2;                // mm: the widest gap between lines that a skin is laid over
+    double bridge = 2;                // mm: the widest gap that a skin is laid over as it is
     polygon::Pattern pattern = polygon::Pattern::rows;
 };
 
@@ -26,6 +26,8 @@ double share(const std::string& text);
 // Sets areas and walls of all regions of a part, which come in the order of their layers; nothing if the infill is 1.
 // Under skins lines are so near that no gap is wider than `bridge`.
 // Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
+// What spans more over air, from material to material of the layer below, is a bridge: with the direction in which it
+// is the shortest.
 void skins(std::vector<polygon::Region>& regions, const Options& options, Facts& facts);
 
 } // namespace filum::skins

@@ -7,9 +7,6 @@ namespace filum::supports {
 
 using polygon::Loops;
 
-// The material of each layer; none where one is missing.
-std::vector<Loops> materials(const std::vector<polygon::Region>& regions);
-
 // Per layer what of it must be carried.
 std::vector<Loops> overhangs(const std::vector<Loops>& layers, const std::vector<double>& height, const Options& o);
 

@@ -1,6 +1,7 @@
 #include "supports/supports.hpp"
 
 #include "polygon/clip.hpp"
+#include "regions/air.hpp"
 #include "regions/inradius.hpp"
 #include "regions/overlaps.hpp"
 #include "regions/regions.hpp"
@@ -8,17 +9,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace filum::supports {
 
 namespace {
 
 using polygon::AreaKind;
+using polygon::kBeadArc;
 using polygon::Region;
 using polygon::RegionClass;
 
-constexpr double kRound = 0.02;       // mm, of round corners
 constexpr double kInterfaceLines = 2; // bead widths from line to line next to the part
+constexpr double kRaftReach = 2;      // bead widths beyond the part: a ring, and room for the outer bead to lie on
 constexpr double kSkirtBeads = 2;     // a skirt is as wide: one ring there and back
 
 // Regions by layer.
@@ -33,23 +36,65 @@ Stack stack_of(std::vector<Region> regions) {
     return out;
 }
 
+// Layer by layer, those of `first` before those of `second`.
+std::vector<Region> flattened(Stack first, Stack second) {
+    std::vector<Region> out;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        for (auto* from : {&first[i], &second[i]})
+            out.insert(out.end(), std::make_move_iterator(from->begin()), std::make_move_iterator(from->end()));
+    return out;
+}
+
 Region made(const Loops& loops, const Region& like, RegionClass is, double bead_width) {
     Region r;
-    r.layer = like.layer, r.z = like.z, r.height = like.height;
-    r.loops = loops, r.area = polygon::signed_area(loops), r.box = polygon::bounds(loops[0]);
+    r.layer = like.layer;
+    r.z = like.z;
+    r.height = like.height;
+    r.loops = loops;
+    r.area = polygon::signed_area(loops);
+    r.box = polygon::bounds(loops[0]);
     r.inradius = regions::inradius_bound(loops, bead_width / 2, 1e-3);
-    r.is = is, r.walls = 1;
+    r.is = is;
+    r.walls = 1;
     return r;
+}
+
+// The first layer with any region.
+std::size_t first_of(const Stack& stack) {
+    std::size_t i = 0;
+    while (i < stack.size() && stack[i].empty()) ++i;
+    return i;
+}
+
+// Number and heights of a layer; below the first one of the part all are as high as that.
+Region model(const Stack& stack, std::size_t layer) {
+    const std::size_t first = first_of(stack), from = stack[layer].empty() ? std::max(first, layer) : layer;
+    Region out;
+    if (from >= stack.size() || stack[from].empty()) return out;
+    out.layer = static_cast<std::uint32_t>(layer);
+    out.height = stack[from][0].height;
+    out.z = stack[from][0].z - static_cast<double>(from - layer) * out.height;
+    return out;
+}
+
+// Makes room for so many layers below the part.
+void raise(std::vector<Region>& regions, std::uint32_t by) {
+    if (regions.empty()) return;
+    const double up = by * regions[0].height;
+    for (Region& r : regions) {
+        r.layer += by;
+        r.z += up;
+    }
 }
 
 // The supports of one layer, each filled by a ring and rows.
 std::vector<Region> carriers(const Columns& c, std::size_t layer, const Region& like, const Options& o) {
     std::vector<Region> out;
     if (c.all[layer].empty()) return out;
-    for (const Loops& part : polygon::split(polygon::simplify(c.all[layer], kRound / 2)).part) {
+    for (const Loops& part : polygon::split(polygon::simplify(c.all[layer], kBeadArc)).part) {
         Region r = made(part, like, RegionClass::support, o.bead_width);
         if (r.inradius <= 0) continue;
-        const Loops inside = polygon::offset(part, -o.bead_width, kRound);
+        const Loops inside = polygon::offset(part, -o.bead_width, kBeadArc);
         const Loops near = c.interface[layer].empty() ? Loops{} : polygon::intersect(inside, c.interface[layer]);
         const Loops rest = near.empty() ? inside : polygon::subtract(inside, near);
         const auto put = [&](const Loops& loops, double spacing) {
@@ -63,13 +108,31 @@ std::vector<Region> carriers(const Columns& c, std::size_t layer, const Region& 
     return out;
 }
 
+// The supports of all layers; a raft is what carries all of the first one.
+Stack all_carriers(const std::vector<Loops>& layers, const Stack& stack, const Options& o) {
+    std::vector<double> height(stack.size(), 0);
+    for (std::size_t i = 0; i < stack.size(); ++i) height[i] = model(stack, i).height;
+    std::vector<Loops> over(stack.size());
+    if (o.support) over = overhangs(layers, height, o);
+    if (const std::size_t first = first_of(stack); o.raft > 0 && first < stack.size())
+        over[first] = polygon::offset(layers[first], kRaftReach * o.bead_width, kBeadArc);
+    const Columns c = columns(layers, over, o);
+    Stack out(stack.size());
+    for (std::size_t i = 0; i < stack.size(); ++i)
+        if (const Region like = model(stack, i); like.height > 0) out[i] = carriers(c, i, like, o);
+    return out;
+}
+
 // Adds to each upper region how it lies on lower ones that were not there when the others were found.
 void lie_on(std::vector<Region>& upper, std::span<const Region> lower, bool may_link, const Options& o) {
     if (upper.empty() || lower.empty()) return;
     std::vector<Region> probe;
     for (const Region& r : upper) {
         Region p;
-        p.loops = r.loops, p.box = r.box, p.inradius = r.inradius, p.area = r.area;
+        p.loops = r.loops;
+        p.box = r.box;
+        p.inradius = r.inradius;
+        p.area = r.area;
         probe.push_back(std::move(p));
     }
     regions::overlap(probe, lower, o.bead_width, regions::kHairline * o.bead_width);
@@ -84,7 +147,8 @@ void lie_on(std::vector<Region>& upper, std::span<const Region> lower, bool may_
 void renumber(std::vector<Region>& part, std::uint32_t first, std::vector<std::uint32_t>& now) {
     for (Region& r : part) {
         if (r.id >= now.size()) now.resize(r.id + 1, 0);
-        now[r.id] = first, r.id = first++;
+        now[r.id] = first;
+        r.id = first++;
         for (auto& o : r.below) o.below = now[o.below];
     }
     for (Region& r : part)
@@ -94,8 +158,8 @@ void renumber(std::vector<Region>& part, std::uint32_t first, std::vector<std::u
 std::vector<Region> rims(const Loops& first, const Region& like, const Options& o) {
     std::vector<Region> out;
     const auto ring = [&](double from, double to) {
-        const Loops outer = polygon::offset(first, to, kRound),
-                    inner = from > 0 ? polygon::offset(first, from, kRound) : first;
+        const Loops outer = polygon::offset(first, to, kBeadArc),
+                    inner = from > 0 ? polygon::offset(first, from, kBeadArc) : first;
         for (const Loops& part : polygon::split(polygon::subtract(outer, inner)).part)
             if (Region r = made(part, like, RegionClass::rim, o.bead_width); r.inradius > 0)
                 out.push_back(std::move(r));
@@ -105,57 +169,61 @@ std::vector<Region> rims(const Loops& first, const Region& like, const Options& 
     return out;
 }
 
-// The overhangs that nothing carries.
-void tell_bare(const std::vector<Loops>& over, const Columns& c, const Stack& stack, const Options& o, Notes& notes) {
-    Note bare{"", "overhang not carried", 0, "mm2", 0};
-    const auto below = static_cast<std::size_t>(o.gap) + 1;
-    for (std::size_t i = below; i < over.size(); ++i) {
-        if (over[i].empty() || stack[i].empty()) continue;
-        const Loops left =
-            polygon::offset(polygon::subtract(over[i], c.all[i - below]), -o.beside - o.bead_width, kRound);
-        if (left.empty()) continue;
-        bare.amount += polygon::signed_area(polygon::offset(left, o.beside + o.bead_width, kRound)), ++bare.count;
-        bare.layer = static_cast<std::int64_t>(i), bare.x = left.points[0].x, bare.y = left.points[0].y;
+// Sets what of each upper region hangs: farther than half a bead from the layer below and, across the gap, from what is
+// there.  What lies on what is told by their overlaps.
+void hang_anew(std::vector<Region>& upper, const std::vector<Region>& below, const std::vector<Region>& across,
+               const Options& o, regions::Air& air) {
+    std::vector<double> covered;
+    for (const Region& r : upper) {
+        covered.push_back(0);
+        for (const polygon::Overlap& on : r.below) covered.back() += on.area;
     }
-    if (bare.count > 0) notes.push_back(bare);
+    std::vector<Region> lower = below;
+    lower.insert(lower.end(), across.begin(), across.end());
+    regions::hang(upper, lower, covered, {o.bead_width, regions::kHairline * o.bead_width}, air);
+}
+
+// What of the part still hangs; the first layer lies on the bed or the raft.
+void tell_hanging(Stack& stack, const Stack& added, const Options& o, Notes& notes) {
+    const std::size_t far = static_cast<std::size_t>(o.gap) + 1;
+    regions::Air air;
+    for (std::size_t i = first_of(stack) + (o.raft > 0 ? 0 : 1); i < stack.size(); ++i)
+        hang_anew(stack[i], stack[i - 1], i < far ? std::vector<Region>{} : added[i - far], o, air);
+    if (const auto said = regions::note(air)) notes.push_back(*said);
 }
 
 } // namespace
 
 std::vector<Region> supports(std::vector<Region> regions, const Options& o, Facts& facts, Notes& notes) {
-    const auto layers = materials(regions);
+    if (o.raft > 0) raise(regions, static_cast<std::uint32_t>(o.raft + o.gap));
+    const auto layers = polygon::materials(regions);
     Stack stack = stack_of(std::move(regions)), added(stack.size());
-    if (o.support) {
-        std::vector<double> height(stack.size(), 0);
-        for (std::size_t i = 0; i < stack.size(); ++i)
-            if (!stack[i].empty()) height[i] = stack[i][0].height;
-        const auto over = overhangs(layers, height, o);
-        const Columns c = columns(layers, over, o);
-        for (std::size_t i = 0; i < stack.size(); ++i)
-            if (!stack[i].empty()) added[i] = carriers(c, i, stack[i][0], o);
-        tell_bare(over, c, stack, o, notes);
+    if (o.support || o.raft > 0) added = all_carriers(layers, stack, o);
+    if (!stack.empty()) {
+        Loops first = layers[0]; // and what is carried by the bed beside it
+        for (const Region& r : added[0]) first.add(r.loops);
+        for (Region& r : rims(first, model(stack, 0), o)) added[0].push_back(std::move(r));
     }
-    if (!stack.empty() && !stack[0].empty())
-        for (Region& r : rims(layers[0], stack[0][0], o)) added[0].push_back(std::move(r));
     std::vector<std::uint32_t> now;
-    std::vector<Region> out;
     std::uint32_t id = 0;
     double area = 0;
     for (std::size_t i = 0; i < stack.size(); ++i) {
         renumber(stack[i], id, now);
         id += static_cast<std::uint32_t>(stack[i].size());
-        for (Region& r : added[i]) r.id = id++, area += r.is == RegionClass::support ? r.area * r.height : 0;
+        for (Region& r : added[i]) {
+            r.id = id++;
+            if (r.is == RegionClass::support) area += r.area * r.height;
+        }
         const std::size_t far = static_cast<std::size_t>(o.gap) + 1;
         if (i > 0) lie_on(added[i], added[i - 1], true, o);
         if (i >= far) {
             lie_on(stack[i], added[i - far], false, o); // the part on supports
             lie_on(added[i], stack[i - far], false, o); // supports on the part
         }
-        for (Region& r : stack[i]) out.push_back(r);
-        for (Region& r : added[i]) out.push_back(r);
     }
+    if (o.support || o.raft > 0) tell_hanging(stack, added, o, notes);
     facts.push_back({"", "support-space", area, "mm3"});
-    return out;
+    return flattened(std::move(stack), std::move(added));
 }
 
 } // namespace filum::supports

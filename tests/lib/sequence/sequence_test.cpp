@@ -56,9 +56,11 @@ TEST(Outline, DistancesAgreeWithEveryPairOfEdges) {
         const auto ragged = [&] {
             polygon::Loops soup;
             const double x = uniform(random, 0, 20), y = uniform(random, 0, 20);
-            for (int i = 0; i < 6; ++i)
-                soup.add(box(x + uniform(random, 0, 2), y + uniform(random, 0, 2), uniform(random, 0.5, 2),
-                             uniform(random, 0.5, 2))[0]);
+            for (int i = 0; i < 6; ++i) {
+                const geom::Vec2 off{uniform(random, 0, 2), uniform(random, 0, 2)};
+                const geom::Vec2 sides{uniform(random, 0.5, 2), uniform(random, 0.5, 2)};
+                soup.add(box(x + off.x, y + off.y, sides.x, sides.y)[0]);
+            }
             return polygon::split(soup).part[0];
         };
         const auto a = ragged(), b = ragged();

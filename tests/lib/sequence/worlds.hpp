@@ -64,7 +64,8 @@ inline std::vector<polygon::Region> random_world(Random& random, std::uint32_t l
                 const auto& b = below[random() % below.size()];
                 at = geom::lerp(polygon::bounds(b).lo, polygon::bounds(b).hi, uniform(random, 0, 0.5));
             }
-            const auto b = box(at.x, at.y, uniform(random, 0.3, 1.5), uniform(random, 0.3, 1.5));
+            const geom::Vec2 sides{uniform(random, 0.3, 1.5), uniform(random, 0.3, 1.5)};
+            const auto b = box(at.x, at.y, sides.x, sides.y);
             soup.add(b[0]);
         }
         below = polygon::split(soup).part;

@@ -18,8 +18,9 @@ std::vector<Region> part_of(const std::vector<Loops>& layers) {
             r.loops = part, r.area = polygon::signed_area(part), r.box = polygon::bounds(part[0]), r.inradius = 0.2;
             if (layer > 0)
                 for (const Region& below : out)
-                    if (below.layer + 1 == layer && !polygon::intersect(below.loops, part).empty())
-                        r.below.push_back({below.id, 1, 0.2, true});
+                    if (const Loops both = polygon::intersect(below.loops, part);
+                        below.layer + 1 == layer && !both.empty())
+                        r.below.push_back({below.id, polygon::signed_area(both), 0.2, true});
             out.push_back(std::move(r));
         }
     return out;
@@ -55,7 +56,9 @@ TEST(Supports, CarriesAPlateAcrossTheGap) {
     Facts facts;
     Notes notes;
     const auto all = supports(part_of(mushroom()), with_support(), facts, notes);
-    EXPECT_TRUE(notes.empty());
+    ASSERT_EQ(notes.size(), 1U); // between stem and column, half a bead from both
+    EXPECT_NEAR(notes[0].amount, 3.1416 * (3.8 * 3.8 - 3.2 * 3.2), 0.1);
+    EXPECT_NE(notes[0].what.find("longest bridge 1 mm"), std::string::npos) << notes[0].what;
     std::size_t carriers = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         ASSERT_EQ(all[i].id, i);
@@ -75,6 +78,43 @@ TEST(Supports, CarriesAPlateAcrossTheGap) {
         return all[o.below].is == RegionClass::support && all[o.below].layer == 8 && !o.link;
     });
     EXPECT_EQ(from_afar, 1);
+}
+
+TEST(Supports, WhatHangsHalfABeadFromAColumnIsCarried) {
+    Options o = with_support();
+    o.beside = o.bead_width;
+    Facts facts;
+    Notes notes;
+    for (const Region& r : supports(part_of(mushroom()), o, facts, notes)) EXPECT_EQ(r.unsupported, 0) << r.layer;
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST(Supports, WhatStillHangsIsTold) {
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        Options o = with_support();
+        o.gap = 1 + seed % 3, o.on_part = seed % 2 == 0, o.angle = seed % 4 == 3 ? 1.4 : 0.8;
+        const auto layers = random_layers(seed);
+        Facts facts;
+        Notes notes;
+        const auto all = supports(part_of(layers), o, facts, notes);
+        std::vector<Loops> carrying(layers.size());
+        std::vector<double> told(layers.size(), 0);
+        for (const Region& r : all)
+            for (std::size_t l = 0; r.is == RegionClass::support && l < r.loops.size(); ++l)
+                carrying[r.layer].add(r.loops[l]);
+        for (const Region& r : all) told[r.layer] += r.is == RegionClass::part ? r.unsupported : 0;
+        double sum = 0;
+        for (std::size_t i = 1, far = static_cast<std::size_t>(o.gap) + 1; i < layers.size(); ++i) {
+            const Loops below = i < far ? layers[i - 1] : polygon::unite(layers[i - 1], carrying[i - far]);
+            const Loops bare = polygon::subtract(layers[i], polygon::offset(below, o.bead_width / 2));
+            // all but what is smaller than a dot or narrower than a hairline
+            EXPECT_LE(told[i], polygon::signed_area(bare) + 0.05) << seed << " layer " << i;
+            EXPECT_GE(told[i], polygon::signed_area(polygon::offset(bare, -0.05)) - 0.5) << seed << " layer " << i;
+            sum += told[i];
+        }
+        EXPECT_NEAR(sum, notes.empty() ? 0 : notes[0].amount, 1e-9) << seed;
+        EXPECT_GT(sum, 0) << seed;
+    }
 }
 
 TEST(Supports, KeepClearOfThePart) {
@@ -115,6 +155,57 @@ TEST(Supports, RimsLieAboutTheFirstLayer) {
     EXPECT_NEAR(all[1].area, 3.1416 * (49 - 9), 1.5);
     EXPECT_EQ(all[2].is, RegionClass::rim);
     EXPECT_NEAR(polygon::bounds(all[2].loops).hi.x, 3 + 4 + 3 + 0.8, 0.05);
+}
+
+TEST(Supports, ARaftCarriesTheFirstLayer) {
+    for (const bool support : {false, true})
+        for (const std::int64_t gap : {1, 2}) {
+            Options o;
+            o.raft = 3, o.gap = gap, o.support = support, o.brim = 2;
+            const auto before = part_of(mushroom());
+            Facts facts;
+            Notes notes;
+            const auto all = supports(before, o, facts, notes);
+            const auto raised = static_cast<std::uint32_t>(o.raft + gap);
+            std::size_t part = 0;
+            double rim = 0;
+            for (const Region& r : all) {
+                EXPECT_NEAR(r.z, 0.2 * (r.layer + 1), 1e-9);
+                rim += r.is == RegionClass::rim ? r.area : 0;
+                if (r.is == RegionClass::part) {
+                    EXPECT_EQ(r.layer, before[part].layer + raised);
+                    EXPECT_EQ(r.loops.points, before[part].loops.points);
+                    EXPECT_TRUE(part > 0 || r.unsupported == 0);
+                    ++part;
+                }
+                if (r.is == RegionClass::support && r.layer < raised) {
+                    EXPECT_TRUE(r.layer < 3 || support) << r.layer; // columns beside the part go on
+                    EXPECT_GT(r.area, 3.1416 * 3.7 * 3.7);
+                }
+            }
+            EXPECT_EQ(part, before.size());
+            const double least = 3.1416 * (5.8 * 5.8 - 3.8 * 3.8); // with supports the raft is as wide as the cap
+            EXPECT_GT(rim, least - 0.5);
+            EXPECT_EQ(rim < least + 0.5, !support);
+            const auto on_raft = std::count_if(
+                all.begin(), all.end(), [](const Region& r) { return r.layer < 3 && r.is == RegionClass::support; });
+            EXPECT_EQ(on_raft, 3) << support;
+        }
+}
+
+TEST(Supports, ABrimLiesAboutSupportsToo) {
+    Options o = with_support();
+    o.brim = 2;
+    Facts facts;
+    Notes notes;
+    Loops laid;
+    double sum = 0;
+    for (const Region& r : supports(part_of(mushroom()), o, facts, notes)) {
+        if (r.layer > 0) continue;
+        sum += r.area;
+        laid.add(r.loops);
+    }
+    EXPECT_NEAR(sum, polygon::signed_area(polygon::unite(laid)), 0.01); // nothing is laid twice
 }
 
 TEST(Supports, WithoutWishesNothingChanges) {
