@@ -1,5 +1,5 @@
 // slice - cut a mesh into layers of closed contours
-// reads:  a mesh file: STL, OBJ, PLY, OFF, 3MF or STEP
+// reads:  mesh files: STL, OBJ, PLY, OFF, 3MF or STEP
 // writes: Layers
 // memory: the model
 #include "app/slice/slice.hpp"
@@ -25,6 +25,11 @@ constexpr const char* kDescription =
     "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
     "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
     "more undecided than it holds is refused.\n\n"
+    "Several files, or --copies, make a plate: parts are packed on the bed (libnest2d; none is turned) as far apart as "
+    "the head is wide below the second highest top, so that each can be printed to its top by itself; where there is "
+    "no room for that, so far that the nozzle passes, and they grow together, which is told. 'sequence' then finds the "
+    "order. What finds no place is refused. All have the layers of the highest; --center and --translate move the "
+    "whole, other options act on each part.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers; below 3 GB of memory for any file below "
     "100 MB. Contours are on a grid of 0.1 um.";
 
@@ -77,13 +82,59 @@ std::vector<Option> cutting(slice::Options& s) {
     };
 }
 
+std::vector<Option> compensating(app::slice::Options& o) {
+    return {
+        Option{"elephant-foot", &o.compensation.elephant_foot, "MM",
+               "how far the first layer's outline moves inwards; no place loses more than half of its width"}
+            .within(0, 10),
+        Option{"xy-compensation", &o.compensation.xy, "MM",
+               "how far all outlines move outwards, as holes close; negative: inwards"}
+            .within(-10, 10),
+        Option{"hole-compensation", &o.compensation.holes, "MM",
+               "how far holes widen in radius, on top of that; negative: close"}
+            .within(-10, 10),
+        Option{"shrinkage", &o.shrinkage, "%|X,Y,Z",
+               "what a part loses of its size as it cools, 0.5 if 100 mm become 99.5: it is made so much larger; one "
+               "number, or one per axis"}
+            .within(-50, 50),
+    };
+}
+
+std::vector<Option> leaving_out(app::slice::Options& o) {
+    return {
+        Option{"cut-below", &o.cut_below, "MM",
+               "leave out what lies below this height, to the nearest layer; the rest comes down to the bed"}
+            .numbers(1)
+            .within(0, 1e7)
+            .a_limit(),
+        Option{"cut-above", &o.cut_above, "MM", "leave out what lies above this height, to the nearest layer"}
+            .numbers(1)
+            .within(0, 1e7)
+            .a_limit(),
+        Option{"from-layer", &o.from_layer, "N",
+               "leave out the layers before this one, counted from 0; the others keep their height, to go on with a "
+               "print that stopped: look to it that the start codes do not touch that"}
+            .within(0, 1e6),
+    };
+}
+
 cli::Spec spec(app::slice::Options& o) {
     auto options = cutting(o.slice);
+    for (Option& option : compensating(o)) options.push_back(std::move(option));
+    for (Option& option : leaving_out(o)) options.push_back(std::move(option));
     for (Option& option : placing(o.place)) options.push_back(std::move(option));
     for (Option& option : cli::step_options(o.step)) options.push_back(std::move(option));
     options.push_back(
-        Option{"machine", &o.machine, "NAME|FILE", "a machine profile: refuse what is larger than its bed"}
+        Option{"machine", &o.machine, "NAME|FILE",
+               "a machine profile: refuse what is larger than its bed; several parts stand on it, left out: on that of "
+               "marlin"}
             .not_a_setting());
+    options.push_back(Option{"copies", &o.copies, "N", "how often each part is made"}.within(1, 10000));
+    options.push_back(
+        Option{"apart", &o.apart, "MM", "how far several parts keep from each other; left out: as the head needs it"}
+            .numbers(1)
+            .within(0.1, 1000)
+            .a_limit());
     return {.name = "slice",
             .synopsis = "cut a mesh into layers of closed contours",
             .description = kDescription,
@@ -94,9 +145,13 @@ cli::Spec spec(app::slice::Options& o) {
             .examples = {{"slice part.stl > part.layers", "the layers of a part, 0.2 mm each"},
                          {"slice --layer-height 0.3 --rotate 0,0,45 --center 110,110 part.stl > part.layers",
                           "thicker layers of a part that is turned and put on the middle of the bed"},
+                         {"slice part.stl --copies 4 --machine klipper > part.layers",
+                          "four of it on the bed of a machine"},
                          {"slice --adaptive --max-layer-height 0.3 < part.stl > part.layers",
                           "thin layers on gentle slopes, thick ones on steep walls; from standard input"}},
-            .see_also = {"regions", "peek"}};
+            .see_also = {"regions", "peek"},
+            .arguments = "[INPUT...]",
+            .many_inputs = true};
 }
 
 } // namespace

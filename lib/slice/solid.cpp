@@ -18,12 +18,6 @@ constexpr std::size_t kTogether = 16;    // bodies that are united at once
 constexpr std::size_t kBordersAsked = 4; // of a face: the longest ones
 constexpr double kBeside = 5e-4;         // mm from a border, where it is asked
 
-void append(Loops& to, const Loops& from) {
-    const auto shift = static_cast<std::uint32_t>(to.points.size());
-    to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-    for (std::size_t l = 1; l < from.start.size(); ++l) to.start.push_back(from.start[l] + shift);
-}
-
 // Loops of each body on their own.
 std::vector<Loops> by_body(const Loops& loops, const std::vector<std::uint32_t>& body,
                            const std::vector<char>& hollow) {
@@ -51,9 +45,9 @@ Loops united(std::span<const Loops> areas) {
         return true;
     };
     Loops alone, others;
-    for (std::size_t i = 0; i < areas.size(); ++i) append(clear(i) ? alone : others, areas[i]);
+    for (std::size_t i = 0; i < areas.size(); ++i) (clear(i) ? alone : others).add(areas[i]);
     if (!polygon::is_simple(others)) others = polygon::unite_exactly(others);
-    append(alone, others);
+    alone.add(others);
     return alone;
 }
 

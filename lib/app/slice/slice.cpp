@@ -1,59 +1,110 @@
 #include "app/slice/slice.hpp"
 
-#include "app/slice/sizes.hpp"
-#include "cli/step_options.hpp"
-#include "slice/volume.hpp"
-#include "stream/crc32c.hpp"
+#include "app/slice/plate.hpp"
+#include "polygon/clip.hpp"
 #include "wire/planar.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <atomic>
 
 namespace filum::app::slice {
 
 namespace {
 
-using filum::slice::Sweep;
+// The layer of one part, once for each of its copies.
+void add_copies(const polygon::Loops& loops, const std::vector<Vec2>& at, polygon::Loops& to) {
+    for (const Vec2& by : at)
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            for (const Vec2& p : loops[i]) to.points.push_back(p + by);
+            to.close();
+        }
+}
 
-// Notes how the file is known again: by its content, as its name may not tell.
-mesh::File read(const Options& o, cli::Io& self) {
-    const mesh::Bytes bytes = mesh::load(self.input);
-    char crc[9];
-    std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-    self.settings.push_back({"input_crc32c", crc});
-    return mesh::step::read(bytes.view(), mesh::spoken_name(self.input), o.step);
+struct Job {
+    const Options& o;
+    std::vector<OnBed>& parts;
+    std::span<const filum::slice::Level> levels;
+    Wanted wanted;
+    std::atomic<bool> holed = false; // a layer has a hole
+
+    // The layer that is the lowest on the bed has an elephant's foot; not so the lowest of a print that goes on.
+    [[nodiscard]] std::uint32_t above_bed(std::size_t layer) const {
+        return layer == wanted.first && o.from_layer == 0 ? 0 : 1;
+    }
+};
+
+// What of notes is on layers that are wanted, by their numbers among these.
+void take_notes(const Job& job, const OnBed& part, Notes found, Notes& to) {
+    const auto first = static_cast<std::int64_t>(job.wanted.first), last = static_cast<std::int64_t>(job.wanted.last);
+    for (Note& note : as_placed(part, std::move(found))) {
+        if (note.layer >= 0 && (note.layer < first || note.layer >= last)) continue;
+        if (note.layer >= 0) note.layer -= first;
+        to.push_back(std::move(note));
+    }
+}
+
+// The layers of a chunk, of all parts together.
+std::vector<stream::RawFrame> cut_all(Job& job, std::size_t chunk, Notes& notes) {
+    const std::size_t first = chunk * filum::slice::kChunk;
+    std::vector<polygon::Loops> contours(std::min(job.levels.size() - first, filum::slice::kChunk));
+    for (OnBed& part : job.parts) {
+        if (chunk >= part.sweep.chunks()) continue;
+        filum::slice::Cut cut = filum::slice::cut(part.sweep, chunk);
+        take_notes(job, part, std::move(cut.notes), notes);
+        for (polygon::Layer& layer : cut.layers) {
+            part.area[layer.index] = polygon::signed_area(layer.contours);
+            if (job.o.compensation.any()) {
+                if (polygon::split(layer.contours).part.size() < layer.contours.size()) job.holed = true;
+                Notes own;
+                layer.contours =
+                    filum::slice::compensated(layer.contours, job.o.compensation, job.above_bed(layer.index), own);
+                for (Note& note : own) note.layer = layer.index;
+                take_notes(job, part, std::move(own), notes);
+            }
+            add_copies(layer.contours, part.at, contours[layer.index - first]);
+        }
+    }
+    std::vector<stream::RawFrame> frames;
+    for (std::size_t i = std::max(first, job.wanted.first); i < std::min(first + contours.size(), job.wanted.last);
+         ++i) {
+        const auto& level = job.levels[i];
+        const auto index = static_cast<std::uint32_t>(i - job.wanted.first);
+        frames.push_back(wire::frame(polygon::Layer{index, level.z - job.wanted.down, level.height,
+                                                    level.plane - job.wanted.down, std::move(contours[i - first])}));
+    }
+    return frames;
+}
+
+void tell_idle(const Job& job, const cli::Io& io) {
+    if (!job.holed) io.idle("hole-compensation", "no layer has a hole");
+    if (job.wanted.first == 0) io.idle("cut-below", "nothing lies below");
+    if (job.wanted.last == job.levels.size()) io.idle("cut-above", "nothing lies above");
 }
 
 } // namespace
 
 void run(const Options& o, const cli::Io& io) {
     cli::Io self = io;
-    mesh::File file = read(o, self);
-    cli::step_idle(io, file.kind == mesh::Kind::step);
-    Notes notes = std::move(file.notes);
-    check_precision(file.mesh, notes);
-    mesh::place(file.mesh, o.place, mesh::states_unit(file.kind), notes);
-    const mesh::Box3 box = mesh::bounds(file.mesh);
-    const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
-    check_size(box, unit_known, notes);
-    if (!o.machine.empty()) check_bed(box, o.machine);
-    const filum::slice::Part part = filum::slice::make_part(std::move(file.mesh), notes, o.slice.hairline);
-    const Sweep sweep = filum::slice::prepare(part, o.slice, io.threads, notes);
-    const auto measured = filum::slice::judge(sweep, io.threads, notes);
+    Notes notes;
+    std::vector<OnBed> parts = read_parts(o, self);
+    auto objects = place_on_bed(parts, o, io, notes);
+    const auto levels = prepare(parts, o, io.threads, notes);
     auto header = cli::header(self, stream::Payload::layers);
-    header.expected = sweep.levels.size();
-    std::vector<double> area(sweep.levels.size(), 0);
-    const auto work = [&](std::size_t chunk, Notes& found) {
-        filum::slice::Cut cut = filum::slice::cut(sweep, chunk);
-        found = std::move(cut.notes);
-        std::vector<stream::RawFrame> frames;
-        for (const auto& layer : cut.layers) {
-            area[layer.index] = polygon::signed_area(layer.contours);
-            frames.push_back(wire::frame(layer));
-        }
-        return frames;
-    };
-    cli::source_stage(io, header, sweep.chunks(), std::move(notes), work,
-                      [&](Notes& last) { filum::slice::compare(sweep, measured, area, io.threads, last); });
+    header.history.back().objects = std::move(objects);
+    Job job{o, parts, levels, wanted(levels, o)};
+    header.expected = job.wanted.last - job.wanted.first;
+    const std::size_t chunks = (levels.size() + filum::slice::kChunk - 1) / filum::slice::kChunk;
+    cli::source_stage(
+        io, header, chunks, std::move(notes),
+        [&](std::size_t chunk, Notes& found) { return cut_all(job, chunk, found); },
+        [&](Notes& last) {
+            tell_idle(job, io);
+            for (const OnBed& part : parts) {
+                Notes found;
+                filum::slice::compare(part.sweep, part.measured, part.area, io.threads, found);
+                take_notes(job, part, std::move(found), last);
+            }
+        });
 }
 
 } // namespace filum::app::slice

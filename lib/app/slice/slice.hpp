@@ -1,9 +1,10 @@
-// The whole job of `slice`: a mesh in, layers out.
+// The whole job of `slice`: meshes in, layers out.
 #pragma once
 
 #include "cli/command.hpp"
 #include "mesh/place.hpp"
 #include "mesh/step/step.hpp"
+#include "slice/compensate.hpp"
 #include "slice/slice.hpp"
 
 namespace filum::app::slice {
@@ -11,8 +12,14 @@ namespace filum::app::slice {
 struct Options {
     mesh::Placement place;
     filum::slice::Options slice;
+    filum::slice::Compensation compensation;
+    std::vector<double> shrinkage{0}; // %, one or one per axis: what a part loses of its size as it cools
     mesh::step::Tessellation step;
-    std::string machine; // profile of the one that the part must fit, see machine::load_profile; none: not checked
+    std::vector<double> cut_below{}, cut_above{}; // mm; none: not cut
+    std::int64_t from_layer = 0;
+    std::string machine;     // profile of the one that the part must fit, see machine::load_profile; none: not checked
+    std::int64_t copies = 1; // of each input
+    std::vector<double> apart; // mm between several parts; none: as the head's shape needs it
 };
 
 // Reads and places the mesh, checks its size, cuts it, and writes its layers as they come.  Throws Error as those do.

@@ -1,0 +1,250 @@
+#include "app/slice/plate.hpp"
+
+#include "app/slice/sizes.hpp"
+#include "base/number.hpp"
+#include "cli/step_options.hpp"
+#include "geom/hull.hpp"
+#include "machine/profile.hpp"
+#include "plate/plate.hpp"
+#include "stream/crc32c.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace filum::app::slice {
+
+namespace {
+
+using filum::slice::kLift;
+using filum::slice::Level;
+
+std::string checksum(std::string_view bytes) {
+    char crc[9];
+    std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data(), bytes.size()));
+    return crc;
+}
+
+// The file's name without folder and ending, as letters, digits, '-' and '_': firmware takes no others.
+std::string label(const std::string& path) {
+    std::string name = path.substr(path.find_last_of('/') + 1);
+    const auto dot = name.find_last_of('.');
+    if (dot != 0 && dot != std::string::npos) name.resize(dot);
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+    return path == "-" || name.empty() ? "part" : name;
+}
+
+// The scale that a part needs so as to have its size once it has cooled; both lists hold one number or three.
+std::vector<double> enlarged(const std::vector<double>& scale, const std::vector<double>& shrinkage) {
+    if (shrinkage.size() != 1 && shrinkage.size() != 3)
+        throw Error(Exit::usage, "cannot use --shrinkage: it takes one number or three");
+    if (scale.size() != 1 && scale.size() != 3) return scale; // refused where it is used
+    std::vector<double> out(std::max(scale.size(), shrinkage.size()));
+    for (std::size_t k = 0; k < out.size(); ++k)
+        out[k] = scale[k % scale.size()] / (1 - shrinkage[k % shrinkage.size()] / 100);
+    return out;
+}
+
+OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bool several, std::string& crc) {
+    const mesh::Bytes bytes = mesh::load(path);
+    crc += (crc.empty() ? "" : ",") + checksum(bytes.view());
+    mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), o.step);
+    if (!several) cli::step_idle(io, file.kind == mesh::Kind::step);
+    OnBed out;
+    out.notes = std::move(file.notes);
+    check_precision(file.mesh, out.notes);
+    mesh::Placement placement = o.place;
+    placement.scale = enlarged(o.place.scale, o.shrinkage);
+    if (several) { // of the whole, not of each
+        placement.center.clear();
+        placement.translate = {0, 0, o.place.translate[2]};
+    }
+    mesh::place(file.mesh, placement, mesh::states_unit(file.kind), out.notes);
+    out.name = label(path);
+    out.box = mesh::bounds(file.mesh);
+    const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};
+    check_size(out.box, unit_known, out.notes);
+    if (!o.machine.empty()) check_bed(out.box, o.machine);
+    if (several) {
+        std::vector<Vec2> flat;
+        for (const geom::Vec3& v : file.mesh.vertices) flat.push_back(v.xy());
+        out.outline = geom::convex_hull(flat);
+    }
+    out.part = std::make_unique<filum::slice::Part>(
+        filum::slice::make_part(std::move(file.mesh), out.notes, o.slice.hairline));
+    return out;
+}
+
+// Names of all things, each its own: the copies of "a" are a, a_2, a_3.
+std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
+    std::vector<std::string> out;
+    std::map<std::string, std::size_t> seen;
+    for (const OnBed& part : parts)
+        for (std::size_t k = 0; k < part.at.size(); ++k) {
+            std::string name = part.name;
+            for (std::size_t n = ++seen[part.name]; n > 1; n = ++seen[part.name]) {
+                name = part.name + "_" + std::to_string(n);
+                if (seen.emplace(name, 1).second) break;
+            }
+            out.push_back(name);
+        }
+    return out;
+}
+
+std::string size_text(Vec2 v) { return fixed_text(v.x, 1) + " x " + fixed_text(v.y, 1) + " mm"; }
+
+// The first spacing with which all find a place.
+plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<plate::Spacing>& tries, Vec2 size,
+                     plate::Spacing& taken) {
+    plate::Packed out;
+    for (const plate::Spacing& spacing : tries) {
+        taken = spacing;
+        out = plate::pack(things, spacing, size);
+        if (out.left.empty()) break;
+    }
+    return out;
+}
+
+[[noreturn]] void refuse(const plate::Packed& packed, const std::vector<std::string>& names,
+                         const plate::Spacing& spacing, const std::string& machine, Vec2 size) {
+    constexpr std::size_t kNamed = 3; // a line is to be read
+    std::string left;
+    for (std::size_t k = 0; k < std::min(kNamed, packed.left.size()); ++k)
+        left += (k == 0 ? "'" : ", '") + names[packed.left[k]] + "'";
+    if (packed.left.size() > kNamed) left += " and " + std::to_string(packed.left.size() - kNamed) + " more";
+    throw Error(Exit::bad_input, "cannot place " + left + ": " + std::to_string(packed.left.size()) + " of " +
+                                     std::to_string(names.size()) + " parts find no room on the bed of '" + machine +
+                                     "', " + size_text(size) + ", " + fixed_text(std::max(spacing.x, spacing.y), 1) +
+                                     " mm apart; print them by themselves, or give a smaller --apart");
+}
+
+// A little room for the head to say why parts stand as they do.
+void tell_spacing(const plate::Spacing& taken, const std::vector<plate::Spacing>& tries, Notes& notes) {
+    if (taken.clear) return;
+    const double wanted = std::max(tries.front().x, tries.front().y), got = std::max(taken.x, taken.y);
+    notes.push_back({.stage = "",
+                     .what = "parts stand nearer than the head is wide, so they grow together; apart",
+                     .amount = std::min(wanted, got),
+                     .unit = "mm"});
+}
+
+} // namespace
+
+std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
+    const auto inputs = self.inputs.empty() ? std::vector<std::string>{"-"} : self.inputs;
+    const bool several = inputs.size() > 1 || o.copies > 1;
+    std::vector<OnBed> out;
+    std::string crc;
+    for (const std::string& path : inputs) out.push_back(read_part(path, o, self, several, crc));
+    self.settings.push_back({"input_crc32c", crc});
+    for (OnBed& part : out) part.at.assign(static_cast<std::size_t>(o.copies), {0, 0});
+    return out;
+}
+
+std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Options& o, const cli::Io& io, Notes& notes) {
+    if (parts.size() == 1 && parts[0].at.size() == 1) {
+        io.idle("apart", "there is one part");
+        return {};
+    }
+    const machine::Profile profile = machine::load_profile(o.machine.empty() ? "marlin" : o.machine);
+    const double wider = std::max(0.0, o.compensation.xy); // at each side
+    const Vec2 size{profile.bed.x_max - profile.bed.x_min - 2 * wider,
+                    profile.bed.y_max - profile.bed.y_min - 2 * wider};
+    std::vector<plate::Thing> things;
+    for (const OnBed& part : parts)
+        for (std::size_t k = 0; k < part.at.size(); ++k)
+            things.push_back({part.outline, part.box.hi.z - part.box.lo.z});
+    auto tries = o.apart.empty() ? plate::spacings(things, profile.head)
+                                 : std::vector{plate::spacing(o.apart[0], things, profile.head)};
+    for (plate::Spacing& s : tries) {
+        s.x += 2 * wider;
+        s.y += 2 * wider;
+    }
+    plate::Spacing taken;
+    const plate::Packed places = packed(things, tries, size, taken);
+    const auto names = names_of(parts);
+    if (!places.left.empty()) refuse(places, names, taken, profile.name, size);
+    tell_spacing(taken, tries, notes);
+    Vec2 to = o.place.center.empty() ? profile.bed.centre() : Vec2{o.place.center[0], o.place.center[1]};
+    to = to + Vec2{o.place.translate[0], o.place.translate[1]};
+    std::vector<stream::Object> out;
+    for (OnBed& part : parts)
+        for (Vec2& at : part.at) {
+            at = places.move[out.size()] + to;
+            stream::Object object{names[out.size()], {}, {}, part.box.hi.z};
+            for (const Vec2& p : part.outline) {
+                object.x.push_back(p.x + at.x);
+                object.y.push_back(p.y + at.y);
+            }
+            out.push_back(std::move(object));
+        }
+    return out;
+}
+
+Notes as_placed(const OnBed& part, Notes notes) {
+    for (Note& note : notes) {
+        note.count *= part.at.size();
+        note.amount *= static_cast<double>(part.at.size());
+        note.x += part.at[0].x;
+        note.y += part.at[0].y;
+    }
+    return notes;
+}
+
+std::vector<Level> prepare(std::vector<OnBed>& parts, const Options& o, int threads, Notes& notes) {
+    if (parts.size() == 1) {
+        parts[0].sweep = filum::slice::prepare(*parts[0].part, o.slice, threads, parts[0].notes);
+    } else {
+        mesh::Mesh all; // for the levels alone
+        for (const OnBed& part : parts) {
+            const auto first = static_cast<std::uint32_t>(all.vertices.size());
+            const mesh::Mesh& mesh = part.part->mesh;
+            all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+            for (const auto& t : mesh.triangles) all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+        }
+        const std::vector<Level> levels = filum::slice::levels(all, o.slice, notes);
+        for (OnBed& part : parts) {
+            const double top = part.box.hi.z;
+            std::vector<Level> own;
+            for (const Level& l : levels)
+                if (l.plane + 2 * kLift <= top) own.push_back(l);
+            if (own.empty()) { // it has what there is of one layer, or is refused
+                Options low = o;
+                low.slice.adaptive = false;
+                own = filum::slice::levels(part.part->mesh, low.slice, part.notes);
+            }
+            part.sweep = filum::slice::sweep_over(*part.part, o.slice, std::move(own), threads);
+        }
+    }
+    const OnBed* most = &parts[0];
+    for (const OnBed& part : parts)
+        if (part.sweep.levels.size() > most->sweep.levels.size()) most = &part;
+    for (OnBed& part : parts) {
+        part.measured = filum::slice::judge(part.sweep, threads, part.notes);
+        for (Note& note : as_placed(part, std::move(part.notes))) notes.push_back(std::move(note));
+        part.area.assign(part.sweep.levels.size(), 0);
+    }
+    return most->sweep.levels;
+}
+
+Wanted wanted(std::span<const Level> levels, const Options& o) {
+    const auto first_above = [&](double z) {
+        const auto at =
+            std::find_if(levels.begin(), levels.end(), [&](const Level& l) { return l.z - l.height / 2 > z; });
+        return static_cast<std::size_t>(at - levels.begin());
+    };
+    Wanted out{0, levels.size(), 0};
+    if (!o.cut_below.empty()) out.first = first_above(o.cut_below[0]);
+    if (!o.cut_above.empty()) out.last = first_above(o.cut_above[0]);
+    if (out.first > 0 && out.first < levels.size()) out.down = levels[out.first - 1].z;
+    out.first += static_cast<std::size_t>(o.from_layer);
+    if (out.first >= out.last)
+        throw Error(Exit::bad_input, "cannot slice what is left: none of the " + std::to_string(levels.size()) +
+                                         " layers lies there; check --cut-below, --cut-above and --from-layer");
+    return out;
+}
+
+} // namespace filum::app::slice

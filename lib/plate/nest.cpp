@@ -1,0 +1,34 @@
+#include "plate/nest.hpp"
+
+#define LIBNEST2D_GEOMETRIES_clipper
+#define LIBNEST2D_OPTIMIZER_nlopt
+#define LIBNEST2D_THREADING_std
+#include <libnest2d/libnest2d.hpp>
+
+namespace filum::plate {
+
+Nested nest(const std::vector<Corners>& polygons, double width, double depth) {
+    using namespace libnest2d;
+    std::vector<Item> items;
+    items.reserve(polygons.size());
+    for (const Corners& p : polygons) {
+        PolygonImpl shape; // closed and clockwise, as the library wants it
+        for (std::size_t i = p.x.size(); i-- > 0;) shape.Contour.push_back({mm(p.x[i]), mm(p.y[i])});
+        shape.Contour.push_back(shape.Contour.front());
+        items.emplace_back(std::move(shape));
+    }
+    NestConfig<> how;
+    how.placer_config.rotations = {0.0};
+    how.placer_config.parallel = false; // milliseconds either way
+    libnest2d::nest(items, Box(mm(width), mm(depth), {0, 0}), 0, how);
+    Nested out;
+    const auto to_mm = [](Coord c) { return static_cast<double>(c) / static_cast<double>(mm(1.0)); };
+    for (const Item& item : items) {
+        out.x.push_back(to_mm(item.translation().X));
+        out.y.push_back(to_mm(item.translation().Y));
+        out.on_bed.push_back(item.binId() < 0 ? items.size() : static_cast<std::size_t>(item.binId()));
+    }
+    return out;
+}
+
+} // namespace filum::plate

@@ -1,0 +1,86 @@
+#include "plate/plate.hpp"
+
+#include "geom/hull.hpp"
+#include "plate/nest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::plate {
+
+namespace {
+
+constexpr double kGrid = 1e-3;     // mm, of places
+constexpr double kLeast = 2;       // mm; parts that are nearer than a few beads stick together
+constexpr double kRounding = 0.01; // mm on top of the head: places are rounded, and so are the outlines of layers
+
+double second_highest(std::span<const Thing> things) {
+    std::vector<double> height;
+    for (const Thing& t : things) height.push_back(t.height);
+    std::sort(height.rbegin(), height.rend());
+    return height.size() < 2 ? 0 : height[1];
+}
+
+// What keeps the head clear of parts up to `height`; nothing where it spans the machine.
+std::optional<Vec2> head_room(const machine::Head& head, double height) {
+    if (head.none) return Vec2{0, 0};
+    if (height > head.gantry_height) return std::nullopt;
+    const double nozzle = head.cone_radius(height);
+    if (height <= head.cone_height) return Vec2{nozzle, nozzle};
+    return Vec2{std::max(nozzle, head.carriage_x / 2), std::max(nozzle, head.carriage_y / 2)};
+}
+
+// Everything within half the spacing of the outline, in x and in y.
+Corners grown(const Thing& thing, const Spacing& apart) {
+    std::vector<Vec2> all;
+    for (const Vec2& p : thing.outline)
+        for (const double sx : {-0.5, 0.5})
+            for (const double sy : {-0.5, 0.5}) all.push_back(p + Vec2{sx * apart.x, sy * apart.y});
+    Corners out;
+    for (const Vec2& p : geom::convex_hull(all)) {
+        out.x.push_back(p.x);
+        out.y.push_back(p.y);
+    }
+    return out;
+}
+
+double rounded(double v) { return std::round(v / kGrid) * kGrid; }
+
+} // namespace
+
+std::vector<Spacing> spacings(std::span<const Thing> things, const machine::Head& head) {
+    std::vector<Spacing> out;
+    const auto add = [&](Vec2 room, bool clear) {
+        out.push_back({std::max(room.x + kRounding, kLeast), std::max(room.y + kRounding, kLeast), clear});
+    };
+    const auto whole = head_room(head, second_highest(things));
+    if (whole) add(*whole, true);
+    const double nozzle = head.none ? 0 : head.cone_radius(head.cone_height);
+    if (!whole || whole->x > nozzle || whole->y > nozzle) add({nozzle, nozzle}, false);
+    return out;
+}
+
+Spacing spacing(double apart, std::span<const Thing> things, const machine::Head& head) {
+    const auto whole = head_room(head, second_highest(things));
+    return {apart, apart, whole && apart >= whole->x && apart >= whole->y};
+}
+
+Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size) {
+    std::vector<Corners> polygons;
+    for (const Thing& t : things) polygons.push_back(grown(t, apart));
+    // what is grown may reach over the edge of the bed by as much as it grew; and room for the rounding of places
+    const Nested nested = nest(polygons, size.x + apart.x - 2 * kGrid, size.y + apart.y - 2 * kGrid);
+    Packed out;
+    geom::Box2 box;
+    for (std::size_t i = 0; i < things.size(); ++i) {
+        if (nested.on_bed[i] > 0) out.left.push_back(i);
+        for (const Vec2& p : things[i].outline) box.add(p + Vec2{nested.x[i], nested.y[i]});
+    }
+    if (!out.left.empty()) return out;
+    const Vec2 middle = 0.5 * (box.lo + box.hi);
+    for (std::size_t i = 0; i < things.size(); ++i)
+        out.move.push_back({rounded(nested.x[i] - middle.x), rounded(nested.y[i] - middle.y)});
+    return out;
+}
+
+} // namespace filum::plate

@@ -1,0 +1,68 @@
+#include "slice/compensate.hpp"
+
+#include "polygon/clip.hpp"
+
+#include <cmath>
+
+namespace filum::slice {
+
+namespace {
+
+using polygon::Loops;
+
+// One connected part with its holes `by` mm wider.
+Loops with_wider_holes(const Loops& part, double by) {
+    Loops outer, holes;
+    outer.add(part[0]);
+    for (std::size_t i = 1; i < part.size(); ++i) {
+        holes.points.insert(holes.points.end(), part[i].rbegin(), part[i].rend());
+        holes.close();
+    }
+    return holes.empty() ? part : polygon::subtract(outer, polygon::offset(holes, by));
+}
+
+Loops with_wider_holes_in_all(const Loops& area, double by) {
+    Loops all;
+    for (const Loops& part : polygon::split(area).part) {
+        const Loops own = with_wider_holes(part, by);
+        for (std::size_t i = 0; i < own.size(); ++i) all.add(own[i]);
+    }
+    return polygon::unite(all);
+}
+
+void tell(const char* what, const Loops& area, std::uint32_t layer, Notes& notes) {
+    constexpr double told = 1e-4; // mm2: what rounding leaves at corners
+    const double mm2 = polygon::signed_area(area);
+    if (!(mm2 > told)) return;
+    const geom::Vec2 at = polygon::centroid(area);
+    notes.push_back(
+        {.stage = "", .what = what, .amount = mm2, .unit = "mm2", .count = 1, .layer = layer, .x = at.x, .y = at.y});
+}
+
+// What `width` mm of an area, everywhere taken off its outline, leaves nothing of: none of it comes back.
+Loops lost(const Loops& area, double width) {
+    return polygon::subtract(area, polygon::offset(polygon::offset(area, -width), 2 * width));
+}
+
+Loops less_foot(const Loops& area, double foot, std::uint32_t layer, Notes& notes) {
+    // a circle as wide as what must stay narrow does not fit there, nor do the corners that it leaves reach so far
+    const Loops wide = polygon::offset(polygon::offset(area, -2 * foot), 2 * foot);
+    const Loops thin = polygon::subtract(area, polygon::offset(wide, 2 * foot));
+    if (thin.empty()) return polygon::offset(area, -foot);
+    tell("too thin to give way to the elephant's foot", thin, layer, notes);
+    const Loops kept = polygon::intersect(area, polygon::offset(thin, 3 * foot)); // into what does give way
+    return polygon::unite(polygon::offset(area, -foot), kept);
+}
+
+} // namespace
+
+Loops compensated(const Loops& contours, const Compensation& by, std::uint32_t layer, Notes& notes) {
+    Loops out = contours;
+    if (by.holes != 0) out = with_wider_holes_in_all(out, by.holes);
+    if (by.xy < 0) tell("too thin for the compensation in x and y", lost(out, -by.xy), layer, notes);
+    if (by.xy != 0) out = polygon::offset(out, by.xy);
+    if (by.elephant_foot > 0 && layer == 0) out = less_foot(out, by.elephant_foot, layer, notes);
+    return out;
+}
+
+} // namespace filum::slice

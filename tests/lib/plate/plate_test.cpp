@@ -1,0 +1,106 @@
+#include "geom/hull.hpp"
+#include "plate/plate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace {
+
+using namespace filum;
+using geom::Vec2;
+
+plate::Thing random_thing(std::mt19937& random) {
+    std::uniform_real_distribution<double> size(5, 40), height(2, 60);
+    const double w = size(random), d = size(random);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::vector<Vec2> points;
+    for (int k = 0; k < 12; ++k) points.push_back({w * share(random) - 100, d * share(random) + 50});
+    return {geom::convex_hull(points), height(random)};
+}
+
+std::vector<Vec2> moved(std::vector<Vec2> points, Vec2 by) {
+    for (Vec2& p : points) p = p + by;
+    return points;
+}
+
+// Whether a box of half the sizes x and y, run along the outline of a, keeps off that of b: no edge of either parts
+// them otherwise than their grown hulls do.
+bool apart(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double x, double y) {
+    std::vector<Vec2> grown;
+    for (const Vec2& p : a)
+        for (const Vec2 by : {Vec2{x, y}, Vec2{-x, y}, Vec2{x, -y}, Vec2{-x, -y}}) grown.push_back(p + by);
+    grown = geom::convex_hull(grown);
+    // two convex polygons are apart where an edge of one has all of the other on its outer side
+    const auto parts = [](const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
+        for (std::size_t i = 0; i < one.size(); ++i) {
+            const Vec2 from = one[i], to = one[(i + 1) % one.size()];
+            if (std::all_of(other.begin(), other.end(), [&](Vec2 p) { return geom::orient(from, to, p) <= 1e-9; }))
+                return true;
+        }
+        return false;
+    };
+    return parts(grown, b) || parts(b, grown);
+}
+
+TEST(plate, parts_keep_the_asked_distance_and_lie_on_the_bed) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        std::mt19937 random(seed);
+        std::vector<plate::Thing> things;
+        for (int k = 0; k < 3 + static_cast<int>(seed); ++k) things.push_back(random_thing(random));
+        const plate::Spacing apart_by{5.0 + seed % 3, 8, false};
+        const Vec2 size{260, 240};
+        const plate::Packed packed = plate::pack(things, apart_by, size);
+        ASSERT_TRUE(packed.left.empty()) << seed;
+        geom::Box2 box;
+        for (std::size_t i = 0; i < things.size(); ++i) {
+            const auto own = moved(things[i].outline, packed.move[i]);
+            for (const Vec2& p : own) box.add(p);
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_TRUE(
+                    apart(own, moved(things[j].outline, packed.move[j]), apart_by.x - 0.005, apart_by.y - 0.005))
+                    << seed << ": " << i << " and " << j;
+        }
+        EXPECT_LE(box.hi.x - box.lo.x, size.x);
+        EXPECT_LE(box.hi.y - box.lo.y, size.y);
+        EXPECT_NEAR(box.lo.x + box.hi.x, 0, 0.01);
+        EXPECT_EQ(plate::pack(things, apart_by, size).move, packed.move); // the same again
+    }
+}
+
+TEST(plate, a_part_as_large_as_the_bed_fits_and_a_second_one_is_left) {
+    const std::vector<Vec2> square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
+    std::vector<plate::Thing> things{{square, 10}};
+    EXPECT_TRUE(plate::pack(things, {5, 5, true}, {100.1, 100.1}).left.empty());
+    things.push_back({{{0, 0}, {10, 0}, {10, 10}}, 10});
+    EXPECT_EQ(plate::pack(things, {5, 5, true}, {100.1, 100.1}).left, std::vector<std::size_t>{1});
+    EXPECT_TRUE(plate::pack(things, {5, 5, true}, {115.1, 100.1}).left.empty());
+}
+
+TEST(plate, the_head_says_how_far_apart) {
+    const std::vector<Vec2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    const machine::Head head; // carriage 40 x 40, 8 mm above the tip
+    const auto of = [&](double a, double b) {
+        return plate::spacings(std::vector<plate::Thing>{{square, a}, {square, b}}, head);
+    };
+    const auto high = of(50, 9);
+    ASSERT_EQ(high.size(), 2U);
+    EXPECT_TRUE(high[0].clear);
+    EXPECT_NEAR(high[0].x, 20, 0.02);
+    EXPECT_FALSE(high[1].clear);
+    EXPECT_NEAR(high[1].x, head.cone_radius(8), 0.02);
+    // the carriage passes over what is lower than the nozzle is long, so the higher part comes later
+    const auto low = of(50, 6);
+    ASSERT_EQ(low[0].clear, true);
+    EXPECT_NEAR(low[0].x, head.cone_radius(6), 0.02);
+    machine::Head spans = head;
+    spans.gantry_height = 30;
+    const auto under = plate::spacings(std::vector<plate::Thing>{{square, 50}, {square, 40}}, spans);
+    ASSERT_EQ(under.size(), 1U);
+    EXPECT_FALSE(under[0].clear);
+    EXPECT_FALSE(plate::spacing(19, std::vector<plate::Thing>{{square, 50}, {square, 40}}, head).clear);
+    EXPECT_TRUE(plate::spacing(20, std::vector<plate::Thing>{{square, 50}, {square, 40}}, head).clear);
+}
+
+} // namespace
