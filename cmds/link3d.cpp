@@ -2,6 +2,8 @@
 // reads:  Paths
 // writes: Toolpath
 // memory: the regions it looks ahead; all of them with --connect outside or --links sun2019
+#include "base/error.hpp"
+#include "base/number.hpp"
 #include "baselines/sun2019/link.hpp"
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
@@ -40,6 +42,7 @@ constexpr const char* kDescription =
 
 struct Options {
     link3d::Options link;
+    std::string seam = "nearest";
     enum class Links : std::uint8_t { free, sun2019 } links = Links::free;
     baselines::sun2019::LinkOptions sun2019;
     machine::HeadChoice head;
@@ -63,7 +66,10 @@ std::vector<cli::Option> free_options(Options& o) {
             .one_of({"free", "carried"})
             .when("connect=outside")
             .a_limit(),
-        Option{"seam", &o.link.seam, "", "where a stroke begins"}.one_of({"nearest", "inside"}),
+        Option{
+            "seam", &o.seam, "nearest|inside|back|X,Y",
+            "where a stroke begins: nearest to where the one before ended, in the middle of its column, at the back, "
+            "or nearest to a place, mm"},
         Option{"lift", &o.link.lift, "", "how the nozzle gets to the next layer: straight up, by a ramp, or all along"}
             .one_of({"plain", "ramp", "helical"}),
         Option{"interlace", &o.link.interlace, "", "how the starts of neighbouring layers are set apart"}.one_of(
@@ -99,6 +105,24 @@ cli::Spec spec(Options& o) {
         .see_also = {"sequence", "fill", "postproc", "metrics"}};
 }
 
+void set_seam(const std::string& text, link3d::Options& to) {
+    using link3d::Seam;
+    const std::pair<const char*, Seam> names[] = {
+        {"nearest", Seam::nearest}, {"inside", Seam::inside}, {"back", Seam::back}};
+    for (const auto& [name, seam] : names) {
+        if (text != name) continue;
+        to.seam = seam;
+        return;
+    }
+    const auto comma = text.find(',');
+    if (comma == std::string::npos)
+        throw Error(Exit::usage, "cannot use '" + text +
+                                     "' for --seam: it must be one of nearest, inside, back, or a "
+                                     "place, as 100,50");
+    to.seam = Seam::place;
+    to.seam_at = {parse_number(text.substr(0, comma), "--seam"), parse_number(text.substr(comma + 1), "--seam")};
+}
+
 template <class Linker>
 void link(Linker linker, const cli::Io& io) {
     const auto to = [](const auto& emit) { return [&emit](const toolpath::Span& span) { emit(wire::frame(span)); }; };
@@ -121,6 +145,7 @@ void run(const Options& o, const cli::Io& given) {
     cli::Io io = given;
     link3d::Options how = o.link;
     how.head = machine::head(o.head);
+    set_seam(o.seam, how);
     for (const auto& [name, value, changed] : machine::settings(how.head))
         io.settings.push_back({name, value, changed});
     link(link3d::Linker(how), io);

@@ -51,6 +51,18 @@ cli::Spec spec(postproc::Options& o) {
               "up:X,Y,Z: this direction points up; auto: the largest tilt is the least there is"},
              {"set", &o.set, "KEY=VALUE,...",
               "change keys of the profile, as feeds.bead=40; without a section: [values], as nozzle_temp=230"},
+             cli::Option{"z-offset", &o.z_offset, "MM",
+                         "added to every z of the program, as the end stop stands so much off; left out: the profile's"}
+                 .numbers(1)
+                 .within(-100, 100),
+             {"pause-at", &o.pause_at, "LAYER|Zmm,...",
+              "wait for the user (templates.pause) before a layer, counted from 0, as 12, or above a height, as 2.4mm; "
+              "give sequence the same"},
+             {"by-layer", &o.by_layer, "LAYER:NAME=VALUE,...",
+              "change [values] from a layer on, as 50:nozzle_temp=205; the codes of the layers run again there"},
+             {"thumbnails", &o.thumbnails, "WxH,...",
+              "pictures of what is printed at the program's head, as PrusaSlicer's, for printers and hosts that show "
+              "them: 220x124,16x16"},
              cli::Option{"job", &o.job, "FILE", "also what the job takes, tool by tool, as TSV"}.not_a_setting(),
              cli::Option{"summary", &o.summary, "FILE", "also the four lines at its head on what the program makes"}
                  .not_a_setting(),

@@ -9,6 +9,7 @@ namespace filum::link3d {
 namespace {
 
 constexpr double kInside = 0.8;   // bead widths: farther from all beads of a region is outside it
+constexpr double kFar = 100;      // sizes of a region: from there, what lies farther back is nearer
 constexpr double kCorner = 0.005; // mm: a curve entered so near to a corner is entered at the corner
 
 // A shorter piece before a sharp corner would fold over its neighbours where machine code rounds it.
@@ -75,6 +76,11 @@ Linker::Entry Linker::start_entry() const {
     if (options_.seam == Seam::inside) {
         const Box2 box = window_[n].index.bounds();
         p = geom::lerp(box.lo, box.hi, 0.5);
+    } else if (options_.seam == Seam::back) { // the middle of the far side, from so far that all of it is as near
+        const Box2 box = window_[n].index.bounds();
+        p = {(box.lo.x + box.hi.x) / 2, box.hi.y + kFar * (box.hi.x - box.lo.x + box.hi.y - box.lo.y)};
+    } else if (options_.seam == Seam::place) {
+        p = options_.seam_at;
     }
     // The stroke is to leave the last region of the column on the side of the next one.
     if (options_.connect == Connect::inside && n + 1 < window_.size() && !window_[n + 1].index.empty()) {

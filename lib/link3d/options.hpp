@@ -25,6 +25,8 @@ enum class Strand : std::uint8_t {
 enum class Seam : std::uint8_t {
     nearest, // at the place nearest to where the stroke before ended
     inside,  // near the middle of the column that it is going to climb
+    back,    // at its farthest end in y
+    place,   // at the place nearest to `seam_at`
 };
 
 // How the nozzle gets to the next layer.
@@ -40,6 +42,7 @@ struct Options {
     Connect connect = Connect::stop;
     Strand strand = Strand::free;
     Seam seam = Seam::nearest;
+    geom::Vec2 seam_at{}; // mm, of Seam::place
     Interlace interlace = Interlace::none;
     std::int64_t seed = 1;           // of random starts, >= 0
     bool alternate_direction = true; // each layer runs the other way round

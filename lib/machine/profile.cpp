@@ -48,6 +48,7 @@ void read_bed(Document& doc, Bed& bed) {
     axis("bed.x", bed.x_min, bed.x_max);
     axis("bed.y", bed.y_min, bed.y_max);
     axis("bed.z", bed.z_min, bed.z_max);
+    doc.number("bed.z_offset", bed.z_offset, {-100, 100});
 }
 
 void read_head(Document& doc, Head& head) {
@@ -175,6 +176,11 @@ void read_format(Document& doc, Format& f) {
     doc.flag("format.viewer_comments", f.viewer_comments);
     doc.choice("format.travel_code", f.travel_code, {"G0", "G1"});
     doc.flag("format.arcs", f.arcs);
+    std::string objects = "none";
+    doc.choice("format.objects", objects, {"none", "exclude_object", "m486"});
+    f.objects = objects == "m486"             ? Objects::m486
+                : objects == "exclude_object" ? Objects::exclude_object
+                                              : Objects::none;
 }
 
 // A robot's language goes with tool frames, and with nothing else.
@@ -225,6 +231,8 @@ void read_templates(Document& doc, Profile& p) {
     doc.text("templates.first_layer", p.templates.first_layer);
     doc.text("templates.upper_layers", p.templates.upper_layers);
     doc.text("templates.end", p.templates.end);
+    doc.text("templates.pause", p.templates.pause);
+    doc.text("templates.progress", p.templates.progress);
     check_codes(doc, p,
                 {{"templates.start", &p.templates.start},
                  {"features.set_acceleration", &p.features.set_acceleration},
@@ -233,6 +241,8 @@ void read_templates(Document& doc, Profile& p) {
                  {"templates.first_layer", &p.templates.first_layer},
                  {"templates.upper_layers", &p.templates.upper_layers},
                  {"templates.end", &p.templates.end},
+                 {"templates.pause", &p.templates.pause},
+                 {"templates.progress", &p.templates.progress},
                  {"extrusion.on", &p.extrusion.on},
                  {"extrusion.off", &p.extrusion.off},
                  {"tools.change", &p.tools.change},

@@ -23,6 +23,7 @@ namespace filum::machine {
 // What the nozzle tip can reach, mm.
 struct Bed {
     double x_min = 0, x_max = 0, y_min = 0, y_max = 0, z_min = 0, z_max = 0;
+    double z_offset = 0; // mm that programs say more than the toolpath does, as the end stop is that much off
     [[nodiscard]] geom::Vec2 centre() const { return {(x_min + x_max) / 2, (y_min + y_max) / 2}; }
 };
 
@@ -105,6 +106,9 @@ enum class Dialect : std::uint8_t {
     urscript, // Universal Robots
 };
 
+// How a program says which of several parts it is at.
+enum class Objects : std::uint8_t { none, exclude_object, m486 };
+
 struct Format {
     int xyz_decimals = 3, e_decimals = 5, f_decimals = 0;
     Dialect dialect = Dialect::gcode;
@@ -113,12 +117,15 @@ struct Format {
     bool crlf = false;           // line ends
     std::string travel_code = "G0";
     bool arcs = false; // the controller takes G2 and G3
+    Objects objects = Objects::none;
 };
 
 // Text with {placeholders}; see template.hpp.
 struct Templates {
     std::string start, layer, end;
     std::string upper_layers, first_layer; // when the first layer is left for those above, and when it is come back to
+    std::string pause;                     // the machine waits for its user
+    std::string progress;                  // tells how far the print is, whenever a percent or a minute has passed
 };
 
 struct Profile {

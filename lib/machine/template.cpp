@@ -53,6 +53,8 @@ const std::vector<std::string>& known_placeholders() {
                                                    "bed_y_max",
                                                    "bed_z_max",
                                                    "z_park",
+                                                   "percent",
+                                                   "minutes_left",
                                                    "acceleration",
                                                    "fan_speed",
                                                    "layer",

@@ -215,6 +215,16 @@ void remarks(const Notes& notes, std::vector<std::string>& lines) {
 
 } // namespace
 
+void add_waits(const FirstPass& first_pass, const std::string& stage, Notes& notes) {
+    const Waits& w = first_pass.waits;
+    if (w.within > 0)
+        notes.push_back({stage, "pause within a stroke; give sequence the same --pause-at",
+                         static_cast<double>(w.within), "pauses", w.within});
+    if (w.late > 0)
+        notes.push_back({stage, "layer that belongs before a pause comes after it; give sequence the same --pause-at",
+                         static_cast<double>(w.late), "times", w.late, static_cast<std::int64_t>(w.late_layer)});
+}
+
 void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts) {
     const auto& a = profile.axes;

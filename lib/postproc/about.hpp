@@ -17,6 +17,9 @@ struct Stage {
     std::vector<std::pair<std::string, std::string>> settings;
 };
 
+// What the pauses of a program cost it, as notes of `stage`.
+void add_waits(const FirstPass& first_pass, const std::string& stage, Notes& notes);
+
 // What the axes cost the path, as notes and facts of `stage`: added where there is any.
 void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts);

@@ -24,7 +24,9 @@ std::string place(std::uint32_t layer, Vec3 p) {
 
 } // namespace
 
-Surveyor::Surveyor(const machine::Profile& profile) : profile_(&profile), clock_(profile) {
+Surveyor::Surveyor(const machine::Profile& profile, machine::Pauses pauses) : profile_(&profile), clock_(profile) {
+    first_pass_.pauses = std::move(pauses);
+    first_pass_.timeline = {{0}, {0}};
     for (auto& e : first_pass_.low) e.value = kInfinity;
     for (auto& e : first_pass_.high) e.value = -kInfinity;
     first_pass_.part_low.fill(kInfinity);
@@ -76,6 +78,13 @@ void Surveyor::visit(const Step& step, bool extruding) {
 // Charges the tool in use with the time since the last charge: for printing within a stroke, else for travel.
 void Surveyor::spend() {
     const double now = clock_.total(), time = now - std::exchange(spent_, now);
+    Timeline& line = first_pass_.timeline;
+    if (const double nominal = nominal_.seconds(); nominal > line.nominal.back()) {
+        line.nominal.push_back(nominal);
+        line.seconds.push_back(now);
+    } else {
+        line.seconds.back() = now;
+    }
     if (!(time > 0)) return;
     auto& tool = first_pass_.tools[tool_];
     (open_ ? tool.print_seconds : tool.travel_seconds) += time;
@@ -133,13 +142,26 @@ void Surveyor::move(const Step& step) {
     placed_ = true;
 }
 
+void Surveyor::reach_layer(const Step& step) {
+    first_pass_.layers = std::max(first_pass_.layers, step.layer + 1);
+    Waits& w = first_pass_.waits;
+    const std::uint64_t due = first_pass_.pauses.before(step.layer, step.to.z, step.height);
+    if (due > w.count) {
+        w.within += open_ ? 1 : 0;
+        w.count = due;
+    } else if (due < w.count && w.late++ == 0) {
+        w.late_layer = step.layer;
+    }
+}
+
 void Surveyor::add(std::span<const Step> steps) {
     const auto& f = profile_->fibre;
     for (const Step& step : steps) {
+        nominal_.add(step);
         const auto& t = machine::of_tool(*profile_, step.tool).travel;
         switch (step.act) {
         case Act::layer:
-            first_pass_.layers = std::max(first_pass_.layers, step.layer + 1);
+            reach_layer(step);
             break;
         case Act::open:
             if (first_pass_.strokes++ == 0) first_pass_.start = step.to;
@@ -250,10 +272,10 @@ Vec2 placement(const FirstPass& first_pass, const machine::Bed& bed, Place where
 
 void check_limits(const FirstPass& first_pass, const machine::Profile& profile, Vec2 shift) {
     const auto& bed = profile.bed;
-    const std::array<double, 3> moved{shift.x, shift.y, 0}, lo{bed.x_min, bed.y_min, bed.z_min},
+    const std::array<double, 3> moved{shift.x, shift.y, bed.z_offset}, lo{bed.x_min, bed.y_min, bed.z_min},
         hi{bed.x_max, bed.y_max, bed.z_max};
     const auto refuse = [&](const Extreme& e, std::size_t k) {
-        const Vec3 p{e.at.x + shift.x, e.at.y + shift.y, e.at.z};
+        const Vec3 p{e.at.x + shift.x, e.at.y + shift.y, e.at.z + bed.z_offset};
         const char* axis = k == 0 ? "x" : k == 1 ? "y" : "z";
         throw Error(Exit::failure, "cannot print " + place(e.layer, p) + ": '" + profile.name + "' reaches " + axis +
                                        " " + fixed_text(lo[k], 3) + " to " + fixed_text(hi[k], 3) +
@@ -305,6 +327,8 @@ std::map<std::string, double> placeholders(const FirstPass& s, const machine::Pr
     // A side of the part that is turned up may be higher than the part is while all axes are at rest.
     const double top = profile.axes.active() ? std::max(s.part_high[2], s.high[2].value) : s.part_high[2];
     add("z_park", std::min(top + 10, bed.z_max));
+    add("percent", 0);
+    add("minutes_left", std::ceil(s.seconds / 60));
     add("layer", 0);
     add("layers", s.layers);
     add("z", s.start.z);

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "machine/motion.hpp"
+#include "machine/pauses.hpp"
 #include "machine/profile.hpp"
+#include "postproc/labels.hpp"
 #include "postproc/options.hpp"
+#include "postproc/timeline.hpp"
 #include "postproc/walk.hpp"
 
 #include <array>
@@ -37,6 +40,14 @@ struct Omitted {
     std::uint32_t layer = 0;          // of that one
 };
 
+// Where the program waits for its user.
+struct Waits {
+    std::uint64_t count = 0;      // pauses there are
+    std::uint64_t within = 0;     // of these within a stroke
+    std::uint64_t late = 0;       // layers that come behind a pause that should wait for them
+    std::uint32_t late_layer = 0; // the first of them
+};
+
 struct FirstPass {
     std::array<Extreme, 3> low, high;              // x, y, z of the linear axes over every point that the nozzle visits
     std::array<double, 3> part_low{}, part_high{}; // the same over extruding moves only
@@ -52,13 +63,18 @@ struct FirstPass {
     std::array<double, toolpath::kRoles> role_len{}; // mm, by Role
     std::map<std::uint32_t, ToolTotals> tools;
     Omitted omitted;
+    machine::Pauses pauses; // as asked for
+    Waits waits;
+    std::vector<LayerValue> by_layer; // likewise
+    std::vector<Labelled> parts;      // on the bed, if they are several
+    Timeline timeline;
 };
 
 // Reads steps as they come.  Throws Error(failure) with the place for a bead whose cross-section (flow included) is
 // above the limit of its tool, or whose width is not of its nozzle; of fibre, which neither is about, none is.
 class Surveyor {
   public:
-    explicit Surveyor(const machine::Profile& profile);
+    explicit Surveyor(const machine::Profile& profile, machine::Pauses pauses = {});
     void add(std::span<const Step> steps);
     // Throws Error(failure) for fibre strokes that are too short, unless the profile omits them, or for more fibre than
     // there is on the spool; Error(bad_input) if nothing is extruded.
@@ -69,6 +85,7 @@ class Surveyor {
     void spend_move(const Step& step, const Vec3& way);
     void visit_arc(const Step& step);
     void spend();
+    void reach_layer(const Step& step);
     void omit(const Step& step);
     void check_fibre() const;
     void visit(const Step& step, bool extruding);
@@ -79,6 +96,7 @@ class Surveyor {
     Vec3 at_;
     double tilt_ = 0, turn_ = 0; // rad
     double spent_ = 0;           // s of the clock that tools were charged with
+    Nominal nominal_;
     std::uint32_t tool_ = 0;
     bool placed_ = false, open_ = false;
 };

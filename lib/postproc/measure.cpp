@@ -25,8 +25,9 @@ std::string degrees(double rad) { return fixed_text(geom::degrees(rad), 1); }
 
 } // namespace
 
-Measure::Measure(const machine::Profile& profile, Place place, const Orient& orient, bool flatten)
-    : profile_(&profile), place_(place), rotary_(profile.axes.active()), surveyor_(profile),
+Measure::Measure(const machine::Profile& profile, Place place, const Orient& orient, bool flatten,
+                 machine::Pauses pauses)
+    : profile_(&profile), place_(place), rotary_(profile.axes.active()), surveyor_(profile, std::move(pauses)),
       automatic_(orient.automatic), turning_(orient.turning), low_(kInfinity), turned_low_(kInfinity),
       flatten_(flatten) {
     if (!rotary_ && (automatic_ || !turning_.none()))

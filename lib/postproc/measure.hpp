@@ -19,7 +19,8 @@ class Measure {
   public:
     // Throws Error(usage) for a turn on a machine of three axes.  `flatten`: one of three axes may follow a path that
     // leans the tool farther than its upright nozzle can.
-    Measure(const machine::Profile& profile, Place place, const Orient& orient = {}, bool flatten = false);
+    Measure(const machine::Profile& profile, Place place, const Orient& orient = {}, bool flatten = false,
+            machine::Pauses pauses = {});
     void add(const toolpath::Span& span);
     // Throws Error(failure) if a tool axis of the beads is beyond the tilts of the machine, saying what it would need.
     bool again(); // ends a reading: another is wanted

@@ -25,12 +25,28 @@ struct Options {
     std::string summary;                // file
     std::string modules;                // folder
     bool flatten = false;               // an upright nozzle may follow a path that leans the tool
+    std::vector<double> z_offset;       // mm; none: the profile's
+    std::string pause_at;               // see machine::parse_pauses
+    std::string by_layer;               // see parse_by_layer
+    std::string thumbnails;             // "220x124,16x16": sizes of pictures at the program's head, pixels
     std::vector<double> path_tolerance; // mm; none: machine::standard_merging
     std::vector<double> axis_tolerance; // degrees; likewise
 };
 
-// The machine, as these options have it.  Throws as load_profile does, and Error(usage) for a tolerance of axes on a
-// machine that cannot lean the tool, or for `flatten` on one that can.
+// A value of the profile's [values] from a layer on.
+struct LayerValue {
+    std::uint32_t layer = 0;
+    std::string name;
+    double value = 0;
+};
+
+// "50:nozzle_temp=205,120:nozzle_temp=200", by layer.  Throws Error(usage) for anything else, for a name that is none
+// of [values], and for one that neither the codes of upper_layers nor of features name: it would change nothing.
+std::vector<LayerValue> parse_by_layer(const std::string& text, const machine::Profile& profile);
+
+// The machine, as these options have it.  Throws as load_profile does, and Error(usage) for what a machine has no codes
+// for (pauses, an offset or values by layer of robots and rotary axes), a tolerance of axes on a machine that cannot
+// lean the tool, or for `flatten` on one that can.
 machine::Profile profile_for(const Options& options);
 
 } // namespace filum::postproc

@@ -51,7 +51,8 @@ Program::Program(const machine::Profile& profile, const FirstPass& first_pass, V
     : Writer(profile, placeholders(first_pass, profile, shift), std::move(out)), shift_(shift),
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
       degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
-      e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)) {
+      e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)),
+      planned_(&first_pass), named_(first_pass.parts.size()) {
     at_.fill(kUnknown);
 }
 
@@ -63,6 +64,8 @@ void Program::begin(const std::vector<std::string>& about) {
     end_line();
     begin_axes();
     begin_counting();
+    if (profile_->format.objects != machine::Objects::none && !planned_->parts.empty())
+        for (const auto& text : define_parts(profile_->format.objects, planned_->parts, shift_)) line(text);
 }
 
 // The first tool that counts says how.
@@ -99,6 +102,12 @@ void Program::reset_extruder() {
 
 void Program::end(const std::vector<std::string>& history) {
     end_axes();
+    if (part_ >= 0) line(end_part(profile_->format.objects, planned_->parts, static_cast<std::size_t>(part_)));
+    if (percent_ >= 0 && percent_ < 100) {
+        values_["percent"] = 100;
+        values_["minutes_left"] = 0;
+        code(profile_->templates.progress);
+    }
     code(profile_->templates.end);
     for (const auto& line : history) comment(line);
     comment("end of program, " + std::to_string(lines_) + " moves");
@@ -118,12 +127,63 @@ void Program::layer(const Step& step) {
     }
     const bool upper = step.layer > 0;
     if (upper_ != upper) fan_ = -1; // the codes of the layers set it
-    if (std::exchange(upper_, upper) != upper)
-        code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
+    wait(step);
+    const bool crossed = std::exchange(upper_, upper) != upper;
+    if (layer_values(step) || crossed) code(upper ? profile_->templates.upper_layers : profile_->templates.first_layer);
     code(profile_->templates.layer);
     // A firmware that counts in single precision needs short numbers.  Not so an axis of a machine tool, where a new
     // offset could halt the stroke.
     if (counts() && !profile_->extrusion.relative && profile_->extrusion.letter == 'E') reset_extruder();
+}
+
+void Program::line(const std::string& text) {
+    text_ += text;
+    end_line();
+}
+
+// The pauses that come before the layer.
+void Program::wait(const Step& step) {
+    const std::uint64_t due = planned_->pauses.before(step.layer, step.to.z, step.height);
+    for (; waited_ < due; ++waited_) code(profile_->templates.pause);
+}
+
+// Sets what holds from this layer on; whether something changed.
+bool Program::layer_values(const Step& step) {
+    machine::Values now;
+    for (const LayerValue& v : planned_->by_layer) now.emplace(v.name, profile_->values.at(v.name));
+    for (const LayerValue& v : planned_->by_layer)
+        if (v.layer <= step.layer) now[v.name] = v.value;
+    bool changed = false;
+    for (const auto& [name, value] : now) changed = std::exchange(values_[name], value) != value || changed;
+    if (changed) fan_ = -1; // the codes of the layers set it
+    return changed;
+}
+
+// Tells the part that the step goes to.
+void Program::name_part(const Step& step) {
+    const auto& parts = planned_->parts;
+    const machine::Objects how = profile_->format.objects;
+    if (how == machine::Objects::none || parts.empty()) return;
+    const auto to = static_cast<std::int64_t>(part_at(parts, step.to.xy()));
+    if (to == part_) return;
+    if (part_ >= 0) line(end_part(how, parts, static_cast<std::size_t>(part_)));
+    part_ = to;
+    const auto which = static_cast<std::size_t>(to);
+    for (const auto& text : begin_part(how, parts, which, std::exchange(named_[which], 1) == 0)) line(text);
+}
+
+void Program::tell_progress(const Step& step) {
+    const double nominal = nominal_.add(step);
+    if (profile_->templates.progress.empty() || !(planned_->seconds > 0)) return;
+    const double share = std::min(1.0, planned_->timeline.seconds_at(nominal) / planned_->seconds);
+    const auto percent = static_cast<std::int64_t>(100 * share);
+    const auto minutes = static_cast<std::int64_t>(std::ceil(planned_->seconds * (1 - share) / 60));
+    if (percent == percent_ && minutes == minutes_) return;
+    percent_ = percent;
+    minutes_ = minutes;
+    values_["percent"] = static_cast<double>(percent);
+    values_["minutes_left"] = static_cast<double>(minutes);
+    code(profile_->templates.progress);
 }
 
 // Between tools the controller works with its own axes and feeds; where it stands then, nobody knows.
@@ -131,6 +191,7 @@ void Program::change_tool(const Step& step) {
     end_axes();
     tool(step);
     begin_axes();
+    nominal_.add(step);
     at_.fill(kUnknown);
     f_ = -1;
     begin_counting();
@@ -263,7 +324,9 @@ void Program::extruder_only(std::int64_t units, double speed) {
 
 void Program::move(const Step& step) {
     const bool rotary = profile_->axes.active();
-    const Vec3 at = rotary ? step.to : step.to - own(step).offset;
+    const Vec3 at = rotary ? step.to : step.to - own(step).offset + Vec3{0, 0, profile_->bed.z_offset};
+    if (step.act == Act::travel) name_part(step);
+    tell_progress(step);
     std::array<std::int64_t, 5> to{units(at.x + shift_.x, xyz_scale_), units(at.y + shift_.y, xyz_scale_),
                                    units(at.z, xyz_scale_), at_[3], at_[4]};
     if (profile_->axes.chain.carrier == kinematics::Carrier::polar) to[1] = 0;

@@ -17,6 +17,7 @@ namespace filum::postproc {
 // exponent.  The last line says "end of program".
 class Program final : public Writer {
   public:
+    // `first_pass` must live as long.
     Program(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift, Text out);
     void begin(const std::vector<std::string>& about) override;
     void end(const std::vector<std::string>& history) override;
@@ -45,6 +46,11 @@ class Program final : public Writer {
     void bead_comments(const Step& step);
     void feature_codes(const Step& step);
     void reset_extruder();
+    void line(const std::string& text);
+    void wait(const Step& step);
+    bool layer_values(const Step& step);
+    void name_part(const Step& step);
+    void tell_progress(const Step& step);
 
     Vec2 shift_;
     double xyz_scale_, degrees_scale_, e_scale_, f_scale_;
@@ -62,6 +68,12 @@ class Program final : public Writer {
     double acceleration_ = -1, fan_ = -1; // as last told to the machine for a feature; -1: not yet
     double width_ = 0, height_ = 0;       // as last told to viewers
     std::uint64_t lines_ = 0;             // moves written
+    const FirstPass* planned_;
+    std::uint64_t waited_ = 0; // pauses written
+    std::int64_t part_ = -1;   // that the machine was told
+    std::vector<char> named_;  // parts that were told by name
+    Nominal nominal_;
+    std::int64_t percent_ = -1, minutes_ = -1; // as last told
 };
 
 } // namespace filum::postproc

@@ -1,5 +1,6 @@
 #include "app/postproc/postproc.hpp"
 
+#include "app/postproc/thumbnails.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "postproc/about.hpp"
@@ -9,6 +10,7 @@
 #include "stream/spool.hpp"
 #include "wire/planar.hpp"
 
+#include <algorithm>
 #include <deque>
 
 namespace filum::app::postproc {
@@ -50,10 +52,33 @@ std::vector<filum::postproc::Stage> stages(const stream::Header& before, const c
     return out;
 }
 
+// What stood on the bed for the last stage that put several parts there.
+std::vector<filum::postproc::Labelled> parts_on_bed(const stream::Header& header) {
+    std::vector<filum::postproc::Labelled> out;
+    for (const stream::Run& run : header.history) {
+        if (!run.objects.empty()) out.clear();
+        for (const stream::Object& object : run.objects) {
+            out.push_back({object.name, {}});
+            for (std::size_t i = 0; i < object.x.size(); ++i) out.back().outline.push_back({object.x[i], object.y[i]});
+        }
+    }
+    return out;
+}
+
+void tell_idle(const filum::postproc::FirstPass& found, const cli::Io& io) {
+    if (found.waits.count < found.pauses.count())
+        io.idle("pause-at", std::to_string(found.pauses.count() - found.waits.count) +
+                                " of its places are above the part's " + std::to_string(found.layers) + " layers");
+    const bool beyond = std::all_of(found.by_layer.begin(), found.by_layer.end(),
+                                    [&](const auto& v) { return v.layer >= found.layers; });
+    if (beyond) io.idle("by-layer", "the part has " + std::to_string(found.layers) + " layers");
+}
+
 } // namespace
 
 void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto profile = filum::postproc::profile_for(o);
+    const auto sizes = thumbnail_sizes(o.thumbnails);
     if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
     if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
     stream::Reader reader(io.input, stream::Payload::toolpath);
@@ -62,7 +87,8 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     cli::Progress progress(io, reader.header().expected);
     Notes notes;
     Facts facts;
-    filum::postproc::Measure measure(profile, o.place, filum::postproc::parse_orient(o.orient), o.flatten);
+    filum::postproc::Measure measure(profile, o.place, filum::postproc::parse_orient(o.orient), o.flatten,
+                                     machine::parse_pauses(o.pause_at));
     while (auto frame = reader.next()) {
         if (frame->tag == stream::Tag::note) notes.push_back(stream::parse_note(frame->body));
         if (frame->tag == stream::Tag::fact) facts.push_back(stream::parse_fact(frame->body));
@@ -73,9 +99,13 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     }
     for (; measure.again(); spool.rewind())
         while (const auto frame = spool.next()) measure.add(wire::span(*frame));
-    const auto first_pass = measure.end();
+    auto first_pass = measure.end();
+    first_pass.by_layer = filum::postproc::parse_by_layer(o.by_layer, profile);
+    if (!profile.axes.active()) first_pass.parts = parts_on_bed(reader.header());
+    tell_idle(first_pass, io);
     cli::Report said(io);
     for (const Note& n : filum::postproc::omissions(first_pass, io.program)) notes.push_back(n);
+    filum::postproc::add_waits(first_pass, io.program, notes);
     filum::postproc::add_efforts(profile, first_pass, io.program, notes, facts);
     for (const Note& n : notes) said.add(n);
     said.say();
@@ -86,7 +116,12 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     const auto program = filum::postproc::writer(
         profile, first_pass, measure.program_shift(), [&](auto text) { sink.write(text); }, modules.file());
     const auto told = filum::postproc::summary(profile, first_pass, measure.program_shift(), notes, facts);
-    program->begin(filum::postproc::about(profile, first_pass, told));
+    auto about = filum::postproc::about(profile, first_pass, told);
+    if (!sizes.empty()) {
+        for (auto& line : thumbnail_lines(spool, sizes, io.threads)) about.push_back(std::move(line));
+        spool.rewind();
+    }
+    program->begin(about);
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
     while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
