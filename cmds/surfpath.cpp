@@ -94,6 +94,11 @@ cli::Spec spec(Options& o) {
                  .when("!method=kipping2022 algorithm=planned|field"),
              Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angle: a direction, laid onto the surface"}.when(
                  "!method=kipping2022 algorithm=planned|field"),
+             Option{"keep", &o.plan.keep, "",
+                    "where directions spread, lines of field keep to the spacing, or to the angle by ending more of "
+                    "them; usual: the angle if that alone is asked for"}
+                 .one_of({"usual", "spacing", "angle"})
+                 .when("!method=kipping2022 algorithm=planned|field"),
              Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),

@@ -1,11 +1,10 @@
 #include "surfpath/bare.hpp"
 
-#include "geom/bvh.hpp"
-#include "geom/segment.hpp"
 #include "parallel/parallel.hpp"
+#include "surfpath/samples.hpp"
+#include "surfpath/stretches.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -15,94 +14,13 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kPart = 1.0 / 3;         // of the width, between points of a triangle
-constexpr double kMissing = 0.01;         // of the surface: more is told aloud
-constexpr double kTold = 0.04;            // likewise, of what is not covered, or laid twice
-constexpr double kSought = 4;             // widths: up to where the widest place is sought
-constexpr double kHeap = 3;               // widths: side of the cubes by which the thickest place is found
-constexpr std::uint32_t kMostParts = 256; // of a triangle's side
-constexpr std::size_t kTriangles = 256;   // of a piece of work
+constexpr double kPart = 1.0 / 3;       // of the width, between points of a triangle
+constexpr double kMissing = 0.01;       // of the surface: more is told aloud
+constexpr double kTold = 0.04;          // likewise, of what is not covered, or laid twice
+constexpr double kSought = 4;           // widths: up to where the widest place is sought
+constexpr double kHeap = 3;             // widths: side of the cubes by which the thickest place is found
+constexpr std::size_t kTriangles = 256; // of a piece of work
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-// The stretches of a plan, by place.
-class Stretches {
-  public:
-    struct Stretch {
-        Vec3 a, b, normal;
-        double way; // mm from the begin of all strokes, laid out one behind the other a mile apart
-    };
-
-    Stretches(const Surface& s, const Plan& plan) : all_(listed(s, plan, length_)), tree_(boxes(all_)) {}
-
-    [[nodiscard]] double length() const { return length_; } // mm
-
-    // Calls f(mm off, way) for the nearest place of every stretch within reach that faces alike.
-    template <class F>
-    void near(const Vec3& p, const Vec3& normal, double reach, const F& f) const {
-        tree_.visit(geom::grown({p, p}, reach), [&](std::uint32_t k) {
-            const Stretch& l = all_[k];
-            if (!(dot(normal, l.normal) > 0)) return;
-            const double t = geom::nearest_parameter(l.a, l.b, p), off = distance(p, l.a + t * (l.b - l.a));
-            if (off <= reach) f(off, l.way + t * distance(l.a, l.b));
-        });
-    }
-
-  private:
-    static std::vector<Stretch> listed(const Surface& s, const Plan& plan, double& length) {
-        constexpr double kApart = 1e6; // mm
-        std::vector<Stretch> out;
-        double way = 0;
-        for (const Stroke& stroke : plan.strokes) {
-            for (const Piece& piece : stroke.pieces)
-                for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
-                    const Vec3 &a = piece.line[i], &b = piece.line[i + 1];
-                    out.push_back({a, b, surface::normal(s, piece.line.places[i].triangle), way});
-                    way += distance(a, b);
-                    length += distance(a, b);
-                }
-            way += kApart;
-        }
-        return out;
-    }
-    static std::vector<geom::Box3> boxes(const std::vector<Stretch>& all) {
-        std::vector<geom::Box3> out;
-        out.reserve(all.size());
-        for (const Stretch& l : all) out.push_back(geom::box_of(std::array{l.a, l.b}));
-        return out;
-    }
-
-    double length_ = 0;
-    std::vector<Stretch> all_;
-    geom::Bvh tree_;
-};
-
-struct Sample {
-    Vec3 p, normal;
-    double area;
-};
-
-// Calls f(sample) for points about `apart` mm from each other, which share the triangle's area.
-template <class F>
-void each_sample(const Surface& s, std::uint32_t t, double apart, const F& f) {
-    const Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
-               v = s.vertices[s.triangles[t][2]] - a, n = surface::normal(s, t);
-    const double side = std::max({norm(u), norm(v), norm(u - v)});
-    const auto k = static_cast<std::uint32_t>(std::clamp(std::ceil(side / apart), 1.0, 1.0 * kMostParts));
-    const double part = norm(cross(u, v)) / 2 / (static_cast<double>(k) * k);
-    for (std::uint32_t i = 0; i < k; ++i)
-        for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // triangles that stand up, and between them down
-            const double turn = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-            f(Sample{a + (i + turn) / k * u + (j / 2 + turn) / k * v, n, part});
-        }
-}
-
-// How often the path passes: places of it that are more than a width of way apart count each.
-std::size_t passes(std::vector<double>& ways, double width) {
-    std::sort(ways.begin(), ways.end());
-    std::size_t out = ways.empty() ? 0 : 1;
-    for (std::size_t i = 1; i < ways.size(); ++i) out += ways[i] - ways[i - 1] > width ? 1 : 0;
-    return out;
-}
 
 struct Sum {
     double surface = 0, covered = 0, missing = 0;
@@ -118,7 +36,7 @@ void look(const Sample& point, const Stretches& lines, double width, Sum& sum, s
     sum.surface += point.area;
     double least = kFar;
     ways.clear();
-    lines.near(point.p, point.normal, width, [&](double off, double way) {
+    lines.near(point.p, point.normal, width, [&](const Stretch&, double off, double way) {
         least = std::min(least, off);
         if (off <= width / 2) ways.push_back(way);
     });
@@ -149,7 +67,7 @@ Vec3 widest(const std::vector<Sample>& bare, const Stretches& lines, double widt
     for (const Sample& b : bare) {
         double least = kFar;
         for (double reach = width; least == kFar && reach <= kSought * width; reach *= 2)
-            lines.near(b.p, b.normal, reach, [&](double off, double) { least = std::min(least, off); });
+            lines.near(b.p, b.normal, reach, [&](const Stretch&, double off, double) { least = std::min(least, off); });
         if (least > worst) {
             worst = least;
             at = b.p;

@@ -2,6 +2,7 @@
 
 #include "surface/curve/walk.hpp"
 #include "surfpath/order.hpp"
+#include "surfpath/stagger.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,8 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kBreak = 200; // mm: as bad as a chain that must be led to another
+constexpr double kDepthsApart = 0.25; // spacings, of the depths tried: finer shifts less than a bead covers
+constexpr double kBreak = 200;        // mm: as bad as a chain that must be led to another
 
 constexpr double kTight = 20;                       // mm: what a tight turn costs at least
 constexpr std::size_t kBeams[] = {500, 3000, 8000}; // states that the search for an order keeps
@@ -29,7 +31,16 @@ class Path {
 
     Plan plan() {
         auto chains = ordered();
-        for (const Chain& chain : joined(std::move(chains))) lay(chain);
+        chains = joined(std::move(chains));
+        std::vector<std::vector<LaidTurn>> turns(chains.size());
+        for (std::size_t c = 0; c < chains.size(); ++c)
+            for (std::size_t i = 1; i < chains[c].size(); ++i)
+                turns[c].push_back(turn(leave(chains[c][i - 1]), entry(chains[c][i])));
+        if (o_.staggered) stagger(chains, turns);
+        for (std::size_t c = 0; c < chains.size(); ++c) {
+            out_.strokes.push_back(stroke(chains[c], turns[c]));
+            turned_ += static_cast<double>(turns[c].size());
+        }
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                       {"", "turns", turned_, ""},
                       {"", "transits", transited_, "mm"}};
@@ -140,11 +151,7 @@ class Path {
         const bool known = it != turns_.end() && it->from == a && it->to == b;
         if (known && it->line.size() > 1) {
             LaidTurn out = *it;
-            if (from != a) {
-                surface::curve::reverse(out.line);
-                std::swap(out.from, out.to);
-                std::swap(out.from_trim, out.to_trim);
-            }
+            if (from != a) turn_round(out);
             return out;
         }
         const auto way = transits_.way(from, to);
@@ -152,23 +159,60 @@ class Path {
                                : way && way->length <= o_.along ? way->stretches
                                                                 : std::vector<Line>{across(from, to)};
         for (const Line& l : stretches) transited_ += surface::curve::length(l);
-        return turner_.eased(from, stretches, to);
+        LaidTurn out = turner_.eased(from, stretches, to);
+        out.eased = true;
+        return out;
     }
 
-    void lay(const Chain& chain) {
-        Stroke stroke;
+    // A turn with what a deeper one replaces of its rows.
+    [[nodiscard]] Stroke with_rows(const LaidTurn& t, double from_deepest, double to_deepest) const {
+        Stroke out;
+        if (t.from_trim < from_deepest) out.pieces.push_back({turner_.part(t.from, t.from_trim, from_deepest), false});
+        out.pieces.push_back({t.line, false});
+        if (t.to_trim < to_deepest) out.pieces.push_back({turner_.part(t.to, t.to_trim, to_deepest), false});
+        return out;
+    }
+
+    // Puts turns deeper behind the rim where that lays less twice, all of all chains together.
+    void stagger(const std::vector<Chain>& chains, std::vector<std::vector<LaidTurn>>& turns) const {
+        std::vector<LaidTurn*> which;
+        std::vector<std::vector<LaidTurn>> laid;
+        std::vector<Depths> depths;
+        auto deepest = turns;
+        for (std::size_t c = 0; c < turns.size(); ++c)
+            for (std::size_t i = 0; i < turns[c].size(); ++i) {
+                if (turns[c][i].eased) continue;
+                which.push_back(&turns[c][i]);
+                laid.push_back(turner_.deeper(turns[c][i], kDepthsApart * o_.spacing));
+                LaidTurn& most = deepest[c][i];
+                most.line = {};
+                for (const LaidTurn& t : laid.back()) {
+                    most.from_trim = std::max(most.from_trim, t.from_trim);
+                    most.to_trim = std::max(most.to_trim, t.to_trim);
+                }
+                Depths& now = depths.emplace_back();
+                for (const LaidTurn& t : laid.back()) now.push_back(with_rows(t, most.from_trim, most.to_trim));
+            }
+        Plan fixed;
+        for (std::size_t c = 0; c < chains.size(); ++c) fixed.strokes.push_back(stroke(chains[c], deepest[c]));
+        const auto chosen = staggered(surface_, fixed, depths, o_.spacing);
+        for (std::size_t i = 0; i < which.size(); ++i) *which[i] = std::move(laid[i][chosen[i]]);
+    }
+
+    // The rows of a chain with the turns between them, but for those without a line.
+    [[nodiscard]] Stroke stroke(const Chain& chain, const std::vector<LaidTurn>& turns) const {
+        Stroke out;
         double off = 0;
         for (std::size_t i = 0; i < chain.size(); ++i) {
             const bool last = i + 1 == chain.size();
-            LaidTurn next = last ? LaidTurn{} : turn(leave(chain[i]), entry(chain[i + 1]));
-            if (Line row = turner_.stretch(entry(chain[i]), off, next.from_trim); row.size() > 1)
-                stroke.pieces.push_back({std::move(row), false});
+            const double end = last ? 0 : turns[i].from_trim;
+            if (Line row = turner_.stretch(entry(chain[i]), off, end); row.size() > 1)
+                out.pieces.push_back({std::move(row), false});
             if (last) break;
-            off = next.to_trim;
-            ++turned_;
-            stroke.pieces.push_back({std::move(next.line), false});
+            off = turns[i].to_trim;
+            if (turns[i].line.size() > 1) out.pieces.push_back({turns[i].line, false});
         }
-        out_.strokes.push_back(std::move(stroke));
+        return out;
     }
 
     const Surface& surface_;

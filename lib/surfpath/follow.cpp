@@ -81,12 +81,19 @@ void tell(const Surface& s, const field::Directions& d, Plan& out) {
 
 } // namespace
 
+bool keeps_angle(const Options& o) {
+    const auto& f = o.follow;
+    const bool angle = f.angle > 0 && !(f.given > 0) && !(f.stress > 0) && !(f.rim > 0);
+    return o.keep == Keep::angle || (o.keep == Keep::usual && angle);
+}
+
 Plan follow(const surface::Sheet& sheet, const Options& o) {
     const Surface& s = sheet.surface;
     const auto cells = surface::directions::cells(s);
     const auto wanted = field::wanted(sheet, cells, sources(sheet, o.follow));
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
-    auto all = field::lines(s, field::stripes(s, cells, directions.along, o.spacing));
+    auto all = field::lines(s, field::stripes(s, cells, directions.along,
+                                              {o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven}));
     const double gentle = std::max(o.least_radius, o.spacing / 2);
     for (Line& l : all)
         l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;

@@ -6,6 +6,9 @@
 
 namespace filum::surfpath {
 
+// Whether lines keep to the angle rather than the spacing, where both cannot be had.
+bool keeps_angle(const Options& options);
+
 // Lines along what `options.follow` says (field/directions.hpp), the field smoothed until they bend no tighter than the
 // least radius, one spacing apart by stripes (field/stripes.hpp); where directions spread, lines are born in twos,
 // joined by a hairpin.  Closed lines become spirals, or part of lines beside them (splice.hpp).  Turns "wide" (and

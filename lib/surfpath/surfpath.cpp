@@ -24,7 +24,8 @@ namespace filum::surfpath {
 namespace {
 
 constexpr double kLongest = 2;        // spacings: sides of the triangles that lines are found on
-constexpr double kLongestStriped = 1; // likewise, of those that stripes are found on
+constexpr double kLongestStriped = 1; // likewise, of those that stripes are found on,
+constexpr double kLongestTrue = 0.5;  // and of those on which they keep to an angle: what lines are off halves with it
 constexpr double kBeside = 0.5; // mm beside a tight turn that are declared with it, or half a spacing: by whatever
                                 // stretch of the path curvature is measured, it shows there
 
@@ -62,7 +63,8 @@ std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
     const bool by_field = options.algorithm == Algorithm::field;
-    Fine small = fine(sheet, (by_field ? kLongestStriped : kLongest) * options.spacing);
+    const double longest = !by_field ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
+    Fine small = fine(sheet, longest * options.spacing);
     if (by_field)
         small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
     Plan out = lines(small.sheet, options);

@@ -12,6 +12,9 @@ enum class Method : std::uint8_t { filum, kipping2022 }; // ours, or as the pape
 // Of ortheo and field: lines end at the rim, or go on; usual: of ortheo they end, of field they go on by wide turns.
 enum class RowTurns : std::uint8_t { usual, none, hairpin, wide };
 
+// What lines of field keep to where both cannot be had; usual: the angle, if that is all they were asked to follow.
+enum class Keep : std::uint8_t { usual, spacing, angle };
+
 struct Options {
     Algorithm algorithm = Algorithm::geo_fiso;
     Method method = Method::filum;
@@ -22,6 +25,8 @@ struct Options {
     double offset = 0;     // mm: along the normals, at which the path will be laid
     field::Sources
         follow{}; // what field follows; nothing: directions that the sheet carries, else its stress, else the angle
+    Keep keep = Keep::usual;
+    double shift = 0;    // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
     bool strict = false; // no turn may be tighter than least_radius
 };
 

@@ -166,6 +166,7 @@ template <class Form>
 FlatTurn fitted(const TurnRoom& room, const Form& form) {
     double top = 0;
     for (const Vec2 p : room.bound) top = std::min(top, p.y);
+    top -= room.behind;
     for (int push = 0; push < kPushes; ++push) {
         FlatTurn out = form(top);
         if (out.points.empty()) return {};
@@ -181,12 +182,12 @@ FlatTurn fitted(const TurnRoom& room, const Form& form) {
 
 } // namespace
 
-FlatTurn turn(const TurnRoom& room, double radius) {
+FlatTurn turn(const TurnRoom& room, double radius, bool bulbs) {
     const Sides sides{{room.first, true}, {room.second, false}};
     FlatTurn out = fitted(room, [&](double top) { return wide(sides, radius, top); });
     if (!out.points.empty()) return out;
     out = fitted(room, [&](double top) { return narrow(sides, radius, top); });
-    if (out.radius >= kAsWide * radius) return out;
+    if (out.radius >= kAsWide * radius || !bulbs) return out;
     FlatTurn round = fitted(room, [&](double top) { return bulb(sides, radius, top); });
     return round.points.empty() ? out : round;
 }

@@ -14,6 +14,7 @@ using geom::Vec2;
 // the right of it.  Rows are polylines from their ends inwards, the bound one from the first end to the second.
 struct TurnRoom {
     std::span<const Vec2> first, second, bound;
+    double behind = 0; // mm: how far behind the outermost place the turn is wanted
 };
 
 struct FlatTurn {
@@ -25,9 +26,10 @@ struct FlatTurn {
     bool bulb = false;        // it swings out on both sides of the rows
 };
 
-// The outermost turn within the bound: an arc off the first row, a straight stretch along the bound and an arc onto the
-// second row, of `radius`; where rows are nearer to each other than two radii a bulb of that radius, and where there is
-// no room for it the one arc that fits.  Everything stays below the bound.  Smooth with rows that are.
-FlatTurn turn(const TurnRoom& room, double radius);
+// The outermost turn within the bound, or that far behind it: an arc off the first row, a straight stretch along the
+// bound and an arc onto the second row, of `radius`; where rows are nearer to each other than two radii a bulb of that
+// radius, and where there is no room for it, or none are wanted, the one arc that fits.  Everything stays below the
+// bound.  Smooth with rows that are.
+FlatTurn turn(const TurnRoom& room, double radius, bool bulbs = true);
 
 } // namespace filum::surfpath

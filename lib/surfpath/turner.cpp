@@ -21,6 +21,8 @@ constexpr double kEasedWider = 1.15; // likewise, of ways along rims
 constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
 constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
 constexpr double kTurning = 0.25;    // mm
+constexpr double kDeepestTurn = 2;   // radii: how deep behind the rim turns may lie
+constexpr double kSameRadius = 1e-6; // mm: less is rounding
 constexpr double kHairpin = 0.75;    // of the least radius: what is tighter costs much
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
@@ -48,6 +50,12 @@ double undrawn(std::span<const double> ways, std::span<const Vec2> drawing, doub
 
 } // namespace
 
+void turn_round(LaidTurn& t) {
+    surface::curve::reverse(t.line);
+    std::swap(t.from, t.to);
+    std::swap(t.from_trim, t.to_trim);
+}
+
 Turner::Turner(const Surface& s, const Rows& rows, const Transits& transits, const Turning& o)
     : surface_(s), rows_(rows), transits_(transits), o_(o), normals_(surface::curve::vertex_normals(s)) {
     for (const Row& row : rows.rows) {
@@ -65,11 +73,25 @@ std::vector<LaidTurn> Turner::turns() const {
         for (std::uint32_t b = a + 1; b < n; ++b) {
             if (same_line(a, b)) {
                 const double l = surface::curve::length(transits_.along(a, b));
-                if (l > 0 && l <= o_.along) out.push_back({a, b, 0, 0, 0, l, {}});
+                if (l > 0 && l <= o_.along) out.push_back({a, b, 0, 0, 0, l, {}, false});
             } else if (a / 2 != b / 2 && near(a, b)) {
-                if (auto t = lay(a, b); t.line.size() > 1) out.push_back(std::move(t));
+                if (auto t = lay(a, b, 0); t.line.size() > 1) out.push_back(std::move(t));
             }
         }
+    return out;
+}
+
+std::vector<LaidTurn> Turner::deeper(const LaidTurn& outermost, double apart) const {
+    std::vector<LaidTurn> out{outermost};
+    const bool swapped = outermost.from > outermost.to;
+    const auto [a, b] = std::minmax(outermost.from, outermost.to);
+    for (double behind = apart; behind < kDeepestTurn * o_.least_radius; behind += apart) {
+        LaidTurn t = lay(a, b, behind);
+        if (t.line.size() < 2) break; // the rows are too short
+        if (t.radius < std::min(outermost.radius, o_.least_radius) - kSameRadius) continue;
+        if (swapped) turn_round(t);
+        out.push_back(std::move(t));
+    }
     return out;
 }
 
@@ -78,9 +100,13 @@ Line Turner::stretch(std::uint32_t in, double off_begin, double off_end) const {
     return surface::curve::part(inwards(in), w, off_begin, w.back() - off_end);
 }
 
+Line Turner::part(std::uint32_t in, double from, double to) const {
+    return surface::curve::part(inwards(in), ways_inwards(in), from, to);
+}
+
 LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
     const double most = kRunUp * o_.least_radius;
-    LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}};
+    LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}, false};
     Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
     surface::curve::reverse(line);
     for (const Line& l : stretches) surface::curve::append(line, l);
@@ -155,8 +181,8 @@ bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
 
-LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
-    LaidTurn out{a, b, 0, 0, 0, 0, {}};
+LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs) const {
+    LaidTurn out{a, b, 0, 0, 0, 0, {}, false};
     const Place pa = inwards(a).places[0], pb = inwards(b).places[0];
     const Vec3 sum =
         surface::curve::normal_at(surface_, normals_, pa) + surface::curve::normal_at(surface_, normals_, pb);
@@ -167,7 +193,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
-    const FlatTurn t = turn({first, second, bound}, kWider * o_.least_radius);
+    const FlatTurn t = turn({first, second, bound, behind}, kWider * o_.least_radius, bulbs);
     if (t.points.empty()) return out;
     out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
     out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
@@ -180,10 +206,11 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b) const {
     points.front() = flat.to(begin.point);
     points.back() = flat.to(end.point);
     auto laid = surface::curve::lay(surface_, flat, begin, points);
-    if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6) return out;
+    if (!laid.whole || distance(laid.line.places.back().point, end.point) > 1e-6)
+        return t.bulb ? lay(a, b, behind, false) : out;
     laid.line.places.back() = end;
     for (const Place& p : laid.line.places)
-        if (rows_.inset.room(surface_, p) < kRoom * rows_.inset.margin) return out;
+        if (rows_.inset.room(surface_, p) < kRoom * rows_.inset.margin) return t.bulb ? lay(a, b, behind, false) : out;
     out.line = std::move(laid.line);
     out.radius = t.radius;
     out.cost = t.length - out.from_trim - out.to_trim + (t.bulb ? kBulb : tightness(t.radius));

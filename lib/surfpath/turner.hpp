@@ -14,10 +14,13 @@ struct Turning {               // what is left out has no limit
     double least_radius = 2.4; // mm, of turns, where there is room
     double across = 1e300;     // mm: of ways straight over other rows, at most; rather than longer ones a cut
     double along = 1e300;      // mm: likewise, of ways along rims and other rows
+    bool staggered = true;     // turns lie behind each other; else all at the rim
 };
 
 // Turns are never tighter than those between neighbouring rows.
-inline Turning turning(double spacing, double least_radius) { return {spacing, std::max(least_radius, spacing / 2)}; }
+inline Turning turning(double spacing, double least_radius) {
+    return {.spacing = spacing, .least_radius = std::max(least_radius, spacing / 2)};
+}
 
 // From one end of a row to that of another; ends are numbered as in order.hpp.
 struct LaidTurn {
@@ -26,7 +29,11 @@ struct LaidTurn {
     double radius = 0;                 // mm, the least
     double cost = 0;                   // mm: what it adds to the path, and more for what is tight
     Line line;                         // from `from` to `to`; none yet for a way round a hole
+    bool eased = false;                // a way along rims or across, no turn
 };
+
+// The same the other way round.
+void turn_round(LaidTurn& t);
 
 class Turner {
   public:
@@ -36,11 +43,18 @@ class Turner {
     // The turns worth considering, by their ends; ways round holes among them, which join what is one line.
     [[nodiscard]] std::vector<LaidTurn> turns() const;
 
+    // The same turn at several depths behind the rim, the outermost first, `apart` mm from each other, as far as it
+    // stays as wide: down to two radii, where the rows of the outermost no longer turn.
+    [[nodiscard]] std::vector<LaidTurn> deeper(const LaidTurn& turn, double apart) const;
+
     // The way over `stretches` with its corners rounded; trims more than turns do.
     [[nodiscard]] LaidTurn eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const;
 
     // The row from the end `in` to its other end, with these lengths cut off.
     [[nodiscard]] Line stretch(std::uint32_t in, double off_begin, double off_end) const;
+
+    // The row from the end `in` inwards, from one way to another.
+    [[nodiscard]] Line part(std::uint32_t in, double from, double to) const;
 
   private:
     [[nodiscard]] const Port& port(std::uint32_t end) const;
@@ -50,7 +64,7 @@ class Turner {
     [[nodiscard]] Vec3 tangent(std::uint32_t end) const;
     [[nodiscard]] bool near(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
-    [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;
     [[nodiscard]] double tightness(double radius) const;
     [[nodiscard]] std::vector<double> turning(const Line& line, std::span<const double> ways) const;
 

@@ -30,22 +30,6 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorit
     return out;
 }
 
-Vec3 reference(const std::string& words) {
-    for (const auto& [name, axis] :
-         {std::pair("X", Vec3{1, 0, 0}), std::pair("Y", Vec3{0, 1, 0}), std::pair("Z", Vec3{0, 0, 1})})
-        if (words == name) return axis;
-    std::vector<double> xyz;
-    for (std::size_t at = 0; at <= words.size();) {
-        const std::size_t end = std::min(words.find(',', at), words.size());
-        xyz.push_back(parse_number(std::string_view(words).substr(at, end - at), "--reference"));
-        at = end + 1;
-    }
-    if (xyz.size() != 3 || !std::isfinite(norm(Vec3{xyz[0], xyz[1], xyz[2]})) ||
-        !(norm(Vec3{xyz[0], xyz[1], xyz[2]}) > 0))
-        throw Error(Exit::usage, "cannot use --reference '" + words + "'; say X, Y, Z or three numbers, as 1,0,0.5");
-    return {xyz[0], xyz[1], xyz[2]};
-}
-
 // What field is to follow; the angle alone if that is all that is said.
 filum::surfpath::field::Sources followed(const Options& o) {
     filum::surfpath::field::Sources out;
@@ -73,7 +57,7 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     };
     if (!used(Algorithm::ortheo)) idle({"min-length", "d-iso", "min-spacing"}, "ortheo");
     if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
-    if (!used(Algorithm::field)) idle({"follow", "angle", "reference"}, "field");
+    if (!used(Algorithm::field)) idle({"follow", "angle", "reference", "keep"}, "field");
     if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
         idle({"plane"}, "fina, fexa or ortheo");
     const bool rings = used(Algorithm::geo_fiso) || used(Algorithm::geo_contour);
@@ -82,6 +66,22 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
 }
 
 } // namespace
+
+geom::Vec3 reference(const std::string& words) {
+    for (const auto& [name, axis] :
+         {std::pair("X", Vec3{1, 0, 0}), std::pair("Y", Vec3{0, 1, 0}), std::pair("Z", Vec3{0, 0, 1})})
+        if (words == name) return axis;
+    std::vector<double> xyz;
+    for (std::size_t at = 0; at <= words.size();) {
+        const std::size_t end = std::min(words.find(',', at), words.size());
+        xyz.push_back(parse_number(std::string_view(words).substr(at, end - at), "--reference"));
+        at = end + 1;
+    }
+    if (xyz.size() != 3 || !std::isfinite(norm(Vec3{xyz[0], xyz[1], xyz[2]})) ||
+        !(norm(Vec3{xyz[0], xyz[1], xyz[2]}) > 0))
+        throw Error(Exit::usage, "cannot use --reference '" + words + "'; say X, Y, Z or three numbers, as 1,0,0.5");
+    return {xyz[0], xyz[1], xyz[2]};
+}
 
 void run(const Options& o, const cli::Io& io) {
     Options asked = o;

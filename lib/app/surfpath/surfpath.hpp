@@ -20,6 +20,9 @@ struct Options {
     baselines::kipping2022::Options paper;
 };
 
+// "X", "Y", "Z" or three numbers, "1,0,0.5", as a direction.  Throws Error(usage).
+geom::Vec3 reference(const std::string& words);
+
 // Reads surfaces, plans each, and writes one toolpath.  Warns of given options that no surface's algorithm uses.
 // Throws Error as the planners do.
 void run(const Options& options, const cli::Io& io);

@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -18,10 +19,15 @@ using Matrix = Eigen::SparseMatrix<double>; // symmetric, its lower triangle
 using Vector = Eigen::VectorXd;             // real and imaginary parts of each vertex
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTimes[] = {64, 16, 4, 1, 0.25}; // spacings squared, that the phase is diffused over
-constexpr int kDiffusions = 12;                   // of each
-constexpr double kRimParallel = 0.9;              // cosine of the angle to a rim from where on that attracts lines
-constexpr double kRimPull = 4;                    // how much, per mm of rim and spacing
+constexpr double kMost = 100; // of a slope squared over its triangle: slivers must not outweigh all else
+constexpr double kBegin =
+    kPi / 4; // rad: neither as from a line nor as between two: a patch may have an odd number or an even
+constexpr double kShortest = 0.25;   // spacings squared, that the phase is diffused over at last
+constexpr double kTimesFall = 16;    // from each such time to the next; the longest are as wide as the surface
+constexpr int kDiffusions = 12;      // of each
+constexpr double kBeside = 1e-6;     // rad: far above rounding, far below what can be laid
+constexpr double kRimParallel = 0.9; // cosine of the angle to a rim from where on that attracts lines
+constexpr double kRimPull = 4;       // how much, per mm of rim and spacing
 
 // From vertex a to vertex b: how the angle should grow, and whether it counts the other way round there.
 struct Step {
@@ -38,19 +44,61 @@ Step step(const Surface& s, const Cells& cells, std::span<const Vec3> along, dou
     return {w * (from + (flipped ? -to : to)) / 2, flipped};
 }
 
-// |psi_b - e^{i growth} psi_a|^2 summed over sides, by their conductance; of a flipped side the conjugate of psi_b.
-void add_sides(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w,
-               std::vector<Eigen::Triplet<double>>& to) {
-    for (const auto& side : cells.sides) {
-        const Step g = step(s, cells, along, w, side.a, side.b);
-        const int a = 2 * static_cast<int>(side.a), b = 2 * static_cast<int>(side.b);
-        const double c = side.conductance, x = c * std::cos(g.growth), y = c * std::sin(g.growth);
-        const double sign = g.flipped ? -1 : 1;
-        for (const int i : {a, a + 1, b, b + 1}) to.emplace_back(i, i, c);
-        to.emplace_back(b, a, -x);
-        to.emplace_back(b, a + 1, y);
-        to.emplace_back(b + 1, a, -sign * y);
-        to.emplace_back(b + 1, a + 1, -sign * x);
+using Turn = Eigen::Matrix2d;
+
+// What the phase at `k` is as seen from `root`, where it should be the same.
+Turn seen(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, std::uint32_t root,
+          std::uint32_t k) {
+    if (root == k) return Turn::Identity();
+    const Step g = step(s, cells, along, w, root, k);
+    const double x = std::cos(g.growth), y = std::sin(g.growth), sign = g.flipped ? -1 : 1;
+    Turn out;
+    out << x, sign * y, -y, sign * x;
+    return out;
+}
+
+// The direction of a triangle: the mean of its corners', of one sign; (0, 0, 0) where they cancel.
+Vec3 mean_direction(const Cells& cells, std::span<const Vec3> along, const surface::Triangle& c, const Vec3& n) {
+    Vec3 sum;
+    for (const std::uint32_t v : c) {
+        const Vec3 d = turned(along[v], cells.normal[v], n);
+        sum = sum + (dot(d, sum) < 0 ? -1.0 : 1.0) * d;
+    }
+    return geom::unit(sum - dot(sum, n) * n, {});
+}
+
+// Of the lower triangle.
+void add_block(std::uint32_t row, std::uint32_t column, const Turn& block, std::vector<Eigen::Triplet<double>>& to) {
+    for (int y = 0; y < 2; ++y)
+        for (int x = 0; x < 2; ++x)
+            if (row != column || y >= x)
+                to.emplace_back(2 * static_cast<int>(row) + y, 2 * static_cast<int>(column) + x, block(y, x));
+}
+
+// The slopes of psi over every triangle, squared, those along the lines `stiff` times: seen from each corner in turn.
+void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, double stiff,
+                   std::vector<Eigen::Triplet<double>>& to) {
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& c = s.triangles[t];
+        const Vec3 n = surface::normal(s, t), d = mean_direction(cells, along, c, n);
+        const double area = surface::area(s, t);
+        std::array<Vec3, 3> slope; // of the function that is 1 at a corner and 0 at the others
+        for (std::size_t k = 0; k < 3; ++k)
+            slope[k] = 1 / (2 * area) * cross(n, s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
+        double most = 0;
+        for (const Vec3& g : slope) most = std::max(most, area * norm2(g));
+        const double weight = area * std::min(1.0, kMost / most) / 3;
+        for (std::size_t r = 0; r < 3; ++r) {
+            std::array<Turn, 3> from;
+            for (std::size_t k = 0; k < 3; ++k) from[k] = seen(s, cells, along, w, c[r], c[k]);
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = 0; j < 3; ++j) {
+                    if (c[i] < c[j]) continue;
+                    const double k =
+                        weight * (dot(slope[i], slope[j]) + (stiff - 1) * dot(slope[i], d) * dot(slope[j], d));
+                    add_block(c[i], c[j], k * from[i].transpose() * from[j], to);
+                }
+        }
     }
 }
 
@@ -78,13 +126,18 @@ void scale(Vector& psi) {
     }
 }
 
+// The phase, but at least kBeside from a line: on which side a vertex lies must not depend on rounding, edge by edge.
+Complex beside_lines(const Complex& phase) {
+    return std::abs(phase.real()) < kBeside ? Complex{kBeside, phase.imag() < 0 ? -1.0 : 1.0} : phase;
+}
+
 } // namespace
 
-Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, double spacing) {
-    const double w = kPi / spacing;
+Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& o) {
+    const double spacing = o.spacing, w = kPi / spacing;
     const auto n = static_cast<Eigen::Index>(s.vertices.size());
     std::vector<Eigen::Triplet<double>> entries, mass;
-    add_sides(s, cells, along, w, entries);
+    add_triangles(s, cells, along, w, o.stiff, entries);
     add_rims(s, along, spacing, entries);
     Matrix energy(2 * n, 2 * n), area(2 * n, 2 * n);
     energy.setFromTriplets(entries.begin(), entries.end());
@@ -95,10 +148,15 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
     }
     area.setFromTriplets(mass.begin(), mass.end());
     Vector psi = Vector::Zero(2 * n);
-    for (Eigen::Index i = 0; i < 2 * n; i += 2) psi[i] = 1;
+    for (Eigen::Index i = 0; i < 2 * n; i += 2) {
+        psi[i] = std::cos(kBegin + kPi * o.shift);
+        psi[i + 1] = std::sin(kBegin + kPi * o.shift);
+    }
     Eigen::SimplicialLDLT<Matrix> factor;
     factor.analyzePattern(energy + area);
-    for (const double time : kTimes) {
+    double longest = kShortest;
+    while (longest * spacing * spacing * kTimesFall < cells.total) longest *= kTimesFall;
+    for (double time = longest; time >= kShortest; time /= kTimesFall) {
         factor.factorize(area + time * spacing * spacing * energy);
         if (factor.info() != Eigen::Success)
             throw Error(Exit::failure, "cannot lay stripes: the surface's triangles are too uneven; remesh it");
@@ -108,7 +166,7 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
         }
     }
     Stripes out;
-    for (Eigen::Index i = 0; i < 2 * n; i += 2) out.phase.emplace_back(psi[i], psi[i + 1]);
+    for (Eigen::Index i = 0; i < 2 * n; i += 2) out.phase.push_back(beside_lines({psi[i], psi[i + 1]}));
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t a = std::min(s.tail(h), s.head(h)), b = std::max(s.tail(h), s.head(h));
         const Step g = step(s, cells, along, w, a, b);

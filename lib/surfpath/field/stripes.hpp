@@ -18,14 +18,25 @@ struct Stripes {
     std::vector<char> flipped; // likewise: the other end counts the other way round
 };
 
-// Stripes whose lines run along `along`, `spacing` mm apart.  Least of |grad psi - i w psi|^2 over the area, |psi| = 1,
-// with w = pi / spacing across the direction: Knoppel, Crane, Pinkall, Schroeder 2015, "Stripe patterns on surfaces",
-// but with size 1 everywhere (threshold dynamics: diffuse, then scale to 1, for falling times), since eigenvectors die
-// out where directions spread, and what is left of them there says nothing.  Rims along which lines run attract the
-// middle between two lines, so that the last line is half a spacing from the rim.
-// The period holds two lines: where directions spread, lines are born in twos, joined by a turn, and none ever ends
-// within the surface.
-Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, double spacing);
+// How stripes share out what cannot be had: being off the direction by an angle costs as much as being off the spacing
+// by sqrt(stiff) times that share.
+inline constexpr double kEven = 1;
+inline constexpr double kTrue = 33; // half a degree is as bad as a twentieth of a spacing
+
+struct Striping {
+    double spacing = 1;   // mm
+    double shift = 0;     // of a spacing: lines lie that much beside where they would else, but those at rims
+    double stiff = kEven; // from 1 on
+};
+
+// Stripes whose lines run along `along`, one spacing apart.  Least of |grad psi - i w psi|^2 over the area, |psi| = 1,
+// with w = pi / spacing across the direction, slopes along it counting `stiff` times: Knoppel, Crane, Pinkall,
+// Schroeder 2015, "Stripe patterns on surfaces", but with size 1 everywhere (threshold dynamics: diffuse, then scale to
+// 1, for falling times), since eigenvectors die out where directions spread, and what is left of them there says
+// nothing.  Rims along which lines run attract the middle between two lines, so that the last line is half a spacing
+// from the rim. The period holds two lines: where directions spread, lines are born in twos, joined by a turn, and none
+// ever ends within the surface.
+Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& options);
 
 // Whether the angle does not come back to what it was, once round the triangle: there lines are born, or directions
 // have no sign that all three corners agree on.

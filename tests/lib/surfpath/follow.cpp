@@ -60,6 +60,18 @@ TEST(follow, a_plate_at_any_angle_is_one_path_of_straight_rows) {
     }
 }
 
+// Where there is no room for wide turns, lines turn at the strip's ends, not before.
+TEST(follow, a_narrow_strip_is_covered_to_its_ends) {
+    for (const double width : {3.0, 5.0}) {
+        const auto sheet = sheet_of(surface::grid(50, width, 50, static_cast<int>(width), [](geom::Vec2 p) {
+            return Vec3{p.x, p.y, 0};
+        }));
+        const Plan p = plan(sheet, field(0));
+        EXPECT_EQ(p.strokes.size(), 1U) << width;
+        EXPECT_GT(covered(sheet.surface, p), 0.97) << width;
+    }
+}
+
 TEST(follow, lines_alone_cover_all_and_nothing_twice) {
     const auto sheet = sheet_of(plate());
     Options o = field(25 * geom::kDegree);

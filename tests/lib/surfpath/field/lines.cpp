@@ -42,7 +42,7 @@ Laid laid(Surface s, const Sources& o, double spacing) {
     surface::Sheet sheet{std::move(s), {}, {}};
     const Cells cells = surface::directions::cells(sheet.surface);
     const auto d = smooth(sheet.surface, cells, wanted(sheet, cells, o), 0.2 * spacing, 2.4);
-    Laid out{sheet.surface, stripes(sheet.surface, cells, d.along, spacing), {}};
+    Laid out{sheet.surface, stripes(sheet.surface, cells, d.along, {.spacing = spacing}), {}};
     out.lines = lines(out.surface, out.stripes);
     return out;
 }
@@ -114,6 +114,19 @@ TEST(lines, part_the_vertices_by_the_sign_of_their_stripes) {
     }
 }
 
+// Along a strip of any width there are as many lines as fit best, an odd number as well as an even one, and also where
+// they lie just on rows of vertices.
+TEST(lines, along_a_strip_are_as_many_as_fit_best) {
+    for (const double width : {1.4, 2.0, 2.3, 3.0, 3.3, 4.0, 4.7, 5.0, 7.4, 11.2}) {
+        const auto mesh = surface::grid(30, width, 60, static_cast<int>(std::ceil(2 * width)), [](geom::Vec2 p) {
+            return Vec3{p.x, p.y, 0};
+        });
+        Notes notes;
+        const Laid l = laid(surface::connect(mesh, notes), angle(0), 1);
+        EXPECT_EQ(l.lines.size(), static_cast<std::size_t>(std::lround(width))) << width;
+    }
+}
+
 // A fan of 60 degrees from 20 to 50 mm: straight rays spread from 21 to 52 of them, so at least 15 pairs are born.
 TEST(lines, are_born_in_twos_where_directions_spread) {
     auto mesh = surface::grid(1, 30, 60, 40, [](geom::Vec2 p) {
@@ -130,7 +143,7 @@ TEST(lines, are_born_in_twos_where_directions_spread) {
     o.given = 1;
     const auto d = smooth(sheet.surface, cells, wanted(sheet, cells, o), 0.2, 2.4);
     EXPECT_LT(d.tightest, 0.01);
-    const auto all = lines(sheet.surface, stripes(sheet.surface, cells, d.along, 1));
+    const auto all = lines(sheet.surface, stripes(sheet.surface, cells, d.along, {}));
     std::size_t both = 0, outer = 0;
     for (const Line& l : all) {
         const bool a = norm(l[0]) < 21, b = norm(l[l.size() - 1]) < 21;

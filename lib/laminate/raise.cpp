@@ -1,0 +1,126 @@
+#include "laminate/raise.hpp"
+
+#include "parallel/parallel.hpp"
+#include "surface/curve/locate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace filum::laminate {
+
+namespace {
+
+using surface::curve::Locator;
+using surface::curve::Place;
+
+constexpr int kSteps = 20;             // towards the level, at most
+constexpr int kSpreads = 30;           // rounds of spreading folds, at most
+constexpr double kOnLevel = 1e-6;      // of the distance: as near as steps go
+constexpr double kOffLevel = 0.01;     // of the distance: more is told
+constexpr std::size_t kVertices = 512; // of a piece of work
+
+// `p` moved away from, or towards, the nearest place until that is `distance` mm off, on the side that it faces.
+Vec3 on_level(const Surface& s, const Locator& near, Vec3 p, double distance) {
+    for (int step = 0; step < kSteps; ++step) {
+        const Place foot = near.nearest(p);
+        const Vec3 off = p - foot.point, up = surface::normal(s, foot.triangle);
+        const bool above = dot(off, up) > 0;
+        const double d = above ? norm(off) : -norm(off);
+        if (std::abs(d - distance) <= kOnLevel * distance) break;
+        p = above ? foot.point + distance / d * off : foot.point + distance * up;
+    }
+    return p;
+}
+
+Vec3 across_triangle(const Surface& s, const std::vector<Vec3>& at, std::uint32_t t) {
+    const auto& c = s.triangles[t];
+    return cross(at[c[1]] - at[c[0]], at[c[2]] - at[c[0]]);
+}
+
+std::vector<char> folds(const Surface& s, const std::vector<Vec3>& at) {
+    std::vector<char> out(s.triangles.size(), 0);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+        out[t] = dot(across_triangle(s, at, t), surface::normal(s, t)) > 0 ? 0 : 1;
+    return out;
+}
+
+// Every inner corner of a fold and of its neighbours to the middle of those around it.
+bool spread(const Surface& s, const Locator& near, double distance, std::vector<Vec3>& at) {
+    const auto folded = folds(s, at);
+    std::vector<char> moves(s.vertices.size(), 0);
+    for (int ring = 0; ring < 2; ++ring) {
+        auto wider = moves;
+        for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+            const auto& c = s.triangles[t];
+            if (folded[t] != 0 || moves[c[0]] + moves[c[1]] + moves[c[2]] > 0)
+                for (const std::uint32_t v : c) wider[v] = 1;
+        }
+        moves.swap(wider);
+    }
+    if (std::none_of(moves.begin(), moves.end(), [](char m) { return m != 0; })) return false;
+    const std::vector<Vec3> old = at;
+    for (std::uint32_t v = 0; v < s.vertices.size(); ++v) {
+        if (moves[v] == 0 || s.on_rim(v)) continue;
+        Vec3 sum;
+        double n = 0;
+        surface::each_outgoing(s, v, [&](std::uint32_t h) {
+            sum = sum + old[s.head(h)];
+            ++n;
+        });
+        at[v] = on_level(s, near, 1 / n * sum, distance);
+    }
+    return true;
+}
+
+void judge(const Surface& s, const std::vector<Vec3>& at, const Locator& near, double distance, Raised& out) {
+    std::vector<char> close(s.vertices.size(), 0);
+    for (std::size_t v = 0; v < at.size(); ++v) {
+        const double off = distance - geom::distance(at[v], near.nearest(at[v]).point);
+        out.worst = std::max(out.worst, std::abs(off));
+        close[v] = off > kOffLevel * distance ? 1 : 0;
+    }
+    const auto folded = folds(s, at);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& c = s.triangles[t];
+        if (folded[t] != 0) {
+            if (!(out.folded > 0)) out.folded_at = s.vertices[c[0]];
+            out.folded += surface::area(s, t);
+        }
+        if (close[c[0]] + close[c[1]] + close[c[2]] > 0) {
+            if (!(out.blocked > 0)) out.blocked_at = s.vertices[c[0]];
+            out.blocked += surface::area(s, t);
+        }
+    }
+}
+
+} // namespace
+
+Raised raised(const Surface& s, double distance) {
+    Raised out{s, 0, 0, 0, {}, {}};
+    if (!(distance > 0)) return out;
+    const auto ways = surface::curve::vertex_normals(s);
+    const Locator near(s);
+    std::vector<Vec3> at(s.vertices.size());
+    parallel::for_chunks(at.size(), kVertices, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            at[v] = on_level(s, near, s.vertices[v] + distance * ways[v], distance);
+    });
+    for (int round = 0; round < kSpreads && spread(s, near, distance, at); ++round) {
+    }
+    judge(s, at, near, distance, out);
+    out.surface.vertices = std::move(at);
+    return out;
+}
+
+Surface turned_over(const Surface& s) {
+    // The corners (a, b, c) become (a, c, b): half-edge k of a triangle becomes 2 - k.
+    const auto other = [](std::uint32_t h) { return h == surface::kNone ? h : h / 3 * 3 + 2 - h % 3; };
+    auto triangles = s.triangles;
+    for (auto& t : triangles) std::swap(t[1], t[2]);
+    std::vector<std::uint32_t> twin(s.twin.size());
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) twin[other(h)] = other(s.twin[h]);
+    return surface::assemble(s.vertices, std::move(triangles), std::move(twin));
+}
+
+} // namespace filum::laminate

@@ -1,0 +1,56 @@
+#!/usr/bin/env bats
+# Plies on each other, from a table to a map.
+
+load common
+
+setup() {
+    cd "$BATS_TEST_TMPDIR" || exit 1
+    awk 'BEGIN { # a shallow dome of 16 x 16 mm
+        n = 16
+        printf "OFF\n%d %d 0\n", (n + 1) * (n + 1), 2 * n * n
+        for (j = 0; j <= n; j++) for (i = 0; i <= n; i++)
+            printf "%d %d %.6f\n", i, j, sqrt(1600 - (i - 8) ^ 2 - (j - 8) ^ 2) - 40
+        for (j = 0; j < n; j++) for (i = 0; i < n; i++) {
+            a = j * (n + 1) + i
+            printf "3 %d %d %d\n3 %d %d %d\n", a, a + 1, a + n + 2, a, a + n + 2, a + n + 1
+        }
+    }' > dome.off
+    geodesic dome.off > dome.surface
+}
+
+figure() { awk -F '\t' -v key="$1" '$1 == key { print $2 }' dome.tsv; }
+
+@test "a table of plies becomes one toolpath, a layer per ply, with a map and figures of each" {
+    printf '# angle from X\nangle height side\n0 0.3 over\n90 0.3 over\n0 0.2 under\n' > plies.txt
+    laminate --table plies.txt --spacing 2 --min-radius 1 --map dome.map dome.surface --output dome.toolpath 2> said
+    grep -q 'stack is not symmetric' said
+    metrics --surface dome.surface --format tsv dome.toolpath > dome.tsv
+    [ "$(figure plies)" = 3 ]
+    [ "$(figure said.laminate.thickness_nominal)" = 0.8 ]
+    awk -v t="$(figure said.laminate.thickness_mean)" 'BEGIN { exit !(t > 0.68 && t < 0.92) }'
+    for k in 1 2 3; do
+        awk -v a="$(figure said.laminate.ply.$k.angle_median)" 'BEGIN { exit !(a != "" && a < 0.5) }'
+    done
+    peek --check dome.map
+    peek --text dome.map > text
+    for field in thickness thickness-even fibre-volume ply-1.passes ply-3.amount ply-2.deviation; do grep -q "$field" text; done
+    render dome.map --output dome.vtp
+    grep -q 'Name="ply-3.deviation"' dome.vtp
+}
+
+@test "plies over the surface lie over it, those under it under it" {
+    printf 'angle height side\n0 0.5 over\n0 0.5 over\n0 0.5 under\n0 0.5 under\n' > plies.txt
+    laminate --table plies.txt --spacing 2 --min-radius 1 dome.surface --output dome.toolpath 2> said
+    ! grep -q 'stack is not' said
+    metrics --surface dome.surface --format tsv dome.toolpath > dome.tsv
+    [ "$(figure plies)" = 4 ]
+}
+
+@test "wrong tables and lists are refused with what is wrong" {
+    printf 'angle side\n0 left\n' > plies.txt
+    expect 3 laminate --table plies.txt dome.surface
+    [[ $err == *"line 2"*"'over' or 'under'"* ]]
+    expect 5 laminate --table none.txt dome.surface
+    expect 2 laminate --plies 0,x dome.surface
+    expect 2 laminate --plies 0 --reference 0,0,0 dome.surface
+}

@@ -1,0 +1,108 @@
+#include "laminate/laminate.hpp"
+
+#include "../surface/grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace filum::laminate {
+namespace {
+
+using geom::Vec2;
+
+constexpr Ply kWide{.spacing = 2}; // fewer lines, less to do
+
+Options narrow() { // turns, so that lines are more than turns
+    Options out;
+    out.least_radius = 1;
+    return out;
+}
+
+surface::Sheet sheet(const std::function<Vec3(Vec2)>& lift) {
+    Notes notes;
+    return {surface::connect(surface::grid(20, 24, 20, 24, lift), notes), {}, {}};
+}
+
+surface::Sheet flat() {
+    return sheet([](Vec2 p) { return Vec3{p.x, p.y, 0}; });
+}
+
+double fact(const Laminate& l, const std::string& name) {
+    for (const Fact& f : l.facts)
+        if (f.name == name) return f.value;
+    ADD_FAILURE() << name;
+    return -1;
+}
+
+TEST(laminate, is_as_thick_as_its_beads_are_much) {
+    const auto plies = plies_of("0,90", Ply{.spacing = 2, .height = 0.25}, false);
+    const auto made = laminate(flat(), plies, narrow(), 1);
+    double volume = 0, area = 0;
+    for (const Laid& l : made.plies)
+        for (const auto& stroke : l.plan.strokes)
+            for (const auto& piece : stroke.pieces) volume += surface::curve::length(piece.line) * l.width * l.height;
+    for (const double a : made.map.area) area += a;
+    EXPECT_NEAR(area, 480, 1e-6);
+    // What hangs over the rim, and passes of a bead that are one by being near along it, are not in the map.
+    EXPECT_NEAR(fact(made, "thickness-mean"), volume / area, 0.02 * volume / area);
+    EXPECT_EQ(fact(made, "thickness-nominal"), 0.5);
+    EXPECT_GE(fact(made, "thickness-most"), fact(made, "even-most"));
+    EXPECT_LE(fact(made, "thickness-least"), fact(made, "even-least"));
+    for (std::size_t v = 0; v < made.map.thickness.size(); ++v)
+        EXPECT_EQ(made.map.thickness[v], 0.25 * (made.map.plies[0].passes[v] + made.map.plies[1].passes[v]));
+}
+
+TEST(laminate, lines_run_at_their_angles_on_both_sides) {
+    auto plies = plies_of("30,30", kWide, false);
+    plies[1].under = true;
+    const auto made = laminate(flat(), plies, narrow(), 1);
+    for (const std::size_t k : {0U, 1U}) {
+        double along = 0, all = 0; // by hand: the part of the length along 30 degrees from x, seen from above
+        for (const auto& stroke : made.plies[k].plan.strokes)
+            for (const auto& piece : stroke.pieces)
+                for (std::size_t i = 1; i < piece.line.size(); ++i) {
+                    const Vec3 way = piece.line[i] - piece.line[i - 1];
+                    const double c = std::abs(way.x * std::sqrt(0.75) + way.y * 0.5) / std::max(norm(way), 1e-12);
+                    all += norm(way);
+                    along += c > 0.99 ? norm(way) : 0;
+                }
+        EXPECT_GT(along, 0.6 * all) << k;
+        EXPECT_LT(fact(made, "ply." + std::to_string(k + 1) + ".angle-median"), 0.5);
+    }
+}
+
+TEST(laminate, plies_lie_on_each_other) {
+    const auto tube = sheet([](Vec2 p) { return Vec3{12 * std::cos(p.x / 12), 12 * std::sin(p.x / 12), p.y}; });
+    const auto plies = plies_of("0,90", Ply{.spacing = 2, .height = 0.4}, false);
+    Options o = narrow();
+    o.reference = {0, 0, 1};
+    const auto made = laminate(tube, plies, o, 2);
+    std::vector<toolpath::Span> spans;
+    add_spans(made, plies, o, 0, spans);
+    for (const auto& span : spans) {
+        if (!toolpath::extrudes(span.role)) continue;
+        for (const Vec3& p : span.points) EXPECT_NEAR(std::hypot(p.x, p.y), 12 + 0.4 * span.layer, 0.02) << span.layer;
+    }
+    EXPECT_EQ(spans.back().layer, 1U);
+    EXPECT_EQ(fact(made, "unsymmetric"), 2);
+    const auto map = sheet_of(made, "tube");
+    EXPECT_EQ(map.fields.size(), 3 + 3 * plies.size());
+}
+
+TEST(laminate, is_the_same_for_any_number_of_threads) {
+    const auto plies = plies_of("0,45", kWide, false);
+    const auto a = laminate(flat(), plies, narrow(), 1), b = laminate(flat(), plies, narrow(), 8);
+    EXPECT_EQ(a.map.thickness, b.map.thickness);
+    EXPECT_EQ(a.map.even, b.map.even);
+}
+
+TEST(laminate, tells_a_stack_that_warps) {
+    const auto made = laminate(flat(), plies_of("0,45", kWide, false), narrow(), 1);
+    std::size_t told = 0;
+    for (const Note& n : made.notes) told += n.what.starts_with("stack is not") ? 1 : 0;
+    EXPECT_EQ(told, 2U);
+}
+
+} // namespace
+} // namespace filum::laminate
