@@ -3,7 +3,7 @@
 
 # Folders of which each program takes what it needs: compiled as one file they would bring all they stand on, such as
 # CGAL to every program that reads a stream.
-set(FILUM_APART baselines/sun2019 mesh surface)
+set(FILUM_APART baselines/sun2019 mesh plate surface)
 
 function(filum_libraries)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/lib/LAYERS)

@@ -103,7 +103,15 @@ make_inputs() {
 }
 
 # fact COMMAND KEY: the rest of that line of the command's contract.
-fact() { sed -n "s/^$2 //p" "$BATS_FILE_TMPDIR/contracts/$1" | head -n 1; }
+fact() {
+    local line
+    while IFS= read -r line; do
+        if [[ $line == "$2 "* ]]; then
+            echo "${line#"$2 "}"
+            return
+        fi
+    done < "$BATS_FILE_TMPDIR/contracts/$1"
+}
 
 # The file of make_inputs that the command reads; nothing for a command that reads none.
 input_of() {
@@ -131,10 +139,20 @@ for_each_input() {
 
 # flip FILE OFFSET: inverts one byte.
 flip() {
-    local byte
-    byte=$(od -An -tu1 -j "$2" -N 1 "$1" | tr -d ' ')
+    local byte octal
+    byte=$(od -An -tu1 -j "$2" -N 1 "$1")
+    printf -v octal %o $((byte ^ 255))
     # shellcheck disable=SC2059
-    printf "\\$(printf %o $((byte ^ 255)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+    printf "\\$octal" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+}
+
+# text_of NAME FILE: the variable becomes the file's text up to a zero byte, without line ends behind it.  Nothing is
+# started for that: the contract asks a thousand times.
+text_of() {
+    local text
+    IFS= read -r -d '' -n 10000 text < "$2" || true
+    while [[ $text == *$'\n' ]]; do text=${text%$'\n'}; done
+    printf -v "$1" %s "$text"
 }
 
 # expect CODE COMMAND...: runs it, keeps its output in $out and $err, complains unless it ends so.  CODE may be '3|4'.
@@ -142,8 +160,8 @@ expect() {
     local want=$1 code=0
     shift
     "$@" > "$BATS_TEST_TMPDIR/out" 2> "$BATS_TEST_TMPDIR/err" || code=$?
-    out=$(head -c 10000 "$BATS_TEST_TMPDIR/out" | tr -d '\0')
-    err=$(cat "$BATS_TEST_TMPDIR/err")
+    text_of out "$BATS_TEST_TMPDIR/out"
+    text_of err "$BATS_TEST_TMPDIR/err"
     if [[ ! $code =~ ^($want)$ ]]; then
         echo "expected $want, got $code: $*"
         echo "stderr: $err"
@@ -153,7 +171,7 @@ expect() {
 
 # complaint NAME: standard error is one line in the house's grammar.
 complaint() {
-    if [[ $(wc -l <<< "$err") -ne 1 || ! $err =~ ^$1:\ [^A-Z].*[^.]$ ]]; then
+    if [[ $err == *$'\n'* || ! $err =~ ^$1:\ [^A-Z].*[^.]$ ]]; then
         echo "no proper complaint of $1: $err"
         return 1
     fi

@@ -84,13 +84,15 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
         in=$(input_of "$c")
         size=$(stat -c %s "$in")
         borders=$(peek --frames "$in" | cut -d ' ' -f 1 | awk 'NR <= 3 || NR % 4 == 0' | head -n 6)
-        for at in 7 15 16 $borders $((size - 9)) $((size - 1)); do
+        places=(7 15 16 $borders $((size - 9)) $((size - 1)))
+        [[ -z ${FILUM_SANITIZED:-} ]] || places=(16 "${borders%%$'\n'*}" $((size - 9))) # these take five times as long
+        for at in "${places[@]}"; do
             for cut in "$at" $((at + 3)); do
                 [[ $cut -lt $size ]] || continue
                 head -c "$cut" "$in" > cut.stream
                 expect 4 "$c" cut.stream --output result
                 complaint "$c"
-                [[ ! -e result && -z $(ls ./*.part* 2> /dev/null) ]] || { echo "$c left a file"; ls; false; }
+                [[ ! -e result ]] && ! compgen -G './*.part*' > /dev/null || { echo "$c left a file"; ls; false; }
             done
         done
     done
@@ -100,7 +102,9 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
     for c in $(stream_readers); do
         in=$(input_of "$c")
         size=$(stat -c %s "$in")
-        for at in 0 5 12 15 17 19 25 $((size / 3)) $((size / 2)) $((size * 3 / 4)) $((size - 14)) $((size - 8)) $((size - 1)); do
+        places=(0 5 12 15 17 19 25 $((size / 3)) $((size / 2)) $((size * 3 / 4)) $((size - 14)) $((size - 8)) $((size - 1)))
+        [[ -z ${FILUM_SANITIZED:-} ]] || places=(12 19 $((size / 3)) $((size * 3 / 4)) $((size - 8)))
+        for at in "${places[@]}"; do
             cp "$in" flipped.stream
             flip flipped.stream "$at"
             expect '3|4' "$c" flipped.stream --output result
@@ -118,16 +122,22 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
     done
 }
 
+# told_of COMMAND: options in calm, with which nothing is told of the disc of make_inputs: it has no room for wide turns.
+told_of() {
+    calm=()
+    [[ $1 != surfpath ]] || calm=(--min-radius 0)
+    [[ $1 != laminate ]] || calm=(--quiet) # bare and doubled places of four plies, besides
+}
+
 @test "success is quiet, and a file or standard input give the same bytes for 1, 2 and 8 threads" {
     sound_only
     for c in $(readers); do
         in=$(input_of "$c")
-        sharp=() # tight turns are told
-        [[ $c == surfpath ]] && sharp=(--min-radius 0)
-        expect 0 "$c" "$in" "${sharp[@]}" --threads 1 --output one
+        told_of "$c"
+        expect 0 "$c" "$in" "${calm[@]}" --threads 1 --output one
         [[ -z $err && -z $out ]] || { echo "$c: $err"; false; }
         for threads in 2 8; do
-            "$c" "${sharp[@]}" --threads $threads < "$in" > other
+            "$c" "${calm[@]}" --threads $threads < "$in" > other
             cmp one other || { echo "$c with $threads threads"; false; }
         done
         rm -f one other
@@ -186,9 +196,8 @@ sound_only() { [[ -z ${FILUM_SANITIZED:-} ]] || skip "the same programs as witho
 @test "a reader that leaves ends a command quietly" {
     sound_only
     for c in $(readers); do
-        sharp=()
-        [[ $c == surfpath ]] && sharp=(--min-radius 0)
-        "$c" "${sharp[@]}" "$(input_of "$c")" 2> err | head -c 10 > /dev/null || true
+        told_of "$c"
+        "$c" "${calm[@]}" "$(input_of "$c")" 2> err | head -c 10 > /dev/null || true
         [[ ! -s err ]] || { echo "$c: $(cat err)"; false; }
     done
 }

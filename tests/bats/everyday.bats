@@ -30,6 +30,14 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     [[ $(wc -l < directions) == 2 ]]
 }
 
+@test "concentric lines lie at one place in all layers, and make one stroke with the walls" {
+    skins --infill-pattern concentric large.regions | sequence | fill > rings.paths
+    [[ $(peek rings.paths | value infill-share) =~ ^1[45] ]]
+    peek --text rings.paths | { ! grep 'not joined'; }
+    link3d --quiet rings.paths -o rings.toolpath
+    [[ $(metrics --format tsv rings.toolpath | awk '$2 == "strokes" || $1 == "strokes" { print; exit }') =~ [[:space:]]1([[:space:]]|$) ]]
+}
+
 @test "--infill 100% is the solid part, byte for byte but for the history" {
     frames() { peek --json | sed 's/"history".*"frames"/"frames"/'; }
     sequence large.regions | fill | peek --text | sed '1,/^paths/{/^paths/!d}' > solid
@@ -76,8 +84,11 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     [ -s table.gcode ]
     slice table.stl | regions -o hanging.regions
     peek --text hanging.regions | grep -q "^note stage regions what 'material in mid-air"
+    skins hanging.regions | supports --support --beside 0.4 | peek --text > whole.text
+    [[ $(grep -c 'mid-air' whole.text) == 0 ]] # it hangs no more
     skins hanging.regions | supports --support -o table.regions
-    [[ $(peek --text table.regions | grep -c 'mid-air') == 0 ]] # it hangs no more
+    peek --text table.regions | grep 'mid-air' > beside
+    grep -q '^note stage supports .*longest bridge 1[. ]' beside # from the legs to the columns
     sequence table.regions | fill | link3d --quiet -o table.toolpath
     peek --text table.toolpath > table.text
     grep -q 'feature support' table.text
@@ -88,8 +99,60 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     [[ $(awk '/^span role travel/ { n++ } END { print n + 1 }' table.text) -le 10 ]]
 }
 
+@test "a lid over a cup is laid in rows along its shorter side, in one stroke" {
+    boxes cup.stl 0,0,0,20,14,1 0,0,1,2,14,3 18,0,1,20,14,3 2,0,1,18,2,3 2,12,1,18,14,3 0,0,3,20,14,4
+    slice cup.stl | regions --quiet | skins -o cup.regions
+    [[ $(peek --text cup.regions | grep -c 'area kind bridge.* direction 1.570796 ') == 1 ]]
+    sequence cup.regions | fill | link3d -o cup.toolpath
+    peek --text cup.toolpath | awk '/^span/ { inside = / feature bridge /; n = 0; strokes += / role travel / }
+        /^ / { if (inside && n++) { u += ($1 - x) ^ 2 > ($2 - y) ^ 2 ? sqrt(($1 - x) ^ 2) : 0; v += sqrt(($2 - y) ^ 2) }
+               x = $1; y = $2 }
+        END { exit !(v > 16 * 10 / 0.4 && u < 0.1 * v && strokes == 0) }'
+    filum print cup.stl --infill 15% --quiet --machine marlin --set feeds.bridge=11 -o cup.gcode
+    grep -q ';TYPE:Bridge infill' cup.gcode
+    grep -q 'F660$' cup.gcode
+}
+
+# hanging: mm2 that hang in the air, as the stream on standard input tells it.
+hanging() { peek --text | sed -n "s/^note .*'material in mid-air[^']*' amount \([0-9.]*\).*/\1/p"; }
+
+@test "what supports leave in the air is told" {
+    # on the bed only: over a block none stand
+    boxes over.stl 0,0,0,4,4,4 16,0,0,20,4,4 7,0,0,13,4,2 0,0,4,20,4,5
+    slice over.stl | regions --quiet -o over.regions
+    local all anywhere bed steps
+    all=$(hanging < over.regions)
+    anywhere=$(supports --support --quiet over.regions | hanging)
+    bed=$(supports --support --support-on bed --quiet over.regions | hanging)
+    awk -v all="$all" -v anywhere="$anywhere" -v bed="$bed" 'BEGIN { exit !(anywhere < 6 && bed > 24 && bed < all) }'
+    # stairs that lean by 72 degrees, carried from 80 degrees on: as if there were no supports
+    mapfile -t steps < <(for k in {0..9}; do awk -v k="$k" 'BEGIN { print "0,0," 0.2 * k "," 5 + 0.6 * k ",8,3" }'; done)
+    boxes stairs.stl "${steps[@]}"
+    slice stairs.stl | regions --quiet -o stairs.regions
+    hanging < stairs.regions > before
+    supports --support --support-angle 80 --quiet stairs.regions | hanging > after
+    [ -s before ]
+    cmp before after
+    # carried, but for the first step and the last, where there is no room for a column
+    supports --support --support-angle 60 --beside 0.2 --quiet stairs.regions | hanging > after
+    awk 'NR == FNR { before = $1; next } { exit !($1 * 9 < before * 2.1) }' before after
+}
+
 @test "a brim and a skirt are laid with the first layer only" {
     slice part.stl | regions | supports --brim 3 --skirt 2 | sequence | fill | link3d --quiet | peek --text > brim.text
     grep -q 'feature skirt' brim.text
     ! grep 'feature skirt' brim.text | grep -qv 'layer 0 '
+}
+
+@test "a raft is laid first, and the part on it" {
+    slice part.stl | regions --quiet | skins --quiet | supports --raft 3 --quiet -o raft.regions
+    sequence raft.regions | fill | link3d --quiet -o raft.toolpath
+    peek --text raft.toolpath > raft.text
+    # layers 0 to 2 are raft, 3 is left out, 4 to 8 are the part
+    awk '/^span role bead/ { raft = / feature (support|interface) /; for (i = 1; i < NF; i++) if ($i == "layer") layer = $(i + 1)
+             if (raft != (layer < 3) || layer == 3 || (raft && part)) exit 1
+             part = part || !raft; if (layer > last) last = layer }
+         END { exit last != 8 }' raft.text
+    expect 2 supports --raft 3 --beside 2 raft.regions
+    complaint supports
 }

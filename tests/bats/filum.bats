@@ -66,7 +66,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     expect 2 filum print part.stl --no-such-option 3
     complaint filum
     expect 2 filum print part.stl --slice.pattern spiral
-    expect 2 filum print part.stl other.stl
+    expect 5 filum print part.stl other.stl
     expect 2 filum print part.stl --layer-height
     expect 2 filum print part.stl -o
     expect 2 filum print part.stl --layer-height=-1
@@ -204,7 +204,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     expect 2 fill part.stl --line-width 0.5
     [[ $err == *"here it is '--bead-width'"* ]]
     expect 2 postproc part.stl --print-speed 80
-    [[ $err == *"here it is '--set feeds.bead=50'"* ]]
+    [[ $err == *"here it is '--set feeds.bead=N'"* ]]
     expect 2 fill --fill-pattern zigzag part.stl
     [[ $err == *"here it is '--pattern'"* ]]
     expect 2 filum print part.stl --export-gcode x
@@ -288,5 +288,5 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     said "--pattern scaffold" filum fill --spacing 1 part.layers
     said "did you mean 'slice'?" filum slcie part.stl
     said "at least" slice --layer-height 0 part.stl
-    said "see 'slice --help'" slice part.stl other.stl
+    said "see 'regions --help'" regions part.layers other.layers
 }

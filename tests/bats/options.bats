@@ -19,6 +19,7 @@ setup() {
 make_more_inputs() {
     boxes two.stl 0,0,0,5,5,4 7,0,0,12,5,4   # columns beside each other
     boxes apart.stl 0,0,0,5,5,1 5.01,0,0,9,5,1 # a hairline apart
+    boxes frame.stl 0,0,0,9,2,1 0,7,0,9,9,1 0,2,0,2,7,1 7,2,0,9,7,1 # round a hole
     boxes thin.stl 0,0,0,12,0.3,1            # a wall thinner than a bead
     boxes neck.stl 0,0,0,4,4,1 4,1.8,0,8,2.2,1 8,0,0,12,4,1 0,0,1,4,4,2 3.9,0,1,4.1,0.3,2 # a narrow way between
     boxes ledge.stl 0,0,0,20,12,0.6 0,0,0,4,12,4 0,0,3,14,12,4 # overhangs its own foot
@@ -53,6 +54,7 @@ make_more_inputs() {
     stressfield --stress stress.csv --case X --tangent --reach 9 fine.surface --output fine.stress 2> /dev/null
     geodesic round.off --output round.surface
     printf '1 1 0\n14 1 0\n' > lines.txt
+    printf 'angle side\n30 over\n30 under\n' > plies.txt
 }
 
 # without_triangles N: an OFF file without its last ones.

@@ -61,7 +61,7 @@ void keep_wished(const std::vector<std::string>& words, Request& request, std::v
 }
 
 std::string print_help(const std::vector<Stage>& stages) {
-    std::string out = "usage: filum print [OPTIONS] [MESH]\n\n"
+    std::string out = "usage: filum print [OPTIONS] [MESH...]\n\n"
                       "Runs the planar chain, all stages at once, and writes machine code:\n\n   ";
     for (const auto& s : stages) {
         out += &s == stages.data() ? " " : " | ";
@@ -71,6 +71,7 @@ std::string print_help(const std::vector<Stage>& stages) {
         "\n\nA stage in brackets takes part where an option is given that it alone has.\nAn option goes to every stage "
         "that has it; --STAGE.OPTION goes to that stage alone and wins there.\n"
         "--machine also tells the stages before whose head to keep clear of, unless --head says another.\n"
+        "Several parts, or --copies, are packed on one bed; see filum help slice.\n"
         "On a terminal it shows the slowest stage, and at the end in five lines what was made; the same lines stand\n"
         "first in the program.\n"
         "If a stage fails, the exit code is its own, and no file appears.\n\n"
@@ -128,8 +129,11 @@ std::vector<Command> commands_of(const Request& request, const std::vector<Stage
         Command command{stages[i].program};
         command.insert(command.end(), request.arguments[i].begin(), request.arguments[i].end());
         if (i + 1 == stages.size() && request.output != "-") command.push_back("--output=" + request.output);
-        if (i == 0 && request.input.starts_with("-") && request.input != "-") command.emplace_back("--");
-        if (i == 0 && request.input != "-") command.push_back(request.input);
+        if (i == 0 && request.inputs != std::vector<std::string>{"-"}) {
+            const auto dashed = [](const std::string& name) { return name.starts_with("-"); };
+            if (std::any_of(request.inputs.begin(), request.inputs.end(), dashed)) command.emplace_back("--");
+            command.insert(command.end(), request.inputs.begin(), request.inputs.end());
+        }
         out.push_back(std::move(command));
     }
     return out;
@@ -195,7 +199,7 @@ int print_part(const std::vector<std::string>& typed) {
     std::vector<Stage> stages;
     for (const char* name : kPlanar) stages.push_back(ask(name));
     if (!typed.empty() && (typed[0] == "--help" || typed[0] == "-h")) return tell(print_help(stages));
-    const Translated ours = in_our_words(typed, stages);
+    const Translated ours = translated(typed, stages);
     const auto& words = ours.words;
     swap(words, stages);
     Request request = route(words, stages);
@@ -220,7 +224,8 @@ int print_part(const std::vector<std::string>& typed) {
     if (!request.picture.empty()) kept.draw({}, request.picture);
     if (!request.report.empty()) {
         const std::string machine = value_in(request.arguments.back(), "machine", "");
-        kept.report(request.input == "-" ? "part" : request.input, machine, request.report);
+        const bool named = request.inputs.size() == 1 && request.inputs[0] != "-";
+        kept.report(named ? request.inputs[0] : request.inputs.size() > 1 ? "plate" : "part", machine, request.report);
     }
     if (talks) std::cerr << kept.told(request.output) << std::flush;
     return 0;

@@ -160,7 +160,7 @@ std::string* own_option(const std::string& word, Request& to) {
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Request out;
     std::vector<Given> given(stages.size());
-    bool has_input = false, names_only = false;
+    bool names_only = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
         const auto next = [&]() -> const std::string& {
@@ -189,11 +189,10 @@ Request route(const std::vector<std::string>& words, const std::vector<Stage>& s
             if (!give(split(typed), stages, given, i, words)) unknown(split(typed), typed, stages);
         } else if (option) {
             unknown({"", word.substr(1), {}}, word, stages);
-        } else if (has_input || word.empty()) {
-            throw Error(Exit::usage, "unexpected argument '" + word + "'" + kSee);
+        } else if (word.empty()) {
+            throw Error(Exit::usage, std::string("cannot use '' as a part: it is no file name") + kSee);
         } else {
-            out.input = word;
-            has_input = true;
+            out.inputs.push_back(word);
         }
     }
     hand_on_machine(stages, given);

@@ -10,7 +10,8 @@ namespace filum::app::filum {
 
 // What `filum print` was asked to do.
 struct Request {
-    std::string input = "-", output = "-";
+    std::vector<std::string> inputs; // several are made together; none: standard input
+    std::string output = "-";
     std::string keep;            // folder for the streams of all stages
     std::string picture, report; // files
     bool dry_run = false;        // show the pipeline only
@@ -28,7 +29,7 @@ struct Request {
 // stage.
 // --machine also names the head of each stage that has a --head and is not given one.  Options
 // take their value behind a space or a '='; behind "--" all are names.  Throws Error(usage) for options that no stage
-// has, values that are missing, and a second input.
+// has, values that are missing.
 Request route(const std::vector<std::string>& words, const std::vector<Stage>& stages);
 
 } // namespace filum::app::filum

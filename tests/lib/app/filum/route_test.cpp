@@ -18,7 +18,7 @@ TEST(route, options_go_to_all_that_have_them_own_ones_last) {
     const auto r =
         route({"--fill.height=2", "part.stl", "--height", "-1", "--fast", "--width=0.4", "-o", "x"}, kStages);
     EXPECT_EQ(r.arguments, (Lists{{"--height=-1", "--fast"}, {"--height=-1", "--width=0.4", "--height=2"}}));
-    EXPECT_EQ(r.input, "part.stl");
+    EXPECT_EQ(r.inputs, std::vector<std::string>{"part.stl"});
     EXPECT_EQ(r.output, "x");
 }
 
@@ -49,9 +49,9 @@ TEST(route, an_option_for_all_goes_where_it_does_something) {
 }
 
 TEST(route, behind_two_dashes_all_are_names) {
-    EXPECT_EQ(route({"--", "--fast"}, kStages).input, "--fast");
-    EXPECT_EQ(route({"--fast", "--", "-o"}, kStages).input, "-o");
-    EXPECT_THROW(route({"--", "a", "b"}, kStages), Error);
+    EXPECT_EQ(route({"--", "--fast"}, kStages).inputs, std::vector<std::string>{"--fast"});
+    EXPECT_EQ(route({"--fast", "--", "-o"}, kStages).inputs, std::vector<std::string>{"-o"});
+    EXPECT_EQ(route({"a", "--", "--b", "c"}, kStages).inputs, (std::vector<std::string>{"a", "--b", "c"}));
 }
 
 TEST(route, suggests_what_was_meant) {
@@ -75,7 +75,7 @@ TEST(route, refuses_what_is_nobodys) {
                                                                    {"--other.width=1"},
                                                                    {"--height"},
                                                                    {"-o"},
-                                                                   {"a", "b"},
+                                                                   {"a", ""},
                                                                    {"-x"},
                                                                    {""},
                                                                    {"--fill.output=x"}}) {
