@@ -73,7 +73,10 @@ TEST(follow, straight_strokes_keep_the_spin) {
     Random random;
     const Carried c{irb(), kTool, true, 5 * kDegree};
     for (int i = 0; i < 40; ++i) {
-        const auto place = [&] { return down(random(800, 1300), random(-400, 400), random(100, 600)); };
+        const auto place = [&] {
+            const geom::Vec3 at{random(800, 1300), random(-400, 400), random(100, 600)};
+            return down(at.x, at.y, at.z);
+        };
         const auto stands = line(place(), place(), 30);
         const auto f = kinematics::follow(c, stands, {kReady, 0, true});
         expect_followed(c, stands, f, "line");

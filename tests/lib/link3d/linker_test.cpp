@@ -23,9 +23,11 @@ TEST(Linker, ClimbsFromAnyCurveToAnyOther) {
         Random random{seed};
         std::vector<std::vector<Curve>> layers;
         for (int i = 0; i < 12; ++i) {
-            const Curve c = random() < 0.5
-                                ? rings({4 + random(), 4 + random()}, 3 + random(), 6 + static_cast<int>(2 * random()))
-                                : comb({2 + random(), 2 + random()}, 4 + random(), 12, 0.3 * random());
+            const bool round = random() < 0.5;
+            const Vec2 at{random(), random()};
+            const double size = random(), rest = random();
+            const Curve c = round ? rings(Vec2{4, 4} + at, 3 + size, 6 + static_cast<int>(2 * rest))
+                                  : comb(Vec2{2, 2} + at, 4 + size, 12, 0.3 * rest);
             layers.push_back({random() < 0.5 ? c : refined(c, 0.3, random)});
         }
         const auto regions = column(layers);

@@ -78,7 +78,10 @@ TEST(turning, finds_the_cone_that_axes_were_drawn_from) {
         const double half = random(0.02, 1.5);
         std::vector<Vec3> axes;
         for (int k = 0; k < 3; ++k) axes.push_back(turn(direction(half, 2.1 * k + random(-0.2, 0.2)))); // fix the cone
-        for (int k = 0; k < 200; ++k) axes.push_back(turn(direction(random(0, half), random(0, 2 * pi))));
+        for (int k = 0; k < 200; ++k) {
+            const double lean = random(0, half), round = random(0, 2 * pi);
+            axes.push_back(turn(direction(lean, round)));
+        }
         const auto cone = postproc::narrowest_cone(axes);
         EXPECT_NEAR(cone.half, half, 1e-6);
         EXPECT_LT(angle(cone.axis, turn.z), 1e-6);

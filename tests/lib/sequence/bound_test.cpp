@@ -32,7 +32,7 @@ TEST(Cuts, HoldForEveryOrder) {
     Random random(7);
     std::size_t cuts = 0, rivals = 0, tight = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        const Towers t = random_towers(random, 3 + random() % 6, 20, 8);
+        const Towers t = random_towers(random, {any(random, 3, 8), 20, 8});
         const Graph& g = t.g;
         Cuts source(g, t.columns, kAmple);
         std::vector<Cut> all = source.degrees();
@@ -74,7 +74,7 @@ TEST(Bounds, AreNoMoreThanEnumerationFinds) {
     Random random(9);
     int worlds = 0, above_cover = 0, relaxed_best = 0, slabs_above_cover = 0;
     for (int trial = 0; trial < 600; ++trial) {
-        const Towers t = random_towers(random, 2 + random() % 4, 3 + random() % 5, 1 + random() % 4);
+        const Towers t = random_towers(random, {any(random, 2, 5), any(random, 3, 7), any(random, 1, 4)});
         if (t.g.size() > 13) continue;
         ++worlds;
         const Index least = fewest_strokes(t.g);
@@ -104,8 +104,8 @@ TEST(Bounds, AreNoMoreThanEnumerationFinds) {
 TEST(Slabs, HoldEveryLinkOnce) {
     Random random(11);
     std::size_t many = 0;
-    for (int trial = 0; trial < 100; ++trial) {
-        const Towers t = random_towers(random, 1 + random() % 8, 1 + random() % 30, 4);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Towers t = random_towers(random, {any(random, 1, 8), any(random, 1, 30), 4});
         const auto parts = slabs(t.g, t.columns, 1 + random() % 300);
         std::vector<Pair> links;
         for (const Slab& s : parts) {

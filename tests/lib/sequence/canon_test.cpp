@@ -48,7 +48,7 @@ TEST(Canon, NumbersDoNotDecide) {
     Random random(21);
     std::size_t many = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        const Towers t = random_towers(random, 2 + random() % 8, 6 + random() % 20, 5);
+        const Towers t = random_towers(random, {any(random, 2, 9), any(random, 6, 25), 5});
         const auto to = renumbered(random, t.g);
         const Towers r = renumbered(t, to);
         const auto c = colours(t.g), d = colours(r.g);
@@ -92,7 +92,7 @@ TEST(Arranged, KeepsStrokesAndOrderAndTravelsLess) {
     Random random(23);
     int better = 0;
     for (int trial = 0; trial < 100; ++trial) {
-        const Towers t = random_towers(random, 2 + random() % 8, 10, 6);
+        const Towers t = random_towers(random, {any(random, 2, 9), 10, 6});
         const Order order = layer_order(t.g), now = arranged(t.g, order);
         check(t.g, now);
         EXPECT_LE(cost(t.g, now), cost(t.g, order));

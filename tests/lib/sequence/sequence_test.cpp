@@ -127,8 +127,9 @@ TEST(Search, AgreesWithEnumerationOnRandomWorlds) {
     Random random(3);
     int worlds = 0, greedy_best = 0, search_best = 0, relaxed_best = 0, above_cover = 0;
     for (int trial = 0; trial < 400; ++trial) {
-        const auto regions =
-            random_world(random, 2 + random() % 4, 2 + static_cast<int>(random() % 3), uniform(random, 2, 8));
+        const auto high = static_cast<std::uint32_t>(2 + random() % 4);
+        const auto most = static_cast<int>(2 + random() % 3);
+        const auto regions = random_world(random, high, most, uniform(random, 2, 8));
         if (regions.size() > 13) continue;
         ++worlds;
         Graph g = support_graph(regions);

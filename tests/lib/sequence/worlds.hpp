@@ -19,6 +19,11 @@ inline constexpr std::uint64_t kAmple = 50'000'000; // work
 
 inline double uniform(Random& random, double lo, double hi) { return lo + (hi - lo) * (random() / 4294967295.0); }
 
+// One of least ... most.
+inline Index any(Random& random, Index least, Index most) {
+    return least + static_cast<Index>(random() % (most - least + 1));
+}
+
 inline polygon::Loops box(double x, double y, double w, double h) {
     polygon::Loops out;
     out.add(std::vector<geom::Vec2>{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}});
@@ -101,9 +106,15 @@ inline Towers towers(Index k, Index layers, Index c) {
     return t;
 }
 
-// k columns of up to `layers` regions, each pair in each other's way from its own height of up to `most` layers on, or
+// How many, in braces: those are drawn in the order they are written.
+struct Extent {
+    Index columns, layers, most;
+};
+
+// Columns of up to `layers` regions, each pair in each other's way from its own height of up to `most` layers on, or
 // not at all; some steps of a column are no links, and some links lead to other columns.
-inline Towers random_towers(Random& random, Index k, Index layers, Index most) {
+inline Towers random_towers(Random& random, const Extent& extent) {
+    const auto [k, layers, most] = extent;
     Towers t;
     std::vector<Pair> links, support;
     std::vector<std::vector<Index>> at(k, std::vector<Index>(layers, kNone));
