@@ -58,7 +58,7 @@ std::optional<Posture> Follower::on(const Frame& tip, const Posture& near, Passi
 }
 
 // From share `begin`, where the arm stands as p.to, to `end`; false where it cannot go on.
-bool Follower::piece(const Frame& a, const Posture& from, const Frame& b, double begin, double end, int depth,
+bool Follower::piece(const Frame& a, const Posture from, const Frame& b, double begin, double end, int depth,
                      Passing& p) const {
     const auto to = on(end < 1 ? between(a, b, end) : b, from, p);
     if (!to) return false;
@@ -78,15 +78,15 @@ bool Follower::piece(const Frame& a, const Posture& from, const Frame& b, double
         p.hindrance = {Trouble::jump, 0, 2 * static_cast<std::size_t>(p.nearest.which), turned};
         return false;
     }
-    p.to = *to;
-    look(p.to, p);
+    look(*to, p);
     for (std::size_t k = 0; k < kAxes; ++k) {
-        const double time = std::abs(p.to[k] - from[k]) / c_.arm.axes[k].speed / (end - begin);
+        const double time = std::abs((*to)[k] - from[k]) / c_.arm.axes[k].speed / (end - begin);
         if (time > p.needed) {
             p.needed = time;
             p.axis = k;
         }
     }
+    p.to = *to;
     if (p.room >= 0) return true;
     p.hindrance = {Trouble::limit, 0, p.room_axis, -p.room};
     return false;

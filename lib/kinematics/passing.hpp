@@ -30,7 +30,7 @@ class Follower {
 
   private:
     [[nodiscard]] std::optional<Posture> on(const geom::Frame& tip, const Posture& near, Passing& p) const;
-    bool piece(const geom::Frame& a, const Posture& from, const geom::Frame& b, double begin, double end, int depth,
+    bool piece(const geom::Frame& a, Posture from, const geom::Frame& b, double begin, double end, int depth,
                Passing& p) const;
 
     const Carried& c_;
