@@ -36,16 +36,17 @@ def payload(data, option):
 
 @functools.lru_cache(maxsize=4)  # without the option a command does the same for each option
 def made_by(line):
-    """Whether it was said that something is wrong, what was printed, and the files that were made."""
+    """What was said to be wrong, if anything, what was printed, and the files that were made."""
     for file in Path(".").glob("made.*"):
         file.unlink()
     done = shell(line)
     files = {p.name: p.read_bytes() for p in sorted(Path(".").glob("made.*"))}
-    return done.returncode != 0 or done.stderr != b"", done.stdout, files
+    said = done.stderr.decode(errors="replace").strip() or (f"exit {done.returncode}" if done.returncode != 0 else "")
+    return said, done.stdout, files
 
 
 def run(line, option):
-    """Whether it was said that something is wrong, and what came out."""
+    """What was said to be wrong, if anything, and what came out."""
     said, printed, files = made_by(line)
     return said, (payload(printed, option), {name: payload(data, option) for name, data in files.items()})
 
@@ -104,11 +105,11 @@ def witness_all():
                 continue
             without, more = case
             base = without.replace("@", "")
-            (said, before), (_, after) = run(base, option.name), run(without.replace("@", more), option.name)
+            (before_said, before), (said, after) = run(base, option.name), run(without.replace("@", more), option.name)
             if before == after:
                 failed.append(f"{command.name} --{option.name} changes nothing: {without.replace('@', more)}")
-            if not before[0] and not before[1] and said:
-                failed.append(f"{command.name} --{option.name}: the case fails without it: {base}")
+            if not before[0] and not before[1] and before_said:
+                failed.append(f"{command.name} --{option.name}: the case fails without it: {base}: {before_said}")
     return failed + [f"{c} --{o}: there is no such option" for c, o in known]
 
 

@@ -1,6 +1,7 @@
 // Regions to fill, and what every fill of them must hold.
 #pragma once
 
+#include "../crossings.hpp"
 #include "shapes.hpp"
 
 #include "geom/segment_grid.hpp"
@@ -117,15 +118,7 @@ inline std::size_t crossings(const std::vector<Curve>& curves) {
     for (const auto& c : curves)
         for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
             all.push_back({c.points[i], c.points[(i + 1) % c.points.size()]});
-    std::size_t out = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = i + 1; j < all.size(); ++j) {
-            const auto &s = all[i], &t = all[j];
-            if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) || std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x))
-                continue;
-            out += geom::cross_properly(s.a, s.b, t.a, t.b) ? 1 : 0;
-        }
-    return out;
+    return crossing_pairs_of(std::move(all));
 }
 
 inline double distance_to_outline(const Loops& region, Vec2 p) {

@@ -1,6 +1,7 @@
 // Stacks of regions, the toolpaths made of them, and what holds for every toolpath.
 #pragma once
 
+#include "../crossings.hpp"
 #include "curves.hpp"
 #include "link3d/linker.hpp"
 
@@ -57,17 +58,14 @@ inline double volume(const Result& r, bool beads_only) {
 }
 
 // Pairs of extruded segments of one height that cross.
-inline int crossings(const std::vector<Span>& spans) {
-    std::map<double, std::vector<std::pair<Vec2, Vec2>>> at;
+inline std::size_t crossings(const std::vector<Span>& spans) {
+    std::map<double, std::vector<geom::Segment>> at;
     for (const auto& s : spans)
         for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
             if (toolpath::extrudes(s.role) && s.points[i].z == s.points[i + 1].z)
-                at[s.points[i].z].emplace_back(s.points[i].xy(), s.points[i + 1].xy());
-    int n = 0;
-    for (const auto& [z, line] : at)
-        for (std::size_t i = 0; i < line.size(); ++i)
-            for (std::size_t j = i + 2; j < line.size(); ++j)
-                n += geom::cross_properly(line[i].first, line[i].second, line[j].first, line[j].second) ? 1 : 0;
+                at[s.points[i].z].push_back({s.points[i].xy(), s.points[i + 1].xy()});
+    std::size_t n = 0;
+    for (const auto& [z, line] : at) n += filum::test::crossing_pairs_of(line);
     return n;
 }
 
@@ -120,7 +118,7 @@ inline void check(const std::vector<RegionPaths>& regions, const Result& r) {
     EXPECT_EQ(r.counts.lifts + r.counts.jogs + r.counts.strands + r.counts.connectors + r.counts.breaks +
                   (curves > 0 ? 1 : 0),
               curves);
-    EXPECT_EQ(crossings(r.spans), 0);
+    EXPECT_EQ(crossings(r.spans), 0U);
 }
 
 } // namespace filum::link3d::test

@@ -1,5 +1,6 @@
 #include "toolpath/merge.hpp"
 
+#include "../crossings.hpp"
 #include "../trials.hpp"
 #include "geom/polyline.hpp"
 #include "geom/segment.hpp"
@@ -31,12 +32,10 @@ Span circle(double radius, int n) {
     return s;
 }
 
-int crossings(const std::vector<Vec3>& line) {
-    int out = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        for (std::size_t k = i + 2; k + 1 < line.size(); ++k)
-            out += geom::cross_properly(line[i].xy(), line[i + 1].xy(), line[k].xy(), line[k + 1].xy()) ? 1 : 0;
-    return out;
+std::size_t crossings(const std::vector<Vec3>& line) {
+    std::vector<geom::Segment> all;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) all.push_back({line[i].xy(), line[i + 1].xy()});
+    return filum::test::crossing_pairs_of(std::move(all));
 }
 
 } // namespace
@@ -225,11 +224,11 @@ TEST(Merge, NothingCrossesThatDidNot) {
         for (int i = 0; i <= 100; ++i) s.points.push_back({0.1 * i, side(0.1 * i), 0.2});
         s.points.push_back({11, 0, 0.2});
         for (int i = 100; i >= 0; --i) s.points.push_back({0.1 * i, side(0.1 * i) - gap, 0.2});
-        ASSERT_EQ(crossings(s.points), 0);
+        ASSERT_EQ(crossings(s.points), 0U);
         Tolerance t;
         t.path = 0.01, t.arcs = k % 2 == 0;
         const auto m = merge(s, t);
-        EXPECT_EQ(crossings(lines::way(s.points.front(), m.moves, 1e-7)), 0) << k;
+        EXPECT_EQ(crossings(lines::way(s.points.front(), m.moves, 1e-7)), 0U) << k;
         tangled += m.moves.size() > 100 ? 1 : 0;
     }
     EXPECT_GT(tangled, 0); // it did happen
@@ -243,7 +242,7 @@ TEST(Merge, NothingCrossesInWholeMicrometres) {
         for (Vec3& p : way) p = {std::round(p.x * 1000), std::round(p.y * 1000), p.z};
         return way;
     };
-    int before = 0;
+    std::size_t before = 0;
     for (int k = 0; k < 400; ++k) {
         Span s{Role::bead, 0, 0, 0, {}, {0.4}, {0.2}};
         const double gap = uniform(0.001, 0.004), tilt = uniform(-0.02, 0.02), bend = uniform(0.02, 0.2);
@@ -258,7 +257,7 @@ TEST(Merge, NothingCrossesInWholeMicrometres) {
         before += crossings(rounded(lines::way(s.points.front(), loose.moves, 1e-7)));
         t.grid = 1e-3;
         const auto m = merge(s, t);
-        EXPECT_EQ(crossings(rounded(lines::way(s.points.front(), m.moves, 1e-7))), 0) << k;
+        EXPECT_EQ(crossings(rounded(lines::way(s.points.front(), m.moves, 1e-7))), 0U) << k;
     }
     EXPECT_GT(before, 0); // rounding alone did it
 }
