@@ -1,6 +1,7 @@
 #include "skins/skins.hpp"
 
 #include "../fill/pattern_check.hpp"
+#include "../trials.hpp"
 #include "base/error.hpp"
 #include "polygon/stretches.hpp"
 
@@ -54,7 +55,7 @@ Loops sparse_of(const Region& r) {
 // By the definition, layer by layer: nothing sparse has less than so many layers of material above or below it, but for
 // what is narrower than a hairline; nothing sparse is a wall.
 TEST(Skins, NothingSparseIsSeenThroughTooFewLayers) {
-    for (unsigned seed = 0; seed < 6; ++seed)
+    for (unsigned seed = 0, n = trials(6); seed < n; ++seed)
         for (const auto& [top, bottom] : {std::pair{4, 4}, {1, 3}, {3, 0}, {0, 2}, {7, 5}}) {
             const auto before = random_part(seed, 30);
             auto part = before;
