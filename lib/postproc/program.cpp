@@ -209,7 +209,8 @@ void Program::bead_comments(const Step& step) {
         comment(std::string("TYPE:") + type_name(step.role, step.feature));
     if (differs(step.width, width_)) comment("WIDTH:" + fixed_text(width_ = step.width, 3));
     if (differs(step.height, height_)) comment("HEIGHT:" + fixed_text(height_ = step.height, 3));
-    role_ = step.role, feature_ = step.feature;
+    role_ = step.role;
+    feature_ = step.feature;
 }
 
 // What beads of the feature have of their own, where it changes.

@@ -95,7 +95,9 @@ void add(Content& to, const toolpath::Span& s, const machine::Profile* profile) 
 void add(Content& to, const toolpath::RegionPaths& paths, const machine::Profile* profile) {
     for (const toolpath::Curve& c : paths.curves) {
         toolpath::Span s;
-        s.stroke = paths.stroke, s.layer = paths.layer, s.region = paths.region;
+        s.stroke = paths.stroke;
+        s.layer = paths.layer;
+        s.region = paths.region;
         for (const geom::Vec2& q : c.points) s.points.push_back({q.x, q.y, paths.z});
         s.width = c.width;
         if (c.closed) {

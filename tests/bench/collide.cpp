@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
         for (int i = 0; i <= 1000; ++i) {
             const double x = kSize * (j % 2 == 0 ? i : 1000 - i) / 1000;
             const auto s = hill(x, 0.3 * j, 0.2);
-            span.points.push_back(s.tip), span.normals.push_back(s.axis);
+            span.points.push_back(s.tip);
+            span.normals.push_back(s.axis);
         }
         walk.add(span);
     }

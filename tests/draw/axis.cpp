@@ -61,8 +61,10 @@ class Drawing {
         std::printf("<path stroke=\"%s\" stroke-width=\"%.1f\" stroke-linecap=\"round\" fill=\"none\" d=\"", colour,
                     width);
         for (std::uint32_t e = 0; e < b.wall.size(); ++e)
-            if ((b.wall[e] != 0) == walls)
-                point('M', b.axis.node[b.axis.from[2 * e]]), point('L', b.axis.node[b.axis.to(2 * e)]);
+            if ((b.wall[e] != 0) == walls) {
+                point('M', b.axis.node[b.axis.from[2 * e]]);
+                point('L', b.axis.node[b.axis.to(2 * e)]);
+            }
         std::printf("\"/>\n");
     }
     void end() const { std::printf("</svg>\n"); }

@@ -66,7 +66,8 @@ class Coarsener {
     // Draws the vertex into another one, if no triangle turns over or becomes too thin, and no edge doubles.
     bool moves(std::uint32_t v, std::uint32_t to, const Vec3& n) {
         std::set<std::uint32_t> mine, once, its, unused;
-        neighbours(v, mine, once), neighbours(to, its, unused);
+        neighbours(v, mine, once);
+        neighbours(to, its, unused);
         std::size_t common = 0;
         for (const auto w : mine) common += its.count(w);
         if (common != (once.empty() ? 2U : 1U)) return false;

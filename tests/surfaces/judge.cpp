@@ -145,15 +145,20 @@ void measure_area(const Surface& s, const Pieces& path, double width, Judged& ou
         const double at = (static_cast<double>(i) + random.unit()) / kPlaces * out.area;
         const auto t = static_cast<std::uint32_t>(std::lower_bound(sum.begin(), sum.end() - 1, at) - sum.begin());
         double u = random.unit(), v = random.unit();
-        if (u + v > 1) u = 1 - u, v = 1 - v;
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
         const auto& [a, b, c] = s.triangles[t];
         const Vec3 p = s.vertices[a] + u * (s.vertices[b] - s.vertices[a]) + v * (s.vertices[c] - s.vertices[a]);
         double least = kFar;
         path.near(p, surface::normal(s, t), width,
                   [&](const Piece&, double far, double) { least = std::min(least, far); });
-        covered += least <= width / 2 ? 1 : 0, bare += least > width ? 1 : 0;
+        covered += least <= width / 2 ? 1 : 0;
+        bare += least > width ? 1 : 0;
     }
-    out.covered = static_cast<double>(covered) / kPlaces, out.bare = static_cast<double>(bare) / kPlaces;
+    out.covered = static_cast<double>(covered) / kPlaces;
+    out.bare = static_cast<double>(bare) / kPlaces;
     out.overlap = out.length * width / out.area - out.covered;
 }
 

@@ -41,7 +41,10 @@ void drop_loose(Mesh& mesh) {
     std::vector<Vec3> kept;
     for (auto& t : mesh.triangles)
         for (auto& v : t) {
-            if (number[v] == ~0U) number[v] = static_cast<std::uint32_t>(kept.size()), kept.push_back(mesh.vertices[v]);
+            if (number[v] == ~0U) {
+                number[v] = static_cast<std::uint32_t>(kept.size());
+                kept.push_back(mesh.vertices[v]);
+            }
             v = number[v];
         }
     mesh.vertices = std::move(kept);
@@ -186,10 +189,23 @@ Mesh level_set(Vec3 lo, Vec3 hi, double step, const std::function<double(const V
 
 std::string spoil(Mesh& mesh, Random& r) {
     std::string done;
-    if (r.chance(0.15)) coarsen(mesh), drop_loose(mesh), done += " coarse";
-    if (mesh.triangles.size() < 3000 && r.chance(0.15)) split_in_four(mesh), done += " split";
-    if (r.chance(0.1)) splinter(mesh, r), done += " splintered";
-    if (r.chance(0.3)) shuffle(mesh, r), done += " shuffled";
+    if (r.chance(0.15)) {
+        coarsen(mesh);
+        drop_loose(mesh);
+        done += " coarse";
+    }
+    if (mesh.triangles.size() < 3000 && r.chance(0.15)) {
+        split_in_four(mesh);
+        done += " split";
+    }
+    if (r.chance(0.1)) {
+        splinter(mesh, r);
+        done += " splintered";
+    }
+    if (r.chance(0.3)) {
+        shuffle(mesh, r);
+        done += " shuffled";
+    }
     if (r.chance(0.2)) {
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
         done += " flipped";

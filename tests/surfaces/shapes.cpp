@@ -50,7 +50,10 @@ Domain outline(Vec2 size, Random& r, std::string& name) {
     case 5: {
         name += "blob";
         double amplitude[4], phase[4];
-        for (int k = 0; k < 4; ++k) amplitude[k] = r.in(0, 0.3) / (k + 1), phase[k] = r.in(0, 2 * pi);
+        for (int k = 0; k < 4; ++k) {
+            amplitude[k] = r.in(0, 0.3) / (k + 1);
+            phase[k] = r.in(0, 2 * pi);
+        }
         std::vector<double> a(amplitude, amplitude + 4), f(phase, phase + 4);
         return [=](Vec2 p) {
             const double t = std::atan2(p.y - c.y, p.x - c.x);

@@ -34,7 +34,10 @@ Surface opened(Surface s, Random& r, std::string& words, Notes& notes) {
     if (!s.rims.empty() || r.chance(0.1)) return s;
     const Vec3 n = r.direction();
     double lo = 1e9, hi = -1e9;
-    for (const Vec3& v : s.vertices) lo = std::min(lo, dot(n, v)), hi = std::max(hi, dot(n, v));
+    for (const Vec3& v : s.vertices) {
+        lo = std::min(lo, dot(n, v));
+        hi = std::max(hi, dot(n, v));
+    }
     words += " opened";
     return surface::cut(s, {n, lo + r.in(0.3, 0.9) * (hi - lo)}, notes);
 }
@@ -132,7 +135,8 @@ Trial make(std::uint64_t seed, std::uint64_t number) {
                 (o.algorithm == surfpath::Algorithm::ortheo ? " turns " + turn : "") + " on " + out.words + ", " +
                 std::to_string(s.triangles.size()) + " triangles, " + std::to_string(s.rims.size()) + " rims, " +
                 std::to_string(s.components) + " components";
-    out.paper.algorithm = o.algorithm, out.paper.spacing = o.spacing;
+    out.paper.algorithm = o.algorithm;
+    out.paper.spacing = o.spacing;
     return out;
 }
 

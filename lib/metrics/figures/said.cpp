@@ -32,8 +32,10 @@ void said_before(const Notes& notes, const Facts& facts, Figures& out) {
         });
         if (it == sums.end())
             sums.push_back(n);
-        else
-            it->amount += n.amount, it->count += n.count;
+        else {
+            it->amount += n.amount;
+            it->count += n.count;
+        }
     }
     for (const Note& n : sums) {
         const std::string key = "noted." + key_text(n.stage) + "." + key_text(n.what) + ".",

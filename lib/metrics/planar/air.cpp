@@ -32,7 +32,8 @@ Track track(const LayerBeads* from) {
             const bool after_bead = k > 0 && from->pieces[k - 1].role != toolpath::Role::connector;
             out.follows.push_back(i > p.first || (p.continues && after_bead) ? 1 : 0);
             const double l = geom::distance(b.a, b.b);
-            length += l, area += l * b.width;
+            length += l;
+            area += l * b.width;
             out.beads.push_back(b);
         }
     }
@@ -80,7 +81,8 @@ double uncovered(std::span<const Bead> beads, std::span<const Bead> below, doubl
     const double rows = std::ceil((top - upper.front().lo) / spacing);
     for (double k = 0; k < rows; ++k) {
         const double y = upper.front().lo + (k + 0.5) * spacing;
-        laid.row(y, up), under.row(y, low);
+        laid.row(y, up);
+        under.row(y, low);
         for (const Interval& i : up) sum += (i.hi - i.lo) * spacing;
         sum -= shared_length(up, low) * spacing;
     }
@@ -154,8 +156,13 @@ void stretches(const Track& upper, const std::vector<Bead>& carriers, Air& air) 
         for (const Interval& f : carried.free(b.a, b.b)) {
             if (f.lo > 0) now = 0;
             if (now == 0) begin = geom::lerp(b.a, b.b, f.lo / l);
-            now += f.hi - f.lo, air.length += f.hi - f.lo, end = f.hi;
-            if (now > air.longest) air.longest = now, air.at = begin;
+            now += f.hi - f.lo;
+            air.length += f.hi - f.lo;
+            end = f.hi;
+            if (now > air.longest) {
+                air.longest = now;
+                air.at = begin;
+            }
         }
         if (end < l) now = 0;
     }
@@ -187,9 +194,14 @@ Air measure_air(const Beads& beads, double pixel, int threads) {
     Air out;
     for (std::size_t i = 0; i < each.size(); ++i) {
         const Air& a = each[i];
-        out.area += a.area, out.length += a.length;
+        out.area += a.area;
+        out.length += a.length;
         out.layers += a.area > 0 || a.length > 0 ? 1 : 0;
-        if (a.longest > out.longest) out.longest = a.longest, out.layer = index[i], out.at = a.at;
+        if (a.longest > out.longest) {
+            out.longest = a.longest;
+            out.layer = index[i];
+            out.at = a.at;
+        }
     }
     return out;
 }

@@ -35,7 +35,8 @@ void add(Beads& beads, const Segment& s) {
     if (!beads.marks.empty()) {
         bool above = false;
         const LayerMark& mark = mark_at(beads.marks, (s.a.z + s.b.z) / 2, above);
-        layer = mark.index, height = mark.height;
+        layer = mark.index;
+        height = mark.height;
         beads.misplaced += above ? 1 : 0;
     }
     LayerBeads& to = beads.layer[layer];
@@ -50,7 +51,10 @@ void add(Beads& beads, const Segment& s) {
     to.points.push_back(s.b.xy());
     to.width.push_back(0);
     ++beads.segments;
-    beads.at = s.b, beads.last_layer = layer, beads.last_region = s.region, beads.moving = true;
+    beads.at = s.b;
+    beads.last_layer = layer;
+    beads.last_region = s.region;
+    beads.moving = true;
 }
 
 } // namespace

@@ -78,9 +78,11 @@ void follow(Course& c, const toolpath::Span& span) {
                 std::abs(span.points[i].z - span.points[i + 1].z) > 0.01 * span.height_at(i))
                 ++c.bare_climbs;
             c.volume[index(span.role)] += toolpath::volume(span, i);
-            c.begun = true, c.last = span.role;
+            c.begun = true;
+            c.last = span.role;
             ++c.extruding_moves;
-            extend(c, span.points[i]), extend(c, span.points[i + 1]);
+            extend(c, span.points[i]);
+            extend(c, span.points[i + 1]);
         } else if (fresh) {
             ++c.joins[index(span.role)];
         }

@@ -70,9 +70,16 @@ struct Rows {
 
 Rows rows(std::span<const Lane> lanes, std::span<const Edge> edges, double spacing) {
     double lo = INFINITY, hi = -INFINITY, part_lo = INFINITY, part_hi = -INFINITY;
-    for (const Edge& e : edges) part_lo = std::min(part_lo, e.lo.y), part_hi = std::max(part_hi, e.hi.y);
-    for (const Lane& l : lanes) lo = std::min(lo, l.lo), hi = std::max(hi, l.hi);
-    lo = std::min(lo, part_lo), hi = std::max(hi, part_hi);
+    for (const Edge& e : edges) {
+        part_lo = std::min(part_lo, e.lo.y);
+        part_hi = std::max(part_hi, e.hi.y);
+    }
+    for (const Lane& l : lanes) {
+        lo = std::min(lo, l.lo);
+        hi = std::max(hi, l.hi);
+    }
+    lo = std::min(lo, part_lo);
+    hi = std::max(hi, part_hi);
     if (!(hi > lo)) return {};
     Rows out;
     out.spacing = std::max(spacing, (hi - lo) / kMostRows);
@@ -117,7 +124,8 @@ LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* co
         tally(part, laid, row.spacing, out.slot);
         for (Interval& i : part) i.slot = 0;
         for (Interval& i : laid) i.slot = 0;
-        unite(part), unite(laid);
+        unite(part);
+        unite(laid);
         tally(part, laid, row.spacing, {&out.whole, 1});
     }
     return out;

@@ -26,13 +26,17 @@ bool section(const Lane& l, double y, Interval& out) {
         const double d2 = l.half * l.half - (y - c.y) * (y - c.y);
         if (d2 < 0) continue;
         const double d = std::sqrt(d2);
-        lo = std::min(lo, c.x - d), hi = std::max(hi, c.x + d);
+        lo = std::min(lo, c.x - d);
+        hi = std::max(hi, c.x + d);
     }
     const double dy = y - l.a.y;
     double from = -l.length - l.half, to = l.length + l.half; // x - a.x on the straight part
     clip(from, to, -l.u.y, dy * l.u.x, -l.half, l.half);
     clip(from, to, l.u.x, dy * l.u.y, 0, l.length);
-    if (from <= to) lo = std::min(lo, l.a.x + from), hi = std::max(hi, l.a.x + to);
+    if (from <= to) {
+        lo = std::min(lo, l.a.x + from);
+        hi = std::max(hi, l.a.x + to);
+    }
     out = {lo, hi, l.slot};
     return lo < hi;
 }
@@ -43,7 +47,8 @@ std::vector<Lane> lanes(std::span<const Bead> beads) {
     for (const Bead& b : beads) {
         Lane l{b.a, b.b, {1, 0}, b.width / 2, geom::distance(b.a, b.b), 0, 0, b.slot};
         if (l.length > 0) l.u = (1 / l.length) * (b.b - b.a);
-        l.lo = std::min(b.a.y, b.b.y) - l.half, l.hi = std::max(b.a.y, b.b.y) + l.half;
+        l.lo = std::min(b.a.y, b.b.y) - l.half;
+        l.hi = std::max(b.a.y, b.b.y) + l.half;
         out.push_back(l);
     }
     std::sort(out.begin(), out.end(), [](const Lane& p, const Lane& q) { return p.lo < q.lo; });

@@ -32,13 +32,18 @@ std::vector<RegionFigures> region_rows(const LayerInput& w) {
     std::map<std::uint32_t, RegionFigures> rows;
     for (const auto* r : w.regions) {
         RegionFigures f;
-        f.region = r->id, f.layer = w.layer, f.known = true, f.at = r->loops.points.front();
+        f.region = r->id;
+        f.layer = w.layer;
+        f.known = true;
+        f.at = r->loops.points.front();
         rows[r->id] = f;
     }
     for (std::size_t k = 0; w.beads != nullptr && k < w.beads->pieces.size(); ++k) {
         const Piece& p = w.beads->pieces[k];
         RegionFigures f;
-        f.region = p.region, f.layer = w.layer, f.at = w.beads->points[p.first];
+        f.region = p.region;
+        f.layer = w.layer;
+        f.at = w.beads->points[p.first];
         RegionFigures& row = rows.try_emplace(p.region, f).first->second;
         if (p.role != toolpath::Role::connector && !p.continues) ++row.curves;
     }
@@ -70,7 +75,8 @@ double row_spacing(std::span<const Bead> beads, double pixel) {
     double length = 0, area = 0;
     for (const Bead& b : beads) {
         const double l = geom::distance(b.a, b.b);
-        length += l, area += l * b.width;
+        length += l;
+        area += l * b.width;
     }
     return (length > 0 ? area / length : 0.4) / 16;
 }

@@ -16,7 +16,9 @@ using toolpath::Span;
 machine::Profile lenient(machine::Profile p) {
     constexpr double endless = std::numeric_limits<double>::infinity();
     p.limits.section = endless;
-    p.fibre.omit_short = true, p.fibre.most_path = endless, p.fibre.spool = 0;
+    p.fibre.omit_short = true;
+    p.fibre.most_path = endless;
+    p.fibre.spool = 0;
     if (p.tools.change.empty()) p.tools.change = "\n";
     machine::merge_moves(p, machine::standard_merging());
     for (auto& [number, one] : p.own) {
@@ -41,7 +43,8 @@ void Pace::close() {
         ++tool.cuts;
         tool.too_short += fibre_ < profile_.fibre.least_path - 1e-3 ? 1 : 0;
     }
-    open_ = false, fibre_ = 0;
+    open_ = false;
+    fibre_ = 0;
 }
 
 void Pace::count(const Span& span) {
@@ -56,7 +59,8 @@ void Pace::count(const Span& span) {
     ToolShare& tool = tools_[tool_];
     tool.strokes += open_ ? 0 : 1;
     open_ = begun_ = true;
-    tool.laid += length, fibre_ += length;
+    tool.laid += length;
+    fibre_ += length;
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) tool.volume += toolpath::volume(span, i);
 }
 

@@ -90,13 +90,18 @@ double main_direction(const std::vector<Straight>& all) {
     std::vector<double> bin(180, 0.0);
     for (const auto& s : all) bin[static_cast<std::size_t>(direction(s) / kDegree) % 180] += s.length();
     for (std::size_t k = 0; k < 180; ++k)
-        if (const double sum = bin[k] + bin[(k + 1) % 180]; sum > most)
-            most = sum, best = (static_cast<double>(k) + 1) * kDegree;
+        if (const double sum = bin[k] + bin[(k + 1) % 180]; sum > most) {
+            most = sum;
+            best = (static_cast<double>(k) + 1) * kDegree;
+        }
     double turn = 0, length = 0;
     for (const auto& s : all) {
         double d = direction(s) - best;
         d -= kPi * std::round(d / kPi);
-        if (std::abs(d) <= kSame) turn += d * s.length(), length += s.length();
+        if (std::abs(d) <= kSame) {
+            turn += d * s.length();
+            length += s.length();
+        }
     }
     best += length > 0 ? turn / length : 0;
     return best < 0 ? best + kPi : best >= kPi ? best - kPi : best;
@@ -245,14 +250,18 @@ Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regi
         w.height = r.height;
         out.part += r.area * r.height;
     }
-    for (const auto& l : layers) out.area += l.cover.area, out.covered += l.cover.covered;
+    for (const auto& l : layers) {
+        out.area += l.cover.area;
+        out.covered += l.cover.covered;
+    }
     std::vector<SweptLayer*> list;
     for (auto& [layer, w] : work) {
         const auto found = beads.layer.find(layer);
         w.beads = found == beads.layer.end() ? nullptr : &found->second;
         if (w.beads != nullptr) out.material += deposited(*w.beads) * w.height;
         out.layers.push_back({});
-        out.layers.back().layer = layer, out.layers.back().height = w.height;
+        out.layers.back().layer = layer;
+        out.layers.back().height = w.height;
         list.push_back(&w);
     }
     parallel::for_chunks(list.size(), 1, threads, [&](std::size_t i, std::size_t) {
@@ -260,7 +269,8 @@ Pores measure_pores(const Beads& beads, const std::vector<polygon::Region>& regi
         if (w.beads == nullptr) return;
         const auto layer = out.layers[i].layer;
         out.layers[i] = find_strands(*w.beads);
-        out.layers[i].layer = layer, out.layers[i].height = w.height;
+        out.layers[i].layer = layer;
+        out.layers[i].height = w.height;
         w.swept = swept(*w.beads);
     });
     channels(out.layers);
@@ -285,7 +295,9 @@ void pore_figures(const Pores& p, Figures& out) {
         strands.push_back(static_cast<double>(l.strands));
         circles.insert(circles.end(), l.circles.begin(), l.circles.end());
         if (l.spacing <= 0) continue;
-        spacing.push_back(l.spacing), width.push_back(l.width), lateral.push_back(l.lateral);
+        spacing.push_back(l.spacing);
+        width.push_back(l.width);
+        lateral.push_back(l.lateral);
     }
     const auto tell = [](Figures& to, std::string_view key, decltype(metrics::figures::Figure::value) value) {
         metrics::figures::tell(to, metrics::figures::planar_meanings(), key, std::move(value));

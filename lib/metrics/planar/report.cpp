@@ -77,9 +77,14 @@ void tools(const Input& input, const Options& o, Figures& out) {
                      out);
         for (std::size_t k = first; k < out.size(); ++k) out[k].group += t.fibre ? " (fibre)" : "";
         all.fibre = all.fibre || t.fibre;
-        all.strokes += t.strokes, all.cuts += t.cuts, all.too_short += t.too_short;
-        all.laid += t.laid, all.travel += t.travel, all.volume += t.volume;
-        all.print_seconds += t.print_seconds, all.travel_seconds += t.travel_seconds;
+        all.strokes += t.strokes;
+        all.cuts += t.cuts;
+        all.too_short += t.too_short;
+        all.laid += t.laid;
+        all.travel += t.travel;
+        all.volume += t.volume;
+        all.print_seconds += t.print_seconds;
+        all.travel_seconds += t.travel_seconds;
         plastic += t.fibre ? 0 : t.volume;
     }
     tool_figures("job.", {}, all, mass(o, plastic, all.volume - plastic), out);
@@ -111,8 +116,10 @@ void lengths(const Input& input, const Options& o, Figures& out) {
 Cover total(const std::vector<LayerFigures>& layers) {
     Cover all;
     for (const auto& l : layers) {
-        all.area += l.cover.area, all.covered += l.cover.covered;
-        all.united += l.cover.united, all.deposited += l.cover.deposited;
+        all.area += l.cover.area;
+        all.covered += l.cover.covered;
+        all.united += l.cover.united;
+        all.deposited += l.cover.deposited;
     }
     return all;
 }
@@ -160,7 +167,8 @@ void crossing_figures(const std::vector<LayerFigures>& layers, Figures& out) {
     std::size_t crossed = 0, on = 0;
     const LayerFigures* first = nullptr;
     for (const auto& l : layers) {
-        crossed += l.crossings, on += l.crossings > 0 ? 1 : 0;
+        crossed += l.crossings;
+        on += l.crossings > 0 ? 1 : 0;
         if (first == nullptr && l.crossings > 0) first = &l;
     }
     tell(out, "crossings", count(crossed));
@@ -178,7 +186,9 @@ void region_figures(const std::vector<LayerFigures>& layers, Figures& out) {
     for (const auto& l : layers) {
         for (const auto& r : l.regions) {
             if (!r.known) continue;
-            one += r.curves == 1 ? 1 : 0, none += r.curves == 0 ? 1 : 0, crossed += r.crossings > 0 ? 1 : 0;
+            one += r.curves == 1 ? 1 : 0;
+            none += r.curves == 0 ? 1 : 0;
+            crossed += r.crossings > 0 ? 1 : 0;
             share.push_back(coverage(r.cover));
             if (worst == nullptr || share.back() < coverage(worst->cover)) worst = &r;
         }

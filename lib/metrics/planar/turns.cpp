@@ -78,7 +78,10 @@ void smallest_radius(std::span<const Vec2> chain, double scale, Turns& out) {
         const auto at = static_cast<std::ptrdiff_t>(i);
         const auto ahead = walk(chain, chain[i], at + 1, 1, scale), back = walk(chain, chain[i], at - 1, -1, scale);
         const double r = circle_through(point_at(back, scale), chain[i], point_at(ahead, scale));
-        if (r < out.min_radius) out.min_radius = r, out.at = chain[i];
+        if (r < out.min_radius) {
+            out.min_radius = r;
+            out.at = chain[i];
+        }
     }
 }
 
@@ -146,9 +149,13 @@ Turns turns(const Beads& beads, double w, std::size_t samples, int threads) {
     Turns out;
     out.min_radius = INFINITY;
     for (const auto& p : part) {
-        out.samples += p.turns.samples, out.sharp += p.turns.sharp;
-        if (p.turns.min_radius < out.min_radius)
-            out.min_radius = p.turns.min_radius, out.at = p.turns.at, out.layer = p.turns.layer;
+        out.samples += p.turns.samples;
+        out.sharp += p.turns.sharp;
+        if (p.turns.min_radius < out.min_radius) {
+            out.min_radius = p.turns.min_radius;
+            out.at = p.turns.at;
+            out.layer = p.turns.layer;
+        }
     }
     return out;
 }

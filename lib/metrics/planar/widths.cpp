@@ -29,8 +29,13 @@ Widths widths(const Beads& beads) {
     if (all.empty()) return out;
     std::sort(all.begin(), all.end());
     double total = 0, area = 0;
-    for (const auto& [w, l] : all) total += l, area += static_cast<double>(w) * l;
-    out.min = all.front().first, out.max = all.back().first, out.mean = area / total;
+    for (const auto& [w, l] : all) {
+        total += l;
+        area += static_cast<double>(w) * l;
+    }
+    out.min = all.front().first;
+    out.max = all.back().first;
+    out.mean = area / total;
     double sum = 0;
     for (const auto& [w, l] : all) {
         out.median = w;
@@ -85,9 +90,13 @@ Seams seams(const Beads& beads, const std::vector<polygon::Region>& regions, dou
     Seams out;
     if (apart.empty()) return out;
     std::sort(apart.begin(), apart.end());
-    out.pairs = apart.size(), out.min = apart.front(), out.median = apart[apart.size() / 2];
-    for (const double d : apart)
-        out.mean += d / static_cast<double>(apart.size()), out.near += d < 3 * bead_width ? 1 : 0;
+    out.pairs = apart.size();
+    out.min = apart.front();
+    out.median = apart[apart.size() / 2];
+    for (const double d : apart) {
+        out.mean += d / static_cast<double>(apart.size());
+        out.near += d < 3 * bead_width ? 1 : 0;
+    }
     return out;
 }
 

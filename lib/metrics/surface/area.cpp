@@ -93,7 +93,10 @@ class Sweeper {
             if (to - from > 1e-6) {
                 const Vec3 p = a + (from + to) / 2 * (b - a);
                 const double free = clearance(ground_, field_, t, p);
-                if (free > out.void_radius && free < kFar) out.void_radius = free, out.void_at = p;
+                if (free > out.void_radius && free < kFar) {
+                    out.void_radius = free;
+                    out.void_at = p;
+                }
             }
             if (i < parts_.size()) from = parts_[i].hi;
         }
@@ -126,8 +129,13 @@ Sweep swept(const Ground& ground, const PathField& field, const geodesic::ExactF
     });
     Sweep sum;
     for (const Sweep& p : parts) {
-        sum.covered += p.covered, sum.strip += p.strip, sum.strip_covered += p.strip_covered;
-        if (p.void_radius > sum.void_radius) sum.void_radius = p.void_radius, sum.void_at = p.void_at;
+        sum.covered += p.covered;
+        sum.strip += p.strip;
+        sum.strip_covered += p.strip_covered;
+        if (p.void_radius > sum.void_radius) {
+            sum.void_radius = p.void_radius;
+            sum.void_at = p.void_at;
+        }
     }
     return sum;
 }
@@ -146,7 +154,8 @@ PathField path_field(const Ground& ground, const Shadow& shadow) {
             if (of[i] != c) continue;
             const double l = distance(shadow.segments[i].a, shadow.segments[i].b) + 1e-12;
             sources.segments.push_back(shadow.segments[i]);
-            sum += shadow.width[i] * l, weight += l;
+            sum += shadow.width[i] * l;
+            weight += l;
         }
         if (!sources.empty()) out.classes.push_back({sum / weight, geodesic::exact(ground.finer.surface, sources)});
     }
@@ -183,11 +192,16 @@ Area measure_area(const Ground& ground, const PathField& field, double strip_wid
         if (std::abs(sum.covered - before) < stable * out.surface || out.row <= kLastRow * widest) break;
         before = sum.covered;
     }
-    out.covered = sum.covered, out.strip = sum.strip, out.strip_covered = sum.strip_covered;
-    out.void_radius = sum.void_radius, out.void_at = sum.void_at;
+    out.covered = sum.covered;
+    out.strip = sum.strip;
+    out.strip_covered = sum.strip_covered;
+    out.void_radius = sum.void_radius;
+    out.void_at = sum.void_at;
     for (std::size_t v = 0; v < nearest.size(); ++v)
-        if (nearest[v] > out.void_radius && nearest[v] < kFar)
-            out.void_radius = nearest[v], out.void_at = s.vertices[v];
+        if (nearest[v] > out.void_radius && nearest[v] < kFar) {
+            out.void_radius = nearest[v];
+            out.void_at = s.vertices[v];
+        }
     return out;
 }
 

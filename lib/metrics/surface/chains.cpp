@@ -30,14 +30,20 @@ void lay(Fibres& f, const toolpath::Span& span, std::size_t i, double d) {
 
 void add(Fibres& f, const toolpath::Span& span) {
     const double jump = f.begun ? distance(f.at, span.points.front()) : 0;
-    if (jump > kJump) f.travel += jump, ++f.jumps, f.open = false;
+    if (jump > kJump) {
+        f.travel += jump;
+        ++f.jumps;
+        f.open = false;
+    }
     for (std::size_t i = 0; i + 1 < span.points.size(); ++i) {
         const double d = distance(span.points[i], span.points[i + 1]);
         if (d <= kStill) continue;
         if (toolpath::extrudes(span.role))
             lay(f, span, i, d);
-        else
-            f.travel += d, f.open = false;
+        else {
+            f.travel += d;
+            f.open = false;
+        }
     }
     f.at = span.points.back();
     f.begun = true;

@@ -128,7 +128,8 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
         for (std::size_t i = 0; i < n; ++i) {
             Sample s{.chain = k, .along = (static_cast<double>(i) + 0.5) * length, .length = length, .a = a};
             s.at = point_at(c, s.along, stretch);
-            s.layer = c.layer[stretch], s.width = c.width[stretch],
+            s.layer = c.layer[stretch];
+            s.width = c.width[stretch];
             s.hairpin = c.role[stretch] == toolpath::Role::hairpin;
             const Vec3 here = c.points[stretch + 1] - c.points[stretch];
             axes.push_back(axis_at(c, stretch, (s.along - c.along[stretch]) / norm(here)));
@@ -184,7 +185,9 @@ Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& o
     for (const Shadow& p : parts) {
         out.segments.insert(out.segments.end(), p.segments.begin(), p.segments.end());
         out.width.insert(out.width.end(), p.width.begin(), p.width.end());
-        out.lost += p.lost, out.beside += p.beside, out.aloft += p.aloft;
+        out.lost += p.lost;
+        out.beside += p.beside;
+        out.aloft += p.aloft;
     }
     return out;
 }

@@ -85,14 +85,19 @@ LoadFigures adequacy(std::span<const Sample> samples, const Surface& s, const Lo
         if (!(norm(t) > 0) || !(norm(e) > 0)) continue;
         const double cosine = std::min(1.0, std::abs(dot(t, e)) / (norm(t) * norm(e)));
         const double w = p.length * stress(s, load.s1, p.foot);
-        flat += p.length, weight += w;
-        out.tangential += p.length * cosine, out.weighted += w * cosine;
+        flat += p.length;
+        weight += w;
+        out.tangential += p.length * cosine;
+        out.weighted += w * cosine;
         out.within += cosine >= kAlongLoad ? p.length : 0;
     }
     const auto over = [](double& v, double by) { v = by > 0 ? v / by : std::nan(""); };
     out.known = all > 0 ? sum / all : 0;
-    over(out.mean, sum), over(out.best, sum);
-    over(out.tangential, flat), over(out.within, flat), over(out.weighted, weight);
+    over(out.mean, sum);
+    over(out.best, sum);
+    over(out.tangential, flat);
+    over(out.within, flat);
+    over(out.weighted, weight);
     for (int k = 0; k < kDirections; ++k)
         out.random += std::abs(std::cos(std::numbers::pi * (k + 0.5) / kDirections)) / kDirections;
     return out;
@@ -120,9 +125,16 @@ PaperLoad paper_adequacy(std::span<const Sample> samples, const Surface& s, std:
             for (const auto& f : flat) most = std::max(most, std::abs(dot(f, geom::Vec2{std::cos(a), std::sin(a)})));
             random += most / kDirections;
         }
-        ++n, out.mean += mean, out.best += best, out.random += random;
+        ++n;
+        out.mean += mean;
+        out.best += best;
+        out.random += random;
     }
-    if (n > 0) out.mean /= n, out.best /= n, out.random /= n;
+    if (n > 0) {
+        out.mean /= n;
+        out.best /= n;
+        out.random /= n;
+    }
     return out;
 }
 
@@ -142,7 +154,8 @@ double pull_adequacy(std::span<const Sample> samples, const Surface& s, std::spa
     double along = 0, most = 0;
     for (const Sample& p : samples) {
         const Pull at = pull(loads, nearest_corner(s, p.foot), p.tangent);
-        along += p.length * at.along, most += p.length * at.most;
+        along += p.length * at.along;
+        most += p.length * at.most;
     }
     return most > 0 ? along / most : std::nan("");
 }

@@ -13,9 +13,15 @@ namespace {
 constexpr std::size_t kMostTriangles = 1'500'000;
 
 void add(Area& sum, const Area& a) {
-    sum.surface += a.surface, sum.covered += a.covered, sum.unreached += a.unreached;
-    sum.strip += a.strip, sum.strip_covered += a.strip_covered;
-    if (a.void_radius > sum.void_radius) sum.void_radius = a.void_radius, sum.void_at = a.void_at;
+    sum.surface += a.surface;
+    sum.covered += a.covered;
+    sum.unreached += a.unreached;
+    sum.strip += a.strip;
+    sum.strip_covered += a.strip_covered;
+    if (a.void_radius > sum.void_radius) {
+        sum.void_radius = a.void_radius;
+        sum.void_at = a.void_at;
+    }
 }
 
 double laid(const Fibres& fibres, std::uint32_t layer) {
@@ -77,7 +83,9 @@ Plies measure_plies(const Fibres& fibres, const Ground& ground, std::span<const 
         out.least = std::min(out.least, area.covered / area.surface);
         out.laid += laid(fibres, layer);
         out.paper += paper_area_fraction(ground, own, options.spacing, threads);
-        out.beside += below.beside, out.aloft += below.aloft, out.lost += below.lost;
+        out.beside += below.beside;
+        out.aloft += below.aloft;
+        out.lost += below.lost;
         if (distances) distances->add(field, threads);
     }
     if (distances) out.distance = distances->take();

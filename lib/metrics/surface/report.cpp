@@ -94,10 +94,12 @@ void curvature(const Job& job, const std::vector<Bends>& bent, Figures& out) {
             normal.push_back({std::abs(p.normal), p.length});
             total.push_back({p.total(), p.length});
             const bool over = std::abs(p.geodesic) > limit;
-            all += p.length, sharp += over ? p.length : 0;
+            all += p.length;
+            sharp += over ? p.length : 0;
             sharp_total += p.total() > limit ? p.length : 0;
             if (p.hairpin) continue;
-            plain += p.length, sharp_plain += over ? p.length : 0;
+            plain += p.length;
+            sharp_plain += over ? p.length : 0;
             total_plain += p.total() > limit ? p.length : 0;
             most_plain = std::max(most_plain, p.total());
         }

@@ -39,9 +39,12 @@ TightTurns tight(const Fibres& fibres, std::span<const std::vector<Vec3>> normal
             const Open bare = open(c, t.from, t.to);
             std::size_t stretch = 0;
             if (t.radius <= out.least) out.tightest = point_at(c, t.at, stretch);
-            ++out.count, out.length += t.to - t.from, out.undeclared += bare.length;
+            ++out.count;
+            out.length += t.to - t.from;
+            out.undeclared += bare.length;
             if (!(bare.length > 0) || t.radius >= least_open) continue;
-            least_open = t.radius, stretch = 0;
+            least_open = t.radius;
+            stretch = 0;
             out.undeclared_at = point_at(c, bare.first, stretch);
         }
     }

@@ -194,7 +194,8 @@ TEST(Choose, WhatThePatchCameWithIsLaidToo) {
 TEST(Choose, ByHandNothingElseIsTried) {
     Sheet s = sheet(20, 12, flat, towards(0));
     Options o = wide();
-    o.plan.algorithm = surfpath::Algorithm::geo_contour, o.by_hand = true;
+    o.plan.algorithm = surfpath::Algorithm::geo_contour;
+    o.by_hand = true;
     Notes notes;
     const Choice c = choose(s, o, 1, notes);
     ASSERT_EQ(c.trials.size(), 1);

@@ -100,7 +100,8 @@ TEST(Growth, AnAxisThatChangesTurnsWhereItStands) {
     Walk walk(Machine{{}, 0.6, 0, false});
     Span a = line(0, {0, 0, 1}, {5, 0, 1}), b = line(0, {5, 0, 1}, {9, 0, 1});
     b.normals = {{0.6, 0, 0.8}, {0.6, 0, 0.8}};
-    walk.add(a), walk.add(b);
+    walk.add(a);
+    walk.add(b);
     ASSERT_EQ(walk.growth.moves.size(), 3U);
     EXPECT_EQ(walk.growth.moves[1].from.tip, walk.growth.moves[1].to.tip);
     EXPECT_EQ(walk.growth.moves[1].to.axis, (Vec3{0.6, 0, 0.8}));
@@ -127,7 +128,8 @@ TEST(Bead, IsAsWideAndHighAsItSays) {
 // Tool 1 has a carriage that hangs lower: what tool 0 passes over it meets.
 TEST(Growth, EachToolHasItsOwnHead) {
     machine::Head slim, low;
-    slim.cone_height = 30, slim.carriage_x = slim.carriage_y = 20;
+    slim.cone_height = 30;
+    slim.carriage_x = slim.carriage_y = 20;
     low = slim;
     low.cone_height = 2;
     Heads heads(slim);

@@ -67,7 +67,8 @@ TEST(Check, ABoxThatIsTurnedIsWider) {
 // and leaves the side of the nozzle, steeper than it, from there on.
 TEST(Check, ALeaningToolAboveTheBed) {
     machine::Head head;
-    head.carriage_x = head.carriage_y = 0, head.cone_height = 60;
+    head.carriage_x = head.carriage_y = 0;
+    head.cone_height = 60;
     const Scene s{Tree({}), Tree({}), Tree({}), Tree(bed({move({-10, -10, 0}, {10, 10, 0})}))};
     for (const double lean : {10.0, 30.0, 50.0}) {
         Move m = move({-5, 0, 1}, {5, 0, 1});

@@ -26,9 +26,11 @@ machine::Profile trunnion(machine::Numbers numbers) {
     p.axes.chain.carrier = kinematics::Carrier::table_table;
     p.axes.chain.tilt_axis = {1, 0, 0};
     p.axes.chain.tilt_point = {0, 20, 10};
-    p.axes.tilt_letter = 'A', p.axes.turn_letter = 'C';
+    p.axes.tilt_letter = 'A';
+    p.axes.turn_letter = 'C';
     p.axes.numbers = numbers;
-    p.axes.tcp_on = "M428", p.axes.tcp_off = "M429";
+    p.axes.tcp_on = "M428";
+    p.axes.tcp_off = "M429";
     return p;
 }
 
@@ -99,14 +101,16 @@ TEST(Program, AbsoluteExtruderAndItsZero) {
 TEST(Program, AValveOpensAndCloses) {
     machine::Profile valve = plain();
     valve.extrusion.feeding = machine::Feeding::valve;
-    valve.extrusion.on = "M64 P0", valve.extrusion.off = "M65 P0";
+    valve.extrusion.on = "M64 P0";
+    valve.extrusion.off = "M65 P0";
     EXPECT_EQ(read("G0 X0 Y0 Z0\nG1 X1\nM64 P0\nX2\nX3\nM65 P0\nX4\n", valve).beads.size(), 2U);
 }
 
 // Behind the anchor nothing feeds a fibre that the nozzle pulls: its codes tell where it lies.
 TEST(Program, AFibreLiesBetweenItsCodes) {
     machine::Profile fibre = plain();
-    fibre.fibre.on = "M64 P1", fibre.fibre.off = "M65 P1";
+    fibre.fibre.on = "M64 P1";
+    fibre.fibre.off = "M65 P1";
     const std::string text = "G0 X0 Y0 Z0\nM64 P1\nG1 X2 E1\nG1 X4\nG1 X6\nM65 P1\nG1 X8\n";
     EXPECT_EQ(read(text, fibre).beads.size(), 1U) << "no fibre head";
     fibre.fibre.cut_to_nozzle = 45;
@@ -149,7 +153,8 @@ TEST(Program, TipAndJointsAreTheSameWay) {
             return "G1 X" + std::to_string(v.x) + " Y" + std::to_string(v.y) + " Z" + std::to_string(v.z) + " A" +
                    std::to_string(tilt) + " C" + std::to_string(turn) + "\n";
         };
-        one += words(p), other += words(j.xyz);
+        one += words(p);
+        other += words(j.xyz);
     }
     one += "M429\nG1 X0\n"; // now a number of the axes
     const Program a = read(one, tip), b = read(other, joints);

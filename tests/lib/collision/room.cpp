@@ -69,7 +69,9 @@ TEST(Room, AgreesWithTheCheck) {
     }
     const Scene scene{Tree({}), Tree(solids), Tree({}), Tree({})};
     machine::Head head;
-    head.cone_angle = 20 * kDegree, head.cone_height = 30, head.carriage_x = head.carriage_y = 4;
+    head.cone_angle = 20 * kDegree;
+    head.cone_height = 30;
+    head.carriage_x = head.carriage_y = 4;
     const Shape shape(head);
     const Options options;
     const Room room(scene, shape, options);

@@ -49,7 +49,8 @@ TEST(Shape, NamesThePiece) {
 
 TEST(Shape, AWideNozzleGoesOnAboveANarrowCarriage) {
     machine::Head head;
-    head.cone_angle = std::numbers::pi / 2, head.carriage_x = head.carriage_y = 2;
+    head.cone_angle = std::numbers::pi / 2;
+    head.carriage_x = head.carriage_y = 2;
     EXPECT_NEAR(to_point(Shape(head), {10, 0, 40}), 10 - 8.2, 1e-7);
 }
 

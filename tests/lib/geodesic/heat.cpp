@@ -15,7 +15,10 @@ using surfaces::Vec2;
 double mean_error(const std::vector<double>& a, const std::vector<double>& b, double from) {
     double sum = 0, count = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (b[i] > from && std::isfinite(b[i])) sum += std::abs(a[i] - b[i]) / b[i], count += 1;
+        if (b[i] > from && std::isfinite(b[i])) {
+            sum += std::abs(a[i] - b[i]) / b[i];
+            count += 1;
+        }
     return sum / count;
 }
 

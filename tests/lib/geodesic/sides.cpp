@@ -109,7 +109,9 @@ TEST(Sides, SignedDistancesAndLevels) {
     const auto flat = sheet(20, 10, 24, 13, 6);
     plate.surface = flat.surface;
     Options o;
-    o.spacing = 1, o.first = 0.5, o.with_sides = true;
+    o.spacing = 1;
+    o.first = 0.5;
+    o.with_sides = true;
     plate.fields.push_back({"distance", std::vector<double>(flat.flat.size(), 7), 1}); // of before
     measure(plate, from(plate.surface, "plane:1,0,0,8.2"), o, notes);
     ASSERT_EQ(plate.fields.size(), 1U);

@@ -23,7 +23,9 @@ std::vector<Span> sample_path(bool leans, geom::Vec2 from) {
     geom::Vec3 at = place(0, 0, 0.2);
     const auto add = [&](Role role, std::uint32_t stroke, std::uint32_t layer, std::vector<geom::Vec3> points) {
         Span s;
-        s.role = role, s.stroke = stroke, s.layer = layer;
+        s.role = role;
+        s.stroke = stroke;
+        s.layer = layer;
         points.insert(points.begin(), at);
         s.points = points;
         if (toolpath::extrudes(role)) {

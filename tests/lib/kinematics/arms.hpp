@@ -26,7 +26,11 @@ struct Random {
 
 inline std::array<Axis, kAxes> limits(double most) {
     std::array<Axis, kAxes> out;
-    for (Axis& a : out) a.min = -most, a.max = most, a.speed = pi;
+    for (Axis& a : out) {
+        a.min = -most;
+        a.max = most;
+        a.speed = pi;
+    }
     return out;
 }
 
@@ -45,7 +49,8 @@ inline Arm ur10e() {
 inline Arm industrial(double d1, double a1, double a2, double a3, double d4, double d6, double aside = 0) {
     auto axes = limits(pi);
     const auto line = [&](std::size_t k, Vec3 direction, Vec3 point) {
-        axes[k].direction = direction, axes[k].point = point;
+        axes[k].direction = direction;
+        axes[k].point = point;
     };
     const double z = d1 + a2 + a3;
     line(0, {0, 0, 1}, {0, 0, 0});

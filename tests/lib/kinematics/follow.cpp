@@ -24,7 +24,10 @@ const Frame kTool{{}, {0, 0, 150}};
 Arm irb() {
     Arm out = industrial(495, 175, 900, 175, 960, 135);
     const double low[] = {-180, -90, -180, -400, -125, -400}, high[] = {180, 150, 75, 400, 120, 400};
-    for (std::size_t k = 0; k < kAxes; ++k) out.axes[k].min = low[k] * kDegree, out.axes[k].max = high[k] * kDegree;
+    for (std::size_t k = 0; k < kAxes; ++k) {
+        out.axes[k].min = low[k] * kDegree;
+        out.axes[k].max = high[k] * kDegree;
+    }
     return out;
 }
 
@@ -89,7 +92,8 @@ TEST(follow, straight_strokes_keep_the_spin) {
 
 TEST(follow, a_round_tool_unwinds_on_the_way) {
     Arm arm = irb();
-    arm.axes[5].min = -200 * kDegree, arm.axes[5].max = 200 * kDegree;
+    arm.axes[5].min = -200 * kDegree;
+    arm.axes[5].max = 200 * kDegree;
     std::vector<Stand> stands; // the tool's x axis turns round three times
     for (int i = 0; i <= 600; ++i) stands.push_back({down(1000, -300 + i, 300, i * 1.8 * kDegree), 0.05});
     const Followed held = kinematics::follow({arm, kTool, false, 0}, stands, {kReady, 0, true});
@@ -106,7 +110,8 @@ TEST(follow, a_round_tool_goes_round_a_singularity) {
     // A tool that leans: the wrist is stretched, axes 4 and 6 in line, where it points along the fore arm.
     const Carried fixed{irb(), {geom::about({0, 1, 0}, 50 * kDegree), {120, 0, 150}}, false, 5 * kDegree};
     Posture q = kReady;
-    q[3] = 0, q[4] = 0;
+    q[3] = 0;
+    q[4] = 0;
     const Frame through = tip(fixed, q);
     const auto aside = [&](double y) { return Frame{through.turn, through.origin + geom::Vec3{0, y, 0}}; };
     const auto stands = line(aside(-150), aside(150), 61, 15);
@@ -144,7 +149,8 @@ TEST(follow, what_is_out_of_reach_is_told_with_its_place) {
 
 TEST(follow, a_first_stand_beyond_a_limit_says_which) {
     Arm arm = irb();
-    arm.axes[0].min = -0.5, arm.axes[0].max = 0.5;
+    arm.axes[0].min = -0.5;
+    arm.axes[0].max = 0.5;
     const auto stands = line(down(0, 1100, 300), down(10, 1100, 300), 3);
     const Followed f = kinematics::follow({arm, kTool, true, 0}, stands, {kReady, 0, true});
     EXPECT_EQ(f.hindrance.trouble, Trouble::limit);

@@ -192,7 +192,8 @@ std::size_t greedy(const Chain& c, const std::vector<Pose>& poses, Joints at, co
             const double cost = std::abs(turn - at.turn) + std::abs(j.tilt - at.tilt);
             const bool jumps = i > 0 && std::abs(turn - at.turn) > kPi / 2;
             if (jumps || turn < l.turn_min || turn > l.turn_max || cost >= best) continue;
-            best = cost, next = place(c, poses[i].tip, j.tilt, turn);
+            best = cost;
+            next = place(c, poses[i].tip, j.tilt, turn);
         }
         if (best == 1e9) return i;
         at = next;

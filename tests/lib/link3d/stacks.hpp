@@ -36,7 +36,12 @@ inline Result link(const std::vector<RegionPaths>& regions, const Options& optio
 
 inline RegionPaths region(std::uint32_t id, std::uint32_t layer, Join join, std::vector<Curve> curves) {
     RegionPaths r;
-    r.region = id, r.layer = layer, r.z = kHeight * (layer + 1), r.height = kHeight, r.area = 1, r.join = join;
+    r.region = id;
+    r.layer = layer;
+    r.z = kHeight * (layer + 1);
+    r.height = kHeight;
+    r.area = 1;
+    r.join = join;
     r.curves = std::move(curves);
     return r;
 }

@@ -26,7 +26,12 @@ std::string refusal(const std::string& fibre) {
 Fibre head() {
     Fibre f;
     f.cut_to_nozzle = f.least_path = 45;
-    f.anchor = 6, f.anchor_feed = 0.5, f.feed = 10, f.tail_feed = 4, f.ratio = 1.5, f.tension_dwell = 1;
+    f.anchor = 6;
+    f.anchor_feed = 0.5;
+    f.feed = 10;
+    f.tail_feed = 4;
+    f.ratio = 1.5;
+    f.tension_dwell = 1;
     return f;
 }
 
@@ -96,7 +101,8 @@ TEST(Stretches, anchor_then_pull_then_cut_and_tail) {
 
 TEST(Stretches, push_feeds_to_the_cut_and_pauses_come_at_their_distance) {
     Fibre f = head();
-    f.push = true, f.tension_every = 20;
+    f.push = true;
+    f.tension_every = 20;
     const auto s = stretches(f, 100); // 0 6 26 46 55 100
     ASSERT_EQ(s.size(), 5U);
     const double ends[] = {6, 26, 46, 55, 100};

@@ -96,7 +96,10 @@ TEST(Holes, flipped_triangles_are_turned_back) {
         const double right = volume(m);
         std::size_t flipped = 0;
         for (std::size_t t = 0; t < m.triangles.size(); ++t)
-            if ((t * 2654435761U >> 7) % (every + 1) == 0) std::swap(m.triangles[t][1], m.triangles[t][2]), ++flipped;
+            if ((t * 2654435761U >> 7) % (every + 1) == 0) {
+                std::swap(m.triangles[t][1], m.triangles[t][2]);
+                ++flipped;
+            }
         Notes notes;
         face_one_way(m, false, notes);
         EXPECT_TRUE(is_closed(m));
@@ -108,8 +111,10 @@ TEST(Holes, flipped_triangles_are_turned_back) {
 
 TEST(Holes, lids_close_a_mesh) {
     Mesh m = shapes::sphere(4, 4);
-    for (std::size_t t = 0; t < m.triangles.size(); t += 97)
-        std::swap(m.triangles[t], m.triangles.back()), m.triangles.pop_back();
+    for (std::size_t t = 0; t < m.triangles.size(); t += 97) {
+        std::swap(m.triangles[t], m.triangles.back());
+        m.triangles.pop_back();
+    }
     EXPECT_FALSE(is_closed(m));
     const Lids l = lids(m);
     EXPECT_GT(l.holes.size(), 10U);

@@ -190,7 +190,8 @@ TEST(Partition, ABumpOfAScanIsNoFace) {
 TEST(Partition, ASpikeOfAScanIsNoHole) {
     const Sheet sheet = grid(40, 20, 40, 20, [](Vec2 p) { return Vec3{p.x, p.y, p == Vec2{20, 10} ? 8.0 : 0.0}; });
     Options options;
-    options.detail = 8, options.limits.least_area = 30;
+    options.detail = 8;
+    options.limits.least_area = 30;
     Notes notes;
     const auto patches = divide(sheet, options, 1, notes);
     ASSERT_EQ(patches.size(), 1U);

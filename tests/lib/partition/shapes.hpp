@@ -62,7 +62,8 @@ inline void add_stress(Sheet& sheet, const std::string& name, const std::functio
         s.values.push_back(length);
         d.values.insert(d.values.end(), {u.x, u.y, u.z});
     }
-    sheet.fields.push_back(s), sheet.fields.push_back(d);
+    sheet.fields.push_back(s);
+    sheet.fields.push_back(d);
 }
 
 inline double total(const std::vector<Sheet>& patches) {

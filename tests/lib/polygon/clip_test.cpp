@@ -154,7 +154,9 @@ TEST(split, an_island_in_a_hole_has_its_ring_as_parent) {
     Loops a;
     const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, hole[] = {{1, 1}, {1, 9}, {9, 9}, {9, 1}},
                island[] = {{3, 3}, {7, 3}, {7, 7}, {3, 7}};
-    a.add(outer), a.add(hole), a.add(island);
+    a.add(outer);
+    a.add(hole);
+    a.add(island);
     const Parts parts = split(a);
     ASSERT_EQ(parts.part.size(), 2U);
     EXPECT_EQ(parts.part[0].size(), 2U);

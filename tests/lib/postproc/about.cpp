@@ -12,7 +12,9 @@ TEST(About, NotesAreSummedAndFactsStand) {
     a.stage = b.stage = "fill";
     a.what = b.what = "area not reached";
     a.unit = b.unit = "mm2";
-    a.amount = 1.5, b.amount = 0.25, b.count = 3;
+    a.amount = 1.5;
+    b.amount = 0.25;
+    b.count = 3;
     postproc::FirstPass first_pass;
     first_pass.layers = 7;
     first_pass.strokes = 12;

@@ -92,7 +92,8 @@ TEST(carry, what_is_out_of_reach_says_where_and_by_how_much) {
 TEST(carry, a_limit_says_which_axis) {
     const Model model("-10, -90, -180, -400, -125, -400", "10, 150, 75, 400, 120, 400", kFast);
     Asked asked;
-    asked.model = model.name(), asked.base = "1200, 0, 500, 0, 0, 0";
+    asked.model = model.name();
+    asked.base = "1200, 0, 500, 0, 0, 0";
     for (const char* spin : {"fixed", "free"}) {
         asked.kinematics = std::string("spin = \"") + spin + "\"\n";
         const auto said = refusal(asked, along_y(0, 400));
@@ -130,7 +131,8 @@ TEST(carry, a_slow_axis_makes_beads_slow_and_that_is_told) {
         if (!std::regex_search(line, m, std::regex("LIN \\{X (\\S+),Y (\\S+),Z ([^,]+),"))) continue;
         const Vec3 to{std::stod(m[1]), std::stod(m[2]), std::stod(m[3])};
         if (began && to.z == 0) all += distance(at, to) / feed;
-        began = true, at = to;
+        began = true;
+        at = to;
     }
     EXPECT_NEAR(all, seconds, 0.01 * seconds);
 }
@@ -152,7 +154,8 @@ TEST(carry, a_singularity_is_told_near_and_refused_within) {
 
 TEST(carry, without_a_model_nothing_is_checked_and_that_is_told) {
     Asked asked;
-    asked.model = "", asked.base = "9000, 0, 500, 0, 0, 0";
+    asked.model = "";
+    asked.base = "9000, 0, 500, 0, 0, 0";
     const auto w = written(asked, arc());
     ASSERT_NE(note_of(w, "not checked: robot.model names none"), nullptr);
     EXPECT_TRUE(std::isnan(fact_of(w, "nearest-singularity")));
@@ -160,18 +163,23 @@ TEST(carry, without_a_model_nothing_is_checked_and_that_is_told) {
     EXPECT_EQ(w.text.find(",S "), std::string::npos); // nobody knows
     asked.dialect = "rapid";
     EXPECT_NE(written(asked, arc()).text.find("MoveJ [["), std::string::npos);
-    asked.dialect = "urscript", asked.extrusion = "kind = \"valve\"\non = \"a()\"\noff = \"b()\"\n";
+    asked.dialect = "urscript";
+    asked.extrusion = "kind = \"valve\"\non = \"a()\"\noff = \"b()\"\n";
     EXPECT_NE(written(asked, arc()).text.find("movej(pose_trans(filum_part,p["), std::string::npos);
 }
 
 TEST(carry, strokes_go_on_from_where_the_last_one_ended) {
     // Many short strokes all over a plate: whatever the axes do, each program's frames stand in one way.
     Asked asked;
-    asked.base = "1200, 0, 500, 0, 0, 0", asked.kinematics = "spin = \"free\"\n";
+    asked.base = "1200, 0, 500, 0, 0, 0";
+    asked.kinematics = "spin = \"free\"\n";
     std::vector<toolpath::Span> spans;
     for (int k = 0; k < 12; ++k) {
         toolpath::Span s = along_y(0, 30)[0];
-        for (Vec3& p : s.points) p.x += 40.0 * (k % 4) - 60, p.y += 100.0 * (k / 4) - 100;
+        for (Vec3& p : s.points) {
+            p.x += 40.0 * (k % 4) - 60;
+            p.y += 100.0 * (k / 4) - 100;
+        }
         if (k > 0) {
             toolpath::Span travel{
                 toolpath::Role::travel, 0, 0, 0, {spans.back().points.back(), s.points[0]}, {0}, {0}, {}};

@@ -60,12 +60,17 @@ inline Seen walk(const machine::Profile& p, const std::vector<Span>& spans) {
     for (const Step& s : out.steps) {
         const Vec3 tip = p.axes.active() ? kinematics::forward(p.axes.chain, {s.axes, s.tilt, s.turn}).tip : s.to;
         if (s.act == Act::push) ++now.pushes;
-        if (s.act == Act::cut) ++now.cuts, now.tail = 0;
+        if (s.act == Act::cut) {
+            ++now.cuts;
+            now.tail = 0;
+        }
         if (s.act == Act::tension) ++now.pauses;
         if (s.act == Act::omit) out.omitted.push_back(s);
         if (s.act == Act::extrude) {
             const double l = distance(at, tip);
-            now.length += l, now.tail += l, now.fed += s.fed;
+            now.length += l;
+            now.tail += l;
+            now.fed += s.fed;
             if (now.cuts > 0) now.fed_after += s.fed;
             if (s.feed <= p.fibre.anchor_feed * (1 + 1e-9)) now.slow += l;
         }

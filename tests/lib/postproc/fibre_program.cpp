@@ -99,7 +99,8 @@ std::vector<Span> dome() {
         Span s = fibre({}, static_cast<std::uint32_t>(out.size()));
         for (int i = 0; i <= 50; ++i) {
             const auto [p, n] = at(most * (i / 25.0 - 1), 3.0 * static_cast<double>(out.size()));
-            s.points.push_back(p), s.normals.push_back(n);
+            s.points.push_back(p);
+            s.normals.push_back(n);
         }
         if (!out.empty()) {
             const Vec3 a = out.back().points.back(), na = out.back().normals.back();

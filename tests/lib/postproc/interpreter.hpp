@@ -87,7 +87,10 @@ inline Program read(const std::string& text, char letter = 'E') {
         }
         if (line == "M83") relative_e = true;
         if (line == "M82") relative_e = false;
-        if (line == "M7") ++opened, open = true;
+        if (line == "M7") {
+            ++opened;
+            open = true;
+        }
         if (line == "M9") open = false;
         if (!motion || command == "G92") {
             if (command == "G92" && words.count(letter) != 0) base = at.e - words[letter];

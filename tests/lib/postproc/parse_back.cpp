@@ -212,7 +212,10 @@ TEST(ParseBack, ThePartIsCentredByWholeMicrometres) {
     EXPECT_NEAR(centred.shift.x * 1000, std::round(centred.shift.x * 1000), 1e-6);
     auto moved = spans;
     for (auto& s : moved)
-        for (auto& q : s.points) q.x += 100, q.y += 100;
+        for (auto& q : s.points) {
+            q.x += 100;
+            q.y += 100;
+        }
     const auto kept = sample::write(p, moved, postproc::Place::as_is);
     EXPECT_EQ(kept.shift, (geom::Vec2{0, 0}));
     EXPECT_TRUE(alike(places(moved, {0, 0}), places(interpreter::read(kept.text))));

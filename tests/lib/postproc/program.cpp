@@ -63,7 +63,8 @@ TEST(Program, FeaturesHaveFlowAccelerationAndFanOfTheirOwn) {
         Span bead{Role::bead, 0, layer, layer, {at, to}, {0.4}, {0.2}};
         bead.feature = feature;
         if (!spans.empty() && spans.back().points.back().z != at.z) spans.back().points.back().z = at.z;
-        spans.push_back(bead), at = to;
+        spans.push_back(bead);
+        at = to;
     }
     const char* const rules = "upper_layers = \"M105 S{fan}\"\n[features.bridge]\nflow = 1.5\nacceleration = 500\nfan "
                               "= 200\n[values]\nfan = 99\n";

@@ -269,7 +269,8 @@ TEST(robot, urscript_says_metres_and_rotation_vectors_in_the_part) {
 TEST(robot, a_long_program_goes_on_in_modules) {
     Asked asked = kRapid;
     auto spans = arc();
-    spans[0].points.clear(), spans[0].normals.clear();
+    spans[0].points.clear();
+    spans[0].normals.clear();
     for (int i = 0; i <= 500; ++i)
         spans[0].points.push_back({0.2 * i - 50, 5 * std::sin(i * 0.1), 0}), spans[0].normals.push_back({0, 0, 1});
     const auto moves = [](const std::string& text) {

@@ -51,8 +51,10 @@ inline std::vector<Span> random_toolpath(unsigned seed, std::size_t strokes = 6)
                 const auto kind = gen() % 12;
                 if (kind == 0)
                     at.z += 0.2;
-                else if (kind > 1)
-                    at.x += uniform(-step, step), at.y += uniform(-step, step);
+                else if (kind > 1) {
+                    at.x += uniform(-step, step);
+                    at.y += uniform(-step, step);
+                }
                 span.points.push_back(at);
             }
             for (std::size_t i = 0; i < span.points.size(); ++i) span.width.push_back(uniform(0.2, 0.8));

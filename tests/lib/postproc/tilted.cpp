@@ -31,7 +31,8 @@ std::vector<Span> dome(int rows, double most, int half = 30) {
         Span s{Role::bead, static_cast<std::uint32_t>(j), 0, 0, {}, {1.0}, {0.2}, {}};
         for (int i = 0; i <= 2 * half; ++i) {
             const auto [p, n] = at(most * (i / static_cast<double>(half) - 1), 3.0 * (j - (rows - 1) / 2.0));
-            s.points.push_back(p), s.normals.push_back(n);
+            s.points.push_back(p);
+            s.normals.push_back(n);
         }
         if (!out.empty()) {
             const Vec3 a = out.back().points.back(), na = out.back().normals.back();
@@ -89,7 +90,8 @@ std::vector<Line> read(const std::string& text) {
         if (line == "M7" || line == "M9") now.laying = line == "M7";
         if (line.rfind("G0 ", 0) != 0 && line.rfind("G1 ", 0) != 0) continue;
         now.rapid = line[1] == '0';
-        now.words.erase('F'), now.words.erase('E');
+        now.words.erase('F');
+        now.words.erase('E');
         now.moved = false;
         std::istringstream words(line);
         while (words >> word)
@@ -198,7 +200,10 @@ TEST(tilted, few_points_do_not_make_the_tool_lean) {
                             const Vec3 d = s.points[k + 1] - s.points[k];
                             const double t = std::clamp(dot(pose.tip - s.points[k], d) / dot(d, d), 0.0, 1.0);
                             const double off = distance(pose.tip, s.points[k] + t * d);
-                            if (off < least) least = off, want = (1 - t) * s.normals[k] + t * s.normals[k + 1];
+                            if (off < least) {
+                                least = off;
+                                want = (1 - t) * s.normals[k] + t * s.normals[k + 1];
+                            }
                         }
                     lean = std::max(lean, geom::angle(pose.axis, want));
                 }
@@ -283,7 +288,8 @@ TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
     EXPECT_GT(top, 100);
     for (const auto numbers : {machine::Numbers::joints, machine::Numbers::tip}) {
         p.axes.numbers = numbers;
-        p.axes.tcp_on = "M428", p.axes.tcp_off = "M429";
+        p.axes.tcp_on = "M428";
+        p.axes.tcp_off = "M429";
         EXPECT_GE(read(program(p, {side}, postproc::Place::as_is)).back().words.at('Z'), top + 10 - 1e-3);
     }
 }

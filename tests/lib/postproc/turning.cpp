@@ -26,7 +26,8 @@ toolpath::Span cap(const postproc::Turning& lying, double half) {
     toolpath::Span s{toolpath::Role::bead, 0, 0, 0, {}, {1.0}, {0.2}, {}};
     for (int i = 0; i <= 40; ++i) {
         const Vec3 n = lying(direction(half * std::abs(i / 20.0 - 1), i < 20 ? 0 : pi));
-        s.points.push_back(60 * n), s.normals.push_back(n);
+        s.points.push_back(60 * n);
+        s.normals.push_back(n);
     }
     return s;
 }

@@ -83,7 +83,10 @@ TEST(Air, AgreesWithAGridOfPoints) {
                 for (std::size_t u = 0; u < upper.size(); ++u)
                     if (polygon::contains(upper[u].loops, {x, y})) {
                         const double d = distance_to(lower, {x, y});
-                        if (d > kBeads.bead_width / 2) area += kStep * kStep, of[u] += kStep * kStep;
+                        if (d > kBeads.bead_width / 2) {
+                            area += kStep * kStep;
+                            of[u] += kStep * kStep;
+                        }
                         reach = std::max(reach, d);
                     }
         EXPECT_NEAR(air.area, area, 0.02 * area + 0.3) << trial;

@@ -46,7 +46,8 @@ TEST(Drape, ShowsVoidsOfTheirSizeOnAnyMesh) {
     for (const std::uint32_t n : {1U, 20U}) {
         for (const int missing : {0, 2, 5}) {
             Scene s;
-            s.sheet = square(n), s.spans = lanes(missing);
+            s.sheet = square(n);
+            s.spans = lanes(missing);
             const Decoded d = decode(draw(s, plain(), "class", 1));
             EXPECT_NEAR(d.share(red), share_of(10.0 * missing), 0.012) << n << " " << missing;
         }
@@ -57,7 +58,8 @@ TEST(Drape, CountsWhatIsUncovered) {
     for (const std::uint32_t n : {1U, 20U}) {
         for (const int missing : {0, 2, 5}) {
             Scene s;
-            s.sheet = square(n), s.spans = lanes(missing);
+            s.sheet = square(n);
+            s.spans = lanes(missing);
             const Laid laid = lay(s, tint(s, By::role, nullptr));
             EXPECT_NEAR(uncovered(s.sheet->surface, laid), missing / 10.0, 0.002);
             EXPECT_EQ(laid.loose.size(), 0u);
@@ -69,8 +71,10 @@ TEST(Drape, CountsWhatIsUncovered) {
 TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
     Scene s;
     mesh::Mesh m;
-    add_square(m, 4, 0, false), add_square(m, 4, 0.3, true);
-    s.sheet = sheet_of(std::move(m)), s.spans = lanes(0, 0.3);
+    add_square(m, 4, 0, false);
+    add_square(m, 4, 0.3, true);
+    s.sheet = sheet_of(std::move(m));
+    s.spans = lanes(0, 0.3);
     EXPECT_LT(decode(draw(s, plain("top"), "class", 1)).share(red), 0.02);
     EXPECT_NEAR(decode(draw(s, plain("bottom"), "class", 1)).share(red), share_of(100), 0.03);
     EXPECT_NEAR(uncovered(s.sheet->surface, lay(s, tint(s, By::role, nullptr))), 0.5, 0.002);
@@ -79,8 +83,10 @@ TEST(Drape, TellsTheTwoSidesOfAThinWallApart) {
 TEST(Drape, KnowsTheSideOfPathsWithoutNormals) {
     Scene s;
     mesh::Mesh m;
-    add_square(m, 4, 0, false), add_square(m, 4, 0.3, true);
-    s.sheet = sheet_of(std::move(m)), s.spans = lanes(0, 0.3);
+    add_square(m, 4, 0, false);
+    add_square(m, 4, 0.3, true);
+    s.sheet = sheet_of(std::move(m));
+    s.spans = lanes(0, 0.3);
     for (auto& span : s.spans) span.normals.clear();
     const Laid laid = lay(s, tint(s, By::role, nullptr));
     EXPECT_TRUE(laid.loose.empty());
@@ -132,8 +138,13 @@ TEST(Drape, LeansFromTheFaceToTheNamedSide) {
             double n = 0, sx = 0, sy = 0;
             for (unsigned j = 0; j < d.height; ++j)
                 for (unsigned i = 0; i < d.width; ++i)
-                    if (green(d.at(i, j))) ++n, sx += i, sy += j;
-            at[height > 0][0] = sx / n, at[height > 0][1] = sy / n;
+                    if (green(d.at(i, j))) {
+                        ++n;
+                        sx += i;
+                        sy += j;
+                    }
+            at[height > 0][0] = sx / n;
+            at[height > 0][1] = sy / n;
         }
         const double dx = at[1][0] - at[0][0], dy = at[1][1] - at[0][1];
         EXPECT_NEAR(dx / 30, x, x == 0 ? 0.2 : 2) << view;
@@ -144,7 +155,8 @@ TEST(Drape, LeansFromTheFaceToTheNamedSide) {
 
 TEST(Drape, PutsLaterLayersOnTop) {
     Scene s;
-    s.sheet = square(), s.spans = lanes(0);
+    s.sheet = square();
+    s.spans = lanes(0);
     for (int k = 0; k < 10; ++k)
         s.spans.push_back(lane({k + 0.5, 0, 0.2}, {k + 0.5, 10, 0.2}, {0, 0, 1}, 1)), s.spans.back().stroke = 1;
     const auto alone = [&](int from, int to) {
@@ -185,11 +197,13 @@ TEST(Drape, ColoursByAFieldAndSaysWhichThereAre) {
     }
     s.sheet->fields = {x, across};
     Options o = plain();
-    o.voids = false, o.by = "x";
+    o.voids = false;
+    o.by = "x";
     const Decoded d = decode(draw(s, o, "class", 1));
     EXPECT_GT(d.at(240, 140).g, d.at(60, 140).g + 60); // blue to yellow
     for (const auto& [by, arrows] : {std::pair{"y", ""}, {"", "x"}, {"x", "y"}}) {
-        o.by = by, o.arrows = arrows;
+        o.by = by;
+        o.arrows = arrows;
         try {
             draw(s, o, "class", 1);
             FAIL();
@@ -214,7 +228,8 @@ TEST(Drape, DrawsVectorsAlongTheirDirection) {
         for (unsigned y = 10; y < 250; ++y)
             for (unsigned x = 10; x < 290; ++x) {
                 if (d.at(x, y).r > 110) continue;
-                out.first += d.at(x + 1, y).r <= 110 ? 1 : 0, out.second += d.at(x, y + 1).r <= 110 ? 1 : 0;
+                out.first += d.at(x + 1, y).r <= 110 ? 1 : 0;
+                out.second += d.at(x, y + 1).r <= 110 ? 1 : 0;
             }
         return out;
     };
@@ -276,7 +291,8 @@ TEST(Drape, IsTheSameForAnyThreads) {
         s.spans.push_back(lane({r, 0, z}, {0, r, z}, {r / 7, r / 7, z / 5}));
     }
     Options o = plain("auto");
-    o.views = "face,iso,-1,2,0.3", o.overlap = true;
+    o.views = "face,iso,-1,2,0.3";
+    o.overlap = true;
     const std::string one = draw(s, o, "class", 1);
     EXPECT_EQ(one, draw(s, o, "class", 2));
     EXPECT_EQ(one, draw(s, o, "class", 8));
@@ -330,10 +346,12 @@ TEST(Drape, RefusesWhatHasNoSurface) {
 TEST(Drape, DrawsSeveralSurfacesInColoursOfTheirOwn) {
     Scene s;
     surface::Sheet left = square(4), right = square(4);
-    left.name = "A", right.name = "B";
+    left.name = "A";
+    right.name = "B";
     for (Vec3& v : right.surface.vertices) v.x += 10;
     left.fields = {{"x", std::vector<double>(left.surface.vertices.size(), 1.0), 1}};
-    add(s, left), add(s, right);
+    add(s, left);
+    add(s, right);
     ASSERT_EQ(s.patches.size(), 2U);
     EXPECT_EQ(s.sheet->surface.rims.size(), 2U);
     Options o = plain();

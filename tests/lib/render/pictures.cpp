@@ -99,7 +99,8 @@ TEST(Flat, KnowsWhereStrokesStartAndEnd) {
 
 TEST(Svg, HasTrueWidthsInMillimetres) {
     Options o;
-    o.layer = 0, o.svg = true;
+    o.layer = 0;
+    o.svg = true;
     const std::string text = draw(filled(), o, "layer", 1);
     EXPECT_EQ(text.rfind("<svg ", 0), 0u);
     EXPECT_NE(text.find("width=\"5.2mm\""), std::string::npos); // 4 + 0.4 of ends + 2 * 0.4 of margin
@@ -158,7 +159,8 @@ TEST(Pictures, OutlinesAreDrawnAsSolids) {
     Scene s;
     for (std::uint32_t k = 0; k < 10; ++k) {
         auto r = square(0, 0, 3, 3);
-        r.layer = k, r.z = 0.2 * (k + 1);
+        r.layer = k;
+        r.z = 0.2 * (k + 1);
         add(s, r, {});
     }
     Options o;

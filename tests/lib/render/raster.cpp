@@ -17,7 +17,9 @@ TEST(Strokes, FindWhatASearchOfAllFinds) {
     for (std::uint32_t k = 0; k < 300; ++k) {
         Stroke s;
         s.a = point(), s.b = k % 5 == 0 ? s.a : s.a + 0.2 * (point() - Vec3{10, 10, 2});
-        s.half_a = s.half_b = 0.3 + random(), s.reach = 0.4, s.layer = k % 3;
+        s.half_a = s.half_b = 0.3 + random();
+        s.reach = 0.4;
+        s.layer = k % 3;
         all.push_back(s);
     }
     const Strokes strokes(all);
@@ -31,7 +33,10 @@ TEST(Strokes, FindWhatASearchOfAllFinds) {
             const double t = dot(d, d) > 0 ? std::clamp(dot(p - s.a, d) / dot(d, d), 0.0, 1.0) : 0;
             const double off = geom::distance(p, s.a + t * d) / s.half_a;
             if (off > 1 || (least <= 1 && s.layer < layer)) continue;
-            if (least > 1 || s.layer > layer || off < least) least = off, layer = s.layer;
+            if (least > 1 || s.layer > layer || off < least) {
+                least = off;
+                layer = s.layer;
+            }
         }
         const Cover c = strokes.at(p, {0, 0, 1});
         ASSERT_EQ(c.stroke != nullptr, least <= 1) << k;

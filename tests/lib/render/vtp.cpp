@@ -23,7 +23,8 @@ std::vector<T> array(const std::string& file, const std::string& name) {
     int held = 0;
     for (auto i = begin; i < end && file[i] != '='; ++i) {
         const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        bits = bits << 6 | static_cast<std::uint32_t>(std::strchr(digits, file[i]) - digits), held += 6;
+        bits = bits << 6 | static_cast<std::uint32_t>(std::strchr(digits, file[i]) - digits);
+        held += 6;
         if (held >= 8) bytes += static_cast<char>(bits >> (held -= 8) & 255);
     }
     std::uint64_t size = 0;

@@ -45,7 +45,8 @@ std::vector<Span> both_sides(std::uint32_t layers) {
 
 Options options() {
     Options o;
-    o.machine.head.common.cone_height = 20, o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 4;
+    o.machine.head.common.cone_height = 20;
+    o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 4;
     o.travel.lift = 0.6;
     return o;
 }
@@ -98,7 +99,8 @@ TEST(Job, TheToolLeansAwayFromAWall) {
                             line(1, {-30, 30, kLayer}, {-30, 0, kLayer})};
     const Solid wall{{Vec3{3, -9, 0}, {3, 60, 0}, {3, 60, 20}, {3, -9, 20}}, 0, 0};
     Options o;
-    o.machine.head.common.cone_angle = 0.5, o.machine.head.common.cone_height = 60;
+    o.machine.head.common.cone_angle = 0.5;
+    o.machine.head.common.cone_height = 60;
     o.machine.head.common.carriage_x = o.machine.head.common.carriage_y = 0;
     EXPECT_FALSE(route::route(spans, {{{}, {wall}, {}, {}}}, o, 1).found.collisions.empty());
     o.tilt = {0.4, 0.1};

@@ -28,7 +28,9 @@ Scene wall(double y0, double y1) {
 
 machine::Head cone() {
     machine::Head head;
-    head.flat_radius = kFlat, head.cone_angle = 2 * kHalf, head.cone_height = 100;
+    head.flat_radius = kFlat;
+    head.cone_angle = 2 * kHalf;
+    head.cone_height = 100;
     head.carriage_x = head.carriage_y = 0;
     return head;
 }

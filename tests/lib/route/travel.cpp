@@ -33,7 +33,9 @@ std::vector<Solid> box(const Vec3& lo, const Vec3& hi) {
 // A cone of 20 degrees, high enough for all that stands here.
 machine::Head slim() {
     machine::Head head;
-    head.cone_angle = 20 * kDegree, head.cone_height = 100, head.carriage_x = head.carriage_y = 0;
+    head.cone_angle = 20 * kDegree;
+    head.cone_height = 100;
+    head.carriage_x = head.carriage_y = 0;
     return head;
 }
 

@@ -39,8 +39,10 @@ Towers renumbered(const Towers& t, const std::vector<Index>& to) {
     }
     for (auto& member : out.columns.member)
         for (Index& v : member) v = to[v];
-    out.g.up = renumbered(t.g.up, to), out.g.down = reversed(out.g.up);
-    out.g.after = renumbered(t.g.after, to), out.g.before = reversed(out.g.after);
+    out.g.up = renumbered(t.g.up, to);
+    out.g.down = reversed(out.g.up);
+    out.g.after = renumbered(t.g.after, to);
+    out.g.before = reversed(out.g.after);
     return out;
 }
 
@@ -56,7 +58,8 @@ TEST(Canon, NumbersDoNotDecide) {
         const Columns a = columns(t.g, c), b = columns(r.g, d);
         EXPECT_EQ(a.member.size(), b.member.size());
         const Plan p = plan(t.g, t.columns, 200'000), q = plan(r.g, r.columns, 200'000);
-        check(t.g, p.order), check(r.g, q.order);
+        check(t.g, p.order);
+        check(r.g, q.order);
         EXPECT_EQ(p.cost.strokes, q.cost.strokes) << trial;
         EXPECT_EQ(p.bound, q.bound) << trial;
         many += p.cost.strokes > p.path_cover ? 1 : 0;
@@ -80,7 +83,8 @@ TEST(Canon, PartsHoldAllOnce) {
                 const auto& member = p.columns.member[p.columns.of[i]];
                 EXPECT_EQ(std::count(member.begin(), member.end(), i), 1);
             }
-            arcs += p.g.after.size(), links += p.g.up.size();
+            arcs += p.g.after.size();
+            links += p.g.up.size();
         }
         EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(g.size()));
         EXPECT_EQ(arcs, g.after.size());

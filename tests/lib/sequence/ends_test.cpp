@@ -90,7 +90,8 @@ TEST(Ends, AreBindingInRandomWorlds) {
             ++by_head;
             machine::Head larger = o.head;
             larger.flat_radius += 1e-3;
-            larger.carriage_x += 0.1, larger.carriage_y += 0.1;
+            larger.carriage_x += 0.1;
+            larger.carriage_y += 0.1;
             EXPECT_TRUE(plainly_collides(regions[e.awaited], regions[e.ahead], larger)) << trial;
         }
     }

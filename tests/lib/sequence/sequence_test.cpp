@@ -220,7 +220,8 @@ TEST(Collisions, KeepTheHeadClearInEveryPairOfRegions) {
         for (const auto& [v, u] : hits) { // and none that is no collision
             machine::Head larger = head;
             larger.flat_radius += 1e-3;
-            larger.carriage_x += 0.1, larger.carriage_y += 0.1;
+            larger.carriage_x += 0.1;
+            larger.carriage_y += 0.1;
             EXPECT_TRUE(plainly_collides(regions[v], regions[u], larger)) << trial;
         }
     }

@@ -11,7 +11,10 @@ namespace {
 // RFC 3720, appendix B.4.
 TEST(crc32c, known_answers) {
     std::string zeros(32, '\0'), ones(32, '\xff'), up, down;
-    for (int i = 0; i < 32; ++i) up.push_back(static_cast<char>(i)), down.push_back(static_cast<char>(31 - i));
+    for (int i = 0; i < 32; ++i) {
+        up.push_back(static_cast<char>(i));
+        down.push_back(static_cast<char>(31 - i));
+    }
     EXPECT_EQ(crc32c(0, zeros.data(), 32), 0x8a9136aaU);
     EXPECT_EQ(crc32c(0, ones.data(), 32), 0x62a8ab43U);
     EXPECT_EQ(crc32c(0, up.data(), 32), 0x46dd794eU);

@@ -206,7 +206,8 @@ TEST(stream, notes_come_out_as_they_went_in) {
     EXPECT_TRUE(std::isnan(got.y));
     EXPECT_TRUE(std::isnan(got.z));
     Note in_space = note;
-    in_space.y = 2, in_space.z = 0;
+    in_space.y = 2;
+    in_space.z = 0;
     EXPECT_EQ(parse_note(serialise(in_space)).z, 0);
 }
 

@@ -97,7 +97,8 @@ TEST(Fields, SignsOfVectorsDoNotMatter) {
             plus.cases[0].directions.push_back(d);
             minus.cases[0].directions.push_back(dice() < 0.5 ? -1.0 * d : d);
         }
-    minus.points = plus.points, minus.cases[0].principals = plus.cases[0].principals;
+    minus.points = plus.points;
+    minus.cases[0].principals = plus.cases[0].principals;
     Notes notes;
     Facts facts;
     const auto a = put(plus, {}, notes, facts), b = put(minus, {}, notes, facts);

@@ -117,7 +117,10 @@ TEST(Mesh, ElementsOfCalculix) {
     for (std::size_t e = 0; e < 6; ++e)
         for (std::size_t v = 3 * e; v < 3 * e + 3; ++v) {
             std::vector<double> shear, pull;
-            for (const auto& t : samples.cases[0].tensors) shear.push_back(t[3]), pull.push_back(t[2]);
+            for (const auto& t : samples.cases[0].tensors) {
+                shear.push_back(t[3]);
+                pull.push_back(t[2]);
+            }
             EXPECT_NEAR(value(stencils, v, shear), e < 3 ? s.vertices[v].y : 1.5, 1e-3) << e;
             EXPECT_NEAR(value(stencils, v, pull), 2, 1e-3) << e;
         }

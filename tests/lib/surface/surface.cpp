@@ -153,7 +153,10 @@ TEST(surface, cuts_a_band_with_one_side_open) {
         }
     for (std::uint32_t i = 0; i < n; ++i) {
         std::uint32_t a = 2 * i, b = a + 1, c = 2 * (i + 1), d = c + 1;
-        if (i + 1 == n) c = 1, d = 0; // half a turn
+        if (i + 1 == n) {
+            c = 1;
+            d = 0;
+        } // half a turn
         triangles.insert(triangles.end(), {{a, c, d}, {a, d, b}});
     }
     Notes notes;

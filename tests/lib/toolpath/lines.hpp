@@ -115,17 +115,20 @@ inline Span random_line(std::mt19937& random) {
             turn = 0.3 * std::sin(k * 0.15);
             break;
         case 5: // on the spot, often
-            by *= whole(0, 2) == 0 ? 0 : 1, turn = uniform(-0.1, 0.1);
+            by *= whole(0, 2) == 0 ? 0 : 1;
+            turn = uniform(-0.1, 0.1);
             break;
         case 6: // a ramp, round and round
-            turn = by / radius, at.z += whole(0, 20) == 0 ? 0.05 : 0.001;
+            turn = by / radius;
+            at.z += whole(0, 20) == 0 ? 0.05 : 0.001;
             break;
         default: // anywhere
             turn = uniform(-3.14, 3.14);
             break;
         }
         heading += turn;
-        at.x += by * std::cos(heading), at.y += by * std::sin(heading);
+        at.x += by * std::cos(heading);
+        at.y += by * std::sin(heading);
     }
     s.height = {0.2};
     return s;

@@ -53,7 +53,10 @@ TEST(Merge, KeepsTheLineItsEndsAndItsMaterial) {
         ASSERT_FALSE(m.moves.empty());
         ASSERT_EQ(m.moves.back().to, s.points.back()) << k;
         double laid = 0, length = 0;
-        for (const Move& move : m.moves) laid += move.volume, length += move.length;
+        for (const Move& move : m.moves) {
+            laid += move.volume;
+            length += move.length;
+        }
         ASSERT_NEAR(laid, whole_volume(s), 1e-9 * (1 + laid)) << k;
         const double chord = t.arcs ? 1e-5 : 0;
         const auto way = lines::way(s.points.front(), m.moves, 1e-5);
@@ -150,7 +153,9 @@ TEST(Merge, WhatIsNoFillStaysAsGiven) {
 
 TEST(Merge, ACircleIsFewArcs) {
     Tolerance t;
-    t.path = 0.01, t.arcs = true, t.grid = 1e-3;
+    t.path = 0.01;
+    t.arcs = true;
+    t.grid = 1e-3;
     const auto m = merge(circle(5, 500), t);
     EXPECT_LE(m.moves.size(), 3U);
     for (const Move& move : m.moves) {
@@ -226,7 +231,8 @@ TEST(Merge, NothingCrossesThatDidNot) {
         for (int i = 100; i >= 0; --i) s.points.push_back({0.1 * i, side(0.1 * i) - gap, 0.2});
         ASSERT_EQ(crossings(s.points), 0U);
         Tolerance t;
-        t.path = 0.01, t.arcs = k % 2 == 0;
+        t.path = 0.01;
+        t.arcs = k % 2 == 0;
         const auto m = merge(s, t);
         EXPECT_EQ(crossings(lines::way(s.points.front(), m.moves, 1e-7)), 0U) << k;
         tangled += m.moves.size() > 100 ? 1 : 0;

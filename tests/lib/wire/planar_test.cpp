@@ -30,7 +30,14 @@ polygon::Layer good_layer() { return {3, 0.6, 0.2, 0.5, square(10)}; }
 
 polygon::Region good_region() {
     polygon::Region r;
-    r.id = 4, r.layer = 3, r.z = 0.6, r.height = 0.2, r.area = 100, r.parent = -1, r.stroke = 2, r.join = Join::beside;
+    r.id = 4;
+    r.layer = 3;
+    r.z = 0.6;
+    r.height = 0.2;
+    r.area = 100;
+    r.parent = -1;
+    r.stroke = 2;
+    r.join = Join::beside;
     r.loops = square(10);
     r.below = {{1, 50, 2}, {2, 25, 0}};
     r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::Pattern::wave, 1.5},
@@ -41,7 +48,13 @@ polygon::Region good_region() {
 
 toolpath::RegionPaths good_paths() {
     toolpath::RegionPaths p;
-    p.region = 4, p.layer = 3, p.z = 0.6, p.height = 0.2, p.area = 100, p.join = Join::vertical, p.unplaced = 0.5;
+    p.region = 4;
+    p.layer = 3;
+    p.z = 0.6;
+    p.height = 0.2;
+    p.area = 100;
+    p.join = Join::vertical;
+    p.unplaced = 0.5;
     p.curves = {{true, {{0, 0}, {1, 0}, {1, 1}}, {0.4}}, {false, {{0, 0}, {1, 0}}, {0.4, 0.5}}};
     p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
     p.curves[1].feature = {toolpath::Feature::solid};
@@ -132,7 +145,10 @@ TEST(planar, broken_layers_are_refused) {
                [](M& m) { m.mutable_contours()->set_start(1, 0xffffffffU); },
                [](M& m) { m.mutable_contours()->clear_start(); },
                [](M& m) { m.mutable_contours()->add_start(4); }, // a loop of no points
-               [](M& m) { m.mutable_contours()->set_start(1, 2), m.mutable_contours()->add_start(4); }});
+               [](M& m) {
+                   m.mutable_contours()->set_start(1, 2);
+                   m.mutable_contours()->add_start(4);
+               }});
 }
 
 TEST(planar, broken_regions_are_refused) {
@@ -151,16 +167,19 @@ TEST(planar, broken_regions_are_refused) {
 
 TEST(planar, broken_paths_are_refused) {
     using M = proto::RegionPaths;
-    refuse<M>(
-        Tag::paths, good_paths(), paths,
-        {[](M& m) { m.set_height(kNan); }, [](M& m) { m.set_area(-1); }, [](M& m) { m.set_unplaced(kNan); },
-         [](M& m) { m.mutable_curves(0)->clear_width(); }, [](M& m) { m.mutable_curves(0)->add_width(0.4); },
-         [](M& m) { m.mutable_curves(0)->set_width(0, 0); }, [](M& m) { m.mutable_curves(0)->set_width(0, kNan); },
-         [](M& m) { m.mutable_curves(0)->set_feature(0, static_cast<proto::Feature>(99)); },
-         [](M& m) { m.mutable_curves(0)->add_feature(proto::WALL), m.mutable_curves(0)->add_feature(proto::WALL); },
-         [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
-         [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
-         [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
+    refuse<M>(Tag::paths, good_paths(), paths,
+              {[](M& m) { m.set_height(kNan); }, [](M& m) { m.set_area(-1); }, [](M& m) { m.set_unplaced(kNan); },
+               [](M& m) { m.mutable_curves(0)->clear_width(); }, [](M& m) { m.mutable_curves(0)->add_width(0.4); },
+               [](M& m) { m.mutable_curves(0)->set_width(0, 0); },
+               [](M& m) { m.mutable_curves(0)->set_width(0, kNan); },
+               [](M& m) { m.mutable_curves(0)->set_feature(0, static_cast<proto::Feature>(99)); },
+               [](M& m) {
+                   m.mutable_curves(0)->add_feature(proto::WALL);
+                   m.mutable_curves(0)->add_feature(proto::WALL);
+               },
+               [](M& m) { m.mutable_curves(1)->set_width(1, -0.1); }, [](M& m) { m.mutable_curves(1)->add_y(0); },
+               [](M& m) { m.add_curves()->add_width(0.4); }, [](M& m) { m.add_stacked(); },
+               [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
 }
 
 TEST(planar, broken_spans_are_refused) {
@@ -170,8 +189,17 @@ TEST(planar, broken_spans_are_refused) {
                [](M& m) { m.set_feature(static_cast<proto::Feature>(99)); }, [](M& m) { m.set_role(proto::TRAVEL); },
                [](M& m) { m.clear_width(); }, [](M& m) { m.add_width(0.4); }, [](M& m) { m.clear_z(); },
                [](M& m) { m.add_z(1); }, [](M& m) { m.set_z(1, kNan); }, [](M& m) { m.set_height(0, 0); },
-               [](M& m) { m.clear_x(), m.clear_y(); }, [](M& m) { m.set_nz(0, 0.9); }, [](M& m) { m.add_nx(1); },
-               [](M& m) { m.set_ny(1, kNan); }, [](M& m) { m.clear_nx(), m.clear_ny(), m.clear_nz(), m.add_nx(1); }});
+               [](M& m) {
+                   m.clear_x();
+                   m.clear_y();
+               },
+               [](M& m) { m.set_nz(0, 0.9); }, [](M& m) { m.add_nx(1); }, [](M& m) { m.set_ny(1, kNan); },
+               [](M& m) {
+                   m.clear_nx();
+                   m.clear_ny();
+                   m.clear_nz();
+                   m.add_nx(1);
+               }});
 }
 
 TEST(planar, a_frame_of_another_kind_is_refused) {

@@ -34,16 +34,31 @@ polygon::Loops holed(double at) {
 
 stream::RawFrame region_frame() {
     polygon::Region r;
-    r.id = 3, r.layer = 4, r.z = 5.5, r.height = 0.25, r.loops = holed(10), r.area = 1.875, r.parent = 1;
+    r.id = 3;
+    r.layer = 4;
+    r.z = 5.5;
+    r.height = 0.25;
+    r.loops = holed(10);
+    r.area = 1.875;
+    r.parent = 1;
     r.below = {{7, 0.75, 0.125, true}, {8, 0.5, 0.0625, false}};
-    r.unsupported = 0.375, r.stroke = 9, r.join = Join::beside, r.inradius = 0.6;
+    r.unsupported = 0.375;
+    r.stroke = 9;
+    r.join = Join::beside;
+    r.inradius = 0.6;
     r.areas = {{polygon::AreaKind::sparse, r.loops, 0.5, 3, polygon::Pattern::wave}}, r.walls = 2;
     return frame(r);
 }
 
 stream::RawFrame paths_frame() {
     toolpath::RegionPaths p;
-    p.region = 3, p.layer = 4, p.z = 5.5, p.height = 0.25, p.area = 1.875, p.stroke = 9, p.join = Join::vertical;
+    p.region = 3;
+    p.layer = 4;
+    p.z = 5.5;
+    p.height = 0.25;
+    p.area = 1.875;
+    p.stroke = 9;
+    p.join = Join::vertical;
     p.curves = {{true, {{1, 2}, {3, 4}, {5, 6}}, {0.4}}, {false, {{7, 8}, {9, 10}}, {0.3, 0.35}}};
     p.curves[0].feature = {toolpath::Feature::wall, toolpath::Feature::infill, toolpath::Feature::top};
     p.unplaced = 0.015;

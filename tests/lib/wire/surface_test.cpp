@@ -66,11 +66,18 @@ TEST(surface_message, faults_are_noticed) {
         [](auto& m) { m.add_corner(1); },
         [](auto& m) { m.set_corner(2, 4); },
         [](auto& m) { m.set_corner(2, 0); },
-        [](auto& m) { m.clear_corner(), m.clear_across(); },
+        [](auto& m) {
+            m.clear_corner();
+            m.clear_across();
+        },
         [](auto& m) { m.clear_across(); },
         [](auto& m) { m.set_across(1, 0); },
         [](auto& m) { m.set_across(0, 77); },
-        [](auto& m) { m.add_x(1), m.add_y(1), m.add_z(1); }, // a vertex of no triangle
+        [](auto& m) {
+            m.add_x(1);
+            m.add_y(1);
+            m.add_z(1);
+        }, // a vertex of no triangle
         [](auto& m) { m.mutable_fields(0)->add_value(1); },
         [](auto& m) { m.mutable_fields(0)->set_value(1, std::nan("")); },
         [](auto& m) { m.clear_fields(); },

@@ -62,8 +62,9 @@ TEST(collide, goes_on_with_a_note_if_it_is_not_strict) {
 TEST(collide, checks_a_program_by_its_lines_alone) {
     const Folder at;
     Options o;
-    o.machine = "marlin", o.program = at.write("p.gcode", "G90\nM83\nG0 X0 Y0 Z0.2\nG1 X10 Y0 E1\nG0 X30 Y0\n"
-                                                          "G1 X40 Y0 E1\nM104 S0\n");
+    o.machine = "marlin";
+    o.program = at.write("p.gcode", "G90\nM83\nG0 X0 Y0 Z0.2\nG1 X10 Y0 E1\nG0 X30 Y0\n"
+                                    "G1 X40 Y0 E1\nM104 S0\n");
     o.format = "tsv", o.strict = false, o.bead = {0.4, 0.2};
     const auto figure = [&](const std::string& name) {
         run(o, io("collide", "-", at("figures")));
@@ -89,14 +90,16 @@ TEST(collide, refuses_what_does_not_go_together) {
     bead.bead = {0.4, 0.2};
     empty_name.part = "a.stl,,b.stl";
     changes.set = "travel.lift=2";
-    two.machine = "marlin", two.program = "p.gcode";
+    two.machine = "marlin";
+    two.program = "p.gcode";
     for (const Options& o : {no_machine, bead, empty_name, changes, two})
         EXPECT_EQ(refusal([&] { run(o, io("collide", input, at("out"))); }).exit, 2);
     Options gone;
     gone.part = at("nowhere.stl");
     EXPECT_EQ(refusal([&] { run(gone, io("collide", input, at("out"))); }).exit, 5);
     Options robot;
-    robot.machine = "kuka-krl", robot.program = at.write("p.src", "PTP {X 0}\n");
+    robot.machine = "kuka-krl";
+    robot.program = at.write("p.src", "PTP {X 0}\n");
     EXPECT_TRUE(tells(refusal([&] { run(robot, io("collide", "-", at("out"))); }).what, "only G-code is understood"));
     EXPECT_FALSE(at.has("out"));
 }

@@ -58,7 +58,8 @@ TEST(geodesic, knows_its_input_by_content_not_by_name) {
 TEST(geodesic, measures_a_stream_again_and_its_old_facts_go) {
     const Folder at;
     Options corner, opposite;
-    corner.source = "vertex:0", opposite.source = "vertex:2";
+    corner.source = "vertex:0";
+    opposite.source = "vertex:2";
     made(at, corner, at.write("part.off", kSquare));
     std::filesystem::rename(at("out"), at("first"));
     Stream all;

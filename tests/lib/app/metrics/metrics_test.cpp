@@ -40,7 +40,9 @@ constexpr double kRow = 9 + std::numbers::pi / 4; // mm2 that one covers
 
 std::string rectangle(const Folder& at) {
     polygon::Region r;
-    r.z = 0.2, r.height = 0.2, r.area = 40;
+    r.z = 0.2;
+    r.height = 0.2;
+    r.area = 40;
     r.loops.add(std::vector<geom::Vec2>{{0, 0}, {10, 0}, {10, 4}, {0, 4}});
     return write_stream(at("regions"), Payload::regions, {wire::frame(r)});
 }
@@ -84,7 +86,10 @@ TEST(planar, tells_without_outlines_what_needs_none) {
 TEST(planar, takes_the_curves_of_a_fill) {
     const Folder at;
     toolpath::RegionPaths p;
-    p.z = 0.2, p.height = 0.2, p.area = 40, p.unplaced = 0.5;
+    p.z = 0.2;
+    p.height = 0.2;
+    p.area = 40;
+    p.unplaced = 0.5;
     for (std::uint32_t k = 0; k < 4; ++k) p.curves.push_back({false, {{0.5, 0.5 + k}, {9.5, 0.5 + k}}, {1}});
     Options o;
     o.plane.regions = rectangle(at);
@@ -98,7 +103,9 @@ TEST(planar, takes_the_curves_of_a_fill) {
 TEST(planar, lists_layers_and_regions_in_files) {
     const Folder at;
     Options o;
-    o.plane.regions = rectangle(at), o.plane.per_region = at("by-region"), o.plane.per_layer = at("by-layer");
+    o.plane.regions = rectangle(at);
+    o.plane.per_region = at("by-region");
+    o.plane.per_layer = at("by-layer");
     measured(at, o, rows(at));
     for (const char* name : {"by-region", "by-layer"}) {
         const std::string text = at.text(name);
@@ -110,7 +117,9 @@ TEST(planar, refuses_what_does_not_go_together) {
     const Folder at;
     const std::string input = rows(at);
     Options pores, voids, spacing;
-    pores.plane.pores = true, voids.voids = at("v"), spacing.curved.spacing = 1;
+    pores.plane.pores = true;
+    voids.voids = at("v");
+    spacing.curved.spacing = 1;
     for (const Options& o : {pores, voids, spacing}) {
         EXPECT_EQ(refusal([&] { measured(at, o, input); }).exit, 2);
         EXPECT_FALSE(at.has("figures"));
@@ -143,7 +152,8 @@ std::string fibres(const Folder& at) {
 TEST(curved, rows_at_one_width_cover_a_plate) {
     const Folder at;
     Options o;
-    o.surface = plate(at), o.voids = at("voids");
+    o.surface = plate(at);
+    o.voids = at("voids");
     const auto figures = measured(at, o, fibres(at));
     EXPECT_NEAR(number(figures, "coverage"), 1, 1e-3);
     EXPECT_FALSE(figures.contains("stops")); // that speaks of layers
@@ -160,7 +170,8 @@ TEST(curved, refuses_options_of_layers_and_more_than_one_surface) {
     const Folder at;
     const std::string input = fibres(at);
     Options layers;
-    layers.surface = plate(at), layers.plane.regions = rectangle(at);
+    layers.surface = plate(at);
+    layers.plane.regions = rectangle(at);
     const Refusal both = refusal([&] { measured(at, layers, input); });
     EXPECT_EQ(both.exit, 2);
     EXPECT_TRUE(tells(both.what, "'--regions'")) << both.what;

@@ -72,7 +72,8 @@ TEST(partition, takes_several_streams_and_leaves_what_has_a_name) {
     const auto first = patches(at, {}, {write_roof(at, "roof")});
     std::filesystem::rename(at("out"), at("patches"));
     Options o;
-    o.as_is = true, o.names = "C";
+    o.as_is = true;
+    o.names = "C";
     Stream all;
     const auto found = patches(at, o, {at("patches"), write_roof(at, "other", 10)}, &all);
     EXPECT_EQ(names(found), (std::vector<std::string>{"A", "B", "C"}));

@@ -15,7 +15,11 @@ using stream::Payload;
 
 polygon::Region region(std::uint32_t id, std::uint32_t layer, double side) {
     polygon::Region r;
-    r.id = id, r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2, r.area = side * side;
+    r.id = id;
+    r.layer = layer;
+    r.z = 0.2 * (layer + 1);
+    r.height = 0.2;
+    r.area = side * side;
     r.loops.add(std::vector<geom::Vec2>{{0, 0}, {side, 0}, {side, side}, {0, side}});
     return r;
 }
@@ -24,7 +28,9 @@ polygon::Region region(std::uint32_t id, std::uint32_t layer, double side) {
 std::vector<stream::RawFrame> column() {
     polygon::Region above = region(1, 1, 2);
     above.below = {{0, 4, 1, true}};
-    above.join = Join::vertical, above.stroke = 1, above.inradius = 1;
+    above.join = Join::vertical;
+    above.stroke = 1;
+    above.inradius = 1;
     return {wire::frame(region(0, 0, 3)), wire::frame(above)};
 }
 

@@ -85,7 +85,10 @@ TEST(route, leans_the_tool_where_that_frees_it_and_lists_the_strokes) {
     const Folder at;
     Options o;
     o.part = box(at, "beside.off", {-5, 3, 0}, {45, 6, 20}); // meets the carriage of an upright head
-    o.tilt = 60, o.tilt_rate = 90, o.leaning = at("leaning"), o.strict = false;
+    o.tilt = 60;
+    o.tilt_rate = 90;
+    o.leaning = at("leaning");
+    o.strict = false;
     o.head.cone_height = {15}, o.head.carriage = {8, 8}, o.head.cone_angle_deg = {10};
     Stream all;
     routed(at, o, &all);
@@ -98,7 +101,8 @@ TEST(route, leans_the_tool_where_that_frees_it_and_lists_the_strokes) {
 TEST(route, three_axes_do_not_lean) {
     const Folder at;
     Options o;
-    o.tilt = 20, o.machine = "marlin";
+    o.tilt = 20;
+    o.machine = "marlin";
     const Refusal r = refusal([&] { routed(at, o); });
     EXPECT_EQ(r.exit, 2);
     EXPECT_TRUE(tells(r.what, "'marlin' has three axes")) << r.what;

@@ -12,7 +12,9 @@ using surfpath::Algorithm;
 
 Options options(Algorithm algorithm, double spacing = 1) {
     Options o;
-    o.algorithm = algorithm, o.spacing = spacing, o.window = 1;
+    o.algorithm = algorithm;
+    o.spacing = spacing;
+    o.window = 1;
     return o;
 }
 
@@ -220,7 +222,8 @@ TEST(smoothing, takes_the_path_off_curved_surfaces) {
     };
     Options o = options(Algorithm::geo_fiso, 0.5);
     EXPECT_LT(farthest(o), 0.02); // chords
-    o.window = 15, o.degree = 1;
+    o.window = 15;
+    o.degree = 1;
     EXPECT_GT(farthest(o), 0.05);
 }
 
@@ -245,7 +248,8 @@ TEST(refusals, say_what_is_missing) {
     Options even = options(Algorithm::fina);
     even.window = 4;
     EXPECT_NE(refused(row, even, Exit::usage).find("odd"), std::string::npos);
-    even.window = 3, even.degree = 3;
+    even.window = 3;
+    even.degree = 3;
     EXPECT_NE(refused(row, even, Exit::usage).find("--savgol-degree"), std::string::npos);
 }
 

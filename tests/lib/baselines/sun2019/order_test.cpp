@@ -17,7 +17,9 @@ std::vector<polygon::Region> squares(const std::vector<Square>& all) {
     std::vector<polygon::Region> out;
     for (const auto& s : all) {
         polygon::Region r;
-        r.id = static_cast<std::uint32_t>(out.size()), r.layer = s.layer, r.area = s.side * s.side;
+        r.id = static_cast<std::uint32_t>(out.size());
+        r.layer = s.layer;
+        r.area = s.side * s.side;
         r.loops.add(std::vector<geom::Vec2>{{s.x, 0}, {s.x + s.side, 0}, {s.x + s.side, s.side}, {s.x, s.side}});
         out.push_back(std::move(r));
     }

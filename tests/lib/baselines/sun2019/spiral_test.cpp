@@ -40,7 +40,10 @@ std::size_t pieces(std::size_t n, const std::vector<Edge>& edges) {
         again = false;
         for (const auto& e : edges) {
             auto &a = label[static_cast<std::size_t>(e.a)], &b = label[static_cast<std::size_t>(e.b)];
-            if (a != b) a = b = std::min(a, b), again = true;
+            if (a != b) {
+                a = b = std::min(a, b);
+                again = true;
+            }
         }
     }
     std::sort(label.begin(), label.end());

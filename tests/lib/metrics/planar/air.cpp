@@ -11,7 +11,10 @@ namespace {
 
 void add_lines(Beads& to, Vec2 at, double w, double h, std::uint32_t layer) {
     for (auto s : lines(w, h, 0.4, 0.4, 0.2 * (layer + 1), layer)) {
-        for (auto& p : s.points) p.x += at.x, p.y += at.y;
+        for (auto& p : s.points) {
+            p.x += at.x;
+            p.y += at.y;
+        }
         add(to, s);
         to.moving = false;
     }

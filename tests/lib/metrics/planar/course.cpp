@@ -61,8 +61,10 @@ TEST(Course, SpansThatDoNotMeetAreJumps) {
 
 machine::Profile profile() {
     machine::Profile p;
-    p.feeds.bead = p.feeds.first_layer = 60, p.feeds.travel = 100;
-    p.motion.acceleration = 1200, p.motion.travel_acceleration = 1000;
+    p.feeds.bead = p.feeds.first_layer = 60;
+    p.feeds.travel = 100;
+    p.motion.acceleration = 1200;
+    p.motion.travel_acceleration = 1000;
     p.bed.z_max = 100;
     return p;
 }
@@ -91,7 +93,11 @@ TEST(Pace, StraightPiecesTakeAsLongAsTheWhole) {
 
 TEST(Pace, ATravelRetractsRisesAndComesBack) {
     auto p = profile();
-    p.travel.lift = 1, p.travel.retract = 2, p.travel.retract_speed = 20, p.travel.extra = 0, p.travel.min_length = 0;
+    p.travel.lift = 1;
+    p.travel.retract = 2;
+    p.travel.retract_speed = 20;
+    p.travel.extra = 0;
+    p.travel.min_length = 0;
     p.feeds.z = p.motion.max_speed_z = 10;
     const auto first = bead({{0, 0, 0.2}, {30, 0, 0.2}}, 0.4, 0.2, 1);
     const double plain = seconds(p, {first});
@@ -117,8 +123,14 @@ TEST(Pace, WhatNoMachineCanDoHasNoTime) {
 TEST(Pace, ChargesEachToolWithWhatItDoes) {
     auto p = profile();
     p.fibre.cut_to_nozzle = p.fibre.least_path = 45;
-    p.fibre.anchor = 6, p.fibre.anchor_feed = 0.5, p.fibre.feed = 10, p.fibre.tail_feed = 5;
-    p.fibre.tension_dwell = 2, p.fibre.cut_dwell = 3, p.fibre.prime = 7, p.fibre.prime_speed = 3.5;
+    p.fibre.anchor = 6;
+    p.fibre.anchor_feed = 0.5;
+    p.fibre.feed = 10;
+    p.fibre.tail_feed = 5;
+    p.fibre.tension_dwell = 2;
+    p.fibre.cut_dwell = 3;
+    p.fibre.prime = 7;
+    p.fibre.prime_speed = 3.5;
     const auto of_fibre = [](toolpath::Span span) {
         span.tool = 1;
         return span;

@@ -31,7 +31,10 @@ struct Grid {
     Grid(double side, double spacing, const std::vector<double>& degrees, double stagger = 0) {
         for (std::uint32_t l = 0; l < degrees.size(); ++l) {
             polygon::Region r;
-            r.id = r.layer = l, r.z = kHeight * (l + 1), r.height = kHeight, r.loops = square(-side / 2, side / 2);
+            r.id = r.layer = l;
+            r.z = kHeight * (l + 1);
+            r.height = kHeight;
+            r.loops = square(-side / 2, side / 2);
             r.area = side * side;
             regions.push_back(r);
         }
@@ -52,7 +55,8 @@ struct Grid {
                     hi = std::min(hi, std::max((-half - at) / along, (half - at) / along));
                 };
                 const Vec2 base = (k + 0.5 + shift) * spacing * n;
-                clip(u.x, base.x), clip(u.y, base.y);
+                clip(u.x, base.x);
+                clip(u.y, base.y);
                 if (hi - lo < 0.01) continue;
                 const Vec2 p = base + lo * u, q = base + hi * u;
                 const double z = kHeight * (l + 1);

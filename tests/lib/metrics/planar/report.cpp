@@ -32,9 +32,15 @@ struct Job {
     Job() {
         beads.marks = layer_marks(regions);
         auto all = lines(8, 4, 0.4, 0.4, 0.2, 0);
-        for (auto& s : lines(8, 2, 0.4, 0.4, 0.4, 1)) s.region = 1, all.push_back(s);
+        for (auto& s : lines(8, 2, 0.4, 0.4, 0.4, 1)) {
+            s.region = 1;
+            all.push_back(s);
+        }
         all.push_back(bead({{4, -1, 0.4}, {4, 1, 0.4}}, 0.4, 0.2, 1, 1));
-        for (const auto& s : all) add(beads, s), follow(input.course, s);
+        for (const auto& s : all) {
+            add(beads, s);
+            follow(input.course, s);
+        }
     }
     [[nodiscard]] Figures figures(int threads = 1) const {
         return report(input, beads, regions, measure_layers(beads, regions, 0, threads), Options{}, threads);

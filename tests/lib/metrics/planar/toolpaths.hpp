@@ -19,7 +19,10 @@ inline toolpath::Span travel(geom::Vec3 a, geom::Vec3 b) { return {toolpath::Rol
 
 inline polygon::Region region(std::uint32_t id, std::uint32_t layer, polygon::Loops loops, double height = 0.2) {
     polygon::Region r;
-    r.id = id, r.layer = layer, r.height = height, r.z = (layer + 1) * height;
+    r.id = id;
+    r.layer = layer;
+    r.height = height;
+    r.z = (layer + 1) * height;
     r.area = polygon::signed_area(loops);
     r.loops = std::move(loops);
     return r;

@@ -108,7 +108,10 @@ TEST(Curvature, IsolinesOfTrianglesOnASphereCap) {
 TEST(Curvature, ACornerCountsAsAnArcOfTwoSteps) {
     const Bends b = on(chain({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}}), up);
     double most = 0, all = 0;
-    for (const Bend& p : b.places) most = std::max(most, p.geodesic), all += p.geodesic * p.length;
+    for (const Bend& p : b.places) {
+        most = std::max(most, p.geodesic);
+        all += p.geodesic * p.length;
+    }
     EXPECT_NEAR(most, pi / 2 / 0.5, 0.25);
     EXPECT_NEAR(all, pi / 2, 1e-2);
 }

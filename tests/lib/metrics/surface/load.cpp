@@ -27,7 +27,8 @@ struct Loaded {
             s1.values.push_back(stress(v));
             d1.values.insert(d1.values.end(), {d.x, d.y, d.z});
         }
-        sheet.fields.push_back(s1), sheet.fields.push_back(d1);
+        sheet.fields.push_back(s1);
+        sheet.fields.push_back(d1);
     }
     metrics::figures::Figures along_x() {
         return measure(paths::fibres(paths::parallel(0, 10, 0.5, 1, 10)), sheet, {}, false, 1).figures;
