@@ -2,19 +2,13 @@
 // reads:  Regions
 // writes: Regions
 // memory: the whole part
-#include "skins/skins.hpp"
-#include "base/number.hpp"
-#include "cli/output.hpp"
-#include "wire/planar.hpp"
+#include "app/skins/skins.hpp"
 
 namespace {
 
 using namespace filum;
 
-struct Options {
-    skins::Options how;
-    std::string infill = "15%", pattern = "rows";
-};
+using app::skins::Options;
 
 cli::Spec spec(Options& all) {
     using cli::Option;
@@ -32,15 +26,17 @@ cli::Spec spec(Options& all) {
             "Where lines are farther apart than --bridge, those of the two layers under a skin lie nearer to each "
             "other.\n\n"
             "Where a skin spans more than --bridge over air, 'fill' lays it in rows along the direction whose longest "
-            "row "
-            "is the shortest: beads of class bridge, with a feed, flow and fan of their own in the machine's "
+            "row is the shortest: beads of class bridge, with a feed, flow and fan of their own in the machine's "
             "profile.\n\n"
             "--infill is a share of volume: the spacing of the lines is found such that all that is laid in sparse "
             "parts, links included, is that share of them, but for those under skins with lines nearer to each other. "
             "The spacing is told as a fact. Lines lie at the same places in all layers, rows at 45 and 135 degrees in "
             "turn, so that they lie on each other; waves are the lines of a gyroid; concentric ones follow the walls, "
-            "and "
-            "lie on those below where the outline stays.",
+            "and lie on those below where the outline stays.\n\n"
+            "A --modifier is a body in which other settings hold, such as a denser infill about a screw: a mesh in the "
+            "coordinates of the part's file, scaled, turned and moved as 'slice' did with that. A wall lies between "
+            "what it changes and the rest. Where several overlap, the last one counts. One that meets nothing of the "
+            "part is noted.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",
@@ -61,9 +57,13 @@ cli::Spec spec(Options& all) {
                  .a_limit(),
              Option{"bridge", &o.bridge, "MM",
                     "widest gap that a skin is laid over as it is: between lines, which lie nearer to each other under "
-                    "skins if "
-                    "need be, and over air, beyond which it is a bridge"}
+                    "skins if need be, and over air, beyond which it is a bridge"}
                  .within(0.01, 1e6)
+                 .a_limit(),
+             Option{"modifier", &all.modifiers, "FILE:SETTINGS",
+                    "within the body in FILE other settings hold: infill=40%,walls=4, out of infill, infill-pattern, "
+                    "walls, top and bottom; several with ';' between"}
+                 .not_a_setting()
                  .a_limit(),
              Option{"bead-width", &o.bead_width, "MM", "width of a bead"}
                  .within(0.01, 100)
@@ -75,25 +75,6 @@ cli::Spec spec(Options& all) {
         .see_also = {"regions", "sequence", "fill"}};
 }
 
-void run(const Options& o, const cli::Io& io) {
-    skins::Options options = o.how;
-    options.infill = skins::share(o.infill);
-    options.pattern = o.pattern == "wave"         ? polygon::Pattern::wave
-                      : o.pattern == "concentric" ? polygon::Pattern::concentric
-                                                  : polygon::Pattern::rows;
-    std::vector<polygon::Region> regions;
-    auto whole = cli::read_all(io.input, stream::Payload::regions,
-                               [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });
-    Facts facts;
-    skins::skins(regions, options, facts);
-    whole.header.expected = regions.size();
-    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
-    output.pass_on(whole);
-    output.add(facts);
-    for (const auto& r : regions) output.write(wire::frame(r));
-    output.close();
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, app::skins::run); }

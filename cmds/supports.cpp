@@ -2,21 +2,13 @@
 // reads:  Regions
 // writes: Regions
 // memory: the whole part
-#include "supports/supports.hpp"
-#include "cli/output.hpp"
-#include "geom/angle.hpp"
-#include "regions/air.hpp"
-#include "wire/planar.hpp"
+#include "app/supports/supports.hpp"
 
 namespace {
 
 using namespace filum;
 
-struct Options {
-    supports::Options how;
-    double angle_deg = 45;
-    std::string on = "everywhere";
-};
+using app::supports::Options;
 
 cli::Spec spec(Options& all) {
     using cli::Option;
@@ -27,28 +19,37 @@ cli::Spec spec(Options& all) {
         .description =
             "Adds regions that are no part: with --support columns under whatever leans out by more than "
             "--support-angle, with --raft layers under all of it, with --brim a band about the first layer, with "
-            "--skirt a ring apart from it. They are "
-            "ordered, filled and joined like all regions: a column climbs as a stroke of its own, before what it "
+            "--skirt a ring apart from it. They are ordered, filled and joined like all regions: a column climbs as a "
+            "stroke of its own, before what it "
             "carries.\n\n"
             "A column stands on the bed or, unless told otherwise, on the part. It keeps clear of the part by --beside "
+            "in a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, "
             "in "
-            "a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, in "
-            "the "
-            "last --interface layers two bead widths. Columns nearer to each other than four bead widths are one.\n\n"
+            "the last --interface layers two bead widths. Columns nearer to each other than four bead widths are "
+            "one.\n\n"
             "--raft raises the part by so many layers and --gap, and carries all of its first layer by a support as "
-            "wide as it "
-            "and two beads more. A brim and a skirt lie about all that lies on the bed.\n\n"
+            "wide as it and two beads more. A brim and a skirt lie about all that lies on the bed.\n\n"
+            "--support-in and --no-support-in say by a body, a mesh in the coordinates of the part's file, where "
+            "supports are wanted and where not: slicers call these enforcers and blockers.\n\n"
             "What still hangs in the air, as 'regions' tells it, is told anew: where there is no room for a column, "
-            "where it "
-            "may not stand, between a wall and a column --beside it, and what leans by less than --support-angle but "
+            "where it may not stand, between a wall and a column --beside it, and what leans by less than "
+            "--support-angle but "
             "by more than half a bead. Put this stage behind 'skins', if that is there.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",
         .options = {Option{"support", &o.support, "", "carry what overhangs"}.a_limit(),
+                    Option{"support-in", &all.wanted, "FILE",
+                           "within this body carry whatever leans out, without --support nothing else"}
+                        .not_a_setting()
+                        .a_limit(),
+                    Option{"no-support-in", &all.unwanted, "FILE", "within this body carry nothing"}
+                        .not_a_setting()
+                        .when("support/support-in")
+                        .a_limit(),
                     Option{"support-on", &all.on, "", "where columns may stand"}
                         .one_of({"everywhere", "bed"})
-                        .when("support")
+                        .when("support/support-in")
                         .a_limit(),
                     Option{"support-angle", &all.angle_deg, "DEG",
                            "walls that lean by less from the vertical carry themselves"}
@@ -57,20 +58,20 @@ cli::Spec spec(Options& all) {
                         .a_limit(),
                     Option{"gap", &o.gap, "LAYERS", "left out between part and support"}
                         .within(1, 100)
-                        .when("support/raft")
+                        .when("support/support-in/raft")
                         .a_limit(),
                     Option{"beside", &o.beside, "MM", "between part and support in a layer"}
                         .within(0, 100)
-                        .when("support")
+                        .when("support/support-in")
                         .a_limit(),
                     Option{"interface", &o.interface, "LAYERS",
                            "of a support next to the part, with lines nearer to each other"}
                         .within(0, 100)
-                        .when("support/raft")
+                        .when("support/support-in/raft")
                         .a_limit(),
                     Option{"support-spacing", &o.spacing, "MM", "from line to line of a support"}
                         .within(0.1, 100)
-                        .when("support/raft")
+                        .when("support/support-in/raft")
                         .a_limit(),
                     Option{"raft", &o.raft, "LAYERS", "under all of the part, of supports; 0: none"}.within(0, 1000),
                     Option{"brim", &o.brim, "MM", "width of a band about the first layer"}.within(0, 100),
@@ -86,28 +87,6 @@ cli::Spec spec(Options& all) {
         .see_also = {"regions", "skins", "sequence"}};
 }
 
-void run(const Options& o, const cli::Io& io) {
-    supports::Options options = o.how;
-    options.angle = geom::radians(o.angle_deg);
-    options.on_part = o.on == "everywhere";
-    std::vector<polygon::Region> given;
-    auto whole = cli::read_all(io.input, stream::Payload::regions,
-                               [&](stream::RawFrame frame) { given.push_back(wire::region(frame)); });
-    Facts facts;
-    Notes notes;
-    const auto all = supports::supports(std::move(given), options, facts, notes);
-    // what hung without supports; this stage tells what still does
-    if (options.support || options.raft > 0)
-        std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
-    whole.header.expected = all.size();
-    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
-    output.pass_on(whole);
-    output.add(notes);
-    output.add(facts);
-    for (const auto& r : all) output.write(wire::frame(r));
-    output.close();
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<Options>(argc, argv, spec, app::supports::run); }

@@ -103,12 +103,16 @@ Affine rigid(const std::vector<double>& rotate_deg, const std::vector<double>& t
 
 Box3 bounds(const Mesh& mesh) { return geom::box_of(mesh.vertices); }
 
-void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
-    drop_unused_vertices(mesh);
-    Affine map = placement_map(placement, unit_mm(placement.unit, longest_side(bounds(mesh)), in_mm, notes));
+void move(Mesh& mesh, const Affine& map) {
     for (Vec3& v : mesh.vertices) v = map(v);
     if (map.mirrors())
         for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
+    drop_unused_vertices(mesh);
+    Affine map = placement_map(placement, unit_mm(placement.unit, longest_side(bounds(mesh)), in_mm, notes));
+    move(mesh, map);
     const Box3 box = bounds(mesh);
     Vec3 shift;
     if (!placement.center.empty()) {
@@ -116,10 +120,11 @@ void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
         shift.y = placement.center[1] - (box.lo.y + box.hi.y) / 2;
     }
     if (placement.on_bed && !placement.keep_z) shift.z = -box.lo.z;
-    if (shift != Vec3{})
-        for (Vec3& v : mesh.vertices) v = v + shift;
+    const Affine on{.t = {shift.x, shift.y, shift.z}};
+    if (shift != Vec3{}) move(mesh, on);
     if (!within_limits(box) || !within_limits(bounds(mesh)))
         throw Error(Exit::bad_input, "cannot use the part: it reaches beyond 10000 m; check --unit and --scale");
+    return then(map, on);
 }
 
 } // namespace filum::mesh

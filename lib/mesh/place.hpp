@@ -32,8 +32,12 @@ inline constexpr double kMaxCoordinate = 1e7; // mm
 
 // Moves `mesh` as `placement` says; `in_mm` if the file states its unit itself (then only "auto" and "mm" are allowed).
 // A map that mirrors turns the triangles round, so that outside stays outside.  Vertices without a triangle go.
+// Returns the map that did it all.
 // Throws Error: usage for options that cannot be obeyed, bad_input if a coordinate ends up beyond 1e7 mm.
-void place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
+Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
+
+// Moves `mesh` by a map, as place() does.
+void move(Mesh& mesh, const Affine& map);
 
 // Signed volume, mm3: positive if the triangles face outwards.
 double volume(const Mesh& mesh);

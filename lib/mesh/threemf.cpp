@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "geom/affine.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/project.hpp"
 #include "mesh/text.hpp"
 
 #include <array>
@@ -67,6 +68,7 @@ class Archive {
     Mesh build() {
         const std::string root = root_path();
         const Model& model = load(root);
+        read_project();
         const auto build = child(child(model.xml, "model"), "build");
         for (const auto& item : build.children()) {
             if (!is(item, "item")) continue;
@@ -79,7 +81,8 @@ class Archive {
         }
         if (same_.count > 0) notes_.push_back(std::move(same_));
         reserve();
-        for (const Placed& p : placed_) add_mesh(p.mesh, p.unit, p.place);
+        for (const Placed& p : placed_) add_mesh(p);
+        if (not_made_.count > 0) notes_.push_back(std::move(not_made_));
         return std::move(out_);
     }
 
@@ -89,6 +92,7 @@ class Archive {
         pugi::xml_node mesh;
         double unit = 1;
         Affine place;
+        std::string object; // its id, in the root model; else empty
     };
 
     [[noreturn]] void bad(const std::string& why) const {
@@ -140,6 +144,16 @@ class Archive {
         bad("the archive names no 3D model: it is no 3MF");
     }
 
+    void read_project() {
+        constexpr std::pair<const char*, bool (*)(const std::string&, NotMade&)> kFiles[] = {
+            {"Metadata/Slic3r_PE_model.config", read_prusa_project},
+            {"Metadata/model_settings.config", read_bambu_project}};
+        for (const auto& [path, read] : kFiles)
+            if (zip_name_locate(zip_.get(), path, ZIP_FL_NOCASE) >= 0 && !read(file(path), unmade_))
+                bad("'" + std::string(path) + "' in the archive is no XML");
+        for (const auto& [object, ranges] : unmade_.triangles) not_made_.count += ranges.size();
+    }
+
     const Model& load(const std::string& path) {
         auto& slot = models_[path];
         if (slot != nullptr) return *slot;
@@ -185,10 +199,14 @@ class Archive {
             ++same_.count;
             return;
         }
-        if (const auto mesh = child(object, "mesh")) placed_.push_back({mesh, model.unit, place});
+        if (const auto mesh = child(object, "mesh")) placed_.push_back({mesh, model.unit, place, depth == 0 ? id : ""});
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
             const std::string other = part_path(c);
+            if (unmade_.components.contains({id, c.attribute("objectid").value()})) {
+                ++not_made_.count;
+                continue;
+            }
             if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
             add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1);
         }
@@ -221,7 +239,8 @@ class Archive {
     }
 
     // The translation of a transform is in the model's unit as well, so scale last.
-    void add_mesh(const pugi::xml_node& mesh, double unit, const Affine& place) {
+    void add_mesh(const Placed& placed) {
+        const auto& [mesh, unit, place, object] = placed;
         const std::size_t first = out_.vertices.size();
         for (const auto& v : child(mesh, "vertices").children()) {
             if (!is(v, "vertex")) continue;
@@ -229,8 +248,10 @@ class Archive {
         }
         const std::size_t count = out_.vertices.size() - first;
         const bool turn = place.mirrors();
+        std::size_t number_of = 0;
         for (const auto& t : child(mesh, "triangles").children()) {
             if (!is(t, "triangle")) continue;
+            if (unmade_.holds(object, number_of++)) continue;
             Triangle tri{index(t, "v1", count), index(t, "v2", count), index(t, "v3", count)};
             for (auto& v : tri) v += static_cast<std::uint32_t>(first);
             if (turn) std::swap(tri[1], tri[2]);
@@ -260,6 +281,12 @@ class Archive {
     std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
     std::vector<Placed> placed_;
     Note same_{.stage = "", .what = "copy of a body in the same place left out", .unit = "", .count = 0};
+    NotMade unmade_;
+    Note not_made_{.stage = "",
+                   .what =
+                       "body of a slicer's project that changes settings, supports or cuts left out; see --modifier",
+                   .unit = "",
+                   .count = 0};
     Mesh out_;
 };
 

@@ -6,6 +6,7 @@
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
 #include "skins/bridges.hpp"
+#include "skins/zones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -84,8 +85,9 @@ Loops within_walls(const Region& r, const Options& o) {
 }
 
 // The sparse part of a region of which `inner` has enough above and below: what is far enough from skins, which count
-// where they reach beyond the walls by more than a hairline.
-Loops sparse(const Region& r, const Loops& inner, const Options& o) {
+// where they reach beyond the walls by more than a hairline.  `zone` takes what is of these options.
+template <class Zone>
+Loops sparse(const Region& r, const Loops& inner, const Options& o, const Zone& zone) {
     if (inner.empty()) return {};
     const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
     const Loops within = within_walls(r, o);
@@ -93,7 +95,7 @@ Loops sparse(const Region& r, const Loops& inner, const Options& o) {
     const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kBeadArc);
     const Loops rest =
         skin.empty() ? within : polygon::subtract(within, polygon::offset(skin, reach(o) + hair, kBeadArc));
-    return large(polygon::opened(rest, open, kBeadArc), o.solid_below);
+    return large(polygon::opened(zone(rest), open, kBeadArc), o.solid_below);
 }
 
 // What of `area`, the sparse part of a region, carries a skin on one of the next layers.
@@ -135,8 +137,9 @@ void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o) {
 double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std::numbers::pi / 4; }
 
 // Of lines that lay the share of plain areas that is asked for; of dense ones if there are no others; 0 without any.
+// Facts get names that begin with `whose`.
 double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
-                  const Options& o, Facts& facts) {
+                  const Options& o, const std::string& whose, Facts& facts) {
     std::vector<Loops> rims(regions.size());
     if (o.pattern == polygon::Pattern::concentric)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
@@ -151,9 +154,9 @@ double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& 
                      {o.pattern, direction_of(regions[i].layer), 0, o.bead_width, regions[i].z, 0, &rims[i]}});
         if (tasks.empty()) continue;
         const double spacing = infill::spacing_for(tasks, o.infill, o.bead_width);
-        facts.push_back({"", "infill-spacing", spacing, "mm"});
+        facts.push_back({"", whose + "infill-spacing", spacing, "mm"});
         if (o.pattern == polygon::Pattern::concentric)
-            facts.push_back({"", "infill-share", 100 * infill::share_laid(tasks, spacing, o.bead_width), "%"});
+            facts.push_back({"", whose + "infill-share", 100 * infill::share_laid(tasks, spacing, o.bead_width), "%"});
         return spacing;
     }
     return 0;
@@ -170,36 +173,119 @@ double share(const std::string& text) {
     return out;
 }
 
-void skins(std::vector<Region>& regions, const Options& o, Facts& facts) {
-    if (o.infill >= 1 || regions.empty()) return;
-    const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
+polygon::Pattern pattern(const std::string& text) {
+    if (text == "rows") return polygon::Pattern::rows;
+    if (text == "wave") return polygon::Pattern::wave;
+    if (text == "concentric") return polygon::Pattern::concentric;
+    throw Error(Exit::usage, "cannot use '" + text + "' as --infill-pattern: it is rows, wave or concentric");
+}
+
+Options modified(Options o, const std::string& settings) {
+    const std::int64_t walls = o.walls;
+    for (std::size_t from = 0; from < settings.size();) {
+        const std::size_t comma = std::min(settings.find(',', from), settings.size());
+        const std::string one = settings.substr(from, comma - from);
+        const auto equals = std::min(one.find('='), one.size());
+        const std::string name = one.substr(0, equals), value = one.substr(std::min(equals + 1, one.size()));
+        const auto layers = [&](double least) {
+            const double n = parse_number(value, name);
+            if (n != std::floor(n) || n < least || n > 1e6)
+                throw Error(Exit::usage, "cannot use '" + one +
+                                             "' of --modifier: it takes a whole number of at least " +
+                                             fixed_text(least, 0));
+            return static_cast<std::int64_t>(n);
+        };
+        if (name == "infill")
+            o.infill = share(value);
+        else if (name == "infill-pattern")
+            o.pattern = pattern(value);
+        else if (name == "walls")
+            o.walls = layers(static_cast<double>(walls));
+        else if (name == "top")
+            o.top = layers(0);
+        else if (name == "bottom")
+            o.bottom = layers(0);
+        else
+            throw Error(Exit::usage, "cannot use '" + one +
+                                         "' of --modifier: a setting is one of infill, infill-pattern, walls, top, "
+                                         "bottom, as infill=40%");
+        from = comma + 1;
+    }
+    return o;
+}
+
+namespace {
+
+// What one of the settings makes sparse, per region.
+struct Sparse {
+    Options how;
+    std::vector<Loops> plain, dense; // lines as the spacing says; more of them, under skins
+};
+
+// What of each layer has enough above and below it.
+std::vector<Loops> inner_of(const std::vector<Loops>& layers, const Options& o) {
     const auto above = common_runs(layers, static_cast<std::size_t>(o.top));
     const auto below = o.bottom == o.top ? above : common_runs(layers, static_cast<std::size_t>(o.bottom));
-    std::vector<Loops> inner(layers.size()), area(regions.size());
+    std::vector<Loops> out(layers.size());
     parallel::for_chunks(layers.size(), 1, 0,
-                         [&](std::size_t i, std::size_t) { inner[i] = covered(layers[i], above, below, i, o); });
-    parallel::for_chunks(regions.size(), 1, 0,
-                         [&](std::size_t i, std::size_t) { area[i] = sparse(regions[i], inner[regions[i].layer], o); });
-    std::vector<Loops> of_layer(layers.size()), dense(regions.size());
-    for (std::size_t i = 0; i < regions.size(); ++i) of_layer[regions[i].layer].add(area[i]);
-    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        if (area[i].empty()) return;
-        dense[i] = carrying(area[i], of_layer, regions[i].layer, o);
-        area[i] = polygon::subtract(area[i], dense[i]);
-    });
-    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { tell_solid(regions[i], layers, o); });
-    const double spacing = spacing_of(regions, area, dense, o, facts);
+                         [&](std::size_t i, std::size_t) { out[i] = covered(layers[i], above, below, i, o); });
+    return out;
+}
+
+// Takes from what is plain the part that carries a skin.
+void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& regions, std::size_t layers) {
+    std::vector<Loops> of_layer(layers);
+    for (const Sparse& s : settings)
+        for (std::size_t i = 0; i < regions.size(); ++i) of_layer[regions[i].layer].add(s.plain[i]);
+    for (Sparse& s : settings)
+        parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+            if (s.plain[i].empty()) return;
+            s.dense[i] = carrying(s.plain[i], of_layer, regions[i].layer, s.how);
+            s.plain[i] = polygon::subtract(s.plain[i], s.dense[i]);
+        });
+}
+
+// Puts down the areas of one of the settings.
+void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whose, Facts& facts) {
+    const double spacing = spacing_of(regions, s.plain, s.dense, s.how, whose, facts);
     if (spacing == 0) return;
     for (std::size_t i = 0; i < regions.size(); ++i) {
         Region& r = regions[i];
         const auto put = [&](Loops& loops, double gap) {
             if (loops.empty()) return;
             r.areas.push_back(
-                {polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), spacing, o.pattern, gap});
+                {polygon::AreaKind::sparse, std::move(loops), direction_of(r.layer), spacing, s.how.pattern, gap});
         };
-        put(dense[i], o.bridge);
-        put(area[i], 0);
+        put(s.dense[i], s.how.bridge);
+        put(s.plain[i], 0);
     }
+}
+
+} // namespace
+
+void skins(std::vector<Region>& regions, const Options& o, std::span<const Modifier> modifiers, Facts& facts) {
+    std::vector<Sparse> settings{{o, {}, {}}};
+    for (const Modifier& m : modifiers) settings.push_back({m.how, {}, {}});
+    const auto solid = [](const Sparse& s) { return s.how.infill >= 1; };
+    if (regions.empty() || std::ranges::all_of(settings, solid)) return;
+    const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
+    const Zones zones(modifiers, layers.size(), o.bead_width);
+    for (std::size_t k = 0; k < settings.size(); ++k) {
+        Sparse& s = settings[k];
+        s.plain.resize(regions.size());
+        s.dense.resize(regions.size());
+        if (solid(s)) continue;
+        const auto inner = inner_of(layers, s.how);
+        parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+            const Region& r = regions[i];
+            s.plain[i] =
+                sparse(r, inner[r.layer], s.how, [&](const Loops& area) { return zones.of(k, r.layer, area); });
+        });
+    }
+    part_dense(settings, regions, layers.size());
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { tell_solid(regions[i], layers, o); });
+    for (std::size_t k = 0; k < settings.size(); ++k)
+        put_sparse(settings[k], regions, k == 0 ? "" : "modifier-" + std::to_string(k) + "-", facts);
 }
 
 } // namespace filum::skins

@@ -5,6 +5,7 @@
 #include "base/note.hpp"
 #include "polygon/region.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,27 @@ struct Options {
 // 0.15 of "15%" or "0.15".  Error(usage) for what is not above 0, or above 1.
 double share(const std::string& text);
 
+// A body in which other settings hold than in the rest of a part.
+struct Modifier {
+    std::vector<polygon::Loops> where; // its outlines in each layer of the part, from the first; none where it ends
+    Options how;                       // with no fewer walls than the part has: see `modified`
+};
+
+// The settings of a modifier in a part with `options`: "infill=40%,walls=4", names as those of `skins`' options, out of
+// infill, infill-pattern, walls, top, bottom.  Error(usage) for others, for values that those refuse, and for fewer
+// walls than the part has: these are laid along the whole outline.
+Options modified(Options options, const std::string& settings);
+
+// rows, wave or concentric; Error(usage) for others.
+polygon::Pattern pattern(const std::string& text);
+
 // Sets areas and walls of all regions of a part, which come in the order of their layers; nothing if the infill is 1.
+// What a modifier makes otherwise begins a bead inside it, and ends for the rest a bead outside: a wall lies between.
 // Under skins lines are so near that no gap is wider than `bridge`.
 // Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
 // What spans more over air, from material to material of the layer below, is a bridge: with the direction in which it
 // is the shortest.
-void skins(std::vector<polygon::Region>& regions, const Options& options, Facts& facts);
+void skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
+           Facts& facts);
 
 } // namespace filum::skins

@@ -78,8 +78,10 @@ Region model(const Stack& stack, std::size_t layer) {
 }
 
 // Makes room for so many layers below the part.
-void raise(std::vector<Region>& regions, std::uint32_t by) {
+void raise(std::vector<Region>& regions, Options& o, std::uint32_t by) {
     if (regions.empty()) return;
+    for (auto* places : {&o.wanted, &o.unwanted})
+        if (!places->empty()) places->insert(places->begin(), by, {});
     const double up = by * regions[0].height;
     for (Region& r : regions) {
         r.layer += by;
@@ -108,12 +110,29 @@ std::vector<Region> carriers(const Columns& c, std::size_t layer, const Region& 
     return out;
 }
 
+// What overhangs, with what is wanted, without what is unwanted.
+std::vector<Loops> all_overhangs(const std::vector<Loops>& layers, const std::vector<double>& height,
+                                 const Options& o) {
+    std::vector<Loops> out(layers.size());
+    if (o.support) out = overhangs(layers, height, o);
+    if (!o.wanted.empty()) {
+        Options any = o;
+        any.angle = 0;
+        const auto all = overhangs(layers, height, any);
+        for (std::size_t i = 0; i < std::min(out.size(), o.wanted.size()); ++i)
+            if (!all[i].empty() && !o.wanted[i].empty())
+                out[i] = polygon::unite(out[i], polygon::intersect(all[i], o.wanted[i]));
+    }
+    for (std::size_t i = 0; i < std::min(out.size(), o.unwanted.size()); ++i)
+        if (!out[i].empty() && !o.unwanted[i].empty()) out[i] = polygon::subtract(out[i], o.unwanted[i]);
+    return out;
+}
+
 // The supports of all layers; a raft is what carries all of the first one.
 Stack all_carriers(const std::vector<Loops>& layers, const Stack& stack, const Options& o) {
     std::vector<double> height(stack.size(), 0);
     for (std::size_t i = 0; i < stack.size(); ++i) height[i] = model(stack, i).height;
-    std::vector<Loops> over(stack.size());
-    if (o.support) over = overhangs(layers, height, o);
+    std::vector<Loops> over = all_overhangs(layers, height, o);
     if (const std::size_t first = first_of(stack); o.raft > 0 && first < stack.size())
         over[first] = polygon::offset(layers[first], kRaftReach * o.bead_width, kBeadArc);
     const Columns c = columns(layers, over, o);
@@ -194,11 +213,12 @@ void tell_hanging(Stack& stack, const Stack& added, const Options& o, Notes& not
 
 } // namespace
 
-std::vector<Region> supports(std::vector<Region> regions, const Options& o, Facts& facts, Notes& notes) {
-    if (o.raft > 0) raise(regions, static_cast<std::uint32_t>(o.raft + o.gap));
+std::vector<Region> supports(std::vector<Region> regions, const Options& options, Facts& facts, Notes& notes) {
+    Options o = options;
+    if (o.raft > 0) raise(regions, o, static_cast<std::uint32_t>(o.raft + o.gap));
     const auto layers = polygon::materials(regions);
     Stack stack = stack_of(std::move(regions)), added(stack.size());
-    if (o.support || o.raft > 0) added = all_carriers(layers, stack, o);
+    if (o.carries()) added = all_carriers(layers, stack, o);
     if (!stack.empty()) {
         Loops first = layers[0]; // and what is carried by the bed beside it
         for (const Region& r : added[0]) first.add(r.loops);
@@ -221,7 +241,7 @@ std::vector<Region> supports(std::vector<Region> regions, const Options& o, Fact
             lie_on(added[i], stack[i - far], false, o); // supports on the part
         }
     }
-    if (o.support || o.raft > 0) tell_hanging(stack, added, o, notes);
+    if (o.carries()) tell_hanging(stack, added, o, notes);
     facts.push_back({"", "support-space", area, "mm3"});
     return flattened(std::move(stack), std::move(added));
 }

@@ -22,15 +22,20 @@ struct Options {
     std::int64_t raft = 0;               // layers of support under all of the part, which is raised by these and `gap`
     double brim = 0;                     // mm about the first layer
     double skirt = 0;                    // mm between the first layer and two beads about it; 0: none
+    // Per layer of the part: where all that leans out at all is carried, and where nothing is.
+    std::vector<polygon::Loops> wanted{}, unwanted{};
+
+    [[nodiscard]] bool carries() const { return support || raft > 0 || !wanted.empty(); }
 };
 
 // All regions, those of supports, brims and skirts among them: ids anew, layer by layer, in each layer those of the
 // part first.  A raft raises the part: layers and heights are those of the print.  Preconditions: regions layer by
 // layer, ids ascending from 0. What overhangs is what of a layer lies farther from the layer below than the angle
-// allows, in pieces as wide as half a bead, or all of a region that lies on nothing.  It is carried from `gap` + 1
-// layers below, straight down to the bed or the part.  Regions carried by a support have an overlap without a link with
-// it.  With supports, `unsupported` of the part's regions and the note are what still hangs (regions::hang): half a
-// bead from the layer below and from supports across the gap.
+// allows, in pieces as wide as half a bead, or all of a region that lies on nothing; with an angle of 0 where supports
+// are wanted, and nothing where they are unwanted.  It is carried from `gap` + 1 layers below, straight down to the bed
+// or the part.  Regions carried by a support have an overlap without a link with it.  With supports, `unsupported` of
+// the part's regions and the note are what still hangs (regions::hang): half a bead from the layer below and from
+// supports across the gap.
 std::vector<polygon::Region> supports(std::vector<polygon::Region> regions, const Options& options, Facts& facts,
                                       Notes& notes);
 

@@ -30,6 +30,37 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     [[ $(wc -l < directions) == 2 ]]
 }
 
+@test "a modifier goes where the part goes, is filled otherwise, and all stays one stroke" {
+    # the middle of the part, a box of 9 x 9 x 1 mm; turned and three times as large, as the part is
+    block() { # FROM TO, of x and y
+        printf 'OFF\n8 12 0\n'
+        for z in -1 2; do printf '%s %s %s\n' "$1" 3 $z "$2" 3 $z "$2" 6 $z "$1" 6 $z; done
+        printf '3 %s %s %s\n' 0 2 1 0 3 2 4 5 6 4 6 7 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7
+    }
+    block 3 6 > knob.off
+    chain() { slice --scale 3 --rotate 0,0,30 --translate 50,9,0 part.stl | regions | skins --solid-below 0 "$@"; }
+    chain --modifier knob.off:infill=50% -o knob.regions 2> said
+    [[ ! -s said ]]
+    [[ $(peek knob.regions | value modifier-1-infill-spacing) < $(peek knob.regions | value infill-spacing) ]]
+    sequence knob.regions | fill | link3d --quiet -o knob.toolpath
+    [[ $(metrics --format tsv knob.toolpath | awk '$2 == "strokes" || $1 == "strokes" { print; exit }') =~ [[:space:]]1([[:space:]]|$) ]]
+    # nothing of a path enters the history
+    peek knob.regions | { ! grep -q 'knob.off'; }
+    run chain --modifier far.off:infill=50% -o no
+    [[ $status == 5 && $output == *far.off* && ! -e no ]]
+    block 903 906 > far.off
+    run chain --modifier far.off:infill=50% -o far.regions
+    [[ $status == 0 && $output == *"meets nothing of the part"* ]]
+    filum print part.stl --scale 3 --infill 15% --modifier 'knob.off:infill=50%' -q -o knob.gcode
+    [[ $(tail -n 1 knob.gcode) == *"end of program"* ]]
+}
+
+@test "several parts on a bed have no modifiers" {
+    run bash -c 'slice part.stl --copies 2 | regions --quiet | skins --modifier part.stl:infill=40%'
+    [[ $status == 4 || $status == 3 ]]
+    [[ $output == *"a single part"* ]]
+}
+
 @test "concentric lines lie at one place in all layers, and make one stroke with the walls" {
     skins --infill-pattern concentric large.regions | sequence | fill > rings.paths
     [[ $(peek rings.paths | value infill-share) =~ ^1[45] ]]

@@ -62,7 +62,7 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
         placement.center.clear();
         placement.translate = {0, 0, o.place.translate[2]};
     }
-    mesh::place(file.mesh, placement, mesh::states_unit(file.kind), out.notes);
+    out.placement = mesh::place(file.mesh, placement, mesh::states_unit(file.kind), out.notes);
     out.name = label(path);
     out.box = mesh::bounds(file.mesh);
     const bool unit_known = mesh::states_unit(file.kind) || o.place.unit != "mm" || o.place.scale != std::vector{1.0};

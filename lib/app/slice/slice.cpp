@@ -1,5 +1,6 @@
 #include "app/slice/slice.hpp"
 
+#include "app/modifier/modifier.hpp"
 #include "app/slice/plate.hpp"
 #include "polygon/clip.hpp"
 #include "wire/planar.hpp"
@@ -89,9 +90,14 @@ void run(const Options& o, const cli::Io& io) {
     std::vector<OnBed> parts = read_parts(o, self);
     auto objects = place_on_bed(parts, o, io, notes);
     const auto levels = prepare(parts, o, io.threads, notes);
+    Job job{o, parts, levels, wanted(levels, o)};
+    if (objects.empty()) { // a single part
+        geom::Affine placement = parts[0].placement;
+        placement.t[2] -= job.wanted.down;
+        self.settings.push_back(modifier::placement_setting(placement));
+    }
     auto header = cli::header(self, stream::Payload::layers);
     header.history.back().objects = std::move(objects);
-    Job job{o, parts, levels, wanted(levels, o)};
     header.expected = job.wanted.last - job.wanted.first;
     const std::size_t chunks = (levels.size() + filum::slice::kChunk - 1) / filum::slice::kChunk;
     cli::source_stage(

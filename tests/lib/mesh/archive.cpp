@@ -5,7 +5,7 @@
 
 namespace shapes {
 
-std::string archive(const std::string& model) {
+std::string archive(const std::string& model, const std::map<std::string, std::string>& others) {
     const std::string rels = "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
                              "<Relationship Target=\"/3D/3dmodel.model\" Id=\"r\" "
                              "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
@@ -16,6 +16,8 @@ std::string archive(const std::string& model) {
     zip_t* zip = zip_open_from_source(memory, ZIP_TRUNCATE, &error);
     for (const auto& [name, content] : {std::pair{"_rels/.rels", &rels}, std::pair{"3D/3dmodel.model", &model}})
         zip_file_add(zip, name, zip_source_buffer(zip, content->data(), content->size(), 0), 0);
+    for (const auto& [name, content] : others)
+        zip_file_add(zip, name.c_str(), zip_source_buffer(zip, content.data(), content.size(), 0), 0);
     zip_close(zip);
     std::string out;
     zip_source_open(memory);

@@ -162,6 +162,51 @@ TEST(ThreeMf, units_components_and_transforms) {
     EXPECT_NEAR(b.lo.z, 127, 1e-9);
 }
 
+// PrusaSlicer puts all bodies of an object in one mesh, and says which triangles are whose.
+TEST(ThreeMf, modifiers_of_prusaslicer_are_no_material) {
+    Mesh both = shapes::box({0, 0, 0}, {10, 10, 10});
+    const Mesh body = shapes::box({2, 2, 2}, {5, 5, 15});
+    for (const auto& t : body.triangles) both.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+    both.vertices.insert(both.vertices.end(), body.vertices.begin(), body.vertices.end());
+    const auto of = [&](const std::string& type) {
+        const std::string config = "<config><object id=\"1\"><volume firstid=\"0\" lastid=\"11\"><metadata "
+                                   "type=\"volume\" key=\"volume_type\" value=\"ModelPart\"/></volume><volume "
+                                   "firstid=\"12\" lastid=\"23\"><metadata type=\"volume\" key=\"volume_type\" "
+                                   "value=\"" +
+                                   type + "\"/></volume></object></config>";
+        return read(shapes::archive("<model><resources><object id=\"1\">" + shapes::model_mesh(both) +
+                                        "</object></resources><build><item objectid=\"1\"/></build></model>",
+                                    {{"Metadata/Slic3r_PE_model.config", config}}),
+                    "it");
+    };
+    EXPECT_EQ(of("ModelPart").mesh.triangles.size(), 24U);
+    EXPECT_TRUE(of("ModelPart").notes.empty());
+    for (const char* type : {"ParameterModifier", "SupportEnforcer", "SupportBlocker", "NegativeVolume"}) {
+        const File f = of(type);
+        EXPECT_NEAR(volume(f.mesh), 1000, 1e-9) << type;
+        ASSERT_EQ(f.notes.size(), 1U) << type;
+        EXPECT_EQ(f.notes[0].count, 1U);
+    }
+    EXPECT_EQ(
+        exit_of(shapes::archive("<model><resources/><build/></model>", {{"Metadata/Slic3r_PE_model.config", "<a"}})),
+        Exit::bad_input);
+}
+
+// Bambu Studio and OrcaSlicer give each body an object of its own.
+TEST(ThreeMf, modifiers_of_bambu_studio_are_no_material) {
+    const std::string model =
+        "<model><resources><object id=\"1\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {10, 10, 10})) +
+        "</object><object id=\"2\">" + shapes::model_mesh(shapes::box({2, 2, 2}, {5, 5, 15})) +
+        "</object><object id=\"3\"><components><component objectid=\"1\"/><component objectid=\"2\"/></components>"
+        "</object></resources><build><item objectid=\"3\"/></build></model>";
+    const std::string config = "<config><object id=\"3\"><part id=\"1\" subtype=\"normal_part\"/><part id=\"2\" "
+                               "subtype=\"modifier_part\"/></object></config>";
+    EXPECT_EQ(read(shapes::archive(model), "it").mesh.triangles.size(), 24U);
+    const File f = read(shapes::archive(model, {{"Metadata/model_settings.config", config}}), "it");
+    EXPECT_NEAR(volume(f.mesh), 1000, 1e-9);
+    ASSERT_EQ(f.notes.size(), 1U);
+}
+
 TEST(ThreeMf, circles_and_too_many_copies_end) {
     EXPECT_EQ(exit_of(shapes::archive("<model><resources><object id=\"1\"><components><component "
                                       "objectid=\"1\"/></components></object></resources>"

@@ -187,8 +187,8 @@ inline std::string model_mesh(const Mesh& m) {
     return out + "</triangles></mesh>";
 }
 
-// A 3MF archive around the text of its model; in archive.cpp.
-std::string archive(const std::string& model);
+// A 3MF archive around the text of its model, and of other files by their names; in archive.cpp.
+std::string archive(const std::string& model, const std::map<std::string, std::string>& others = {});
 
 inline std::string threemf(const Mesh& m) {
     return archive("<?xml version=\"1.0\"?><model unit=\"millimeter\"><resources><object id=\"1\" type=\"model\">" +

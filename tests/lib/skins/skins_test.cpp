@@ -62,7 +62,7 @@ TEST(Skins, NothingSparseIsSeenThroughTooFewLayers) {
             Options o;
             o.top = top, o.bottom = bottom, o.walls = 1 + seed % 3, o.solid_below = 0;
             Facts facts;
-            skins(part, o, facts);
+            skins(part, o, {}, facts);
             double sparse = 0;
             for (std::size_t i = 0; i < part.size(); ++i) {
                 EXPECT_EQ(part[i].loops.points, before[i].loops.points);
@@ -80,12 +80,76 @@ TEST(Skins, NothingSparseIsSeenThroughTooFewLayers) {
         }
 }
 
+TEST(Skins, ModifiersChangeWhatLiesWithin) {
+    const auto before = random_part(3, 40);
+    const Loops body = test::rectangle(-4, -4, 5, 4);
+    Options o;
+    o.solid_below = 0;
+    Modifier m{std::vector<Loops>(30, body), modified(o, "infill=40%,infill-pattern=wave,walls=4,top=6")};
+    m.where[10] = {};
+    auto plain = before, changed = before;
+    Facts facts;
+    skins(plain, o, {}, facts);
+    skins(changed, o, std::span(&m, 1), facts);
+    EXPECT_EQ(facts.back().name, "modifier-1-infill-spacing");
+    double within = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        const bool there = before[i].layer < 30 && before[i].layer != 10;
+        Loops rest = sparse_of(plain[i]);
+        for (const auto& a : changed[i].areas) {
+            if (a.kind != AreaKind::sparse) continue;
+            const bool waves = a.pattern == polygon::Pattern::wave;
+            const Loops off =
+                waves ? polygon::subtract(a.loops, polygon::offset(body, -o.bead_width + 1e-2))
+                      : polygon::intersect(a.loops, there ? polygon::offset(body, o.bead_width - 1e-2) : Loops{});
+            EXPECT_LT(polygon::signed_area(off), 1e-3) << i; // a bead from the border, on either side
+            EXPECT_TRUE(there || !waves) << i;
+            within += waves ? polygon::signed_area(a.loops) : 0;
+            if (waves) { // four walls
+                const Loops wall =
+                    polygon::subtract(a.loops, polygon::offset(before[i].loops, -4 * o.bead_width + 0.02));
+                EXPECT_LT(polygon::signed_area(wall), 1e-3) << i;
+            }
+        }
+        if (!there) {
+            EXPECT_NEAR(polygon::signed_area(sparse_of(changed[i])), polygon::signed_area(rest), 1e-2) << i;
+        }
+    }
+    EXPECT_GT(within, 100);
+}
+
+TEST(Skins, TheLastOfSeveralModifiersCounts) {
+    auto part = random_part(5, 30);
+    Options o;
+    o.solid_below = 0;
+    const std::vector<Loops> wide(30, test::rectangle(-20, -20, 20, 20));
+    const Modifier solid{wide, modified(o, "infill=100%")}, loose{wide, modified(o, "infill=10%")};
+    const auto sparse_by = [&](const Modifier& first, const Modifier& second) {
+        const std::vector<Modifier> both{first, second};
+        Facts facts;
+        auto regions = part;
+        skins(regions, o, both, facts);
+        double out = 0;
+        for (const Region& r : regions) out += polygon::signed_area(sparse_of(r));
+        return out;
+    };
+    EXPECT_EQ(sparse_by(loose, solid), 0);
+    EXPECT_GT(sparse_by(solid, loose), 100);
+}
+
+TEST(Skins, SettingsOfModifiersThatMeanNothingAreRefused) {
+    for (const char* text : {"infill", "infill=0", "infill=200%", "walls=1", "walls=2.5", "top=-1", "spacing=3",
+                             "infill-pattern=stars", "=4", "infill=20%,,top=3", "top="})
+        EXPECT_THROW(modified({}, text), Error) << text;
+    EXPECT_EQ(modified({}, "top=0,bottom=9").bottom, 9);
+}
+
 TEST(Skins, AreasOfARegionDoNotOverlap) {
     auto part = random_part(3, 40);
     Facts facts;
     Options o;
     o.infill = 0.1; // so that lines under skins are nearer
-    skins(part, o, facts);
+    skins(part, o, {}, facts);
     std::size_t dense = 0;
     for (const Region& r : part) {
         std::vector<const polygon::Area*> sparse;
@@ -107,7 +171,7 @@ TEST(Skins, SmallSparsePartsAreSolid) {
         Facts facts;
         Options o;
         o.solid_below = least;
-        skins(part, o, facts);
+        skins(part, o, {}, facts);
         std::size_t small = 0, large = 0;
         for (const Region& r : part)
             for (const Loops& piece : polygon::split(polygon::unite(sparse_of(r))).part) {
@@ -124,7 +188,7 @@ TEST(Skins, AllOfIt) {
     Facts facts;
     Options o;
     o.infill = 1;
-    skins(part, o, facts);
+    skins(part, o, {}, facts);
     for (const Region& r : part) EXPECT_TRUE(r.areas.empty() && r.walls == 0);
 }
 
@@ -147,7 +211,7 @@ std::vector<polygon::Area> bridges_over(const Loops& below, const Loops& deck) {
             part.push_back(std::move(r));
         }
     Facts facts;
-    skins(part, {}, facts);
+    skins(part, {}, {}, facts);
     std::vector<polygon::Area> out;
     for (const auto& a : part.back().areas)
         if (a.kind == AreaKind::bridge) out.push_back(a);

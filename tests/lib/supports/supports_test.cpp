@@ -52,6 +52,52 @@ std::vector<Loops> random_layers(unsigned seed) {
     return out;
 }
 
+double support_area(const std::vector<Region>& regions) {
+    double out = 0;
+    for (const Region& r : regions)
+        if (r.is == RegionClass::support) out += r.area;
+    return out;
+}
+
+// Bodies say where supports are wanted and where not, in layers of the part, whatever a raft puts below it.
+TEST(Supports, StandWhereABodyWantsThem) {
+    const std::vector<Loops> right(13, test::rectangle(0, -20, 20, 20));
+    Facts facts;
+    Notes notes;
+    Options all = with_support(), some, other = with_support();
+    some.wanted = right;
+    other.unwanted = right;
+    const double whole = support_area(supports(part_of(mushroom()), all, facts, notes));
+    const auto wanted = supports(part_of(mushroom()), some, facts, notes);
+    for (const Region& r : wanted)
+        if (r.is == RegionClass::support) {
+            EXPECT_GT(r.box.lo.x, -1) << r.layer;
+        }
+    const double half = support_area(wanted), rest = support_area(supports(part_of(mushroom()), other, facts, notes));
+    EXPECT_NEAR(half, whole / 2, 0.05 * whole);
+    EXPECT_NEAR(rest, whole / 2, 0.05 * whole);
+    // what leans by less than the angle is carried where it is wanted
+    std::vector<Loops> cone;
+    for (int k = 0; k < 20; ++k) cone.push_back(test::disc({0, 0}, 5 + 0.3 * k));
+    all.angle = std::numbers::pi / 3;
+    EXPECT_EQ(support_area(supports(part_of(cone), all, facts, notes)), 0);
+    all.wanted.assign(20, test::rectangle(-20, -20, 20, 20));
+    EXPECT_GT(support_area(supports(part_of(cone), all, facts, notes)), 0);
+    // layers of a raft lie below those of the body
+    const auto on_top = [&](bool raft) {
+        Options o;
+        o.raft = raft ? 2 : 0;
+        o.wanted.assign(13, {});
+        o.wanted[10] = right[0];
+        double out = 0;
+        for (const Region& r : supports(part_of(mushroom()), o, facts, notes))
+            if (r.is == RegionClass::support && r.layer > (raft ? 4U : 0U)) out += r.area;
+        return out;
+    };
+    EXPECT_GT(on_top(false), 100);
+    EXPECT_NEAR(on_top(true), on_top(false), 0.2 * on_top(false));
+}
+
 TEST(Supports, CarriesAPlateAcrossTheGap) {
     Facts facts;
     Notes notes;
