@@ -143,7 +143,8 @@ void run(const render::Options& given, const cli::Io& io) {
     check_report(o, io);
     if (o.html)
         return app::report::run({o.machine, o.regions, o.surface, o.beside, o.figures, o.collisions, o.title}, io);
-    o.svg = o.svg || io.output.ends_with(".svg"), o.vtp = io.output.ends_with(".vtp");
+    o.svg = o.svg || io.output.ends_with(".svg");
+    o.vtp = io.output.ends_with(".vtp");
     render::check(o);
     render::Scene scene;
     std::size_t seen = 0;

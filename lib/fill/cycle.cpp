@@ -116,7 +116,10 @@ class Joiner {
             if (wound[r] || runs_over_air(r)) continue;
             const auto splice = best_spiral(r);
             if (!splice) continue;
-            for (const Window& w : splice->windows) groups_.unite(r, w.ring), wound[w.ring] = 1;
+            for (const Window& w : splice->windows) {
+                groups_.unite(r, w.ring);
+                wound[w.ring] = 1;
+            }
             for (const Link& l : splice->links) links_.push_back({rim(*splice, l.from), rim(*splice, l.to)});
             splices_.add(*splice);
         }
@@ -232,9 +235,16 @@ class Joiner {
         const double gone = b.parallel ? ahead : l - ahead;
         if (gone < 0.4 * half || gone > 6 * half || gone > 0.45 * l) return false;
         const double t0 = b.parallel ? p->s : q->s;
-        b.ring[0] = c.ring, b.ring[1] = c.other;
-        b.s0[0] = s0, b.s1[0] = s1, b.s0[1] = t0, b.s1[1] = t0 + gone;
-        for (const int k : {0, 1}) b.begin[k] = graph_.at(b.ring[k], b.s0[k]), b.end[k] = graph_.at(b.ring[k], b.s1[k]);
+        b.ring[0] = c.ring;
+        b.ring[1] = c.other;
+        b.s0[0] = s0;
+        b.s1[0] = s1;
+        b.s0[1] = t0;
+        b.s1[1] = t0 + gone;
+        for (const int k : {0, 1}) {
+            b.begin[k] = graph_.at(b.ring[k], b.s0[k]);
+            b.end[k] = graph_.at(b.ring[k], b.s1[k]);
+        }
         return true;
     }
 

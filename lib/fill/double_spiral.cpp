@@ -56,8 +56,12 @@ class Making {
         : graph_(&graph), lanes_(&lanes.lane), width_(width), room_(&room), hi_(lanes.lane.size()) {}
 
     std::optional<Splice> run(std::size_t own) {
-        first_.resize(hi_), second_.resize(hi_);
-        for (std::size_t k = 0; k < hi_; ++k) first_[k] = (*lanes_)[k].at.s, second_[k] = beyond(k);
+        first_.resize(hi_);
+        second_.resize(hi_);
+        for (std::size_t k = 0; k < hi_; ++k) {
+            first_[k] = (*lanes_)[k].at.s;
+            second_[k] = beyond(k);
+        }
         // lanes without room end the spiral; a turn without room moves to the next lane
         for (std::size_t k = own + 1; k-- > lo_;)
             if (!has_room(k)) lo_ = k + 1;
@@ -155,8 +159,10 @@ class Making {
         if (!out || !in) return std::nullopt;
         auto first = first_, second = second_;
         lean(first, second);
-        first[lo_] = out->outer, first[lo_ + 1] = out->inner;
-        second[last - 1] = in->outer, second[last] = in->inner;
+        first[lo_] = out->outer;
+        first[lo_ + 1] = out->inner;
+        second[last - 1] = in->outer;
+        second[last] = in->inner;
         const auto lines = with_rims(first, second);
         for (std::size_t k = 0; k + 1 < lines.size(); ++k)
             if (geom::segment_distance(lines[k][1], lines[k][2], lines[k + 1][1], lines[k + 1][2]) < kApart * width_)
@@ -237,7 +243,10 @@ Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, bool ah
     const double sense = ahead ? 1 : -1;
     out.lane = {{{ring, s, graph.at(ring, s), 0}, here->left, sense * here->along, sense}};
     for (const double side : {-1.0, 1.0}) {
-        if (side > 0) std::reverse(out.lane.begin(), out.lane.end()), out.own = out.lane.size() - 1;
+        if (side > 0) {
+            std::reverse(out.lane.begin(), out.lane.end());
+            out.own = out.lane.size() - 1;
+        }
         while (const auto next = next_lane(graph, out.lane.back(), side, width)) {
             if (!use(next->at.ring)) break;
             out.lane.push_back(*next);

@@ -45,7 +45,10 @@ void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve&
     double twice = 0;
     geom::Vec2 at;
     for (std::size_t k = 0; k < walls.walls.size(); ++k)
-        if (k != once) twice += walls.walls[k].length, at = walls.walls[k].line.front();
+        if (k != once) {
+            twice += walls.walls[k].length;
+            at = walls.walls[k].line.front();
+        }
     if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
 }
 
@@ -75,8 +78,13 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
 
 toolpath::RegionPaths paths_of(const polygon::Region& r) {
     toolpath::RegionPaths out;
-    out.region = r.id, out.layer = r.layer, out.z = r.z, out.height = r.height, out.area = r.area;
-    out.stroke = r.stroke, out.join = r.join;
+    out.region = r.id;
+    out.layer = r.layer;
+    out.z = r.z;
+    out.height = r.height;
+    out.area = r.area;
+    out.stroke = r.stroke;
+    out.join = r.join;
     return out;
 }
 
@@ -156,8 +164,11 @@ toolpath::RegionPaths fill_scaffold(const polygon::Region& r, const Options& opt
     before.column = column(r, before);
     const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
     ScaffoldOptions s;
-    s.bead_width = o.bead_width, s.spacing = strand_spacing(o), s.angle = angle(r, o);
-    s.shift = shifted ? o.stagger : 0, s.rings = rings(o, 0);
+    s.bead_width = o.bead_width;
+    s.spacing = strand_spacing(o);
+    s.angle = angle(r, o);
+    s.shift = shifted ? o.stagger : 0;
+    s.rings = rings(o, 0);
     if (r.join == Join::vertical) s.from = before.exit;
     out.curves = scaffold(r.loops, before.columns[before.column].region, s, notes);
     place(r, notes, first, out);

@@ -18,10 +18,12 @@ double note_unplaced(const Loops& region, const Loops& reached, double bead_widt
     for (const auto& part : polygon::split(rest).part) {
         const double area = polygon::signed_area(part);
         if (area <= bead_width * bead_width || polygon::offset(part, -bead_width / 4).empty()) continue;
-        note.amount += area, ++note.count;
+        note.amount += area;
+        ++note.count;
         if (area <= largest) continue;
         largest = area;
-        note.x = part[0][0].x, note.y = part[0][0].y;
+        note.x = part[0][0].x;
+        note.y = part[0][0].y;
     }
     if (note.count > 0) notes.push_back(note);
     return note.amount;

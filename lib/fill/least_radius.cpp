@@ -21,7 +21,8 @@ Vec2 along(const std::vector<Vec2>& points, std::size_t i, bool forwards, double
         const std::size_t next = forwards ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n - 1 : i - 1);
         const double l = geom::distance(points[i], points[next]);
         if (l >= s && l > 0) return geom::lerp(points[i], points[next], s / l);
-        s -= l, i = next;
+        s -= l;
+        i = next;
     }
     return points[i];
 }
@@ -57,7 +58,8 @@ void add_lane(const Loops& loops, int lane, const rings::Rings& from, const Ring
             std::optional<Place> at;
             for (double far = reach; !at; far *= 4)
                 at = graph.nearest(p, far, [&](std::uint32_t ring) { return from.lane[ring] == lane; });
-            out.points.push_back(p), out.width.push_back(graph.width(at->ring, at->s));
+            out.points.push_back(p);
+            out.width.push_back(graph.width(at->ring, at->s));
         }
         out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
         out.lane.push_back(lane);
@@ -95,8 +97,13 @@ rings::Rings with_round_corners(const rings::Rings& lanes, double width, double 
             if (stays) continue;
             const double lost = laid(part, width) - laid(used, width);
             if (lost < tolerance * radius) continue;
-            open.amount += lost, ++open.count;
-            if (lost > most) most = lost, open.x = part[0][0].x, open.y = part[0][0].y;
+            open.amount += lost;
+            ++open.count;
+            if (lost > most) {
+                most = lost;
+                open.x = part[0][0].x;
+                open.y = part[0][0].y;
+            }
         }
         add_lane(kept, lane, lanes, graph, width + radius, out);
         outer = std::move(kept);
@@ -130,9 +137,16 @@ Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, doubl
             if (i > 0) since += geom::distance(c.points[i - 1], c.points[i]);
             const double r = radius_at(c, i, scale);
             if (r >= radius) continue;
-            if (since > 2 * scale) ++out.count, ++out.amount;
+            if (since > 2 * scale) {
+                ++out.count;
+                ++out.amount;
+            }
             since = 0;
-            if (r < tightest) tightest = r, out.x = c.points[i].x, out.y = c.points[i].y;
+            if (r < tightest) {
+                tightest = r;
+                out.x = c.points[i].x;
+                out.y = c.points[i].y;
+            }
         }
     }
     return out;

@@ -100,7 +100,8 @@ class Maze {
 
     void meet(std::size_t line, std::vector<Side>& under, std::vector<Side>& over) {
         const auto left = [](const Side& a, const Side& b) { return a.from < b.from; };
-        std::sort(under.begin(), under.end(), left), std::sort(over.begin(), over.end(), left);
+        std::sort(under.begin(), under.end(), left);
+        std::sort(over.begin(), over.end(), left);
         for (std::size_t i = 0, j = 0; i < under.size() && j < over.size();) {
             const double from = std::max(under[i].from, over[j].from), to = std::min(under[i].to, over[j].to);
             if (to - from > 2 * kSlit) borders_.push_back({line, from, to, under[i].cell, over[j].cell, {}});
@@ -133,7 +134,10 @@ class Maze {
         double from = walls.front().from - b.from < kOpen * width_ ? b.from : walls.front().from;
         double to = from;
         for (const Stretch& s : walls) {
-            if (s.from - to >= kOpen * width_ && to > from) out.push_back({from, to}), from = s.from;
+            if (s.from - to >= kOpen * width_ && to > from) {
+                out.push_back({from, to});
+                from = s.from;
+            }
             to = s.to;
         }
         if (b.to - to < kOpen * width_) to = b.to;
@@ -149,7 +153,8 @@ class Maze {
         return i;
     }
     bool unite(std::uint32_t a, std::uint32_t b) {
-        a = root(a), b = root(b);
+        a = root(a);
+        b = root(b);
         leader_[std::max(a, b)] = std::min(a, b);
         return a != b;
     }

@@ -32,7 +32,8 @@ Reuse::Reuse(Options options, std::size_t most)
 
 std::shared_ptr<Reuse::Filled> Reuse::find(const polygon::Region& region) {
     auto fresh = std::make_shared<Filled>();
-    fresh->loops = region.loops, fresh->layer = of_layer_(region.layer);
+    fresh->loops = region.loops;
+    fresh->layer = of_layer_(region.layer);
     fresh->key = key_of(fresh->loops, fresh->layer);
     const std::scoped_lock lock(mutex_);
     const auto before = filled_.try_emplace(fresh->key, fresh).first->second;
@@ -54,7 +55,8 @@ void Reuse::work_out(const polygon::Region& region, const std::shared_ptr<Filled
 
 void Reuse::hold(const std::shared_ptr<Filled>& filled) {
     const std::scoped_lock lock(mutex_);
-    done_.push_back(filled), held_ += filled->points;
+    done_.push_back(filled);
+    held_ += filled->points;
     for (; held_ > most_; done_.pop_front()) {
         const Filled& oldest = *done_.front();
         held_ -= oldest.points;
@@ -67,8 +69,13 @@ toolpath::RegionPaths Reuse::operator()(const polygon::Region& region, Notes& no
     const auto filled = find(region);
     work_out(region, filled);
     toolpath::RegionPaths paths = filled->paths;
-    paths.region = region.id, paths.layer = region.layer, paths.z = region.z, paths.height = region.height;
-    paths.area = region.area, paths.stroke = region.stroke, paths.join = region.join;
+    paths.region = region.id;
+    paths.layer = region.layer;
+    paths.z = region.z;
+    paths.height = region.height;
+    paths.area = region.area;
+    paths.stroke = region.stroke;
+    paths.join = region.join;
     for (Note n : filled->notes) {
         n.layer = region.layer;
         notes.push_back(std::move(n));

@@ -113,7 +113,10 @@ void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec
     const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
     const double from = wrapped(ring, s0), end = from + (s1 - s0);
     const double close = 1e-7; // mm: no second point there
-    const auto put = [&](Vec2 p, double w) { points.push_back(p), width.push_back(w); };
+    const auto put = [&](Vec2 p, double w) {
+        points.push_back(p);
+        width.push_back(w);
+    };
     put(at(ring, from), width_of(locate(ring, from)));
     for (std::uint32_t i = segment_at(ring, from) - first + 1; i <= 2 * n; ++i) {
         const double s = s_[first + i % n] + (i >= n ? length_[ring] : 0) + (i >= 2 * n ? length_[ring] : 0);

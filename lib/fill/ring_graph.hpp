@@ -39,7 +39,10 @@ class RingGraph {
         grid_.near({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t i) {
             if (!use(ring_of_[i])) return;
             const double d = geom::norm2(geom::nearest_point(segments_[i].a, segments_[i].b, p) - p);
-            if (d < best || (found && d == best && i < *found)) best = d, found = i;
+            if (d < best || (found && d == best && i < *found)) {
+                best = d;
+                found = i;
+            }
         });
         if (!found) return std::nullopt;
         return place_on(*found, p);

@@ -27,7 +27,8 @@ constexpr double kCorner = 0.8;                         // rad, each of the two 
 class Course {
   public:
     explicit Course(const BeadLine& line) : line_(&line), n_(line.points.size()) {
-        s_.push_back(0), sum_.push_back({});
+        s_.push_back(0);
+        sum_.push_back({});
         for (std::size_t i = 0; i < n_; ++i) {
             const Vec2 a = point(i), b = point(i + 1);
             const double l = geom::distance(a, b);
@@ -140,7 +141,10 @@ class Rounding {
         }
         while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + course_.length()) {
             RoundedStretch& first = parts_.front();
-            for (Corner c : parts_.back().corner) c.s -= course_.length(), first.corner.push_back(c);
+            for (Corner c : parts_.back().corner) {
+                c.s -= course_.length();
+                first.corner.push_back(c);
+            }
             first.begin = std::min(first.begin, parts_.back().begin - course_.length());
             first.end = std::max(first.end, parts_.back().end - course_.length());
             parts_.pop_back();

@@ -79,7 +79,10 @@ std::vector<double> cuts(const Loops& area, double height, double give) {
             if (cost[j - h] == never) continue;
             const double off = static_cast<double>(h) * step / height - 1;
             const double c = cost[j - h] + misfit(j - h, j) * step + kUneven * breadth * height * off * off;
-            if (c < cost[j]) cost[j] = c, from[j] = j - h;
+            if (c < cost[j]) {
+                cost[j] = c;
+                from[j] = j - h;
+            }
         }
     if (cost[steps] == never) return even;
     std::vector<double> out;

@@ -51,7 +51,8 @@ Wall part(const Wall& w, double first, double last) {
     Wall out;
     const auto add = [&](Vec2 p, double r) {
         if (!out.line.empty()) out.length += geom::distance(out.line.back(), p);
-        out.line.push_back(p), out.radius.push_back(r);
+        out.line.push_back(p);
+        out.radius.push_back(r);
     };
     double along = 0;
     const double end = w.length - last;
@@ -72,7 +73,8 @@ Wall part(const Wall& w, double first, double last) {
 
 Wall reversed(Wall w) {
     std::swap(w.a, w.b);
-    std::reverse(w.line.begin(), w.line.end()), std::reverse(w.radius.begin(), w.radius.end());
+    std::reverse(w.line.begin(), w.line.end());
+    std::reverse(w.radius.begin(), w.radius.end());
     return w;
 }
 

@@ -49,8 +49,10 @@ Loops without_small_holes(const Loops& region, double least, Notes& notes) {
             out.add(region[l]);
             continue;
         }
-        closed.amount -= area, ++closed.count;
-        closed.x = region[l][0].x, closed.y = region[l][0].y;
+        closed.amount -= area;
+        ++closed.count;
+        closed.x = region[l][0].x;
+        closed.y = region[l][0].y;
     }
     if (closed.count > 0) notes.push_back(closed);
     return out;

@@ -119,8 +119,10 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
         add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n), kSamePoint);
     const double gap = sums.back() - w / 4; // two round ends fill it
     const CurvePlace last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
-    while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4)
-        out.points.pop_back(), out.width.pop_back();
+    while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4) {
+        out.points.pop_back();
+        out.width.pop_back();
+    }
     add_point(out, last.point, width_at(ring, last), kSamePoint);
     return out;
 }
@@ -136,9 +138,15 @@ void splice_rings(const polygon::Loops& region, double w, int rings, std::vector
         for (const Curve& c : groups) add_segments(c, all);
         bool joined = false;
         for (std::size_t c = 0; c < open && !joined; ++c)
-            if (auto longer = splice(curves[c], ring, all, w)) curves[c] = std::move(*longer), joined = true;
+            if (auto longer = splice(curves[c], ring, all, w)) {
+                curves[c] = std::move(*longer);
+                joined = true;
+            }
         for (std::size_t c = 0; c < open && !joined; ++c)
-            if (auto longer = led_on(curves[c], ring, all, w)) curves[c] = std::move(*longer), joined = true;
+            if (auto longer = led_on(curves[c], ring, all, w)) {
+                curves[c] = std::move(*longer);
+                joined = true;
+            }
         if (joined) continue;
         curves.push_back(ring);
         notes.push_back({"", "ring not joined", 1, "curves", 1, -1, ring.points[0].x, ring.points[0].y});

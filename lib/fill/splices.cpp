@@ -31,7 +31,8 @@ bool Splices::free(std::uint32_t ring, double s0, double s1) const {
     const double l = graph_->length(ring);
     if (s1 - s0 > kMostInUse * l) return false;
     const double begin = std::floor(s0 / l) * l;
-    s0 -= begin, s1 -= begin;
+    s0 -= begin;
+    s1 -= begin;
     for (const auto& [a, b] : used_[ring])
         for (const double shift : {-l, 0.0, l})
             if (s0 + shift < b && a < s1 + shift) return false;
@@ -41,7 +42,8 @@ bool Splices::free(std::uint32_t ring, double s0, double s1) const {
 void Splices::add(Splice splice) {
     for (Window& w : splice.windows) {
         const double l = graph_->length(w.ring), begin = std::floor(w.s0 / l) * l;
-        w.s0 -= begin, w.s1 -= begin;
+        w.s0 -= begin;
+        w.s1 -= begin;
         used_[w.ring].emplace_back(w.s0, w.s1);
     }
     splices_.push_back(std::move(splice));
@@ -77,14 +79,17 @@ std::vector<Splices::Arc> Splices::arcs() const {
     const auto tie = [&](End a, End b, const Link& link, bool along) {
         Arc& arc = out[a.arc];
         const int side = a.last ? 1 : 0;
-        arc.next[side] = b, arc.link[side] = &link, arc.along[side] = along;
+        arc.next[side] = b;
+        arc.link[side] = &link;
+        arc.along[side] = along;
     };
     std::uint32_t base = 0;
     for (const Splice& s : splices_) {
         for (const Link& l : s.links) {
             const End a = rims[2 * (base + l.from.window) + (l.from.end ? 1 : 0)];
             const End b = rims[2 * (base + l.to.window) + (l.to.end ? 1 : 0)];
-            tie(a, b, l, true), tie(b, a, l, false);
+            tie(a, b, l, true);
+            tie(b, a, l, false);
         }
         base += static_cast<std::uint32_t>(s.windows.size());
     }

@@ -12,7 +12,10 @@ namespace filum::fill {
 struct BeadLine {
     std::vector<Vec2> points;
     std::vector<double> width; // mm, per point
-    void add(Vec2 p, double w) { points.push_back(p), width.push_back(w); }
+    void add(Vec2 p, double w) {
+        points.push_back(p);
+        width.push_back(w);
+    }
 };
 
 // What a ring gives up: from s0 on to s1 > s0.

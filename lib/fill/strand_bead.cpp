@@ -37,7 +37,8 @@ Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width)
     out.line = s.strand ? std::vector<Vec2>{g.node[2 * s.id], g.node[2 * s.id + 1]} : g.arcs[s.id].line;
     out.length = s.strand ? g.strand_length(s.id) : g.arcs[s.id].length;
     const std::uint32_t times = s.strand ? passes.strand[s.id] : passes.arc[s.id];
-    out.width = width / times, out.once = times == 1;
+    out.width = width / times;
+    out.once = times == 1;
     if (!out.once) add_tapers(out, kTaperLength * width);
     if (s.against) std::reverse(out.line.begin(), out.line.end());
     return out;

@@ -44,7 +44,9 @@ class Walker {
         std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
         const auto reach = [&](std::uint32_t node, double cost, Step by) {
             if (seen_[node] >= 2 * round_ || (seen_[node] == 2 * round_ - 1 && cost_[node] <= cost)) return;
-            seen_[node] = 2 * round_ - 1, cost_[node] = cost, before_[node] = by;
+            seen_[node] = 2 * round_ - 1;
+            cost_[node] = cost;
+            before_[node] = by;
             queue.emplace(cost, node);
         };
         reach(from, 0, {});
@@ -59,7 +61,10 @@ class Walker {
             if (goal != kNone ? node == goal : is_open(node)) {
                 const double up = g_.node[node].y - g_.node[from].y;
                 const double c = goal != kNone ? cost : cost * (1 - (up > 0 ? lean_ : up < 0 ? -lean_ : 0));
-                if (c < least) least = c, best = node;
+                if (c < least) {
+                    least = c;
+                    best = node;
+                }
                 continue;
             }
             for (const std::uint32_t a : g_.arcs_at[node]) {
@@ -133,7 +138,8 @@ StrandWalk strand_walk(const StrandGraph& g) {
             const double cost = walk.along + walk.again;
             const bool fewer = walk.trails.size() < best.trails.size();
             if (!best.trails.empty() && !fewer && (walk.trails.size() > best.trails.size() || cost >= least)) continue;
-            least = cost, best = std::move(walk);
+            least = cost;
+            best = std::move(walk);
         }
     return best;
 }

@@ -23,11 +23,16 @@ class ThinAxis {
   public:
     ThinAxis(const rings::Axis& axis, double width) : axis_(axis), width_(width) {
         const std::size_t n = axis.nodes();
-        degree_.assign(n, 0), reach_.resize(n), at_.resize(n);
+        degree_.assign(n, 0);
+        reach_.resize(n);
+        at_.resize(n);
         for (std::uint32_t k = 0; k < axis.half_edges() / 2; ++k) {
             if (std::min(axis.radius[axis.from[2 * k]], axis.radius[axis.to(2 * k)]) >= kThinWall * width) continue;
             alive_.push_back(k);
-            for (const auto v : {axis.from[2 * k], axis.to(2 * k)}) ++degree_[v], at_[v].push_back(k);
+            for (const auto v : {axis.from[2 * k], axis.to(2 * k)}) {
+                ++degree_[v];
+                at_[v].push_back(k);
+            }
         }
         kept_.assign(axis.half_edges() / 2, 0);
         for (const auto k : alive_) kept_[k] = 1;
@@ -63,7 +68,8 @@ class ThinAxis {
             const double beyond = reach_[v] + geom::distance(axis_.node[u], axis_.node[v]);
             if (beyond - axis_.radius[u] > kTipReach * width_ && axis_.radius[u] > hairline_) continue;
             kept_[k] = 0;
-            --degree_[u], --degree_[v];
+            --degree_[u];
+            --degree_[v];
             reach_[u] = std::max(reach_[u], beyond);
             if (leaf(u)) leaves.emplace(reach_[u], u);
         }
@@ -81,7 +87,10 @@ class ThinAxis {
         }
         std::vector<std::uint32_t> pending;
         for (const auto k : alive_)
-            if (kept_[k]) pending.push_back(axis_.from[2 * k]), pending.push_back(axis_.to(2 * k));
+            if (kept_[k]) {
+                pending.push_back(axis_.from[2 * k]);
+                pending.push_back(axis_.to(2 * k));
+            }
         while (!pending.empty()) {
             const std::uint32_t v = pending.back();
             pending.pop_back();

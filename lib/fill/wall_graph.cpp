@@ -26,7 +26,8 @@ bool all_thin(const rings::Axis& axis, const std::vector<std::uint32_t>& edges, 
         const auto a = axis.from[2 * k], b = axis.to(2 * k);
         const double l = geom::distance(axis.node[a], axis.node[b]), r = std::max(axis.radius[a], axis.radius[b]);
         if (r > kMost * width) return false;
-        all += l, thick += r > kUsual * width ? l : 0;
+        all += l;
+        thick += r > kUsual * width ? l : 0;
     }
     return all > 0 && thick <= kUnusual * all;
 }
@@ -57,7 +58,8 @@ void split_tapers(WallGraph& g, double width) {
                 out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], k / n));
                 out.radius.push_back(w.radius[i - 1] + k / n * (w.radius[i] - w.radius[i - 1]));
             }
-            out.line.push_back(w.line[i]), out.radius.push_back(w.radius[i]);
+            out.line.push_back(w.line[i]);
+            out.radius.push_back(w.radius[i]);
         }
         w = std::move(out);
     }
@@ -71,11 +73,15 @@ void widen_tips(WallGraph& g, double width) {
 
 void narrow_at_nodes(WallGraph& g) {
     std::vector<int> degree(g.node.size(), 0);
-    for (const Wall& w : g.walls) ++degree[w.a], ++degree[w.b];
+    for (const Wall& w : g.walls) {
+        ++degree[w.a];
+        ++degree[w.b];
+    }
     for (Wall& w : g.walls)
         for (const auto v : {w.a, w.b}) {
             if (degree[v] > 2) narrow_start(w);
-            std::reverse(w.line.begin(), w.line.end()), std::reverse(w.radius.begin(), w.radius.end());
+            std::reverse(w.line.begin(), w.line.end());
+            std::reverse(w.radius.begin(), w.radius.end());
         }
 }
 
@@ -84,7 +90,11 @@ class Tracer {
   public:
     Tracer(const rings::Axis& axis, const std::vector<std::uint32_t>& edges)
         : axis_(axis), at_(axis.nodes()), node_(axis.nodes(), kNone), done_(axis.half_edges() / 2, 1) {
-        for (const auto k : edges) at_[axis.from[2 * k]].push_back(k), at_[axis.to(2 * k)].push_back(k), done_[k] = 0;
+        for (const auto k : edges) {
+            at_[axis.from[2 * k]].push_back(k);
+            at_[axis.to(2 * k)].push_back(k);
+            done_[k] = 0;
+        }
     }
 
     WallGraph run() {
@@ -93,7 +103,10 @@ class Tracer {
         for (std::uint32_t v = 0; v < at_.size(); ++v) follow_from(v);
         for (std::uint32_t v = 0; v < at_.size(); ++v) { // rings that no node lies on
             const bool left = std::any_of(at_[v].begin(), at_[v].end(), [&](auto k) { return done_[k] == 0; });
-            if (left) add_node(v), follow_from(v);
+            if (left) {
+                add_node(v);
+                follow_from(v);
+            }
         }
         return std::move(out_);
     }
@@ -113,7 +126,8 @@ class Tracer {
         w.a = node_[v];
         const auto push = [&](std::uint32_t u) {
             if (!w.line.empty()) w.length += geom::distance(w.line.back(), axis_.node[u]);
-            w.line.push_back(axis_.node[u]), w.radius.push_back(axis_.radius[u]);
+            w.line.push_back(axis_.node[u]);
+            w.radius.push_back(axis_.radius[u]);
         };
         push(v);
         for (;;) {
@@ -153,7 +167,8 @@ Ways ways(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at,
         for (const auto k : at[v]) {
             const auto u = g.walls[k].a == v ? g.walls[k].b : g.walls[k].a;
             if (l + g.walls[k].length >= out.length[u]) continue;
-            out.length[u] = l + g.walls[k].length, out.by[u] = k;
+            out.length[u] = l + g.walls[k].length;
+            out.by[u] = k;
             queue.emplace(out.length[u], u);
         }
     }
@@ -178,7 +193,10 @@ Pairs match_exactly(std::size_t n, const std::vector<std::vector<double>>& cost)
         for (std::size_t j = i + 1; j < all; ++j) {
             if ((set >> j & 1U) != 0) continue;
             const std::size_t next = set | std::size_t{1} << i | std::size_t{1} << j;
-            if (const double d = best[set] + c(i, j); d < best[next]) best[next] = d, mate[next] = i * all + j;
+            if (const double d = best[set] + c(i, j); d < best[next]) {
+                best[next] = d;
+                mate[next] = i * all + j;
+            }
         }
     }
     Pairs out;
@@ -199,7 +217,10 @@ Pairs match_greedily(std::size_t n, const std::vector<std::vector<double>>& cost
     std::stable_sort(all.begin(), all.end(),
                      [&](const auto& p, const auto& q) { return cost[p.first][p.second] < cost[q.first][q.second]; });
     for (const auto& [i, j] : all)
-        if (taken[i] == 0 && taken[j] == 0) taken[i] = taken[j] = 1, out.emplace_back(i, j);
+        if (taken[i] == 0 && taken[j] == 0) {
+            taken[i] = taken[j] = 1;
+            out.emplace_back(i, j);
+        }
     const auto sum = [&](const auto& p, const auto& q) { return cost[p.first][p.second] + cost[q.first][q.second]; };
     for (bool better = true; better;) {
         better = false;
@@ -240,7 +261,10 @@ void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& 
                 way.push_back(w.by[v]);
                 saved += (passes[way.back()] == 2 ? 1 : -1) * g.walls[way.back()].length;
             }
-            if (saved > most) most = saved, best = way;
+            if (saved > most) {
+                most = saved;
+                best = way;
+            }
         }
     }
     for (const auto k : best) passes[k] = 3 - passes[k];
@@ -276,7 +300,10 @@ WallGraph thin_walls(const Loops& area, double width) {
 
 std::vector<int> passes_of_walls(const WallGraph& g) {
     std::vector<std::vector<std::uint32_t>> at(g.node.size());
-    for (std::uint32_t k = 0; k < g.walls.size(); ++k) at[g.walls[k].a].push_back(k), at[g.walls[k].b].push_back(k);
+    for (std::uint32_t k = 0; k < g.walls.size(); ++k) {
+        at[g.walls[k].a].push_back(k);
+        at[g.walls[k].b].push_back(k);
+    }
     std::vector<std::uint32_t> odd;
     for (std::uint32_t v = 0; v < at.size(); ++v)
         if (at[v].size() % 2 != 0) odd.push_back(v);

@@ -27,7 +27,10 @@ class Circuit {
     Circuit(const WallGraph& g, const std::vector<int>& passes) : g_(g), at_(g.node.size()) {
         for (std::uint32_t k = 0; k < g.walls.size(); ++k) {
             if (passes[k] == 1) tracks_.push_back({k, 0});
-            if (passes[k] == 2) tracks_.push_back({k, 1}), tracks_.push_back({k, -1});
+            if (passes[k] == 2) {
+                tracks_.push_back({k, 1});
+                tracks_.push_back({k, -1});
+            }
         }
         for (std::uint32_t t = 0; t < tracks_.size(); ++t) {
             at_[g.walls[tracks_[t].wall].a].push_back(2 * t);
@@ -54,8 +57,10 @@ class Circuit {
         for (const auto start : starts) {
             if (done[start / 2] != 0) continue;
             out.emplace_back();
-            for (auto e = start; e != kNone && done[e / 2] == 0; e = partner_[e ^ 1U])
-                done[e / 2] = 1, out.back().push_back(e);
+            for (auto e = start; e != kNone && done[e / 2] == 0; e = partner_[e ^ 1U]) {
+                done[e / 2] = 1;
+                out.back().push_back(e);
+            }
         }
         return out;
     }
@@ -87,7 +92,8 @@ class Circuit {
     }
 
     void connect(std::uint32_t e, std::uint32_t f) {
-        partner_[e] = f, partner_[f] = e;
+        partner_[e] = f;
+        partner_[f] = e;
         const auto from = circuit_[e / 2], to = circuit_[f / 2];
         if (from == to) return;
         std::replace(circuit_.begin(), circuit_.end(), from, to);
@@ -128,7 +134,8 @@ class Circuit {
                 }
                 for (const auto& [p, q, r, s] : {std::tuple{a, c, b, d}, std::tuple{a, d, b, c}}) {
                     if (cross(p, q, r, s) || !free(p, q, {a, b, c, d}) || !free(r, s, {a, b, c, d})) continue;
-                    connect(ends[p], ends[q]), connect(ends[r], ends[s]);
+                    connect(ends[p], ends[q]);
+                    connect(ends[r], ends[s]);
                     return true;
                 }
             }
@@ -154,10 +161,13 @@ void trim(BeadLine& l, double by) {
     by = std::min(by, all / 3);
     while (l.points.size() > 2 && geom::distance(l.points[0], l.points[1]) <= by) {
         by -= geom::distance(l.points[0], l.points[1]);
-        l.points.erase(l.points.begin()), l.width.erase(l.width.begin());
+        l.points.erase(l.points.begin());
+        l.width.erase(l.width.begin());
     }
-    if (const double d = geom::distance(l.points[0], l.points[1]); d > by)
-        l.points[0] = geom::lerp(l.points[0], l.points[1], by / d), l.width[0] += by / d * (l.width[1] - l.width[0]);
+    if (const double d = geom::distance(l.points[0], l.points[1]); d > by) {
+        l.points[0] = geom::lerp(l.points[0], l.points[1], by / d);
+        l.width[0] += by / d * (l.width[1] - l.width[0]);
+    }
 }
 
 // Drops points of a lane that lie too near to the middle line: inside its bends they would fold over.
@@ -171,13 +181,18 @@ void unfold(const Wall& w, BeadLine& lane) {
         };
         bool free = true;
         double along = 0;
-        for (std::size_t k = i; k + 1 < n && free && along < 4 * w.radius[i]; ++k)
-            free = far(k), along += geom::distance(w.line[k], w.line[k + 1]);
+        for (std::size_t k = i; k + 1 < n && free && along < 4 * w.radius[i]; ++k) {
+            free = far(k);
+            along += geom::distance(w.line[k], w.line[k + 1]);
+        }
         along = 0;
-        for (std::size_t k = i; k > 0 && free && along < 4 * w.radius[i]; --k)
-            free = far(k - 1), along += geom::distance(w.line[k - 1], w.line[k]);
+        for (std::size_t k = i; k > 0 && free && along < 4 * w.radius[i]; --k) {
+            free = far(k - 1);
+            along += geom::distance(w.line[k - 1], w.line[k]);
+        }
         if (!free && i > 0 && i + 1 < n) continue;
-        out.points.push_back(lane.points[i]), out.width.push_back(lane.width[i]);
+        out.points.push_back(lane.points[i]);
+        out.width.push_back(lane.width[i]);
     }
     lane = std::move(out);
 }
@@ -199,7 +214,8 @@ BeadLine line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
     }
     unfold(w, out);
     const auto reverse = [&] {
-        std::reverse(out.points.begin(), out.points.end()), std::reverse(out.width.begin(), out.width.end());
+        std::reverse(out.points.begin(), out.points.end());
+        std::reverse(out.width.begin(), out.width.end());
     };
     if (!dead_a) trim(out, w.radius.front());
     reverse();
@@ -211,26 +227,35 @@ BeadLine line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
 toolpath::Curve lay_walls(const WallGraph& g, const Circuit& circuit, const std::vector<std::uint32_t>& ends,
                           bool closed, bool apart) {
     std::vector<int> degree(g.node.size(), 0);
-    for (const Wall& w : g.walls) ++degree[w.a], ++degree[w.b];
+    for (const Wall& w : g.walls) {
+        ++degree[w.a];
+        ++degree[w.b];
+    }
     toolpath::Curve out;
     out.closed = closed;
     const auto push = [&](Vec2 p, double width) {
         p = {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3};
         if (!out.points.empty() && out.points.back() == p) return;
-        out.points.push_back(p), out.width.push_back(width);
+        out.points.push_back(p);
+        out.width.push_back(width);
     };
     for (const auto e : ends) {
         const Track& t = circuit.track(e);
         const Wall& w = g.walls[t.wall];
         BeadLine l = line(w, t.side, apart, degree[w.a] == 1, degree[w.b] == 1);
-        if (e % 2 != 0) std::reverse(l.points.begin(), l.points.end()), std::reverse(l.width.begin(), l.width.end());
+        if (e % 2 != 0) {
+            std::reverse(l.points.begin(), l.points.end());
+            std::reverse(l.width.begin(), l.width.end());
+        }
         const auto first = e % 2 != 0 ? w.b : w.a, last = e % 2 != 0 ? w.a : w.b;
         if (t.side != 0 && degree[first] > 1) push(g.node[first], l.width.front());
         for (std::size_t i = 0; i < l.points.size(); ++i) push(l.points[i], l.width[i]);
         if (t.side != 0 && degree[last] > 1) push(g.node[last], l.width.back());
     }
-    if (closed && out.points.size() > 3 && out.points.front() == out.points.back())
-        out.points.pop_back(), out.width.pop_back();
+    if (closed && out.points.size() > 3 && out.points.front() == out.points.back()) {
+        out.points.pop_back();
+        out.width.pop_back();
+    }
     return out;
 }
 
@@ -247,7 +272,10 @@ WallWalk wall_walk(const WallGraph& g) {
         if (crossing_pairs(out.curves, 0.5).empty()) break;
     }
     for (std::size_t k = 0; k < g.walls.size(); ++k)
-        if (passes[k] > 1) out.twice += g.walls[k].length, out.at = g.walls[k].line.front();
+        if (passes[k] > 1) {
+            out.twice += g.walls[k].length;
+            out.at = g.walls[k].line.front();
+        }
     return out;
 }
 

@@ -62,13 +62,16 @@ void Beads::push(double volume) {
 
 void Beads::begin_run(const Laid& what) {
     run_ = {};
-    run_.role = what.role, run_.feature = what.feature;
+    run_.role = what.role;
+    run_.feature = what.feature;
     run_.stroke = static_cast<std::uint32_t>(counts_.strokes - 1);
-    run_.layer = what.layer, run_.tool = what.tool;
+    run_.layer = what.layer;
+    run_.tool = what.tool;
     run_.points = {at_.tip};
     if (leans_) run_.normals = {at_.axis};
     laid_ = what;
-    laid_.volume = 0, length_ = 0;
+    laid_.volume = 0;
+    length_ = 0;
 }
 
 void Beads::lay(const Place& to, const Laid& what) {
@@ -79,13 +82,17 @@ void Beads::lay(const Place& to, const Laid& what) {
     if (!goes_on) {
         close_run();
         begin_run(what);
-        least_ = low, most_ = high;
+        least_ = low;
+        most_ = high;
     }
-    least_ = std::max(least_, low), most_ = std::min(most_, high);
+    least_ = std::max(least_, low);
+    most_ = std::min(most_, high);
     run_.points.push_back(to.tip);
     if (leans_) run_.normals.push_back(to.axis);
-    laid_.volume += what.volume, length_ += length;
-    counts_.volume += what.volume, counts_.extruded += length;
+    laid_.volume += what.volume;
+    length_ += length;
+    counts_.volume += what.volume;
+    counts_.extruded += length;
     at_ = to;
 }
 
@@ -110,7 +117,8 @@ void Beads::close_gap(const Laid& next) {
     const bool breaks = distance(from.xy(), to.xy()) > kAside || taken_ || std::abs(up) > limit;
     if (gap_.size() < 2) gap_.push_back(gap_.front());
     Span span = span_of(gap_, leans_);
-    span.layer = next.layer, span.tool = next.tool;
+    span.layer = next.layer;
+    span.tool = next.tool;
     const bool lifts = gap_way_ <= kStanding && !taken_ && up > 0 && up <= limit;
     span.role = lifts ? Role::lift : Role::travel;
     if (lifts)

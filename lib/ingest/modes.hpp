@@ -26,7 +26,10 @@ struct Modes {
         relative = are_relative;
         if (!extruder_told) relative_extruder = are_relative;
     }
-    void extruder_is(bool is_relative) { relative_extruder = is_relative, extruder_told = true; }
+    void extruder_is(bool is_relative) {
+        relative_extruder = is_relative;
+        extruder_told = true;
+    }
 };
 
 } // namespace filum::ingest

@@ -128,7 +128,9 @@ class Reader {
             const auto j = machine::joints_of(p_, tool_, at_, tip_);
             const auto& chain = machine::of_tool(p_, tool_).axes.chain;
             const Vec3 now = tip ? kinematics::forward(chain, j).tip : j.xyz;
-            at_[0] = now.x, at_[1] = now.y, at_[2] = now.z;
+            at_[0] = now.x;
+            at_[1] = now.y;
+            at_[2] = now.z;
         }
         tip_ = tip;
     }
@@ -320,7 +322,8 @@ class Reader {
     void lay(const Place& a, const Place& b, double volume, bool valve, double share) {
         const double way = distance(a.tip, b.tip);
         if (!layers_.begun() && !o_.start_code) {
-            purged_ += way, purged_volume_ += volume;
+            purged_ += way;
+            purged_volume_ += volume;
             ++purged_moves_;
             return;
         }
@@ -331,8 +334,10 @@ class Reader {
         if (valve && !(width_ > 0)) fail("lays a bead of unknown width; give --bead");
         what.volume = valve ? width_ * what.height * way : volume;
         what.unsure = valve ? 0 : std::pow(10.0, -e_decimals_) * unit_volume() * share;
-        what.layer = layers_.index(), what.tool = tool_;
-        what.role = role_, what.feature = feature_;
+        what.layer = layers_.index();
+        what.tool = tool_;
+        what.role = role_;
+        what.feature = feature_;
         if (!laid_) beads_.stand(a);
         laid_ = true;
         beads_.lay(b, what);

@@ -133,7 +133,8 @@ class Merger {
             to.border[other] += border;
             patch_[other].border[a] += border;
         }
-        ++to.age, --left_;
+        ++to.age;
+        --left_;
         from = {};
         return a;
     }

@@ -112,7 +112,10 @@ std::vector<Vec2> patch(const Segment& e, const Segment& f) {
     for (const Segment& s : {e, f}) {
         const double l = geom::distance(s.a, s.b);
         const Vec2 in = l > 0 ? (kReachIn / l) * geom::left_of(s.b - s.a) : Vec2{};
-        for (const Vec2 p : {s.a, s.b}) points.push_back(p), points.push_back(p + in);
+        for (const Vec2 p : {s.a, s.b}) {
+            points.push_back(p);
+            points.push_back(p + in);
+        }
     }
     return hull(std::move(points));
 }

@@ -109,7 +109,10 @@ Parts mended(const Loops& loops, Notes& notes) {
             part = {};
             double largest = 0; // what an opening by a few um cuts off is dust
             for (const auto& p : opened.part)
-                if (const double a = polygon::signed_area(p); a > largest) largest = a, part = p;
+                if (const double a = polygon::signed_area(p); a > largest) {
+                    largest = a;
+                    part = p;
+                }
         }
         const double lost = polygon::signed_area(found.part[i]) - (part.empty() ? 0 : polygon::signed_area(part));
         if (part.empty() || crosses_itself(part)) {

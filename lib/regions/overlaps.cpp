@@ -65,7 +65,10 @@ std::vector<std::vector<Pair>> groups(const std::vector<Pair>& pairs, std::size_
     std::vector<std::uint32_t> place(sets.size(), ~0U);
     for (const Pair p : pairs) {
         auto& at = place[sets.root(p.upper)];
-        if (at == ~0U) at = static_cast<std::uint32_t>(out.size()), out.emplace_back();
+        if (at == ~0U) {
+            at = static_cast<std::uint32_t>(out.size());
+            out.emplace_back();
+        }
         out[at].push_back(p);
     }
     return out;
@@ -121,7 +124,10 @@ Vec2 just_inside(std::span<const Vec2> loop) {
     std::size_t longest = 0;
     double length = 0;
     for (std::size_t i = 0; i < loop.size(); ++i)
-        if (const double d = geom::norm2(loop[(i + 1) % loop.size()] - loop[i]); d > length) length = d, longest = i;
+        if (const double d = geom::norm2(loop[(i + 1) % loop.size()] - loop[i]); d > length) {
+            length = d;
+            longest = i;
+        }
     const Vec2 a = loop[longest], b = loop[(longest + 1) % loop.size()];
     return geom::lerp(a, b, 0.5) + (0.0005 / std::max(1e-9, std::sqrt(length))) * geom::left_of(b - a);
 }
@@ -136,7 +142,10 @@ struct Common {
 std::vector<Common> intersections(std::span<const Region> upper, std::span<const Region> lower,
                                   const std::vector<Pair>& group) {
     std::vector<std::uint32_t> us, ls;
-    for (const Pair p : group) us.push_back(p.upper), ls.push_back(p.lower);
+    for (const Pair p : group) {
+        us.push_back(p.upper);
+        ls.push_back(p.lower);
+    }
     const Side above = side(upper, std::move(us)), under = side(lower, std::move(ls));
     const Loops common = polygon::intersect_touching(above.all, under.all);
     std::vector<Common> out;

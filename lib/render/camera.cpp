@@ -28,7 +28,8 @@ Camera aim(Vec3 at, double radius, Vec3 from, double aspect) {
     Camera c = towards(from);
     const double tan_v = aspect >= 1 ? kTan : kTan / aspect, tan_h = tan_v * aspect;
     c.eye = at - (radius / kTan * std::sqrt(1 + kTan * kTan)) * c.forward;
-    c.right = tan_h * c.right, c.up = tan_v * c.up;
+    c.right = tan_h * c.right;
+    c.up = tan_v * c.up;
     return c;
 }
 
@@ -43,8 +44,10 @@ Camera aim(const Scene& scene, Vec3 centre, Vec3 from, double aspect, bool trave
     const auto show = [&](const Vec3& at, double w) {
         const Vec3 p = at - centre;
         const double f = dot(p, c.forward) - w, r = dot(p, c.right), u = dot(p, c.up);
-        right = std::max(right, r - th * f), left = std::max(left, -r - th * f);
-        top = std::max(top, u - tv * f), bottom = std::max(bottom, -u - tv * f);
+        right = std::max(right, r - th * f);
+        left = std::max(left, -r - th * f);
+        top = std::max(top, u - tv * f);
+        bottom = std::max(bottom, -u - tv * f);
     };
     for (const auto& s : scene.spans) {
         if (!toolpath::extrudes(s.role) && !travels) continue;
@@ -55,7 +58,8 @@ Camera aim(const Scene& scene, Vec3 centre, Vec3 from, double aspect, bool trave
     if (!(right > -INFINITY)) right = left = top = bottom = 1;
     const double back = std::min(-(right + left) / (2 * th), -(top + bottom) / (2 * tv));
     c.eye = std::min(back, -1e-3) * c.forward + 0.5 * (right - left) * c.right + 0.5 * (top - bottom) * c.up;
-    c.right = tan_h * c.right, c.up = tan_v * c.up;
+    c.right = tan_h * c.right;
+    c.up = tan_v * c.up;
     return c;
 }
 

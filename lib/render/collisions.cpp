@@ -44,7 +44,8 @@ std::uint32_t add_point(mesh::Mesh& to, const Vec3& p) {
 
 void add_square(mesh::Mesh& to, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const std::uint32_t p = add_point(to, a), q = add_point(to, b), r = add_point(to, c), s = add_point(to, d);
-    to.triangles.push_back({p, q, r}), to.triangles.push_back({p, r, s});
+    to.triangles.push_back({p, q, r});
+    to.triangles.push_back({p, r, s});
 }
 
 void add_bar(mesh::Mesh& to, const Vec3& a, const Vec3& b, double radius) {
@@ -85,8 +86,8 @@ void add_box(mesh::Mesh& to, const Pose& at, double x, double y, double low, dou
     constexpr int kGrid = 4;
     for (int k = 0; k <= kGrid; ++k) {
         const double s = 2.0 * k / kGrid - 1;
-        add_bar(to, at(s * x, -y, low), at(s * x, y, low), bar),
-            add_bar(to, at(-x, s * y, low), at(x, s * y, low), bar);
+        add_bar(to, at(s * x, -y, low), at(s * x, y, low), bar);
+        add_bar(to, at(-x, s * y, low), at(x, s * y, low), bar);
     }
     for (const double s : {-1.0, 1.0}) {
         add_bar(to, at(s * x, -y, high), at(s * x, y, high), bar);
@@ -150,7 +151,10 @@ Vec3 free_side(const Tubes& tubes, const std::vector<Vec3>& points) {
             const Vec3 from = unit({std::cos(turn_of(k + 13, 16)), std::sin(turn_of(k + 13, 16)), up});
             int seen = 0;
             for (const Vec3& p : points) seen += tubes.blocked(p - tubes.centre(), from, INFINITY) ? 0 : 1;
-            if (seen > most) most = seen, best = from;
+            if (seen > most) {
+                most = seen;
+                best = from;
+            }
         }
     return best;
 }
@@ -214,7 +218,8 @@ Meetings read_meetings(std::string_view text, const std::string& name) {
         bool good = cell.size() == 13;
         Meeting m;
         if (good) {
-            m.with = cell[5], m.source = static_cast<std::uint64_t>(std::max(0.0, number(cell[0], good)));
+            m.with = cell[5];
+            m.source = static_cast<std::uint64_t>(std::max(0.0, number(cell[0], good)));
             m.clearance = number(cell[6], good);
             m.tip = {number(cell[7], good), number(cell[8], good), number(cell[9], good)};
             m.axis = {number(cell[10], good), number(cell[11], good), number(cell[12], good)};
@@ -242,7 +247,8 @@ Image draw_collisions(Scene scene, const Meetings& places, const machine::Head& 
     if (norm(view.from) == 0) shown.from = free_side(Tubes(scene, colours, false, threads), sights(at, worst, head));
     const auto draw = [&](const Look& look, int width, int height) {
         View v = shown;
-        v.width = width, v.height = height;
+        v.width = width;
+        v.height = height;
         const bool close = look.name != "all";
         if (close) v.around = Around{at(0, 0, 0.35 * size), 1.1 * size};
         Scene with = scene;

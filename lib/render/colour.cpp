@@ -37,7 +37,10 @@ std::string hex(Rgb c) {
     constexpr const char* kHex = "0123456789abcdef";
     const Srgb8 s = to_srgb8(c);
     std::string out = "#";
-    for (const auto v : {s.r, s.g, s.b}) out += kHex[v >> 4], out += kHex[v & 15];
+    for (const auto v : {s.r, s.g, s.b}) {
+        out += kHex[v >> 4];
+        out += kHex[v & 15];
+    }
     return out;
 }
 

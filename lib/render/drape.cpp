@@ -33,8 +33,14 @@ std::vector<End> ends(const Scene& scene) {
     };
     for (const auto& s : scene.spans) {
         const bool bead = toolpath::extrudes(s.role);
-        if (open && (!bead || !(s.points.front() == last.at))) out.push_back(last), open = false;
-        if (bead && !open) out.push_back(end(s, 0, true)), open = true;
+        if (open && (!bead || !(s.points.front() == last.at))) {
+            out.push_back(last);
+            open = false;
+        }
+        if (bead && !open) {
+            out.push_back(end(s, 0, true));
+            open = true;
+        }
         last = end(s, s.points.size() - 1, false);
     }
     if (open) out.push_back(last);
@@ -112,7 +118,8 @@ void draw_arrows(Canvas& c, const surface::Field& field) {
 // The line from a to b, mm, as far as the surface does not hide it.
 void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
     const double slack = 2 / c.plan.scale;
-    a = c.plan.place(a), b = c.plan.place(b);
+    a = c.plan.place(a);
+    b = c.plan.place(b);
     const double pieces = std::clamp(std::ceil(geom::distance(a.xy(), b.xy()) / 3), 1.0, 8192.0);
     for (double k = 0; k < pieces; ++k) {
         const Vec3 p = a + k / pieces * (b - a), q = a + (k + 1) / pieces * (b - a);
@@ -183,7 +190,11 @@ void draw_names(Canvas& c) {
             for (int x = 0; x < c.plan.width; ++x)
                 if (const auto t = c.at(x, y).triangle; t != surface::kNone) visit(seen[c.scene.patch[t]], x, y);
     };
-    each([](Seen& s, int x, int y) { s.x += x, s.y += y, ++s.count; });
+    each([](Seen& s, int x, int y) {
+        s.x += x;
+        s.y += y;
+        ++s.count;
+    });
     each([](Seen& s, int x, int y) {
         const double off = std::hypot(x - s.x / s.count, y - s.y / s.count);
         if (off < s.least) s.least = off, s.at = {x + 0.5, y + 0.5};
@@ -204,7 +215,8 @@ Vec3 face(const Scene& scene, Vec3 otherwise) {
     for (const auto& s : scene.spans) {
         for (std::size_t i = 0; i + 1 < s.points.size() && !s.normals.empty() && toolpath::extrudes(s.role); ++i) {
             const double l = geom::distance(s.points[i], s.points[i + 1]);
-            sum = sum + l * s.normals[i], total += l;
+            sum = sum + l * s.normals[i];
+            total += l;
         }
     }
     const auto& surface = scene.sheet->surface;

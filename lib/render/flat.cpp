@@ -85,7 +85,11 @@ void lay(Band& band, const Pen& p, std::uint32_t index, const std::vector<FlatBe
             Sample& s = band.at(x, y);
             const double along = beads[index].along + t * geom::distance(beads[index].a, beads[index].b);
             if (s.ratio2 <= 1 && std::abs(along - s.along) > near) s.twice = true;
-            if (r2 < s.ratio2) s.ratio2 = r2, s.bead = index, s.along = along;
+            if (r2 < s.ratio2) {
+                s.ratio2 = r2;
+                s.bead = index;
+                s.along = along;
+            }
         }
     }
 }
@@ -185,13 +189,15 @@ Image draw_flat(const Scene& scene, const Tint& tint, const FlatView& view, int 
     Image out(view.width, view.height);
     parallel::for_chunks(bands, 1, threads, [&](std::size_t b, std::size_t) {
         Band band;
-        band.columns = view.width * per_pixel, band.rows = kBand * per_pixel;
+        band.columns = view.width * per_pixel;
+        band.rows = kBand * per_pixel;
         band.sample.resize(static_cast<std::size_t>(band.columns) * static_cast<std::size_t>(band.rows));
         const double first_row = static_cast<double>(b) * band.rows;
         flood(band, scene, f, first_row, per_pixel);
         for (const auto k : in_band[b]) {
             Pen p = pens[k];
-            p.a.y -= first_row, p.b.y -= first_row;
+            p.a.y -= first_row;
+            p.b.y -= first_row;
             lay(band, p, k, layer.beads, 3 * layer.width);
         }
         for (int y = 0; y < kBand && static_cast<int>(b) * kBand + y < view.height; ++y) {

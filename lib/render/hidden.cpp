@@ -35,7 +35,8 @@ Hidden::Hidden(const Scene& scene, double width, double height) : cell_{width, w
     const double x = std::floor(size.x / cell_.x) + 2, y = std::floor(size.y / cell_.y) + 2,
                  z = std::floor(size.z / cell_.z) + 2;
     if (x * y * z > 0x1p29) return;
-    words_ = static_cast<std::size_t>(x) / 64 + 1, rows_ = static_cast<std::size_t>(y),
+    words_ = static_cast<std::size_t>(x) / 64 + 1;
+    rows_ = static_cast<std::size_t>(y);
     levels_ = static_cast<std::size_t>(z);
     full_.assign(words_ * rows_ * levels_, 0);
     for (const auto& s : scene.spans)

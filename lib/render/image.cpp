@@ -115,7 +115,8 @@ void draw_line(Image& image, geom::Vec2 a, geom::Vec2 b, double width, Rgb colou
     for (int y = row(std::min(a.y, b.y) - h); y < y1; ++y) {
         double from = 0, to = 1; // the stretch of the line that may touch this row
         if (dy != 0) {
-            from = std::clamp((y - h - a.y) / dy, 0.0, 1.0), to = std::clamp((y + 1 + h - a.y) / dy, 0.0, 1.0);
+            from = std::clamp((y - h - a.y) / dy, 0.0, 1.0);
+            to = std::clamp((y + 1 + h - a.y) / dy, 0.0, 1.0);
             if (from > to) std::swap(from, to);
         }
         const double xa = geom::lerp(a, b, from).x, xb = geom::lerp(a, b, to).x;
@@ -152,7 +153,9 @@ void draw_text(Image& image, geom::Vec2 at, double size, std::string_view text, 
                 }
                 const geom::Vec2 p{at.x + (lines[i] - '0') * unit, at.y - (lines[i + 1] - '0') * unit};
                 if (pen) draw_line(image, last, p, std::max(1.0, 0.75 * unit), colour);
-                last = p, pen = true, ++i;
+                last = p;
+                pen = true;
+                ++i;
             }
         }
         at.x += kAdvance * unit;

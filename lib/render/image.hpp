@@ -22,7 +22,9 @@ struct Image {
         const Srgb8 s = to_srgb8(c);
         auto* p =
             &rgb[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3];
-        p[0] = s.r, p[1] = s.g, p[2] = s.b;
+        p[0] = s.r;
+        p[1] = s.g;
+        p[2] = s.b;
     }
     [[nodiscard]] Rgb get(int x, int y) const {
         const auto* p =

@@ -68,7 +68,10 @@ Laid lay(const Scene& scene, const Tint& tint) {
         const double length = geom::distance(s.a, s.b);
         const bool on_front = lies_on(locator, s, false), on_back = !on_front && lies_on(locator, s, true);
         (on_front ? front : back) += on_front || on_back ? length : 0;
-        if (!on_front && !on_back) out.loose.push_back(s), out.loose_length += length;
+        if (!on_front && !on_back) {
+            out.loose.push_back(s);
+            out.loose_length += length;
+        }
     }
     out.behind = back > front;
     out.beads = Strokes(std::move(all));

@@ -13,8 +13,10 @@ void add(const toolpath::Span& s, std::uint32_t index, double& along, FlatLayer&
         (bead ? out.beads : out.travels).push_back({a, b, w, along, index, i});
         if (!bead) continue;
         along += geom::distance(a, b);
-        for (const geom::Vec2 p : {a, b})
-            out.box.add({p.x - w / 2, p.y - w / 2}), out.box.add({p.x + w / 2, p.y + w / 2});
+        for (const geom::Vec2 p : {a, b}) {
+            out.box.add({p.x - w / 2, p.y - w / 2});
+            out.box.add({p.x + w / 2, p.y + w / 2});
+        }
     }
 }
 
@@ -30,16 +32,23 @@ FlatLayer flatten(const Scene& scene) {
         const bool bead = toolpath::extrudes(s.role);
         if (open && (!bead || !(s.points.front() == last))) {
             out.marks.push_back({Mark::Kind::end, last.xy()});
-            open = false, along += 1e6; // never neighbours
+            open = false;
+            along += 1e6; // never neighbours
         }
         if (s.role == toolpath::Role::lift) out.marks.push_back({Mark::Kind::lift, s.points.back().xy()});
-        if (bead && !open) out.marks.push_back({Mark::Kind::start, s.points.front().xy()}), open = true;
+        if (bead && !open) {
+            out.marks.push_back({Mark::Kind::start, s.points.front().xy()});
+            open = true;
+        }
         add(s, k, along, out);
         last = s.points.back();
     }
     if (open) out.marks.push_back({Mark::Kind::end, last.xy()});
     double length = 0;
-    for (const FlatBead& b : out.beads) length += geom::distance(b.a, b.b), area += geom::distance(b.a, b.b) * b.width;
+    for (const FlatBead& b : out.beads) {
+        length += geom::distance(b.a, b.b);
+        area += geom::distance(b.a, b.b) * b.width;
+    }
     if (length > 0) out.width = area / length;
     for (const Outline& o : scene.outlines)
         for (const geom::Vec2 p : o.loops.points) out.box.add(p);

@@ -57,8 +57,11 @@ void add_surface(const Studio& s, Vec3 d, const Hit& hit, Pixel& out) {
         out.under_lamp =
             out.under_lamp + kLampLight * (static_cast<float>(facing) * hit.albedo + Rgb{gloss, gloss, gloss});
     }
-    out.hits += 1, out.depth += hit.distance;
-    out.nx += static_cast<float>(n.x), out.ny += static_cast<float>(n.y), out.nz += static_cast<float>(n.z);
+    out.hits += 1;
+    out.depth += hit.distance;
+    out.nx += static_cast<float>(n.x);
+    out.ny += static_cast<float>(n.y);
+    out.nz += static_cast<float>(n.z);
 }
 
 // How much of sky and lamp reaches the point that a ray met.
@@ -140,8 +143,10 @@ Free smoothed(const Studio& s, const Strip& strip, int x, int y, int reach) {
             if (alike < 0.7 && !(i == x && j == y)) continue;
             const auto weight =
                 static_cast<float>(alike > 0 ? alike * alike * alike * alike / (1 + off * off * off * off) : 1e-6);
-            sky += weight * q.sky, sky_weight += weight * q.sky_rays;
-            lamp += weight * q.lamp, lamp_weight += weight * q.lamp_rays;
+            sky += weight * q.sky;
+            sky_weight += weight * q.sky_rays;
+            lamp += weight * q.lamp;
+            lamp_weight += weight * q.lamp_rays;
         }
     }
     return {sky_weight > 0 ? sky / sky_weight : 1, lamp_weight > 0 ? lamp / lamp_weight : 1};

@@ -29,8 +29,11 @@ Vec3 upwards(Vec3 from) { return std::abs(unit(from).z) > 0.9 ? Vec3{0, 1, 0} : 
 Plan lay_out(const std::vector<Vec3>& points, Vec3 from, Vec3 above, int width, int height) {
     constexpr double kMargin = 0.04, kLegend = 0.06; // of the picture's height
     Plan plan;
-    plan.width = width, plan.height = height, plan.towards = unit(from);
-    plan.right = unit(cross(above, plan.towards)), plan.up = cross(plan.towards, plan.right);
+    plan.width = width;
+    plan.height = height;
+    plan.towards = unit(from);
+    plan.right = unit(cross(above, plan.towards));
+    plan.up = cross(plan.towards, plan.right);
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
     for (const Vec3& p : points) {
         const Vec3 q{dot(p, plan.right), dot(p, plan.up), dot(p, plan.towards)};
@@ -57,7 +60,10 @@ Raster::Raster(const surface::Surface& s, const Plan& plan, int fine)
     const double high = rows_ * fine, last = static_cast<double>(in_band_.size()) - 1;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         double lo = INFINITY, hi = -INFINITY;
-        for (const auto v : s.triangles[t]) lo = std::min(lo, place_[v].y), hi = std::max(hi, place_[v].y);
+        for (const auto v : s.triangles[t]) {
+            lo = std::min(lo, place_[v].y);
+            hi = std::max(hi, place_[v].y);
+        }
         if (hi < 0 || lo > fine * plan.height) continue;
         const auto first = static_cast<std::size_t>(std::clamp(std::floor(lo / high), 0.0, last));
         const auto end = static_cast<std::size_t>(std::clamp(std::floor(hi / high), 0.0, last));

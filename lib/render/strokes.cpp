@@ -33,7 +33,8 @@ Strokes::Strokes(std::vector<Stroke> strokes) : strokes_(std::move(strokes)) {
     Vec3 lo{INFINITY, INFINITY, INFINITY}, hi{-INFINITY, -INFINITY, -INFINITY};
     double widest = 0, length = 0;
     for (const Stroke& s : strokes_) {
-        widest = std::max(widest, radius(s)), length += geom::distance(s.a, s.b);
+        widest = std::max(widest, radius(s));
+        length += geom::distance(s.a, s.b);
         for (const Vec3 p : {s.a, s.b}) {
             lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
             hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
@@ -105,12 +106,20 @@ Cover Strokes::at(Vec3 p, Vec3 normal) const {
         const double off_surface = dot(d, s.normal), aside = dot(d, d) - off_surface * off_surface;
         const double off = aside / (half * half);
         if (std::abs(off_surface) > s.reach || !(off <= 1)) continue;
-        if (out.stroke == nullptr || s.layer > out.stroke->layer) least = first = INFINITY, last = -INFINITY;
+        if (out.stroke == nullptr || s.layer > out.stroke->layer) {
+            least = first = INFINITY;
+            last = -INFINITY;
+        }
         if (off <= kTouch * kTouch) {
             const double along = s.along + t * geom::distance(s.a, s.b);
-            first = std::min(first, along), last = std::max(last, along);
+            first = std::min(first, along);
+            last = std::max(last, along);
         }
-        if (off < least) least = off, out.stroke = &s, out.outwards = d - off_surface * s.normal;
+        if (off < least) {
+            least = off;
+            out.stroke = &s;
+            out.outwards = d - off_surface * s.normal;
+        }
     }
     if (out.stroke == nullptr) return out;
     out.off = std::sqrt(std::max(0.0, least));

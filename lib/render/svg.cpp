@@ -45,7 +45,10 @@ void beads(std::string& out, const Scene& scene, const Tint& tint, const FlatLay
 
 std::string svg(const Scene& scene, const Tint& tint, const FlatView& view) {
     FlatLayer layer = flatten(scene);
-    if (layer.box.empty()) layer.box.add({0, 0}), layer.box.add({1, 1});
+    if (layer.box.empty()) {
+        layer.box.add({0, 0});
+        layer.box.add({1, 1});
+    }
     const double margin = layer.width;
     const double w = layer.box.hi.x - layer.box.lo.x + 2 * margin, h = layer.box.hi.y - layer.box.lo.y + 2 * margin;
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(w) + "mm\" height=\"" + number(h) +
@@ -76,7 +79,8 @@ std::string svg(const Scene& scene, const Tint& tint, const FlatView& view) {
         if (!view.travels) break;
         out += "<path stroke=\"#777\" stroke-dasharray=\"" + number(layer.width) + "\" stroke-width=\"" +
                number(0.1 * layer.width) + "\" d=\"";
-        path_point(out, 'M', t.a), path_point(out, 'L', t.b);
+        path_point(out, 'M', t.a);
+        path_point(out, 'L', t.b);
         out += "\"/>\n";
     }
     out += "</g>\n";

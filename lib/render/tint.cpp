@@ -46,14 +46,16 @@ void amount_range(const Scene& scene, Tint& out) {
 
 Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     Tint out;
-    out.by = by, out.profile = profile;
+    out.by = by;
+    out.profile = profile;
     for (int k = 0; k < kSteps; ++k) out.ramp.push_back(to_srgb8(ramp((k + 0.5) / kSteps)));
     std::set<std::uint32_t> strokes;
     std::uint32_t lo = UINT32_MAX, hi = 0;
     double along = 0;
     for (const auto& s : scene.spans) {
         strokes.insert(s.stroke);
-        lo = std::min(lo, s.layer), hi = std::max(hi, s.layer);
+        lo = std::min(lo, s.layer);
+        hi = std::max(hi, s.layer);
         if (s.feature == Feature::none || s.role != Role::bead)
             out.roles[static_cast<std::size_t>(s.role)] = true;
         else
@@ -64,7 +66,10 @@ Tint tint(const Scene& scene, By by, const machine::Profile* profile) {
     }
     out.strokes = strokes.size();
     if (by == By::progress) out.hi = std::max(along, 1e-9);
-    if (by == By::layer) out.lo = std::min(lo, hi), out.hi = hi;
+    if (by == By::layer) {
+        out.lo = std::min(lo, hi);
+        out.hi = hi;
+    }
     if (by == By::width || by == By::speed) amount_range(scene, out);
     return out;
 }

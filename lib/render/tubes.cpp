@@ -100,12 +100,16 @@ void Tubes::State::measure(const Scene& s, bool travels) {
     std::vector<double> widths, heights;
     for (const auto& span : s.spans) {
         if (!toolpath::extrudes(span.role)) continue;
-        widths.push_back(span.width_at(0)), heights.push_back(span.height_at(0));
+        widths.push_back(span.width_at(0));
+        heights.push_back(span.height_at(0));
     }
-    width = median(widths, 0.4), height = median(heights, 0.2);
+    width = median(widths, 0.4);
+    height = median(heights, 0.2);
     tilted = std::any_of(s.spans.begin(), s.spans.end(), [](const auto& x) { return !x.normals.empty(); });
     if (tilted) height = width;
-    stretch = width / height, thickness = std::max(width, height) / 2, lift = height / 2;
+    stretch = width / height;
+    thickness = std::max(width, height) / 2;
+    lift = height / 2;
     Box box;
     for (const auto& span : s.spans)
         for (std::size_t i = 0; drawn(span, travels) && i < span.points.size(); ++i) {
@@ -115,7 +119,8 @@ void Tubes::State::measure(const Scene& s, bool travels) {
     for (const Thing& thing : s.meshes)
         for (const Vec3& p : thing.mesh.vertices) box.add(p, 0, 0);
     if (box.lo.x > box.hi.x) return;
-    centre = 0.5 * (box.lo + box.hi), half = 0.5 * (box.hi - box.lo);
+    centre = 0.5 * (box.lo + box.hi);
+    half = 0.5 * (box.hi - box.lo);
 }
 
 void Tubes::State::fill(const Scene& s, const Tint& tint, bool travels) {
@@ -185,7 +190,8 @@ void Tubes::State::stand(const Thing& thing) {
     if (vertex == nullptr || index == nullptr) throw std::bad_alloc();
     for (const Vec3& at : m.vertices) {
         const Vec3 p = at - centre;
-        *vertex++ = static_cast<float>(p.x), *vertex++ = static_cast<float>(p.y);
+        *vertex++ = static_cast<float>(p.x);
+        *vertex++ = static_cast<float>(p.y);
         *vertex++ = static_cast<float>(p.z * stretch);
     }
     for (const auto& t : m.triangles) index = std::copy(t.begin(), t.end(), index);
@@ -218,9 +224,14 @@ std::array<Hit, 4> Tubes::shoot(Vec3 from, const std::array<Vec3, 4>& direction)
     alignas(16) const int all[4] = {-1, -1, -1, -1};
     for (std::size_t k = 0; k < 4; ++k) {
         const RTCRay r = state_->ray(from, direction[k], INFINITY);
-        rh.ray.org_x[k] = r.org_x, rh.ray.org_y[k] = r.org_y, rh.ray.org_z[k] = r.org_z;
-        rh.ray.dir_x[k] = r.dir_x, rh.ray.dir_y[k] = r.dir_y, rh.ray.dir_z[k] = r.dir_z;
-        rh.ray.tfar[k] = r.tfar, rh.ray.mask[k] = r.mask;
+        rh.ray.org_x[k] = r.org_x;
+        rh.ray.org_y[k] = r.org_y;
+        rh.ray.org_z[k] = r.org_z;
+        rh.ray.dir_x[k] = r.dir_x;
+        rh.ray.dir_y[k] = r.dir_y;
+        rh.ray.dir_z[k] = r.dir_z;
+        rh.ray.tfar[k] = r.tfar;
+        rh.ray.mask[k] = r.mask;
         rh.hit.geomID[k] = rh.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
     }
     RTCIntersectContext context;

@@ -60,7 +60,10 @@ int columns(int n, int width, int height) {
         const int rows = (n + c - 1) / c;
         const double ratio = (static_cast<double>(width) / c) / (static_cast<double>(height) / rows);
         const double off = std::abs(std::log(ratio * 3 / 4)) + 0.2 * (c * rows - n);
-        if (off < least) least = off, best = c;
+        if (off < least) {
+            least = off;
+            best = c;
+        }
     }
     return best;
 }
@@ -78,7 +81,10 @@ std::vector<Look> looks(const std::string& list, const std::string& option) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         bool known = false;
         for (const Look& l : names())
-            if (l.name == all[i]) out.push_back(l), known = true;
+            if (l.name == all[i]) {
+                out.push_back(l);
+                known = true;
+            }
         if (known) continue;
         if (i + 2 >= all.size() || all[i].find_first_of("0123456789") == std::string::npos) misused(list, option);
         std::array<double, 3> v{};

@@ -21,7 +21,8 @@ void append_base64(std::string& out, const std::string& bytes) {
             return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
         };
         const std::uint32_t v = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-        out += kDigits[v >> 18], out += kDigits[v >> 12 & 63];
+        out += kDigits[v >> 18];
+        out += kDigits[v >> 12 & 63];
         out += i + 1 < bytes.size() ? kDigits[v >> 6 & 63] : '=';
         out += i + 2 < bytes.size() ? kDigits[v & 63] : '=';
     }
@@ -108,13 +109,17 @@ std::string file_of(const std::vector<toolpath::Span>& spans) {
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             if (i > 0 && bead) along += geom::distance(s.points[i - 1], s.points[i]);
             cells.corners.push_back(static_cast<std::int64_t>(points.size()));
-            points.push_back(s.points[i]), normals.push_back(s.normals.empty() ? Vec3{0, 0, 1} : s.normals[i]);
-            width.push_back(bead ? s.width_at(i) : 0), height.push_back(bead ? s.height_at(i) : 0);
+            points.push_back(s.points[i]);
+            normals.push_back(s.normals.empty() ? Vec3{0, 0, 1} : s.normals[i]);
+            width.push_back(bead ? s.width_at(i) : 0);
+            height.push_back(bead ? s.height_at(i) : 0);
             progress.push_back(along);
         }
         cells.ends.push_back(static_cast<std::int64_t>(points.size()));
         role.push_back(static_cast<std::uint8_t>(s.role));
-        stroke.push_back(s.stroke), layer.push_back(s.layer), region.push_back(s.region);
+        stroke.push_back(s.stroke);
+        layer.push_back(s.layer);
+        region.push_back(s.region);
     }
     std::string per_point, per_line, comment = "<!-- role:";
     append_array(per_point, "normal", 3, flat(normals));

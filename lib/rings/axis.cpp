@@ -61,7 +61,8 @@ Curved curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
     Curved out;
     if (p != kNoNode && q != kNoNode) {
         const Vec2 across = sites.at(q) - sites.at(p);
-        out.origin = geom::lerp(sites.at(p), sites.at(q), 0.5), out.h = geom::norm(across) / 2;
+        out.origin = geom::lerp(sites.at(p), sites.at(q), 0.5);
+        out.h = geom::norm(across) / 2;
         out.along = (1 / std::max(1.0, 2 * out.h)) * geom::left_of(across);
     } else if (p != kNoNode || q != kNoNode) {
         const std::size_t i = d.segment[p != kNoNode ? other : cell];
@@ -112,7 +113,8 @@ class Builder {
     Axis run() {
         find_inside();
         node_.assign(d_.vertex.size(), kNoNode);
-        first_.assign(d_.edges(), kNoNode), last_.assign(d_.edges(), kNoNode);
+        first_.assign(d_.edges(), kNoNode);
+        last_.assign(d_.edges(), kNoNode);
         for (std::uint32_t e = 0; e < d_.edges(); e += 2)
             if (inside_[e]) add(e);
         for (std::uint32_t e = 0; e < d_.edges(); ++e)
@@ -167,8 +169,10 @@ class Builder {
             out_.foot.push_back(foot(other, out_.node[nodes[j]]));
             out_.next.insert(out_.next.end(), {base + 2 * j - 2, base + 2 * j + 3}); // those at the ends come later
         }
-        first_[e] = base + 2 * (pieces - 1), first_[e + 1] = base + 1;
-        last_[e] = base, last_[e + 1] = base + 2 * (pieces - 1) + 1;
+        first_[e] = base + 2 * (pieces - 1);
+        first_[e + 1] = base + 1;
+        last_[e] = base;
+        last_[e + 1] = base + 2 * (pieces - 1) + 1;
     }
 
     // The next edge along the outline: the one before in the same cell, or beyond the borders between cells.
@@ -202,7 +206,8 @@ Axis medial_axis(const Sites& sites, double tolerance, double slope) {
 Axis refined(const Axis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start) {
     if (cuts.empty()) return axis;
     Axis out;
-    out.node = axis.node, out.radius = axis.radius;
+    out.node = axis.node;
+    out.radius = axis.radius;
     const std::uint32_t pieces = axis.half_edges() / 2;
     const auto base = [&](std::uint32_t e) { return e + start[e]; }; // piece e becomes these and those that follow
     const auto first = [&](std::uint32_t h) {

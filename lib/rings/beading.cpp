@@ -53,7 +53,10 @@ Relief relief(const Axis& axis) {
         std::uint32_t h = out.up[i];
         do {
             const std::uint32_t j = axis.to(h);
-            if (axis.radius[j] < axis.radius[i]) lower = true, dead = dead && out.dead_end[j];
+            if (axis.radius[j] < axis.radius[i]) {
+                lower = true;
+                dead = dead && out.dead_end[j];
+            }
             h = axis.next[h ^ 1];
         } while (h != out.up[i]);
         out.dead_end[i] = axis.radius[i] == 0 || (lower && dead) ? 1 : 0;
@@ -87,7 +90,8 @@ class Profiles {
             out_.top[i] = std::max(out_.top[i], out_.lanes[i]);
         }
         find_ends();
-        out_.axis = std::move(walls_.axis), out_.wall = std::move(walls_.wall);
+        out_.axis = std::move(walls_.axis);
+        out_.wall = std::move(walls_.wall);
         return std::move(out_);
     }
 
@@ -102,7 +106,9 @@ class Profiles {
     }
     void of_corner(std::uint32_t i) {
         const std::uint32_t u = axis().to(relief_.up[i]);
-        out_.full[i] = out_.full[u], out_.inner[i] = out_.inner[u], out_.top[i] = out_.top[u];
+        out_.full[i] = out_.full[u];
+        out_.inner[i] = out_.inner[u];
+        out_.top[i] = out_.top[u];
     }
 
     struct Visit {
@@ -126,7 +132,8 @@ class Profiles {
                 const std::uint32_t j = axis().to(h);
                 const double far = v.along + axis().length(h);
                 if (!walls_.set[j] && axis().radius[j] > axis().radius[v.node] && far < along[j]) {
-                    along[j] = far, source[j] = v.source;
+                    along[j] = far;
+                    source[j] = v.source;
                     queue.push({far, j, v.source});
                 }
                 h = axis().next[h ^ 1];
@@ -153,7 +160,8 @@ class Profiles {
 
     // `reach` and `last`: from the top down, so that no lane begins again in a tip below where it has ended.
     void find_ends() {
-        out_.reach.assign(walls_.wall.size(), 0.5), out_.tip.assign(walls_.wall.size(), 0);
+        out_.reach.assign(walls_.wall.size(), 0.5);
+        out_.tip.assign(walls_.wall.size(), 0);
         for (std::uint32_t e = 0; e < walls_.wall.size(); ++e) {
             const bool rises = axis().radius[axis().from[2 * e]] < axis().radius[axis().to(2 * e)];
             const std::uint32_t low = rises ? axis().from[2 * e] : axis().to(2 * e);
@@ -184,8 +192,13 @@ class Profiles {
 
 Beading beading(const Axis& axis, double width, double least_void) {
     WallLaneOptions o;
-    o.width = width, o.sharing = kSharing, o.widest = kWidest, o.ramp = kRamp * width, o.appear = kAppear;
-    o.slope = kWallSlope, o.blend = kBlend * width;
+    o.width = width;
+    o.sharing = kSharing;
+    o.widest = kWidest;
+    o.ramp = kRamp * width;
+    o.appear = kAppear;
+    o.slope = kWallSlope;
+    o.blend = kBlend * width;
     return Profiles(wall_lanes(axis, o), width, least_void).run();
 }
 

@@ -41,7 +41,8 @@ class Thinning {
             moved[k] = vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], aside[(k + n - 1) % n], aside[k]);
         for (std::size_t k = 0; k < n; ++k) {
             const std::size_t next = (k + 1) % n;
-            points.push_back(moved[k]), width.push_back(bead_.width[kept[k]]);
+            points.push_back(moved[k]);
+            width.push_back(bead_.width[kept[k]]);
             divide(moved[k], moved[next], bead_.width[kept[k]], bead_.width[kept[next]], points, width);
         }
     }

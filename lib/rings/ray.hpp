@@ -17,7 +17,8 @@ struct Ray {
 
     Ray(const Beading& beading, std::uint32_t h, double share) : b(&beading), t(share) {
         const Axis& axis = beading.axis;
-        i = axis.from[h], j = axis.to(h);
+        i = axis.from[h];
+        j = axis.to(h);
         foot = t == 0 ? axis.foot[h] : geom::lerp(axis.foot[h], axis.last_foot(h), t);
         top = t == 0 ? axis.node[i] : geom::lerp(axis.node[i], axis.node[j], t);
         radius = t == 0 ? axis.radius[i] : geom::distance(foot, top);

@@ -62,7 +62,8 @@ class Walk {
         for (std::size_t i = first; i < n; ++i)
             area += out_.width[i] * geom::distance(out_.points[i], out_.points[i + 1 == n ? first : i + 1]);
         if (n - first < 3 || (lane_ > 1 && area < least_void_)) {
-            out_.points.resize(first), out_.width.resize(first);
+            out_.points.resize(first);
+            out_.width.resize(first);
             return;
         }
         out_.start.push_back(static_cast<std::uint32_t>(n));

@@ -30,7 +30,10 @@ class Levels {
             std::vector<std::uint32_t> here;
             for (const std::uint32_t e : lowered)
                 if ((*lanes_)[e] == level) here.push_back(e);
-            for (; i < order.size() && (*lanes_)[order[i]] == level; ++i) here.push_back(order[i]), enter(order[i]);
+            for (; i < order.size() && (*lanes_)[order[i]] == level; ++i) {
+                here.push_back(order[i]);
+                enter(order[i]);
+            }
             std::erase_if(lowered, [&](std::uint32_t e) { return (*lanes_)[e] == level; });
             for (const std::uint32_t e : here) join_neighbours(e);
             for (const std::uint32_t e : here) lower(find(e), level, lowered);

@@ -49,7 +49,8 @@ class boost::polygon::detail::robust_fpt<long double> {
 
     static robust_fpt made(long double value, long double error) {
         robust_fpt out;
-        out.value_ = value, out.error_ = error;
+        out.value_ = value;
+        out.error_ = error;
         return out;
     }
 

@@ -96,7 +96,8 @@ void raise(const Axis& axis, const std::vector<char>& wall, const WallLaneOption
             const double down = fall(axis, h, on_wall, o), beyond = on_wall ? 0 : fallen[i] + down;
             const std::uint32_t j = axis.to(h);
             if (beyond < 1 && value[i] - down > value[j] + 1e-9) {
-                value[j] = value[i] - down, fallen[j] = beyond;
+                value[j] = value[i] - down;
+                fallen[j] = beyond;
                 queue.push({value[j], j});
             }
             h = axis.next[h ^ 1];
@@ -189,7 +190,10 @@ WallLanes wall_lanes(const Axis& given, const WallLaneOptions& o) {
         lower[i] = std::max<double>(lower[i], -lanes[h / 2]);
     }
     for (std::uint32_t i = 0; i < axis.nodes(); ++i)
-        if (top[i] && upper[i] == kUnset) upper[i] = lanes_at(axis.radius[i] / o.width), lower[i] = -upper[i];
+        if (top[i] && upper[i] == kUnset) {
+            upper[i] = lanes_at(axis.radius[i] / o.width);
+            lower[i] = -upper[i];
+        }
     WallLanes out;
     out.set.resize(axis.nodes());
     for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.set[i] = upper[i] != kUnset ? 1 : 0;

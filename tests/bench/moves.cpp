@@ -59,7 +59,8 @@ void dome(stream::Writer& writer, std::size_t moves) {
         for (std::size_t i = 0; i < kRow && moves > 0; ++i, --moves) {
             const double x = 0.15 * (static_cast<double>(row % 2 == 0 ? i : kRow - 1 - i) - kRow / 2.0);
             const Vec3 n{x / radius, y / radius, std::sqrt(radius * radius - x * x - y * y) / radius};
-            s.points.push_back((radius + rise) * n + Vec3{0, 0, -40}), s.normals.push_back(n);
+            s.points.push_back((radius + rise) * n + Vec3{0, 0, -40});
+            s.normals.push_back(n);
         }
         if (s.points.size() > 1) hand_over(writer, last, std::move(s));
     }

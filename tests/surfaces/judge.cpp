@@ -244,8 +244,10 @@ Judged judge(const Surface& s, const std::vector<Span>& spans, const Asked& aske
         measure_turns(c, asked, out);
         for (std::size_t i = 0; i + 1 < c.points.size(); ++i)
             for (const Vec3& p : {c.points[i], 0.5 * (c.points[i] + c.points[i + 1])})
-                if (const double off = distance(ground.nearest(p).point, p); off > out.off)
-                    out.off = off, out.off_at = p;
+                if (const double off = distance(ground.nearest(p).point, p); off > out.off) {
+                    out.off = off;
+                    out.off_at = p;
+                }
     }
     const Pieces path(laid);
     measure_area(s, path, asked.spacing, out);

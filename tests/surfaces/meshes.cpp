@@ -149,7 +149,8 @@ Mesh sheet(Vec2 size, const Grid& grid, const Domain& inside, const Lift& lift, 
         for (int i = 0; i < n; ++i) {
             const auto a = static_cast<std::uint32_t>(j * (n + 1) + i), b = a + 1,
                        d = a + static_cast<std::uint32_t>(n) + 1, c = d + 1;
-            add({a, b, c}), add({a, c, d});
+            add({a, b, c});
+            add({a, c, d});
         }
     for (const Vec2& p : points) out.vertices.push_back(lift(p));
     drop_loose(out);

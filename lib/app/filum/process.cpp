@@ -35,7 +35,8 @@ struct Pipe {
     Pipe() {
         int both[2];
         if (::pipe2(both, O_CLOEXEC) != 0) fail("make a pipe");
-        read = both[0], write = both[1];
+        read = both[0];
+        write = both[1];
         ::fcntl(write, F_SETPIPE_SZ, kPipe);
     }
 };
@@ -126,7 +127,8 @@ Children start_all(const std::vector<Command>& commands, const std::vector<std::
         int to = -1, next = -1;
         if (!last) {
             const Pipe pipe;
-            to = pipe.write, next = pipe.read;
+            to = pipe.write;
+            next = pipe.read;
         }
         out.pids.push_back(spawn(command, in, to, chained));
         out.copies.push_back(copy);
@@ -179,7 +181,10 @@ int verdict(const std::vector<Ended>& ended, std::size_t& who) {
         if (e.code == 0) continue;
         const bool follows = (e.by_signal && e.code == 128 + SIGPIPE) ||
                              (!e.by_signal && i > 0 && e.code == static_cast<int>(Exit::truncated));
-        if (code == 0 || !follows) code = e.code, who = i;
+        if (code == 0 || !follows) {
+            code = e.code;
+            who = i;
+        }
         if (!follows) break;
     }
     return code;

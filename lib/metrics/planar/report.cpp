@@ -94,8 +94,10 @@ void lengths(const Input& input, const Options& o, Figures& out) {
     const Course& c = input.course;
     const double seconds = input.seconds, of_fibre = fibre_volume(input);
     double extruded = 0, volume = 0;
-    for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector, Role::hairpin})
-        extruded += c.length[role(r)], volume += c.volume[role(r)];
+    for (const Role r : {Role::bead, Role::lift, Role::jog, Role::connector, Role::hairpin}) {
+        extruded += c.length[role(r)];
+        volume += c.volume[role(r)];
+    }
     tell(out, "extruded_mm", extruded);
     tell(out, "beads_mm", c.length[role(Role::bead)]);
     tell(out, "lifts_mm", c.length[role(Role::lift)]);

@@ -32,7 +32,8 @@ Sheet sheet(double a, double b, const std::function<Vec3(Vec3)>& lift, const std
     surface::Field d1{"stress.X.d1", {}, 3}, s1{"stress.X.s1", {}, 1};
     for (const Vec3& p : out.surface.vertices) {
         const Vec3 d = pull(p);
-        d1.values.insert(d1.values.end(), {d.x, d.y, d.z}), s1.values.push_back(1);
+        d1.values.insert(d1.values.end(), {d.x, d.y, d.z});
+        s1.values.push_back(1);
     }
     out.fields = {s1, d1};
     return out;

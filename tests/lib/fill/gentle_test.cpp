@@ -143,8 +143,10 @@ TEST(Rounded, KeepsBeadsInsideTheOutline) {
 
 TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or not
     BeadLine shifted = square(10);
-    shifted.points.insert(shifted.points.begin(), {5, 0}), shifted.width.push_back(kWidth);
-    shifted.points.erase(shifted.points.begin() + 1), shifted.points.push_back({0, 0});
+    shifted.points.insert(shifted.points.begin(), {5, 0});
+    shifted.width.push_back(kWidth);
+    shifted.points.erase(shifted.points.begin() + 1);
+    shifted.points.push_back({0, 0});
     const double a = length_of({true, rounded(shifted, kWidth, 0.16, anywhere).points, {kWidth}});
     const double b = length_of({true, rounded(square(10), kWidth, 0.16, anywhere).points, {kWidth}});
     EXPECT_NEAR(a, b, 1e-9);

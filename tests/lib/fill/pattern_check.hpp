@@ -172,7 +172,10 @@ inline double coverage(const Loops& region, const std::vector<Curve>& curves, do
     double in = 0, covered = 0;
     for (std::size_t y = 0; y < rows; ++y)
         for (std::size_t x = 0; x < columns; ++x)
-            if (polygon::contains(region, centre(x, y))) ++in, covered += hit[y * columns + x];
+            if (polygon::contains(region, centre(x, y))) {
+                ++in;
+                covered += hit[y * columns + x];
+            }
     return in > 0 ? covered / in : 1;
 }
 

@@ -13,9 +13,14 @@ using namespace test;
 
 polygon::Region stroke_region(Loops loops, std::uint32_t layer) {
     polygon::Region r;
-    r.id = 7 * layer, r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2, r.stroke = layer / 2;
+    r.id = 7 * layer;
+    r.layer = layer;
+    r.z = 0.2 * (layer + 1);
+    r.height = 0.2;
+    r.stroke = layer / 2;
     r.join = layer % 2 == 0 ? Join::start : Join::vertical;
-    r.area = polygon::signed_area(loops), r.loops = std::move(loops);
+    r.area = polygon::signed_area(loops);
+    r.loops = std::move(loops);
     return r;
 }
 

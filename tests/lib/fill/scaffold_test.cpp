@@ -38,8 +38,12 @@ std::vector<double> strand_lines(const Curve& c, double angle, double longest) {
 
 polygon::Region joined_region(const Loops& loops, std::uint32_t layer, Join join) {
     polygon::Region r;
-    r.id = r.layer = layer, r.loops = loops, r.join = join;
-    r.z = 0.2 * (layer + 1), r.height = 0.2, r.area = polygon::signed_area(loops);
+    r.id = r.layer = layer;
+    r.loops = loops;
+    r.join = join;
+    r.z = 0.2 * (layer + 1);
+    r.height = 0.2;
+    r.area = polygon::signed_area(loops);
     return r;
 }
 
@@ -228,7 +232,9 @@ TEST(Scaffold, RingsBelongToTheStroke) {
 
 TEST(Scaffold, SpacingBelowTheBeadWidthIsRefused) {
     Options o;
-    o.pattern = "scaffold", o.bead_width = 0.5, o.spacing = 0.49;
+    o.pattern = "scaffold";
+    o.bead_width = 0.5;
+    o.spacing = 0.49;
     EXPECT_THROW(strand_spacing(o), Error);
     o.spacing = 0.5;
     EXPECT_EQ(strand_spacing(o), 0.5);

@@ -19,7 +19,8 @@ struct Filled {
 };
 Filled filled(const Loops& area, const std::string& thin) {
     polygon::Region r;
-    r.loops = area, r.area = polygon::signed_area(area);
+    r.loops = area;
+    r.area = polygon::signed_area(area);
     Options o;
     o.thin = thin;
     Filled out;
@@ -88,7 +89,8 @@ TEST(StackLanes, HairWallsArePassedTwiceOnTheirMiddle) {
                                                             rectangle(5, 2, 11, 2 + thickness))};
         for (const Loops& area : areas) {
             polygon::Region r;
-            r.loops = area, r.area = polygon::signed_area(area);
+            r.loops = area;
+            r.area = polygon::signed_area(area);
             Options o;
             Notes notes, plain;
             const double lanes = laid(fill(r, o, plain).curves);
@@ -119,7 +121,8 @@ TEST(StackLanes, HairWallsArePassedTwiceOnTheirMiddle) {
 TEST(StackLanes, ThickerWallsKeepTheirLanes) {
     for (const auto& area : {rectangle(0, 0, 5, 5), fin(14, 2.3)}) {
         polygon::Region r;
-        r.loops = area, r.area = polygon::signed_area(area);
+        r.loops = area;
+        r.area = polygon::signed_area(area);
         Options o;
         o.thin = "half-height";
         Notes notes;

@@ -96,7 +96,8 @@ void expect_walls(const Loops& area, const std::string& name) {
     std::vector<int> degree(g->node.size(), 0);
     for (std::size_t k = 0; k < passes.size(); ++k) {
         EXPECT_TRUE(passes[k] == 1 || passes[k] == 2);
-        degree[g->walls[k].a] += passes[k], degree[g->walls[k].b] += passes[k];
+        degree[g->walls[k].a] += passes[k];
+        degree[g->walls[k].b] += passes[k];
     }
     const auto odd = std::count_if(degree.begin(), degree.end(), [](int d) { return d % 2 != 0; });
     EXPECT_EQ(odd, w.curves[0].closed ? 0 : 2) << name;
@@ -136,7 +137,8 @@ TEST(WallWalk, FatPartsAreNoWalls) {
 
 TEST(WallWalk, FillTakesItWhereAskedTo) {
     polygon::Region r;
-    r.loops = tee(), r.area = polygon::signed_area(r.loops);
+    r.loops = tee();
+    r.area = polygon::signed_area(r.loops);
     Options o;
     Notes notes;
     EXPECT_TRUE(fill(r, o, notes).curves.at(0).closed);

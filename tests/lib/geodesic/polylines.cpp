@@ -47,7 +47,10 @@ surfaces::Sheet regular(int n) { // diagonals one way, vertices on whole numbers
     std::vector<mesh::Triangle> t;
     surfaces::Sheet out;
     for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) v.push_back({1.0 * i, 1.0 * j, 0}), out.flat.push_back({1.0 * i, 1.0 * j});
+        for (int i = 0; i <= n; ++i) {
+            v.push_back({1.0 * i, 1.0 * j, 0});
+            out.flat.push_back({1.0 * i, 1.0 * j});
+        }
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)

@@ -54,8 +54,10 @@ TEST(segment, touching_and_overlapping_do_not_cross) {
 TEST(box, distance_is_that_of_its_nearest_points) {
     Box2 a, b;
     EXPECT_TRUE(a.empty());
-    a.add({0, 0}), a.add({1, 1});
-    b.add({4, 5}), b.add({6, 7});
+    a.add({0, 0});
+    a.add({1, 1});
+    b.add({4, 5});
+    b.add({6, 7});
     EXPECT_EQ(distance(a, b), 5);
     EXPECT_EQ(distance(a, a), 0);
 }

@@ -29,7 +29,10 @@ std::vector<Case> random_cases(unsigned seeds) {
         for (Loops loops : test::random_regions(seed)) {
             for (auto& p : loops.points) p = 2.0 * p;
             polygon::Region r;
-            r.layer = seed, r.z = 0.2 * seed + 0.2, r.height = 0.2, r.walls = 1 + seed % 3;
+            r.layer = seed;
+            r.z = 0.2 * seed + 0.2;
+            r.height = 0.2;
+            r.walls = 1 + seed % 3;
             r.area = polygon::signed_area(loops);
             Loops sparse = polygon::offset(loops, -kWidth * r.walls);
             if (seed % 2 == 0) sparse = polygon::intersect(sparse, test::disc({3, 2}, 9));
@@ -95,14 +98,17 @@ TEST(Hollow, WallsAndSkinsAreCovered) {
         for (const auto& a : c.region.areas)
             if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
         const double area = polygon::signed_area(solid);
-        uncovered += area * (1 - test::coverage(solid, paths.curves)), all += area;
+        uncovered += area * (1 - test::coverage(solid, paths.curves));
+        all += area;
     }
     EXPECT_LT(uncovered, 0.02 * all);
 }
 
 TEST(Hollow, FeaturesTellWhereABeadLies) {
     polygon::Region r;
-    r.z = 1, r.height = 0.2, r.walls = 2;
+    r.z = 1;
+    r.height = 0.2;
+    r.walls = 2;
     r.loops = test::loop({{0, 0}, {40, 0}, {40, 20}, {0, 20}});
     r.area = 800;
     r.areas.push_back({AreaKind::sparse, test::loop({{0.8, 0.8}, {20, 0.8}, {20, 19.2}, {0.8, 19.2}}), 0.7, 3, {}});

@@ -206,7 +206,10 @@ TEST(Infill, DensityOfAPrism) {
                     {&square, {polygon::Pattern::rows, (layer % 2 == 0 ? 1 : 3) * 0.7853981633974483, 0, kWidth, 0}});
             const double spacing = spacing_for(tasks, density, kWidth);
             double laid = 0;
-            for (Task t : tasks) t.lines.spacing = spacing, laid += kWidth * length(loops(square, t.lines)) / 6;
+            for (Task t : tasks) {
+                t.lines.spacing = spacing;
+                laid += kWidth * length(loops(square, t.lines)) / 6;
+            }
             EXPECT_NEAR(laid / (side * side), density, 0.02 * density) << side << " spacing " << spacing;
         }
 }

@@ -50,7 +50,8 @@ TEST(Connectors, GoOutsideThePartAndStack) {
         EXPECT_EQ(count(r, "connector to be trimmed"), 6U);
         double volume = 0;
         Box2 part;
-        part.add({-2, -2}), part.add({14, 2});
+        part.add({-2, -2});
+        part.add({14, 2});
         for (const auto& s : r.spans) {
             if (s.role != Role::connector) continue;
             for (std::size_t i = 0; i + 1 < s.points.size(); ++i) volume += toolpath::volume(s, i);

@@ -158,7 +158,10 @@ inline std::string ply(const Mesh& m, Ply kind) {
             out += b;
             continue;
         }
-        put(out, v.x, swap), put(out, v.y, swap), put(out, std::uint8_t{7}), put(out, v.z, swap);
+        put(out, v.x, swap);
+        put(out, v.y, swap);
+        put(out, std::uint8_t{7});
+        put(out, v.z, swap);
     }
     for (const auto& t : m.triangles) {
         if (kind == Ply::ascii) {

@@ -271,8 +271,10 @@ TEST(robot, a_long_program_goes_on_in_modules) {
     auto spans = arc();
     spans[0].points.clear();
     spans[0].normals.clear();
-    for (int i = 0; i <= 500; ++i)
-        spans[0].points.push_back({0.2 * i - 50, 5 * std::sin(i * 0.1), 0}), spans[0].normals.push_back({0, 0, 1});
+    for (int i = 0; i <= 500; ++i) {
+        spans[0].points.push_back({0.2 * i - 50, 5 * std::sin(i * 0.1), 0});
+        spans[0].normals.push_back({0, 0, 1});
+    }
     const auto moves = [](const std::string& text) {
         std::vector<std::string> out;
         for (const auto& line : lines_of(text))

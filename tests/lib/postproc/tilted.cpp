@@ -139,7 +139,8 @@ Span loops_round_the_pole() {
     for (int i = 0; i <= 7 * 90; ++i) {
         const double h = 2 * pi * i / 90, tilt = 0.5;
         const Vec3 n{std::sin(tilt) * std::cos(h), std::sin(tilt) * std::sin(h), std::cos(tilt)};
-        loops.points.push_back(20 * n + Vec3{0, 0, 0.3 * h}), loops.normals.push_back(n);
+        loops.points.push_back(20 * n + Vec3{0, 0, 0.3 * h});
+        loops.normals.push_back(n);
     }
     return loops;
 }

@@ -95,7 +95,8 @@ TEST(Drape, KnowsTheSideOfPathsWithoutNormals) {
 
 TEST(Drape, FollowsThePathToTheBack) {
     Scene s;
-    s.sheet = square(3), s.spans = lanes(3, 0, {0, 0, -1});
+    s.sheet = square(3);
+    s.spans = lanes(3, 0, {0, 0, -1});
     const Laid laid = lay(s, tint(s, By::role, nullptr));
     EXPECT_TRUE(laid.behind);
     EXPECT_TRUE(laid.loose.empty());
@@ -157,8 +158,10 @@ TEST(Drape, PutsLaterLayersOnTop) {
     Scene s;
     s.sheet = square();
     s.spans = lanes(0);
-    for (int k = 0; k < 10; ++k)
-        s.spans.push_back(lane({k + 0.5, 0, 0.2}, {k + 0.5, 10, 0.2}, {0, 0, 1}, 1)), s.spans.back().stroke = 1;
+    for (int k = 0; k < 10; ++k) {
+        s.spans.push_back(lane({k + 0.5, 0, 0.2}, {k + 0.5, 10, 0.2}, {0, 0, 1}, 1));
+        s.spans.back().stroke = 1;
+    }
     const auto alone = [&](int from, int to) {
         Scene part = s;
         part.spans.assign(s.spans.begin() + from, s.spans.begin() + to);
@@ -178,7 +181,9 @@ TEST(Drape, MarksOverlapButNoTurns) {
     Scene s;
     s.sheet = square();
     toolpath::Span turn = lane({1, 2, 0}, {8, 2, 0});
-    turn.points.push_back({8, 3, 0}), turn.points.push_back({1, 3, 0}), turn.normals.assign(4, {0, 0, 1});
+    turn.points.push_back({8, 3, 0});
+    turn.points.push_back({1, 3, 0});
+    turn.normals.assign(4, {0, 0, 1});
     s.spans = {turn};
     EXPECT_LT(decode(draw(s, o, "class", 1)).share(dark), 0.01);
     turn.points[2].y = turn.points[3].y = 2.5;

@@ -16,7 +16,8 @@ TEST(Strokes, FindWhatASearchOfAllFinds) {
     const auto point = [&] { return Vec3{20 * random(), 20 * random(), 4 * random()}; };
     for (std::uint32_t k = 0; k < 300; ++k) {
         Stroke s;
-        s.a = point(), s.b = k % 5 == 0 ? s.a : s.a + 0.2 * (point() - Vec3{10, 10, 2});
+        s.a = point();
+        s.b = k % 5 == 0 ? s.a : s.a + 0.2 * (point() - Vec3{10, 10, 2});
         s.half_a = s.half_b = 0.3 + random();
         s.reach = 0.4;
         s.layer = k % 3;

@@ -185,7 +185,8 @@ TEST(FewerPoints, LeaveAsMuchOnEitherSideAndStayNear) {
     Curve circle{true, {}, {}};
     for (int i = 0; i < 720; ++i) {
         const double a = 2 * std::numbers::pi * i / 720;
-        circle.points.push_back({10 * std::cos(a), 10 * std::sin(a)}), circle.width.push_back(kWidth);
+        circle.points.push_back({10 * std::cos(a), 10 * std::sin(a)});
+        circle.width.push_back(kWidth);
     }
     const Curve few = with_fewer_points(circle, 0.01, 0.016);
     EXPECT_LT(few.points.size(), 100U);

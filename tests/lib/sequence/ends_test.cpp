@@ -11,8 +11,10 @@ Index ended(const Result& r, Cause c) { return tally(r.ends)[static_cast<std::si
 
 std::vector<polygon::Region> towers_apart(double gap) {
     std::vector<Outlined> two;
-    for (std::uint32_t l = 0; l < 100; ++l)
-        two.push_back({l, box(0, 0, 5, 5)}), two.push_back({l, box(5 + gap, 0, 5, 5)});
+    for (std::uint32_t l = 0; l < 100; ++l) {
+        two.push_back({l, box(0, 0, 5, 5)});
+        two.push_back({l, box(5 + gap, 0, 5, 5)});
+    }
     return world(two);
 }
 

@@ -296,8 +296,10 @@ TEST(Sequence, OneColumnIsOneStroke) {
 TEST(Sequence, FarApartTowersAreClimbedWholeAndNearOnesInTurns) {
     const auto pair = [](double gap) {
         std::vector<Outlined> two;
-        for (std::uint32_t l = 0; l < 100; ++l)
-            two.push_back({l, box(0, 0, 5, 5)}), two.push_back({l, box(5 + gap, 0, 5, 5)});
+        for (std::uint32_t l = 0; l < 100; ++l) {
+            two.push_back({l, box(0, 0, 5, 5)});
+            two.push_back({l, box(5 + gap, 0, 5, 5)});
+        }
         return sequence(world(two), {});
     };
     EXPECT_EQ(fact(pair(21), "planned-strokes"), 2);

@@ -22,14 +22,19 @@ std::vector<Region> random_part(unsigned seed, std::uint32_t layers) {
     std::vector<Region> out;
     double radius = 10, x = 0;
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        radius = std::clamp(radius + uniform(-1.2, 1.2), 2.0, 14.0), x += uniform(-0.5, 0.5);
+        radius = std::clamp(radius + uniform(-1.2, 1.2), 2.0, 14.0);
+        x += uniform(-0.5, 0.5);
         if (layer == layers / 2) radius = 5;
         Loops area = polygon::subtract(test::disc({x, 0}, radius), test::disc({x - 3, 0.3 * layer - 5}, 1));
         area = polygon::intersect(area, core);
         for (const Loops& part : polygon::split(area).part) {
             Region r;
-            r.id = static_cast<std::uint32_t>(out.size()), r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2;
-            r.loops = part, r.area = polygon::signed_area(part);
+            r.id = static_cast<std::uint32_t>(out.size());
+            r.layer = layer;
+            r.z = 0.2 * (layer + 1);
+            r.height = 0.2;
+            r.loops = part;
+            r.area = polygon::signed_area(part);
             out.push_back(std::move(r));
         }
     }
@@ -60,7 +65,10 @@ TEST(Skins, NothingSparseIsSeenThroughTooFewLayers) {
             const auto before = random_part(seed, 30);
             auto part = before;
             Options o;
-            o.top = top, o.bottom = bottom, o.walls = 1 + seed % 3, o.solid_below = 0;
+            o.top = top;
+            o.bottom = bottom;
+            o.walls = 1 + seed % 3;
+            o.solid_below = 0;
             Facts facts;
             skins(part, o, {}, facts);
             double sparse = 0;

@@ -86,7 +86,8 @@ TEST(Fields, PrincipalStressesOfTensors) {
 
 TEST(Fields, SignsOfVectorsDoNotMatter) {
     Samples plus, minus;
-    plus.cases.push_back({"X", {}, {}, {}}), minus.cases.push_back({"X", {}, {}, {}});
+    plus.cases.push_back({"X", {}, {}, {}});
+    minus.cases.push_back({"X", {}, {}, {}});
     Dice dice;
     for (double y = 0; y <= 4; y += 0.7)
         for (double x = 0; x <= 4; x += 0.7) {

@@ -131,8 +131,10 @@ Samples plate(std::vector<double>& side) {
     Samples out;
     for (int k = 0; k < 2; ++k)
         for (int j = 0; j <= 4; ++j)
-            for (int i = 0; i <= 4; ++i)
-                out.points.push_back({1.0 * i, 1.0 * j, k == 0 ? -0.3 : 0}), side.push_back(k == 0 ? -1 : 1);
+            for (int i = 0; i <= 4; ++i) {
+                out.points.push_back({1.0 * i, 1.0 * j, k == 0 ? -0.3 : 0});
+                side.push_back(k == 0 ? -1 : 1);
+            }
     for (std::uint32_t j = 0; j < 4; ++j)
         for (std::uint32_t i = 0; i < 4; ++i) {
             const std::uint32_t a = 5 * j + i;

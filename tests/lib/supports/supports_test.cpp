@@ -14,8 +14,14 @@ std::vector<Region> part_of(const std::vector<Loops>& layers) {
     for (std::uint32_t layer = 0; layer < layers.size(); ++layer)
         for (const Loops& part : polygon::split(layers[layer]).part) {
             Region r;
-            r.id = static_cast<std::uint32_t>(out.size()), r.layer = layer, r.z = 0.2 * (layer + 1), r.height = 0.2;
-            r.loops = part, r.area = polygon::signed_area(part), r.box = polygon::bounds(part[0]), r.inradius = 0.2;
+            r.id = static_cast<std::uint32_t>(out.size());
+            r.layer = layer;
+            r.z = 0.2 * (layer + 1);
+            r.height = 0.2;
+            r.loops = part;
+            r.area = polygon::signed_area(part);
+            r.box = polygon::bounds(part[0]);
+            r.inradius = 0.2;
             if (layer > 0)
                 for (const Region& below : out)
                     if (const Loops both = polygon::intersect(below.loops, part);
@@ -46,7 +52,9 @@ std::vector<Loops> random_layers(unsigned seed) {
     std::vector<Loops> out;
     double r = 5, x = 0, y = 8;
     for (int layer = 0; layer < 30; ++layer) {
-        r = std::clamp(r + uniform(-0.8, 1), 1.5, 9.0), x += uniform(-0.6, 0.6), y += uniform(-0.4, 0.3);
+        r = std::clamp(r + uniform(-0.8, 1), 1.5, 9.0);
+        x += uniform(-0.6, 0.6);
+        y += uniform(-0.4, 0.3);
         out.push_back(polygon::unite(test::disc({x, 0}, r), test::disc({0.5 * x, y}, 2)));
     }
     return out;
@@ -138,7 +146,9 @@ TEST(Supports, WhatHangsHalfABeadFromAColumnIsCarried) {
 TEST(Supports, WhatStillHangsIsTold) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         Options o = with_support();
-        o.gap = 1 + seed % 3, o.on_part = seed % 2 == 0, o.angle = seed % 4 == 3 ? 1.4 : 0.8;
+        o.gap = 1 + seed % 3;
+        o.on_part = seed % 2 == 0;
+        o.angle = seed % 4 == 3 ? 1.4 : 0.8;
         const auto layers = random_layers(seed);
         Facts facts;
         Notes notes;
@@ -166,7 +176,9 @@ TEST(Supports, WhatStillHangsIsTold) {
 TEST(Supports, KeepClearOfThePart) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         Options o = with_support();
-        o.gap = 1 + seed % 3, o.beside = 0.3 + 0.2 * (seed % 4), o.on_part = seed % 2 == 0;
+        o.gap = 1 + seed % 3;
+        o.beside = 0.3 + 0.2 * (seed % 4);
+        o.on_part = seed % 2 == 0;
         const auto layers = random_layers(seed);
         Facts facts;
         Notes notes;
@@ -191,7 +203,8 @@ TEST(Supports, KeepClearOfThePart) {
 
 TEST(Supports, RimsLieAboutTheFirstLayer) {
     Options o;
-    o.brim = 4, o.skirt = 3;
+    o.brim = 4;
+    o.skirt = 3;
     Facts facts;
     Notes notes;
     const auto all = supports(part_of(mushroom()), o, facts, notes);
@@ -207,7 +220,10 @@ TEST(Supports, ARaftCarriesTheFirstLayer) {
     for (const bool support : {false, true})
         for (const std::int64_t gap : {1, 2}) {
             Options o;
-            o.raft = 3, o.gap = gap, o.support = support, o.brim = 2;
+            o.raft = 3;
+            o.gap = gap;
+            o.support = support;
+            o.brim = 2;
             const auto before = part_of(mushroom());
             Facts facts;
             Notes notes;

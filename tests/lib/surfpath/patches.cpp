@@ -11,7 +11,8 @@ namespace {
 surface::Sheet patch(const std::string& name, const std::string& algorithm, double x) {
     Notes notes;
     surface::Sheet out{surface::connect({{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}}, {{0, 1, 2}}}, notes), {}, {}};
-    out.name = name, out.algorithm = algorithm;
+    out.name = name;
+    out.algorithm = algorithm;
     return out;
 }
 

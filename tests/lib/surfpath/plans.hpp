@@ -57,8 +57,12 @@ inline double covered(const Surface& s, const Plan& plan, double reach = 0.501) 
         const double area = norm(cross(u, v)) / 10;
         for (int k = 0; k < 5; ++k) {
             double x = unit(), y = unit();
-            if (x + y > 1) x = 1 - x, y = 1 - y;
-            all += area, in += near(a + x * u + y * v) ? area : 0;
+            if (x + y > 1) {
+                x = 1 - x;
+                y = 1 - y;
+            }
+            all += area;
+            in += near(a + x * u + y * v) ? area : 0;
         }
     }
     return in / all;

@@ -291,7 +291,10 @@ TEST(Order, WhatHasNoLinkIsAChainOfItsOwn) {
 // Two upright rows `apart` mm apart that end on the x axis.
 FlatTurn upright(double apart, double radius) {
     std::vector<Vec2> first, second;
-    for (int i = 0; i <= 60; ++i) first.push_back({0, -0.25 * i}), second.push_back({apart, -0.25 * i});
+    for (int i = 0; i <= 60; ++i) {
+        first.push_back({0, -0.25 * i});
+        second.push_back({apart, -0.25 * i});
+    }
     const std::vector<Vec2> bound{{0, 0}, {apart, 0}};
     return turn({first, second, bound}, radius);
 }

@@ -272,7 +272,8 @@ TEST(Merge, SpacePointsThatAMoveDoesNotNeed) {
     std::vector<Vec3> points, axes;
     for (int k = 0; k <= 100; ++k) {
         const double a = 0.01 * k;
-        points.push_back({30 * std::sin(a), 0, 30 * std::cos(a)}), axes.push_back({std::sin(a), 0, std::cos(a)});
+        points.push_back({30 * std::sin(a), 0, 30 * std::cos(a)});
+        axes.push_back({std::sin(a), 0, std::cos(a)});
     }
     const auto all = [](const auto& kept, std::size_t n) { return kept.front() == 0 && kept.back() == n - 1; };
     const auto fine = needed_points(points, axes, {}, 0.02, 0.5 * std::numbers::pi / 180);

@@ -50,7 +50,8 @@ TEST(Turns, OfAZigzagAreAtItsEnds) {
     std::vector<geom::Vec3> p;
     for (int k = 0; k < 50; ++k) {
         const double y = 0.4 * k, x = k % 2 == 0 ? 0 : 20;
-        p.push_back({x, y, 0}), p.push_back({20 - x, y, 0});
+        p.push_back({x, y, 0});
+        p.push_back({20 - x, y, 0});
     }
     const Turns t = turns(beads({bead(p)}), 0.4, 50000, 1);
     // Each end: the way across (0.4) and a stretch on both sides where the disc still reaches around the corner.
