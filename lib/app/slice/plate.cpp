@@ -126,7 +126,7 @@ void tell_spacing(const plate::Spacing& taken, const std::vector<plate::Spacing>
     if (taken.clear) return;
     const double wanted = std::max(tries.front().x, tries.front().y), got = std::max(taken.x, taken.y);
     notes.push_back({.stage = "",
-                     .what = "parts stand nearer than the head is wide, so they grow together; apart",
+                     .what = "parts stand nearer than the head is wide, so they grow together; they are apart by",
                      .amount = std::min(wanted, got),
                      .unit = "mm"});
 }
