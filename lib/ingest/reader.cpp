@@ -328,19 +328,14 @@ class Reader {
             return;
         }
         layers_.bead(a.tip.z, b.tip.z);
-        Laid what;
-        what.height = layers_.height();
-        if (!(what.height > 0)) fail("lays a bead of unknown height; give --bead");
+        const double height = layers_.height(), decimal = std::pow(10.0, -e_decimals_);
+        if (!(height > 0)) fail("lays a bead of unknown height; give --bead");
         if (valve && !(width_ > 0)) fail("lays a bead of unknown width; give --bead");
-        what.volume = valve ? width_ * what.height * way : volume;
-        what.unsure = valve ? 0 : std::pow(10.0, -e_decimals_) * unit_volume() * share;
-        what.layer = layers_.index();
-        what.tool = tool_;
-        what.role = role_;
-        what.feature = feature_;
+        const double laid = valve ? width_ * height * way : volume,
+                     unsure = valve ? 0 : decimal * unit_volume() * share;
         if (!laid_) beads_.stand(a);
         laid_ = true;
-        beads_.lay(b, what);
+        beads_.lay(b, {laid, unsure, height, layers_.index(), tool_, role_, feature_});
     }
 
     Found found() {

@@ -1,6 +1,7 @@
 #include "stream/crc32c.hpp"
 
 #include <array>
+#include <cstdio>
 #include <cstring>
 
 #if defined(__x86_64__)
@@ -93,6 +94,12 @@ std::uint32_t crc32c(std::uint32_t crc, const void* data, std::size_t size) {
     if (__builtin_cpu_supports("sse4.2")) return ~by_instruction(~crc, p, size);
 #endif
     return ~by_table(~crc, p, size);
+}
+
+std::string crc32c_text(std::string_view bytes) {
+    char text[9];
+    std::snprintf(text, sizeof text, "%08x", crc32c(0, bytes.data(), bytes.size()));
+    return text;
 }
 
 } // namespace filum::stream

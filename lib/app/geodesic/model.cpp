@@ -7,16 +7,13 @@
 #include "wire/surface.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace filum::app::geodesic {
 
 namespace {
 
 void identify(const mesh::Bytes& bytes, const char* setting, cli::Io& self) {
-    char crc[9];
-    std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-    self.settings.push_back({setting, crc});
+    self.settings.push_back({setting, stream::crc32c_text(bytes.view())});
 }
 
 mesh::Mesh placed(const mesh::Bytes& bytes, const std::string& path, mesh::Placement place, Notes& notes,

@@ -6,7 +6,6 @@
 #include "stream/crc32c.hpp"
 #include "wire/planar.hpp"
 
-#include <cstdio>
 
 namespace filum::app::ingest {
 
@@ -16,12 +15,6 @@ namespace {
 bool is_binary(std::string_view bytes) {
     constexpr std::size_t looked_at = 4096;
     return bytes.substr(0, looked_at).find('\0') != std::string_view::npos;
-}
-
-std::string checksum(const mesh::Bytes& bytes) {
-    char text[9];
-    std::snprintf(text, sizeof text, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
-    return text;
 }
 
 } // namespace
@@ -41,7 +34,7 @@ void run(const Options& o, const cli::Io& given) {
     cli::Io io = given;
     if (!profile.name.empty())
         io.settings.push_back({"machine_profile", profile.name + " " + profile.fingerprint, true});
-    io.settings.push_back({"input_crc32c", checksum(bytes), true});
+    io.settings.push_back({"input_crc32c", stream::crc32c_text(bytes.view()), true});
     cli::Output output(io, cli::header(io, stream::Payload::toolpath));
     auto found = filum::ingest::read(bytes.view(), name, profile, o,
                                      [&](const toolpath::Span& span) { output.write(wire::frame(span)); });

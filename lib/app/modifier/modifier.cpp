@@ -6,6 +6,7 @@
 #include "mesh/step/step.hpp"
 #include "polygon/clip.hpp"
 #include "slice/slice.hpp"
+#include "stream/crc32c.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -16,7 +17,7 @@ namespace {
 
 using filum::slice::Level;
 
-constexpr const char* kPlacement = "placement";
+constexpr const char* kPlacement = "placement_map";
 
 // One level for each layer that has a region.
 std::vector<Level> levels_of(const std::vector<polygon::Region>& regions, std::vector<std::uint32_t>& layer) {
@@ -61,8 +62,8 @@ std::optional<geom::Affine> placement_in(const stream::Header& header) {
     return out;
 }
 
-std::vector<polygon::Loops> outlines(const std::string& path, const stream::Header& header,
-                                     const std::vector<polygon::Region>& regions, int threads, Notes& notes) {
+Body body(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
+          int threads, Notes& notes) {
     const auto map = placement_in(header);
     if (!map)
         throw Error(Exit::bad_input, "cannot place '" + path +
@@ -74,20 +75,21 @@ std::vector<polygon::Loops> outlines(const std::string& path, const stream::Head
     mesh::move(file.mesh, *map);
     std::vector<std::uint32_t> layer;
     std::vector<Level> levels = levels_of(regions, layer);
-    std::vector<polygon::Loops> out(layer.empty() ? 0 : layer.back() + 1);
+    Body out{std::vector<polygon::Loops>(layer.empty() ? 0 : layer.back() + 1), stream::crc32c_text(bytes.view())};
     if (levels.empty()) return out;
     const auto part = filum::slice::make_part(std::move(file.mesh), notes);
     const auto sweep = filum::slice::sweep_over(part, {}, std::move(levels), threads);
     for (std::size_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
         filum::slice::Cut cut = filum::slice::cut(sweep, chunk);
-        for (polygon::Layer& l : cut.layers) out[layer[l.index]] = std::move(l.contours);
+        for (polygon::Layer& l : cut.layers) out.outlines[layer[l.index]] = std::move(l.contours);
         for (Note& n : cut.notes) {
             if (n.layer >= 0) n.layer = layer[static_cast<std::size_t>(n.layer)];
             notes.push_back(std::move(n));
         }
     }
     const bool meets = std::ranges::any_of(regions, [&](const polygon::Region& r) {
-        return !out[r.layer].empty() && !polygon::intersect(out[r.layer], r.loops).empty();
+        const polygon::Loops& here = out.outlines[r.layer];
+        return !here.empty() && !polygon::intersect(here, r.loops).empty();
     });
     if (!meets) notes.push_back({.stage = "", .what = "body meets nothing of the part", .unit = ""});
     return out;

@@ -36,14 +36,17 @@ std::vector<Modifier> read_modifiers(const std::vector<Asked>& all, const filum:
                                      const stream::Header& header, const std::vector<Region>& regions, cli::Io& self,
                                      Notes& notes) {
     std::vector<Modifier> out;
-    std::string settings;
+    std::string said, crc; // in the history a file has no name
     for (const Asked& a : all) {
-        Modifier m{{}, filum::skins::modified(part, a.settings)};
-        m.where = modifier::outlines(a.file, header, regions, self.threads, notes);
-        settings += (settings.empty() ? "" : ";") + a.settings;
-        out.push_back(std::move(m));
+        const auto how = filum::skins::modified(part, a.settings);
+        modifier::Body body = modifier::body(a.file, header, regions, self.threads, notes);
+        said += (said.empty() ? "FILE:" : ";FILE:") + a.settings;
+        crc += (crc.empty() ? "" : ",") + body.crc32c;
+        out.push_back({std::move(body.outlines), how});
     }
-    if (!all.empty()) self.settings.push_back({"modifier-settings", settings, true});
+    if (all.empty()) return out;
+    self.settings.push_back({"modifier", said, true});
+    self.settings.push_back({"modifier_crc32c", crc});
     return out;
 }
 

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace filum::app::slice {
@@ -20,12 +19,6 @@ namespace {
 
 using filum::slice::kLift;
 using filum::slice::Level;
-
-std::string checksum(std::string_view bytes) {
-    char crc[9];
-    std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data(), bytes.size()));
-    return crc;
-}
 
 // The file's name without folder and ending, as letters, digits, '-' and '_': firmware takes no others.
 std::string label(const std::string& path) {
@@ -50,7 +43,7 @@ std::vector<double> enlarged(const std::vector<double>& scale, const std::vector
 
 OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bool several, std::string& crc) {
     const mesh::Bytes bytes = mesh::load(path);
-    crc += (crc.empty() ? "" : ",") + checksum(bytes.view());
+    crc += (crc.empty() ? "" : ",") + stream::crc32c_text(bytes.view());
     mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), o.step);
     if (!several) cli::step_idle(io, file.kind == mesh::Kind::step);
     OnBed out;

@@ -19,17 +19,22 @@ void run(const Options& o, const cli::Io& io) {
                                [&](stream::RawFrame frame) { given.push_back(wire::region(frame)); });
     Facts facts;
     Notes notes;
-    const auto body = [&](const std::string& file, std::vector<polygon::Loops>& to) {
-        if (!file.empty()) to = modifier::outlines(file, whole.header, given, io.threads, notes);
+    cli::Io self = io;
+    const auto read = [&](const std::string& option, const std::string& file, std::vector<polygon::Loops>& to) {
+        if (file.empty()) return;
+        modifier::Body body = modifier::body(file, whole.header, given, io.threads, notes);
+        to = std::move(body.outlines);
+        self.settings.push_back({option, "FILE", true}); // in the history a file has no name
+        self.settings.push_back({option + "_crc32c", body.crc32c});
     };
-    body(o.wanted, options.wanted);
-    body(o.unwanted, options.unwanted);
+    read("support-in", o.wanted, options.wanted);
+    read("no-support-in", o.unwanted, options.unwanted);
     const auto all = filum::supports::supports(std::move(given), options, facts, notes);
     // what hung without supports; this stage tells what still does
     if (options.carries())
         std::erase_if(whole.notes, [](const Note& n) { return n.what.starts_with(regions::kMidAir); });
     whole.header.expected = all.size();
-    cli::Output output(io, cli::header(io, stream::Payload::regions, {&whole.header}));
+    cli::Output output(io, cli::header(self, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);
     output.add(notes);
     output.add(facts);

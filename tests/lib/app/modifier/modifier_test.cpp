@@ -75,7 +75,7 @@ TEST(Modifier, IsCutAtThePartsLayers) {
     }());
     auto regions = layers_of(square, 8);
     regions.erase(regions.begin() + 2); // an empty layer
-    const auto out = outlines(file.name, told(map), regions, 1, notes);
+    const auto out = body(file.name, told(map), regions, 1, notes).outlines;
     ASSERT_EQ(out.size(), 8U);
     EXPECT_TRUE(notes.empty());
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -86,7 +86,7 @@ TEST(Modifier, IsCutAtThePartsLayers) {
         EXPECT_NEAR(polygon::bounds(out[i]).lo.x, 10, 1e-6);
     }
     map.t[0] = 100;
-    outlines(file.name, told(map), regions, 1, notes);
+    body(file.name, told(map), regions, 1, notes);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "body meets nothing of the part");
 }
@@ -94,7 +94,7 @@ TEST(Modifier, IsCutAtThePartsLayers) {
 TEST(Modifier, WithoutAPlacementIsRefused) {
     const File file(shapes::box({0, 0, 1}, {2, 3, 3}));
     Notes notes;
-    EXPECT_THROW(outlines(file.name, {}, layers_of({}, 2), 1, notes), Error);
+    EXPECT_THROW(body(file.name, {}, layers_of({}, 2), 1, notes), Error);
 }
 
 } // namespace filum::app::modifier
