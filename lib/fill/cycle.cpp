@@ -12,8 +12,7 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kNeighbourReach = 2.2;  // bead widths: neighbours are nearer (Lemma 2: at most 2)
-constexpr double kLongestLink = 2.4;     // bead widths
+constexpr double kNeighbourReach = 2.2;  // bead widths: neighbours are nearer (Lemma 2: at most 2), and links no longer
 constexpr double kPlaces = 8;            // along a ring, where strips are looked for
 constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
@@ -225,8 +224,8 @@ class Joiner {
         const double s0 = c.s - half, s1 = c.s + half;
         if (2 * half > 0.45 * graph_.length(c.ring)) return false;
         const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
-        const auto p = graph_.hit(a0, c.across, c.other, kLongestLink * width_);
-        const auto q = graph_.hit(a1, c.across, c.other, kLongestLink * width_);
+        const auto p = graph_.hit(a0, c.across, c.other, kNeighbourReach * width_);
+        const auto q = graph_.hit(a1, c.across, c.other, kNeighbourReach * width_);
         if (!p || !q) return false;
         const double l = graph_.length(c.other);
         double ahead = std::fmod(q->s - p->s, l); // from p forward to q
@@ -254,7 +253,7 @@ class Joiner {
         const geom::Segment u = b.link(0), v = b.link(1);
         if (geom::cross_properly(u.a, u.b, v.a, v.b)) return false;
         for (const auto& l : {u, v}) {
-            if (geom::distance(l.a, l.b) > kLongestLink * width_) return false;
+            if (geom::distance(l.a, l.b) > kNeighbourReach * width_) return false;
             // not quite to the ends, which lie on rings
             if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
             if (!clear(l)) return false;

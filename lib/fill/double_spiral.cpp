@@ -14,12 +14,11 @@ constexpr double kBend = std::numbers::pi / 3;    // rad
 constexpr double kChord = 0.8;                    // half the chord that tells a ring's direction
 constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
 constexpr double kParallel = 0.85;                // cosine between neighbouring lanes, at least
-constexpr double kTurn = 0.65;                    // the two lanes that turn do so this far behind the line
 constexpr double kWindowMargin = 0.5;             // of ring between windows
 constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
 constexpr double kLean = 0.6;                     // the first of them by so much
 constexpr double kWidestGap = 1.4;                // gap that a bend is widened for
-constexpr double kApart = 0.65;                   // links are at least
+constexpr double kApart = 0.65; // links are at least; so the lanes that turn do so this far behind the line
 
 struct Direction {
     Vec2 along, left; // unit
@@ -153,7 +152,7 @@ class Making {
 
     std::optional<Splice> make() const {
         const std::size_t last = hi_ - 1;
-        const double past = kTurn * width_;
+        const double past = kApart * width_;
         const auto out = turn(lo_, lo_, first_[lo_] + lane(lo_).sense * past);
         const auto in = turn(last - 1, last, second_[last] - lane(last).sense * past);
         if (!out || !in) return std::nullopt;

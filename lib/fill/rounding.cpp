@@ -8,10 +8,9 @@ namespace filum::fill {
 namespace {
 
 // Of rounded corners; in reaches unless said otherwise.
-constexpr double kTurned = 0.97;      // chord to arc: a smaller ratio is a corner
-constexpr double kLeastTurning = 0.3; // rad: where a line turns less within the reach, its chord is longer than that
-constexpr double kAcute = 0.66;       // and a smaller one than this an acute corner
-constexpr double kAcuteReach = 2.6;   // about those
+constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
+constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
+constexpr double kAcuteReach = 2.6; // about those
 constexpr double kOuter = 0.75; // bead widths from the outline: nearer, acute corners are worth more than their room
 constexpr double kShortestRounded = 60; // a shorter line stays as it is
 constexpr double kWiden = 1.7;          // times the width, at most
@@ -126,13 +125,15 @@ class Rounding {
         const std::size_t n = line_->points.size();
         std::vector<double> turned{0}; // up to vertex i, of the unit vectors along the segments: less than the angle
         for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
+        // Unit vectors whose steps add up to less have a part of kTurned or more along one direction: so has the chord.
+        const double least = 2 * std::sqrt(1 - kTurned * kTurned);
         std::size_t first = 0, last = 0; // vertices within the reach
         for (std::size_t i = 0; i < n; ++i) {
             const double s = course_.s(i);
             while (course_.s(first) < s - reach_) ++first;
             while (last < n && course_.s(last) <= s + reach_) ++last;
             const bool whole = s > reach_ && s < course_.length() - reach_;
-            if (whole && turned[last] - turned[first] < kLeastTurning) continue;
+            if (whole && turned[last] - turned[first] < least) continue;
             const double reach = reach_at(i);
             if (reach == 0) continue;
             if (parts_.empty() || s - reach > parts_.back().end) parts_.push_back({s - reach, s + reach, {}});
