@@ -146,9 +146,9 @@ Loose closed_curves(const Region& r, double w, const Try& how) {
     const auto walls =
         rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = how.tolerance});
     add(out, walls.lanes, r.walls);
-    const Loops rim = polygon::offset(r.loops, -(r.walls * w), kTolerance);
+    const Loops rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -(r.walls * w), kTolerance);
     for (const Loops& rest : walls.rest) {
-        const Division parts = divided(rest, r, w);
+        const Division parts = divided(polygon::simplify(rest, kTolerance), r, w);
         std::vector<infill::Task> tasks;
         for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
             const Area& a = *parts.area[k];
