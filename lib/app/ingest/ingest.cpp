@@ -6,7 +6,6 @@
 #include "stream/crc32c.hpp"
 #include "wire/planar.hpp"
 
-
 namespace filum::app::ingest {
 
 namespace {
