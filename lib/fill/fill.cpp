@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "fill/contour.hpp"
+#include "fill/identify.hpp"
 #include "fill/rectilinear.hpp"
 #include "fill/ringed_zigzag.hpp"
 #include "fill/scaffold.hpp"
@@ -76,18 +77,6 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
     throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
 }
 
-toolpath::RegionPaths paths_of(const polygon::Region& r) {
-    toolpath::RegionPaths out;
-    out.region = r.id;
-    out.layer = r.layer;
-    out.z = r.z;
-    out.height = r.height;
-    out.area = r.area;
-    out.stroke = r.stroke;
-    out.join = r.join;
-    return out;
-}
-
 // Lays walls whose lanes would be narrower than the least width in two passes, one on the other.
 void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, std::size_t first,
                       toolpath::RegionPaths& out) {
@@ -131,7 +120,8 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
         Before before;
         return fill_scaffold(r, o, before, notes);
     }
-    toolpath::RegionPaths out = paths_of(r);
+    toolpath::RegionPaths out;
+    identify(out, r);
     const std::size_t first = notes.size();
     out.curves = curves_by_pattern(r, o, out.unplaced, notes);
     if (o.thin == "half-height" && o.pattern == "spiral") stack_thin_walls(r, o, notes, first, out);
@@ -140,7 +130,8 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
 }
 
 toolpath::RegionPaths fill_by(const Lay& lay, const polygon::Region& r, Notes& notes) {
-    toolpath::RegionPaths out = paths_of(r);
+    toolpath::RegionPaths out;
+    identify(out, r);
     const std::size_t first = notes.size();
     out.curves = lay(r, notes);
     place(r, notes, first, out);
@@ -159,7 +150,8 @@ double strand_spacing(const Options& o) {
 toolpath::RegionPaths fill_scaffold(const polygon::Region& r, const Options& options, Before& before, Notes& notes) {
     Options o = options;
     if (o.angles_deg.empty()) o.angles_deg = {0, 90};
-    toolpath::RegionPaths out = paths_of(r);
+    toolpath::RegionPaths out;
+    identify(out, r);
     const std::size_t first = notes.size();
     before.column = column(r, before);
     const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;

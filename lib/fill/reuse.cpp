@@ -1,5 +1,7 @@
 #include "fill/reuse.hpp"
 
+#include "fill/identify.hpp"
+
 #include <bit>
 
 namespace filum::fill {
@@ -69,13 +71,7 @@ toolpath::RegionPaths Reuse::operator()(const polygon::Region& region, Notes& no
     const auto filled = find(region);
     work_out(region, filled);
     toolpath::RegionPaths paths = filled->paths;
-    paths.region = region.id;
-    paths.layer = region.layer;
-    paths.z = region.z;
-    paths.height = region.height;
-    paths.area = region.area;
-    paths.stroke = region.stroke;
-    paths.join = region.join;
+    identify(paths, region);
     for (Note n : filled->notes) {
         n.layer = region.layer;
         notes.push_back(std::move(n));

@@ -3,6 +3,7 @@
 #include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
 #include "fill/finish.hpp"
+#include "fill/identify.hpp"
 #include "fill/rows.hpp"
 #include "fill/spiral.hpp"
 #include "fill/uncross.hpp"
@@ -216,13 +217,7 @@ fill::Hanging hanging(const Region& r, double w) {
 
 toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     toolpath::RegionPaths out;
-    out.region = r.id;
-    out.layer = r.layer;
-    out.z = r.z;
-    out.height = r.height;
-    out.area = r.area;
-    out.stroke = r.stroke;
-    out.join = r.join;
+    fill::identify(out, r);
     const std::size_t first = notes.size();
     const auto hung = hanging(r, o.bead_width);
     Loose loose;

@@ -107,6 +107,8 @@ void move(Mesh& mesh, const Affine& map) {
     for (Vec3& v : mesh.vertices) v = map(v);
     if (map.mirrors())
         for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    if (!within_limits(bounds(mesh)))
+        throw Error(Exit::bad_input, "cannot use the part: it reaches beyond 10000 m; check --unit and --scale");
 }
 
 Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
@@ -122,8 +124,6 @@ Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
     if (placement.on_bed && !placement.keep_z) shift.z = -box.lo.z;
     const Affine on{.t = {shift.x, shift.y, shift.z}};
     if (shift != Vec3{}) move(mesh, on);
-    if (!within_limits(box) || !within_limits(bounds(mesh)))
-        throw Error(Exit::bad_input, "cannot use the part: it reaches beyond 10000 m; check --unit and --scale");
     return then(map, on);
 }
 

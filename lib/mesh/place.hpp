@@ -36,7 +36,7 @@ inline constexpr double kMaxCoordinate = 1e7; // mm
 // Throws Error: usage for options that cannot be obeyed, bad_input if a coordinate ends up beyond 1e7 mm.
 Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
 
-// Moves `mesh` by a map, as place() does.
+// Moves `mesh` by a map, as place() does.  Throws Error(bad_input) if a coordinate ends up beyond 1e7 mm.
 void move(Mesh& mesh, const Affine& map);
 
 // Signed volume, mm3: positive if the triangles face outwards.

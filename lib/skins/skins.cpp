@@ -1,7 +1,5 @@
 #include "skins/skins.hpp"
 
-#include "base/error.hpp"
-#include "base/number.hpp"
 #include "infill/infill.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
@@ -9,7 +7,6 @@
 #include "skins/zones.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace filum::skins {
@@ -161,60 +158,6 @@ double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& 
     }
     return 0;
 }
-
-} // namespace
-
-double share(const std::string& text) {
-    const bool percent = !text.empty() && text.back() == '%';
-    const double number = parse_number(percent ? text.substr(0, text.size() - 1) : text, "--infill");
-    const double out = percent ? number / 100 : number;
-    if (!(out > 0 && out <= 1))
-        throw Error(Exit::usage, "cannot use '" + text + "' as --infill: it is not above 0% and up to 100%");
-    return out;
-}
-
-polygon::Pattern pattern(const std::string& text) {
-    if (text == "rows") return polygon::Pattern::rows;
-    if (text == "wave") return polygon::Pattern::wave;
-    if (text == "concentric") return polygon::Pattern::concentric;
-    throw Error(Exit::usage, "cannot use '" + text + "' as --infill-pattern: it is rows, wave or concentric");
-}
-
-Options modified(Options o, const std::string& settings) {
-    const std::int64_t walls = o.walls;
-    for (std::size_t from = 0; from < settings.size();) {
-        const std::size_t comma = std::min(settings.find(',', from), settings.size());
-        const std::string one = settings.substr(from, comma - from);
-        const auto equals = std::min(one.find('='), one.size());
-        const std::string name = one.substr(0, equals), value = one.substr(std::min(equals + 1, one.size()));
-        const auto layers = [&](double least) {
-            const double n = parse_number(value, name);
-            if (n != std::floor(n) || n < least || n > 1e6)
-                throw Error(Exit::usage, "cannot use '" + one +
-                                             "' of --modifier: it takes a whole number of at least " +
-                                             fixed_text(least, 0));
-            return static_cast<std::int64_t>(n);
-        };
-        if (name == "infill")
-            o.infill = share(value);
-        else if (name == "infill-pattern")
-            o.pattern = pattern(value);
-        else if (name == "walls")
-            o.walls = layers(static_cast<double>(walls));
-        else if (name == "top")
-            o.top = layers(0);
-        else if (name == "bottom")
-            o.bottom = layers(0);
-        else
-            throw Error(Exit::usage, "cannot use '" + one +
-                                         "' of --modifier: a setting is one of infill, infill-pattern, walls, top, "
-                                         "bottom, as infill=40%");
-        from = comma + 1;
-    }
-    return o;
-}
-
-namespace {
 
 // What one of the settings makes sparse, per region.
 struct Sparse {

@@ -72,7 +72,11 @@ Body body(const std::string& path, const stream::Header& header, const std::vect
     const mesh::Bytes bytes = mesh::load(path);
     mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), {});
     for (const Note& n : file.notes) notes.push_back(n);
-    mesh::move(file.mesh, *map);
+    try {
+        mesh::move(file.mesh, *map);
+    } catch (const Error&) {
+        throw Error(Exit::bad_input, "cannot use '" + path + "': moved as the part was, it reaches beyond 10000 m");
+    }
     std::vector<std::uint32_t> layer;
     std::vector<Level> levels = levels_of(regions, layer);
     Body out{std::vector<polygon::Loops>(layer.empty() ? 0 : layer.back() + 1), stream::crc32c_text(bytes.view())};

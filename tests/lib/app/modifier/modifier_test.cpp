@@ -91,6 +91,12 @@ TEST(Modifier, IsCutAtThePartsLayers) {
     EXPECT_EQ(notes[0].what, "body meets nothing of the part");
 }
 
+TEST(Modifier, BeyondTenKilometresIsRefused) {
+    const File file(shapes::box({0, 0, 1}, {2, 3, 3e7}));
+    Notes notes;
+    EXPECT_THROW(body(file.name, told({}), layers_of({}, 2), 1, notes), Error);
+}
+
 TEST(Modifier, WithoutAPlacementIsRefused) {
     const File file(shapes::box({0, 0, 1}, {2, 3, 3}));
     Notes notes;
