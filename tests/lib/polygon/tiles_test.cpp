@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 #include <numbers>
 #include <random>
 
@@ -99,18 +98,17 @@ TEST(Tiled, SidesThatDisagreeAreDoneInOnePiece) {
     EXPECT_NEAR(signed_area(b), signed_area(a), 0.01);
 }
 
-TEST(Simplify, CombOfManyTeethTakesLittleTime) {
+// Tooth by tooth, each looking at all others, this would not end in an hour.
+TEST(Simplify, CombOfManyTeethKeepsThem) {
     Loops comb;
-    constexpr int kTeeth = 20000;
+    constexpr int kTeeth = 100000;
     comb.points.push_back({0, -5});
     comb.points.push_back({4.0 * kTeeth, -5});
     for (int i = kTeeth; i-- > 0;)
         for (const auto& [x, y] : {std::pair{3, 0}, {3, 30}, {1, 30}, {1, 0}})
             comb.points.push_back({4.0 * i + x, 1.0 * y});
     comb.close();
-    const std::clock_t begin = std::clock();
     const Loops out = simplify(comb, 0.01);
-    EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC / 2); // tooth by tooth: many seconds
     EXPECT_EQ(out.points.size(), comb.points.size());
 }
 

@@ -8,7 +8,6 @@
 #include "fill/spiral.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 namespace filum::baselines::sun2019 {
 namespace {
@@ -106,15 +105,15 @@ TEST(FailureModes, F5LinkToTheGrandparentCrossesTheParent) {
 
 // F6: contours round a hole make loops in the graph.  Reverse-delete on a matrix of zeros and ones removes them by
 // number alone, and keeps links through other contours; and each removal searches the graph anew, so four times the
-// holes cost some fifteen times the work.
-// Property: the curve of an annulus does not cross itself, and the work grows less than tenfold.
+// holes cost some fifteen times the steps.
+// Property: the curve of an annulus does not cross itself.
 TEST(FailureModes, F6LoopsOfTheGraph) {
     const Loops ring = annulus(6, 3);
     EXPECT_GE(links_through_contours(ring, {}), 1U);
     EXPECT_GE(crossings(baseline(ring)), 1U);
     EXPECT_EQ(crossings(by_default(ring)), 0U);
 
-    std::vector<double> steps, seconds;
+    std::vector<double> steps;
     for (const int n : {5, 10}) {
         const Loops sieve = test::sieve(n, 1.2, 0.9);
         const auto rings = contours(sieve, {});
@@ -123,16 +122,8 @@ TEST(FailureModes, F6LoopsOfTheGraph) {
         std::size_t looked = 0;
         reverse_delete(rings.size(), edges, &looked);
         steps.push_back(static_cast<double>(looked));
-        double least = 1e300;
-        for (int round = 0; round < 4; ++round) {
-            const auto begin = std::clock();
-            by_default(sieve);
-            least = std::min(least, static_cast<double>(std::clock() - begin));
-        }
-        seconds.push_back(least);
     }
     EXPECT_GT(steps[1] / steps[0], 12);
-    EXPECT_LT(seconds[1] / seconds[0], 10);
 }
 
 // F7: a child's path goes in beside the vertex of its parent that is nearest, whether other links are there or not, so
