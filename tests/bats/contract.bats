@@ -168,7 +168,7 @@ told_of() {
         [[ $c == peek ]] && continue # its --check writes nothing; below
         expect 5 expect_full "$c" "$(input_of "$c")"
         complaint "$c"
-        expect 5 "$c" "$(input_of "$c")" --output /dev/full
+        [[ -n ${FILUM_SANITIZED:-} ]] || expect 5 "$c" "$(input_of "$c")" --output /dev/full
     done
     expect 5 expect_full peek Layers
 }

@@ -14,4 +14,8 @@ inline constexpr bool kSanitized = false;
 // n; with sanitizers a tenth, at least 1: they look at the memory, and each trial takes ten times as long.
 constexpr int trials(int n) { return !kSanitized ? n : n < 10 ? 1 : n / 10; }
 
+// Ends a test that has nothing new for sanitizers: other tests run the same code, and this one only compares.
+#define FILUM_NOT_SANITIZED()                                                                                          \
+    if (kSanitized) GTEST_SKIP() << "other tests run the same code with sanitizers"
+
 } // namespace filum

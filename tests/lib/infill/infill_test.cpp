@@ -65,7 +65,7 @@ double share_of(const std::vector<Task>& tasks, double spacing) {
 
 TEST(Infill, DensityIsWithinTwoPercent) {
     for (const Pattern pattern : {Pattern::rows, Pattern::wave})
-        for (const double density : {0.1, 0.15, 0.3, 0.5})
+        for (const double density : kSanitized ? std::vector{0.3} : std::vector{0.1, 0.15, 0.3, 0.5})
             for (unsigned part = 0, n = trials(4); part < n; ++part) { // parts of 24 layers, with areas that change
                 std::vector<Loops> areas;
                 for (unsigned layer = 0; layer < 24; ++layer)

@@ -1,3 +1,4 @@
+#include "../trials.hpp"
 #include "curves.hpp"
 #include "link3d/bead.hpp"
 #include "link3d/strip_route.hpp"
@@ -94,7 +95,7 @@ TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
     for (const Curve& plain : {comb({0, 0}, 9, 16), rings({4, 4}, 4, 10)}) {
         for (const Curve& c : {plain, refined(plain, 0.35, random)}) {
             const SegmentIndex closed(std::span(&c, 1));
-            for (int k = 0; k < 12; ++k) {
+            for (int k = 0; k < trials(12); ++k) {
                 const auto at = *closed.nearest({8 * random(), 6 * random()});
                 Bead bead = cut(c, at, k % 2 == 0, cut_gap(c));
                 const Curve line{false, bead.points, {kWidth}};

@@ -104,7 +104,7 @@ TEST(Arrange, unions_hold_what_winding_says) {
 
 TEST(Arrange, area_is_that_of_rows) {
     std::mt19937 random(8);
-    for (int round = 0; round < 30; ++round) {
+    for (int round = 0; round < trials(30); ++round) {
         const Loops in = tangle(random, 6, 9, 20, round % 2 == 0 ? 1e-4 : 0.5);
         for (const Fill rule : {Fill::nonzero, Fill::even_odd, Fill::positive}) {
             double area = 0;

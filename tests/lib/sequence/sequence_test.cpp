@@ -1,3 +1,4 @@
+#include "../trials.hpp"
 #include "base/error.hpp"
 #include "sequence/canon.hpp"
 #include "sequence/climb.hpp"
@@ -230,7 +231,7 @@ TEST(Collisions, KeepTheHeadClearInEveryPairOfRegions) {
 
 TEST(Sequence, IsFeasibleAndNeverWorseThanByLayers) {
     Random random(5);
-    for (int trial = 0; trial < 30; ++trial) {
+    for (int trial = 0; trial < trials(30); ++trial) {
         const auto regions = random_world(random, 20, 6, uniform(random, 5, 60));
         Options o;
         o.budget = 1'000'000;

@@ -1,4 +1,5 @@
 // Property tests of the framing: what goes in comes out, and nothing broken passes.
+#include "../trials.hpp"
 #include "base/error.hpp"
 #include "stream/reader.hpp"
 #include "stream/wireformat.hpp"
@@ -72,7 +73,7 @@ std::vector<RawFrame> random_frames(unsigned seed) {
 
 TEST(stream, random_frames_come_out_as_they_went_in) {
     const std::string path = temporary("round");
-    for (unsigned seed = 0; seed < 30; ++seed) {
+    for (unsigned seed = 0, n = trials(30); seed < n; ++seed) {
         const auto frames = random_frames(seed);
         write(path, frames);
         std::vector<RawFrame> got;

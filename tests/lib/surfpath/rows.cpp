@@ -9,6 +9,7 @@
 #include "surfpath/turn.hpp"
 
 #include "../surface/grid.hpp"
+#include "../trials.hpp"
 #include "plans.hpp"
 
 #include <gtest/gtest.h>
@@ -168,6 +169,7 @@ TEST(Fina, ClosedRowsBecomeAHelix) {
 }
 
 TEST(Fina, IsTheSameEveryTime) {
+    FILUM_NOT_SANITIZED();
     const auto s = seeded(30, 30, "plane:1,2,0,40", flat);
     const Plan a = fina(s, {.algorithm = Algorithm::fina}), b = fina(s, {.algorithm = Algorithm::fina});
     ASSERT_EQ(a.strokes.size(), b.strokes.size());

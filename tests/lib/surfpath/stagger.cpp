@@ -6,6 +6,7 @@
 #include "surfpath/boustrophedon.hpp"
 
 #include "../surface/grid.hpp"
+#include "../trials.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +82,7 @@ std::vector<Raw> rim_to_rim(const Surface& s, double a, double b, double spacing
 }
 
 TEST(Stagger, turns_behind_each_other_lay_less_twice_than_all_at_the_rim) {
+    FILUM_NOT_SANITIZED();
     std::mt19937 random(7);
     const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random()) / 4294967296.0; };
     double staggered = 0, piled = 0; // laid twice, mm2
