@@ -11,7 +11,7 @@ from contract import commands, numbers_of, settings_for
 from effect import input_of
 
 ODD = ["", "x", "nan", "inf", "-inf", "1e308", "-1e308", "1e999", "1e-320", "-0", "0x10", "1,2,3,4,5,6,7", ",", "1;2", "\u2212 3"]
-SECONDS, PATIENCE, BYTES = 20, 0.3, 4 << 30  # of CPU; PATIENCE: where only it may end what is asked for
+SECONDS, PATIENCE, BYTES = 20, 0.15, 4 << 30  # of CPU; PATIENCE: where only it may end what is asked for
 
 
 def limited(may_take_long):
