@@ -1,10 +1,10 @@
 // regions - contours to connected regions and the overlap graph
 // reads:  Layers
 // writes: Regions
-// memory: two layers
-#include "regions/regions.hpp"
+// memory: 17 layers
 #include "cli/command.hpp"
 #include "regions/sizes.hpp"
+#include "regions/stack.hpp"
 #include "wire/planar.hpp"
 
 namespace {
@@ -36,7 +36,7 @@ cli::Spec spec(regions::Options& o) {
             "more beads than memory holds: 25 million squares of a bead's width.",
         .in = cli::reads(stream::Payload::layers),
         .out = cli::writes(stream::Payload::regions),
-        .memory = "two layers",
+        .memory = "17 layers",
         .options = {cli::Option{"bead-width", &o.bead_width, "MM",
                                 "width of a bead, which decides where a stroke can climb"}
                         .within(0.01, 100)
@@ -55,25 +55,22 @@ cli::Spec spec(regions::Options& o) {
 }
 
 void run(const regions::Options& options, const cli::Io& io) {
-    regions::Ground below;
-    regions::Air air;
-    std::uint32_t id = 0;
-    std::int64_t last = -2;
+    regions::Stack stack(options, io.threads);
     geom::Box2 box;
+    const auto emit_all = [](const std::vector<polygon::Region>& done, const auto& emit) {
+        for (const polygon::Region& r : done) emit(wire::frame(r));
+    };
     cli::scan_stage(
         io, stream::Payload::layers, stream::Payload::regions,
         [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
-            const auto layer = wire::layer(frame);
+            auto layer = wire::layer(frame);
             regions::check_layer(layer, options.bead_width, box);
-            if (layer.index != last + 1) below.regions.clear(); // a gap in the stack carries nothing
-            last = layer.index;
-            below = {false, regions::regions(layer, below, id, options, air, notes)};
-            id += static_cast<std::uint32_t>(below.regions.size());
-            for (const auto& r : below.regions) emit(wire::frame(r));
+            emit_all(stack.add(std::move(layer), notes), emit);
         },
-        [&](const auto&, Notes& notes) {
+        [&](const auto& emit, Notes& notes) {
+            emit_all(stack.end(notes), emit);
             regions::check_part(box, options.bead_width, notes);
-            if (const auto said = regions::note(air)) notes.push_back(*said);
+            if (const auto said = regions::note(stack.air())) notes.push_back(*said);
         });
 }
 

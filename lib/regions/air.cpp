@@ -109,13 +109,21 @@ void hang(std::span<Region> upper, std::span<const Region> lower, std::span<cons
         air.area += area;
         any = true;
         const auto worst = farthest(piece, lower, std::max(air.reach, allowed), how.hairline);
-        if (!worst) continue;
+        if (!worst || worst->reach <= air.reach) continue;
         air.reach = worst->reach;
         air.at = worst->at;
         air.layer = upper[of].layer;
         air.bridge = bridge_over(air.at, lower);
     }
     air.layers += any ? 1 : 0;
+}
+
+void add(Air& all, const Air& further) {
+    const double area = all.area + further.area;
+    const std::size_t layers = all.layers + further.layers;
+    if (further.reach > all.reach) all = further;
+    all.area = area;
+    all.layers = layers;
 }
 
 std::optional<Note> note(const Air& air) {

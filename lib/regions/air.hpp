@@ -34,6 +34,9 @@ struct Air {
 void hang(std::span<polygon::Region> upper, std::span<const polygon::Region> lower, std::span<const double> covered,
           const Carried& how, Air& air);
 
+// Adds what hangs of further layers, each looked at with `reach` at what it was before, or later.
+void add(Air& all, const Air& further);
+
 // What to say of it in one line; nothing if nothing hangs.
 std::optional<Note> note(const Air& air);
 

@@ -8,8 +8,7 @@
 
 namespace filum::regions {
 
-std::vector<polygon::Region> regions(const polygon::Layer& layer, const Ground& below, std::uint32_t first_id,
-                                     const Options& options, Air& air, Notes& notes) {
+std::vector<polygon::Region> regions(const polygon::Layer& layer, const Options& options, Notes& notes) {
     const std::size_t said = notes.size();
     const double thin = hairline(options);
     auto parts = outlines(layer.contours, options.tolerance, thin, notes);
@@ -26,7 +25,7 @@ std::vector<polygon::Region> regions(const polygon::Layer& layer, const Ground& 
             notes.push_back({"", "sliver left out", r.area, "mm2", 1, -1, at.x, at.y});
             continue;
         }
-        r.id = first_id + static_cast<std::uint32_t>(out.size());
+        r.id = static_cast<std::uint32_t>(out.size());
         r.layer = layer.index;
         r.z = layer.z;
         r.height = layer.height;
@@ -41,10 +40,14 @@ std::vector<polygon::Region> regions(const polygon::Layer& layer, const Ground& 
             around = parts.parent[static_cast<std::size_t>(around)];
         out[k].parent = around < 0 ? -1 : id[static_cast<std::size_t>(around)];
     }
-    const auto covered = overlap(out, below.regions, options.bead_width, thin);
-    if (!below.bed) hang(out, below.regions, covered, {options.bead_width, thin}, air);
     for (std::size_t k = said; k < notes.size(); ++k) notes[k].layer = layer.index;
     return out;
+}
+
+void lay_on(std::span<polygon::Region> upper, const Ground& below, const Options& options, Air& air) {
+    const double thin = hairline(options);
+    const auto covered = overlap(upper, below.regions, options.bead_width, thin);
+    if (!below.bed) hang(upper, below.regions, covered, {options.bead_width, thin}, air);
 }
 
 } // namespace filum::regions

@@ -6,6 +6,7 @@
 #include "regions/air.hpp"
 
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace filum::regions {
@@ -24,13 +25,14 @@ inline double hairline(const Options& o) { return o.hairline > 0 ? o.hairline : 
 // What a layer is to lie on: the bed, or the regions of the layer below (none if that layer is missing).
 struct Ground {
     bool bed = true;
-    std::vector<polygon::Region> regions;
+    std::span<const polygon::Region> regions;
 };
 
-// The connected regions of `layer`, ids from `first_id`, in the order of polygon::split, with their overlaps with those
-// below.  Gaps narrower than a hairline are closed, and regions nowhere as wide left out, both with a note, which
-// carries the layer.  Adds what hangs in the air to `air`.
-std::vector<polygon::Region> regions(const polygon::Layer& layer, const Ground& below, std::uint32_t first_id,
-                                     const Options& options, Air& air, Notes& notes);
+// The connected regions of `layer` by themselves, in the order of polygon::split; ids and parents count from 0.  Gaps
+// narrower than a hairline are closed, and regions nowhere as wide left out, both with a note, which carries the layer.
+std::vector<polygon::Region> regions(const polygon::Layer& layer, const Options& options, Notes& notes);
+
+// Tells the regions of a layer how they lie on those below (none on the bed).  Adds what hangs in the air to `air`.
+void lay_on(std::span<polygon::Region> regions, const Ground& below, const Options& options, Air& air);
 
 } // namespace filum::regions

@@ -11,10 +11,9 @@ constexpr double kWidth = 0.04; // a hairline
 
 std::vector<polygon::Region> cut(const Loops& contours, double width = kWidth) {
     Notes notes;
-    Air air;
     Options how;
     how.hairline = width;
-    return regions(layer(contours), {}, 0, how, air, notes);
+    return regions(layer(contours), how, notes);
 }
 
 template <class Move>
@@ -68,8 +67,7 @@ TEST(Gaps, AllThatIsDoneIsTold) {
     Loops l = box(0, 0, 2, 2);
     add_box(l, 2.02, 0, 2, 2);
     Notes notes;
-    Air air;
-    const auto r = regions(layer(l), {}, 0, {}, air, notes);
+    const auto r = regions(layer(l), {}, notes);
     ASSERT_EQ(r.size(), 1U);
     EXPECT_NEAR(r[0].area, 8.04, 1e-3);
     ASSERT_EQ(notes.size(), 1U);

@@ -208,13 +208,14 @@ TEST(Regions, TellParentsAndDropSliversWithANote) {
     add_box(l, 30, 0, 5, 0.05); // wider
     Notes notes;
     Air air;
-    const auto r = regions(layer(l), {false, {}}, 40, {}, air, notes);
+    auto r = regions(layer(l), {}, notes);
+    lay_on(r, {false, {}}, {}, air);
     ASSERT_EQ(r.size(), 3U);
-    EXPECT_EQ(r[0].id, 40U);
+    EXPECT_EQ(r[0].id, 0U);
     EXPECT_EQ(r[0].parent, -1);
     EXPECT_NEAR(r[0].area, 64, 1e-9);
     EXPECT_NEAR(r[1].area, 0.25, 1e-9);
-    EXPECT_EQ(r[2].parent, 40);
+    EXPECT_EQ(r[2].parent, 0);
     EXPECT_EQ(r[2].layer, 7U);
     EXPECT_NEAR(r[2].unsupported, 4, 1e-9);
     ASSERT_EQ(notes.size(), 1U);
@@ -225,8 +226,7 @@ TEST(Regions, TellParentsAndDropSliversWithANote) {
 
 TEST(Regions, EmptyLayerHasNone) {
     Notes notes;
-    Air air;
-    EXPECT_TRUE(regions(layer({}), {}, 0, {}, air, notes).empty());
+    EXPECT_TRUE(regions(layer({}), {}, notes).empty());
     EXPECT_TRUE(notes.empty());
 }
 

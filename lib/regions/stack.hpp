@@ -1,0 +1,35 @@
+// The regions of a stack of layers, several layers at a time.
+#pragma once
+
+#include "regions/regions.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace filum::regions {
+
+// Takes the layers of a part from the bed up.  What comes out does not depend on the number of threads.  Holds the
+// layers of one batch, and the regions of the one below it.
+class Stack {
+  public:
+    Stack(const Options& options, int threads) : options_(options), threads_(threads) {}
+    // Takes a layer.  Returns the regions of all layers that are done, in their order, ids counted from the first; none
+    // until a batch is full.
+    std::vector<polygon::Region> add(polygon::Layer layer, Notes& notes);
+    std::vector<polygon::Region> end(Notes& notes); // of the layers that are left
+    [[nodiscard]] const Air& air() const { return air_; }
+
+  private:
+    std::vector<polygon::Region> done(Notes& notes);
+    void number(std::vector<std::vector<polygon::Region>>& batch);
+
+    Options options_;
+    int threads_;
+    std::vector<polygon::Layer> waiting_;
+    std::vector<polygon::Region> below_; // of the last layer that is done
+    std::int64_t last_ = -2;             // its index
+    std::uint32_t next_id_ = 0;
+    Air air_;
+};
+
+} // namespace filum::regions
