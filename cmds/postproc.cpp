@@ -1,7 +1,7 @@
 // postproc - a toolpath to machine code
 // reads:  Toolpath
 // writes: text
-// memory: one span; what else arrives is kept, beyond 48 MiB in a temporary file
+// memory: some spans and half a million moves; what else arrives is kept, beyond 48 MiB in a temporary file
 #include "app/postproc/postproc.hpp"
 #include "cli/deviation_options.hpp"
 #include "cli/head_options.hpp"
@@ -41,7 +41,8 @@ cli::Spec spec(postproc::Options& o) {
         .description = kDescription,
         .in = cli::reads(stream::Payload::toolpath),
         .out = cli::text("machine code"),
-        .memory = "one span; what else arrives is kept, beyond 48 MiB in a temporary file in $TMPDIR",
+        .memory = "some spans and half a million moves; what else arrives is kept, beyond 48 MiB in a temporary file "
+                  "in $TMPDIR",
         .options = cli::with(
             {cli::Option{"machine", &o.machine, "NAME|FILE", "machine profile"}.not_a_setting(),
              cli::Option{"place", &o.place, "", "where the part goes: center, of the bed; or as-is"}.one_of(

@@ -116,7 +116,7 @@ void FibreWalk::extrude(const Span& span) {
         return;
     }
     release(span.tool);
-    inner_->add(span);
+    inner_->add(span, known());
 }
 
 // Hands the travels on, to a stroke of `tool`.
@@ -155,7 +155,7 @@ void FibreWalk::finish() {
 
 void FibreWalk::hand_on(const Span& piece, bool halt) {
     if (piece.points.size() < 2) return;
-    inner_->add(piece, how_, halt);
+    inner_->add_fibre(piece, how_, halt);
     how_.before = machine::Event::none; // that was its first piece
 }
 

@@ -42,8 +42,8 @@ toolpath::Span Measure::turned(toolpath::Span span) const {
     return span;
 }
 
-void Measure::add(const toolpath::Span& span) {
-    if (walk_) return turning_.none() ? walk_->add(span) : walk_->add(turned(span));
+void Measure::add(const toolpath::Span& span, const toolpath::Merged* merged) {
+    if (walk_) return turning_.none() ? walk_->add(span, merged) : walk_->add(turned(span));
     joins_.add(span);
     if (toolpath::extrudes(span.role)) check_tool(*profile_, span);
     if (!rotary_) {

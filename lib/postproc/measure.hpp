@@ -21,7 +21,8 @@ class Measure {
     // leans the tool farther than its upright nozzle can.
     Measure(const machine::Profile& profile, Place place, const Orient& orient = {}, bool flatten = false,
             machine::Pauses pauses = {});
-    void add(const toolpath::Span& span);
+    // `merged`: as Walker::add takes it.
+    void add(const toolpath::Span& span, const toolpath::Merged* merged = nullptr);
     // Throws Error(failure) if a tool axis of the beads is beyond the tilts of the machine, saying what it would need.
     bool again(); // ends a reading: another is wanted
     // Throws Error(failure) where the toolpath leans the tool too far for an upright nozzle, and as Surveyor and
@@ -30,7 +31,7 @@ class Measure {
 
     // As it goes to walker(): turned, and back at its height.
     [[nodiscard]] toolpath::Span turned(toolpath::Span span) const;
-    [[nodiscard]] const Joins* joins() const { return &joins_; }                   // likewise
+    [[nodiscard]] const Joins* joins() const { return &joins_; }                   // likewise; of the first reading
     [[nodiscard]] Vec2 walk_shift() const { return rotary_ ? shift_ : Vec2{}; }    // for walker()
     [[nodiscard]] Vec2 program_shift() const { return rotary_ ? Vec2{} : shift_; } // for Program
 

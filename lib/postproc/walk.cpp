@@ -65,9 +65,26 @@ Act Walker::before() const {
                                                     : Act::extrude;
 }
 
-void Walker::add(const toolpath::Span& span, const machine::Stretch& how, bool halt) {
+toolpath::Merged merged(const machine::Profile& profile, const toolpath::Span& span, const Joins* joins) {
+    const auto others = joins != nullptr ? joins->near(span.layer) : std::span<const geom::Segment>{};
+    return toolpath::merge(span, tolerance(profile, span), others);
+}
+
+void Walker::add(const toolpath::Span& span, const toolpath::Merged* merged) {
+    how_ = {};
+    halt_ = false;
+    merged_ = merged;
+    lay(span);
+    merged_ = nullptr;
+}
+
+void Walker::add_fibre(const toolpath::Span& span, const machine::Stretch& how, bool halt) {
     how_ = how;
     halt_ = halt;
+    lay(span);
+}
+
+void Walker::lay(const toolpath::Span& span) {
     const Vec3 from = span.points.front();
     if (started_ && distance(from, path_) > kTouch)
         throw Error(Exit::bad_input, "cannot follow the toolpath: a span of layer " + std::to_string(span.layer) +
@@ -179,14 +196,15 @@ void Walk::extrude(const toolpath::Span& span) {
     if (!open_) begin_stroke(span);
     if (before() != Act::extrude) put({.act = before(), .layer = span.layer, .to = at_, .tool = tool_});
     layer_ = span.layer;
-    const auto others = joins_ != nullptr ? joins_->near(span.layer) : std::span<const geom::Segment>{};
-    const auto merged = toolpath::merge(span, tolerance(*profile_, span), others);
+    toolpath::Merged own_moves;
+    if (known() == nullptr) own_moves = merged(*profile_, span, joins_);
+    const toolpath::Merged& moves = known() != nullptr ? *known() : own_moves;
     efforts_.given += span.points.size() - 1;
-    efforts_.off = std::max(efforts_.off, merged.off);
+    efforts_.off = std::max(efforts_.off, moves.off);
     double z = span.points.front().z;
-    for (const toolpath::Move& m : merged.moves) {
+    for (const toolpath::Move& m : moves.moves) {
         if (m.length == 0) continue;
-        const bool last = &m == &merged.moves.back();
+        const bool last = &m == &moves.moves.back();
         const double volume = m.volume * profile_->features[span.feature].flow;
         const Laying how = laying(*profile_, tool_,
                                   {span.role, span.layer, m.length, std::abs(m.to.z - z), volume, span.feature}, last);

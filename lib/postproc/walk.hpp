@@ -96,9 +96,10 @@ class Walker {
   public:
     virtual ~Walker() = default;
     // Throws Error(bad_input) with the place if the span does not begin where the one before ended.
-    void add(const toolpath::Span& span) { add(span, {}); }
+    // `merged`: the moves that lay it, where they are known already, as merged() gives them.
+    void add(const toolpath::Span& span, const toolpath::Merged* merged = nullptr);
     // Likewise; a span of fibre is to be laid as `how` says, and the tool to stand at its end if `halt`.
-    void add(const toolpath::Span& span, const machine::Stretch& how, bool halt = false);
+    void add_fibre(const toolpath::Span& span, const machine::Stretch& how, bool halt);
     virtual void end() = 0;                                                   // closes the last stroke
     [[nodiscard]] virtual const Efforts& efforts() const { return efforts_; } // once it has ended
 
@@ -113,11 +114,14 @@ class Walker {
     [[nodiscard]] Act before() const; // what comes before its first move; Act::extrude for nothing
     virtual void travel(const toolpath::Span& span) = 0;
     virtual void extrude(const toolpath::Span& span) = 0;
-    [[nodiscard]] bool started() const { return started_; } // a span came before
+    [[nodiscard]] bool started() const { return started_; }                 // a span came before
+    [[nodiscard]] const toolpath::Merged* known() const { return merged_; } // of the span that is being added
     Efforts efforts_;
 
   private:
+    void lay(const toolpath::Span& span);
     Vec3 path_; // end of the span before
+    const toolpath::Merged* merged_ = nullptr;
     bool started_ = false;
     machine::Stretch how_;
     bool halt_ = false;
@@ -129,6 +133,9 @@ std::unique_ptr<Walker> walker(const machine::Profile& profile, Vec2 shift, Step
 
 // How far what a walker makes of a span may be from it.
 toolpath::Tolerance tolerance(const machine::Profile& profile, const toolpath::Span& span);
+
+// The moves that lay a span on a machine of three axes.
+toolpath::Merged merged(const machine::Profile& profile, const toolpath::Span& span, const Joins* joins);
 
 class Throughput;
 

@@ -1,5 +1,6 @@
 #include "app/postproc/postproc.hpp"
 
+#include "app/postproc/ahead.hpp"
 #include "app/postproc/thumbnails.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
@@ -97,8 +98,9 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
         spool.add(std::move(*frame));
         progress.step();
     }
+    Ahead ahead(profile, *measure.joins(), io.threads);
     for (; measure.again(); spool.rewind())
-        while (const auto frame = spool.next()) measure.add(wire::span(*frame));
+        ahead.each(spool, [&](auto span, auto* moves) { measure.add(span, moves); });
     auto first_pass = measure.end();
     first_pass.by_layer = filum::postproc::parse_by_layer(o.by_layer, profile);
     if (!profile.axes.active()) first_pass.parts = parts_on_bed(reader.header());
@@ -124,7 +126,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     program->begin(about);
     const auto add = [&](std::span<const filum::postproc::Step> steps) { program->add(steps); };
     const auto written = filum::postproc::walker(profile, measure.walk_shift(), add, measure.joins());
-    while (const auto frame = spool.next()) written->add(measure.turned(wire::span(*frame)));
+    ahead.each(spool, [&](auto span, auto* moves) { written->add(measure.turned(std::move(span)), moves); });
     written->end();
     program->end(filum::postproc::history(stages(reader.header(), io, profile), notes, facts));
     modules.commit();

@@ -1,0 +1,44 @@
+#include "app/postproc/ahead.hpp"
+
+#include "parallel/parallel.hpp"
+#include "wire/planar.hpp"
+
+#include <utility>
+
+namespace filum::app::postproc {
+
+struct Ahead::Item {
+    std::size_t index = 0;
+    stream::RawFrame frame;
+    toolpath::Span span;
+    toolpath::Merged moves; // unless they were kept
+};
+
+void Ahead::each(stream::Spool& spool, const Take& take) {
+    const bool merges = !profile_->axes.active(), keeps = std::exchange(first_, false) && merges;
+    std::size_t count = 0;
+    const auto next = [&]() -> std::optional<Item> {
+        auto frame = spool.next();
+        if (!frame) return std::nullopt;
+        return Item{count++, std::move(*frame), {}, {}};
+    };
+    const auto kept = [&](const Item& item) { return !keeps && item.index < kept_.size(); };
+    const auto work = [&](Item item) {
+        item.span = wire::span(item.frame);
+        if (merges && !kept(item) && toolpath::extrudes(item.span.role))
+            item.moves = filum::postproc::merged(*profile_, item.span, joins_);
+        return item;
+    };
+    bool room = keeps;
+    const auto hand_on = [&](Item item) {
+        const bool laid = merges && toolpath::extrudes(item.span.role);
+        take(std::move(item.span), !laid ? nullptr : kept(item) ? &kept_[item.index] : &item.moves);
+        room = room && moves_ + item.moves.moves.size() <= kMost;
+        if (!room) return;
+        moves_ += item.moves.moves.size();
+        kept_.push_back(std::move(item.moves));
+    };
+    parallel::ordered<Item, Item>(threads_, next, work, hand_on);
+}
+
+} // namespace filum::app::postproc
