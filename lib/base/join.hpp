@@ -8,7 +8,7 @@ namespace filum {
 enum class Join : std::uint8_t {
     start,    // it does not: a new stroke begins
     vertical, // from the region below it
-    beside,   // by a connector
+    beside,   // from the brim about it, on the same layer
 };
 
 } // namespace filum

@@ -62,8 +62,8 @@ std::optional<Linker::Entry> Linker::nearest_entry(const Waiting& r, Vec2 p, dou
 // How many regions behind the front one climb from it without a break, of those that it looks ahead.
 std::size_t Linker::climbing() const {
     std::size_t n = 0;
-    while (static_cast<std::int64_t>(n) < options_.look_ahead && n + 1 < window_.size() &&
-           window_[n + 1].paths.join == Join::vertical && !window_[n + 1].paths.curves.empty())
+    while (static_cast<std::int64_t>(n) < options_.look_ahead && n + 1 < window_.size() && goes_on(window_[n + 1]) &&
+           !window_[n + 1].paths.curves.empty())
         ++n;
     return n;
 }

@@ -52,12 +52,12 @@ std::optional<double> Linker::Turn::at(const SegmentIndex& index, Vec2 p, double
 
 // Whether the front region, entered there, and the next one can be turns of one helix.
 bool Linker::winds_on(const Entry& entry) const {
-    if (options_.lift != Lift::helical || climbing() == 0) return false;
+    if (options_.lift != Lift::helical || climbing() == 0 || leads_in()) return false;
     const auto& here = window_[0];
     const auto& above = window_[1];
     if (here.paths.curves.size() != 1 || above.paths.curves.size() != 1 || here.open || above.open) return false;
     const auto next =
-        nearest_entry(above, entry.place.point, climb_reaches().front() * (here.width + above.width) / 2, {});
+        nearest_entry(above, entry.place.point, reaches(above).front() * (here.width + above.width) / 2, {});
     if (!next) return false;
     const Turn below = turn(here, entry), on = turn(above, *next);
     const SegmentIndex index(std::span(&below.line, 1));

@@ -83,7 +83,7 @@ std::optional<std::vector<Vec2>> Linker::shift(std::uint32_t c, const Bead& bead
     const auto curves = as_printed(c, bead, {});
     const SegmentIndex index(curves);
     const auto rank = [&](Vec2 p, bool inside) {
-        const auto e = nearest_entry(above, p, climb_reaches().front() * width, {});
+        const auto e = nearest_entry(above, p, reaches(above).front() * width, {});
         if (!e || geom::distance(e->place.point, start_) < kApart * width) return 0;
         if (inside && !hidden(above, e->place)) return 0;
         return static_cast<int>(std::max(1.0, kBest - std::floor(geom::distance(e->place.point, goal) / width)));

@@ -27,7 +27,7 @@ bool Linker::rises() const {
 std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
     if (!may_climb_ || !rises()) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), climb_reaches().back() * (r.width + width_before_) / 2, {});
+    auto entry = nearest_entry(r, at_->xy(), reaches(r).back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     if (options_.interlace == Interlace::none && !turn_)
         *entry = drift(*entry); // else lanes lead wherever the column goes
@@ -47,6 +47,21 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     std::vector<Vec3> way{*at_, at_height(at_->xy(), r.paths.z)};
     if (entry->place.distance > kSamePoint) way.push_back(at_height(entry->place.point, r.paths.z));
     extrude(Role::lift, std::move(way), {kThin * r.width}, emit);
+    return entry;
+}
+
+// From the brim, where its last bead ends, straight over to the front region's nearest bead.
+std::optional<Linker::Entry> Linker::step_in(const Emit& emit) {
+    const auto& r = window_.front();
+    if (!may_climb_ || !last_ || std::abs(at_->z - r.paths.z) > 1e-6) return std::nullopt;
+    const auto entry = nearest_entry(r, at_->xy(), reaches(r).back() * (r.width + width_before_) / 2, {});
+    if (!entry) return std::nullopt;
+    const Vec2 from = at_->xy(), to = entry->place.point;
+    if (!is_free(*last_, from, to, kMargin, kEnds, 0) || !is_free(r.index, from, to, kMargin, 0, kEnds))
+        return std::nullopt;
+    joins_.push_back({false, {from, to}, {kThin * r.width}});
+    ++counts_.brims;
+    extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
     return entry;
 }
 
@@ -117,7 +132,7 @@ std::optional<std::vector<Vec2>> Linker::lane(std::uint32_t c, const Bead& bead,
 // the same for an open curve), or by the lane that is returned.
 std::optional<std::vector<Vec2>> Linker::leave(std::uint32_t c, Bead& bead, const std::function<Bead()>& other) {
     if (next_ == Next::anywhere) return std::nullopt;
-    for (const double reach : climb_reaches()) {
+    for (const double reach : reaches(window_[std::min<std::size_t>(1, window_.size() - 1)])) {
         if (ends_well(c, bead, reach)) return std::nullopt;
         if (Bead b = other(); ends_well(c, b, reach)) {
             bead = std::move(b);

@@ -33,6 +33,7 @@ Facts facts(const Counts& c) {
             {"", "kept-starts", n(c.kept), ""},
             {"", "jogs", n(c.jogs), ""},
             {"", "strands", n(c.strands), ""},
+            {"", "brims", n(c.brims), ""},
             {"", "connectors", n(c.connectors), ""},
             {"", "breaks", n(c.breaks), ""},
             {"", "broken-joins", n(c.broken), ""},
@@ -51,7 +52,7 @@ Facts facts(const Counts& c) {
 void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     SegmentIndex index(region.curves);
     const double width = region_width(region);
-    if (region.join != Join::vertical) ++counts_.planned;
+    if (region.join == Join::start) ++counts_.planned;
     bool closed = false, open = false;
     for (const auto& c : region.curves) (c.closed ? closed : open) = true;
     window_.push_back({std::move(region), std::move(index), width, closed, open});
@@ -76,7 +77,7 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         return;
     }
     next_ = window_.size() < 2 || window_[1].paths.curves.empty()                      ? Next::anywhere
-            : window_[1].paths.join == Join::vertical                                  ? Next::above
+            : goes_on(window_[1])                                                      ? Next::above
             : options_.connect == Connect::outside                                     ? Next::outside
             : options_.connect == Connect::inside && window_[1].paths.layer == r.layer ? Next::outside
                                                                                        : Next::anywhere;
@@ -120,16 +121,17 @@ std::optional<std::uint32_t> Linker::main_curve() const {
 // Why the front region, which is to be reached from the one below, was not.
 const char* Linker::no_climb() const {
     if (!may_climb_) return "join broken, the region below has no bead";
+    if (window_.front().paths.join == Join::beside) return "join broken, the brim is out of reach";
     return rises() ? "join broken, its ends are out of reach" : "join broken, it does not lie on the layer below";
 }
 
 // Gets the nozzle to the front region's first curve.
 Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
-    const bool above = r.paths.join == Join::vertical;
+    const bool above = goes_on(r);
     std::optional<Entry> joined;
     if (above)
-        joined = climb(emit);
+        joined = r.paths.join == Join::beside ? step_in(emit) : climb(emit);
     else if (at_ && options_.connect == Connect::outside)
         joined = go_around(emit, notes);
     else if (at_ && options_.connect == Connect::inside)
@@ -217,8 +219,8 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     const bool turn = options_.alternate_direction && r.paths.layer % 2 != 0;
     Bead out = bead(turn);
     std::optional<std::vector<Vec2>> way;
-    const bool shifts =
-        last && next_ == Next::above && curve.closed && options_.interlace != Interlace::none && !apart(out);
+    const bool shifts = last && next_ == Next::above && !leads_in() && curve.closed &&
+                        options_.interlace != Interlace::none && !apart(out);
     if (shifts && (way = shift(c, out))) {
         ++counts_.shifts;
         counts_.shift_length += length(*way);
@@ -229,7 +231,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
     }
     if (last && !way) way = leave(c, out, [&] { return curve.closed ? bead(!turn) : out; });
     if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
-    if (last && options_.connect != Connect::stop)
+    if (last && (options_.connect != Connect::stop || leads_in()))
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
     print(out, ramp, emit);
     if (way) lay_lane(*way, emit);

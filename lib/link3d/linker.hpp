@@ -37,6 +37,7 @@ struct Counts {
     std::uint64_t kept = 0;       // starts that were to move and could not
     std::uint64_t jogs = 0;       // between curves of a region
     std::uint64_t strands = 0;    // to another region of the layer, straight
+    std::uint64_t brims = 0;      // from the brim to its region
     std::uint64_t connectors = 0; // outside the part
     std::uint64_t breaks = 0;
     std::uint64_t broken = 0; // of those, where the input asked for a join
@@ -96,6 +97,7 @@ class Linker {
     Entry enter(const Emit& emit, Notes& notes);
     [[nodiscard]] std::optional<Entry> other_end(const Entry& entry) const;
     std::optional<Entry> climb(const Emit& emit);
+    std::optional<Entry> step_in(const Emit& emit);
     [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
     Entry hop(std::span<const char> done, const Emit& emit, Notes& notes);
     [[nodiscard]] const char* no_climb() const;
@@ -104,11 +106,16 @@ class Linker {
     void print_curve(const Entry& entry, bool last, const Emit& emit, Notes& notes);
 
     // joins.cpp
-    // The jogs of climbs, in mean widths of both regions.  Those that begin within the region above are sought first,
-    // longer ones could begin above a neighbour of that region, and cross its outer bead.
-    [[nodiscard]] std::array<double, 2> climb_reaches() const {
+    // The jogs to a region, in mean widths of both.  Of climbs those that begin within the region above are sought
+    // first, longer ones could begin above a neighbour of that region, and cross its outer bead.  From a brim they lead
+    // over the outline, from one bead's middle to the next.
+    [[nodiscard]] std::array<double, 2> reaches(const Waiting& to) const {
+        if (to.paths.join == Join::beside) return {options_.reach, options_.reach};
         return {std::min(options_.reach, 0.6), std::min(options_.reach, 1.0)};
     }
+    // Whether a region is to be reached from the one before.
+    static bool goes_on(const Waiting& r) { return r.paths.join != Join::start; }
+    [[nodiscard]] bool leads_in() const { return window_.size() > 1 && window_[1].paths.join == Join::beside; }
     [[nodiscard]] bool sees_outside(Vec2 p, const SegmentIndex& own) const;
     [[nodiscard]] int rank_above(Vec2 p, int least, double reach) const;
     [[nodiscard]] bool ends_well(std::uint32_t c, const Bead& bead, double reach) const;

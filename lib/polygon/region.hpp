@@ -77,6 +77,8 @@ struct Region {
     std::vector<Area> areas; // set by `skins`: what is in none is solid
     std::uint32_t walls = 0; // rings along the outline; 0: no walls are told apart, and it is solid all through
     RegionClass is = RegionClass::part;
+    // id of a brim about it, whose beads lie beside its own: one stroke may lay both; set by `supports`
+    std::int64_t brim = -1;
 };
 
 // The material of every layer from the first to the last (of one class: `only`); none where a layer is missing.

@@ -1,6 +1,7 @@
 #include "sequence/sequence.hpp"
 
 #include "base/error.hpp"
+#include "sequence/brims.hpp"
 #include "sequence/canon.hpp"
 #include "sequence/collision.hpp"
 #include "sequence/plan.hpp"
@@ -9,17 +10,18 @@ namespace filum::sequence {
 
 namespace {
 
-void add_strokes(Result& to, const Order& order) {
+void add_strokes(Result& to, const Order& order, std::span<const polygon::Region> regions) {
     std::uint32_t stroke = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool on = i > 0 && continues(to.graph, order[i - 1], order[i]);
         if (i > 0 && !on) ++stroke;
         to.stroke.push_back(stroke);
-        to.join.push_back(on ? Join::vertical : Join::start);
+        const bool beside = on && regions[order[i]].layer == regions[order[i - 1]].layer;
+        to.join.push_back(beside ? Join::beside : on ? Join::vertical : Join::start);
     }
 }
 
-Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collisions) {
+Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collisions, std::size_t brims) {
     Facts out;
     const auto add = [&](const std::string& name, double value, const char* unit) {
         out.push_back({"", name, value, unit});
@@ -28,7 +30,7 @@ Facts facts(const Result& r, const Plan& p, const Columns& c, std::size_t collis
     add("regions", r.graph.size(), "");
     add("columns", static_cast<double>(c.member.size()), "");
     add("collisions", static_cast<double>(collisions), "");
-    add("layer-floor", r.graph.size() - r.graph.node.back().layer, "strokes");
+    add("layer-floor", static_cast<double>(r.graph.size() - brims) - r.graph.node.back().layer, "strokes");
     add("path-cover", p.path_cover, "strokes");
     if (p.relaxation > 0) add("relaxation-bound", p.relaxation, "strokes");
     add("lower-bound", p.bound, "strokes");
@@ -57,11 +59,13 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
     const Columns c = columns(g, colours(g));
     const Arcs support = g.after;
     if (auto far = carried_from_afar(regions); !far.empty()) add_precedence(g, std::move(far));
+    const std::vector<Pair> rims = brims(regions);
     std::vector<Outline> outlines;
     std::vector<Pair> hits;
     if (!options.by_layers && !options.head.none) {
         for (auto& r : regions) outlines.push_back(outline(std::move(r.loops)));
         hits = collisions(g, c, outlines, options.head);
+        hold_together(rims, hits);
         add_precedence(g, hits);
     }
     Plan p = options.by_layers ? layer_plan(g) : plan(g, c, options.budget);
@@ -69,11 +73,12 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
         p.order = options.layers(regions);
         p.cost = cost(g, p.order);
     }
+    begin_with(rims, g, p);
     check(g, p.order);
     if (p.cost.strokes < p.bound) throw Error(Exit::failure, "internal error: fewer strokes than the lower bound");
-    add_strokes(out, p.order);
+    add_strokes(out, p.order, regions);
     out.ends = ends(g, p.order, support, outlines, options.head);
-    out.facts = facts(out, p, c, hits.size());
+    out.facts = facts(out, p, c, hits.size(), rims.size());
     out.bound_by = bound_by(p);
     out.order = std::move(p.order);
     return out;

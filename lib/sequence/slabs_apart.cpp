@@ -16,6 +16,7 @@ std::vector<polygon::Region> slab(const std::vector<polygon::Region>& all, std::
         r.id -= id;
         r.layer -= layer;
         if (r.parent >= 0) r.parent -= id;
+        if (r.brim >= 0) r.brim -= id;
         std::erase_if(r.below, [&](const polygon::Overlap& o) { return o.below < id; });
         for (polygon::Overlap& o : r.below) o.below -= id;
     }

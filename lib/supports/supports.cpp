@@ -1,6 +1,8 @@
 #include "supports/supports.hpp"
 
+#include "geom/segment.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/segments.hpp"
 #include "regions/air.hpp"
 #include "regions/inradius.hpp"
 #include "regions/overlaps.hpp"
@@ -22,6 +24,7 @@ using polygon::RegionClass;
 
 constexpr double kInterfaceLines = 2; // bead widths from line to line next to the part
 constexpr double kRaftReach = 2;      // bead widths beyond the part: a ring, and room for the outer bead to lie on
+constexpr double kTouch = 1e-3;       // mm: outlines that meet
 constexpr double kSkirtBeads = 2;     // a skirt is as wide: one ring there and back
 
 // Regions by layer.
@@ -143,7 +146,9 @@ Stack all_carriers(const std::vector<Loops>& layers, const Stack& stack, const O
 }
 
 // Adds to each upper region how it lies on lower ones that were not there when the others were found.
-void lie_on(std::vector<Region>& upper, std::span<const Region> lower, bool may_link, const Options& o) {
+// None lies on a brim, whose outline is that of what it is about.
+void lie_on(std::vector<Region>& upper, std::vector<Region> lower, bool may_link, const Options& o) {
+    std::erase_if(lower, [](const Region& r) { return r.is == RegionClass::rim; });
     if (upper.empty() || lower.empty()) return;
     std::vector<Region> probe;
     for (const Region& r : upper) {
@@ -174,18 +179,36 @@ void renumber(std::vector<Region>& part, std::uint32_t first, std::vector<std::u
         if (r.parent >= 0) r.parent = now[static_cast<std::size_t>(r.parent)];
 }
 
+// Brim and skirt lie outside: in holes they would be hard to take away.
 std::vector<Region> rims(const Loops& first, const Region& like, const Options& o) {
+    Loops outer;
+    for (const Loops& part : polygon::split(first).part) outer.add(part[0]);
+    const Loops whole = polygon::unite(outer);
     std::vector<Region> out;
     const auto ring = [&](double from, double to) {
-        const Loops outer = polygon::offset(first, to, kBeadArc),
-                    inner = from > 0 ? polygon::offset(first, from, kBeadArc) : first;
-        for (const Loops& part : polygon::split(polygon::subtract(outer, inner)).part)
+        const Loops inner = from > 0 ? polygon::offset(whole, from, kBeadArc) : whole;
+        for (const Loops& part : polygon::split(polygon::subtract(polygon::offset(whole, to, kBeadArc), inner)).part)
             if (Region r = made(part, like, RegionClass::rim, o.bead_width); r.inradius > 0)
                 out.push_back(std::move(r));
     };
     if (o.brim > 0) ring(0, o.brim);
     if (o.skirt > 0) ring(o.brim + o.skirt, o.brim + o.skirt + kSkirtBeads * o.bead_width);
     return out;
+}
+
+// Whether the outlines of a brim and of a region share the region's first point.
+bool about(const Region& brim, const Region& region) {
+    const geom::Vec2 p = region.loops[0][0];
+    for (const geom::Segment& s : polygon::segments(brim.loops))
+        if (geom::point_segment_distance(s.a, s.b, p) < kTouch) return true;
+    return false;
+}
+
+// Tells each of some regions of the first layer which of `added` is a brim about it.
+void tell_brims(std::vector<Region>& first, const std::vector<Region>& added) {
+    for (Region& r : first)
+        for (const Region& rim : added)
+            if (r.is != RegionClass::rim && rim.is == RegionClass::rim && about(rim, r)) r.brim = rim.id;
 }
 
 // Sets what of each upper region hangs: farther than half a bead from the layer below and, across the gap, from what is
@@ -233,6 +256,10 @@ std::vector<Region> supports(std::vector<Region> regions, const Options& options
         for (Region& r : added[i]) {
             r.id = id++;
             if (r.is == RegionClass::support) area += r.area * r.height;
+        }
+        if (i == 0) {
+            tell_brims(stack[0], added[0]);
+            tell_brims(added[0], added[0]); // a raft's
         }
         const std::size_t far = static_cast<std::size_t>(o.gap) + 1;
         if (i > 0) lie_on(added[i], added[i - 1], true, o);

@@ -172,6 +172,7 @@ polygon::Region region(const RawFrame& frame) {
     out.walls = m.walls();
     if (m.purpose() < 0 || m.purpose() > 2) bad_frame("region", "unknown purpose");
     out.is = static_cast<polygon::RegionClass>(m.purpose());
+    out.brim = m.has_brim() ? m.brim() : -1;
     return out;
 }
 
@@ -198,6 +199,7 @@ RawFrame frame(const polygon::Region& region) {
     for (const auto& a : region.areas) put_area(*m.add_areas(), a);
     m.set_walls(region.walls);
     m.set_purpose(static_cast<proto::RegionClass>(region.is));
+    m.set_brim(region.brim);
     return raw(Tag::region, m);
 }
 

@@ -11,7 +11,7 @@ import numpy as np
 from . import planar_pb2
 
 Join = enum.IntEnum("Join", planar_pb2.Join.items())
-Join.__doc__ = "How a region continues the one printed before: START (a new stroke), VERTICAL (above it), BESIDE."
+Join.__doc__ = "How a region continues the one printed before: START (a new stroke), VERTICAL (above it), BESIDE (its brim)."
 Retraction = enum.IntEnum("Retraction", planar_pb2.Retraction.items())
 Retraction.__doc__ = "What happens to the material on a travel: BY_MACHINE (as the profile says), NOT_TAKEN, TAKEN_BACK."
 Feature = enum.IntEnum("Feature", planar_pb2.Feature.items())
@@ -166,6 +166,7 @@ class Region:
     areas: list of Area, set by `skins`: what is in none is solid
     walls: rings along the outline; 0: no walls are told apart, and it is solid all through
     purpose: RegionClass
+    brim: id of the brim about it that its stroke may begin with, -1 if there is none; set by `supports`
     """
 
     message = planar_pb2.Region
@@ -184,6 +185,7 @@ class Region:
     areas: list = listed()
     walls: int = 0
     purpose: int = RegionClass.PART
+    brim: int = -1
 
     def filled(self, curves):
         """The Paths that fill this region by `curves` (list of Curve).  What no bead reaches is taken for the area

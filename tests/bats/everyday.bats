@@ -169,6 +169,17 @@ hanging() { peek --text | sed -n "s/^note .*'material in mid-air[^']*' amount \(
     awk 'NR == FNR { before = $1; next } { exit !($1 * 9 < before * 2.1) }' before after
 }
 
+@test "a brim is part of a stroke, solid or hollow, on a bed of several parts, too" {
+    for more in "" "--infill 20%" "--infill 20% --support" "--raft 2" "--copies 3"; do
+        # shellcheck disable=SC2086
+        for brim in 0 4; do filum print part.stl --scale 3 $more --brim $brim --quiet -o brim-$brim.gcode; done
+        strokes() { sed -nE 's/^; layers = .*strokes = ([0-9]+)$/\1/p' "$1"; }
+        echo "$more: $(strokes brim-0.gcode), with a brim $(strokes brim-4.gcode)"
+        [[ -n $(strokes brim-0.gcode) && $(strokes brim-0.gcode) == "$(strokes brim-4.gcode)" ]]
+        ! cmp -s brim-0.gcode brim-4.gcode
+    done
+}
+
 @test "a brim and a skirt are laid with the first layer only" {
     slice part.stl | regions | supports --brim 3 --skirt 2 | sequence | fill | link3d --quiet | peek --text > brim.text
     grep -q 'feature skirt' brim.text

@@ -41,32 +41,30 @@ TEST(Connectors, BreakWhereNothingElseIsAskedFor) {
 
 // Fig. 8b: around the bounding box, thin at both ends, on the same way in all layers.
 TEST(Connectors, GoOutsideThePartAndStack) {
-    for (const Join join : {Join::start, Join::beside}) {
-        const auto regions = towers(6, join);
-        const auto r = link(regions, with(Connect::outside));
-        check(regions, r);
-        EXPECT_EQ(r.counts.connectors, 6U);
-        EXPECT_EQ(r.counts.strokes, 1U);
-        EXPECT_EQ(count(r, "connector to be trimmed"), 6U);
-        double volume = 0;
-        Box2 part;
-        part.add({-2, -2});
-        part.add({14, 2});
-        for (const auto& s : r.spans) {
-            if (s.role != Role::connector) continue;
-            for (std::size_t i = 0; i + 1 < s.points.size(); ++i) volume += toolpath::volume(s, i);
-            EXPECT_NEAR(s.width.front(), 0.4 * kWidth, 1e-9);
-            EXPECT_NEAR(s.width.back(), 0.4 * kWidth, 1e-9);
-            EXPECT_NEAR(*std::max_element(s.width.begin(), s.width.end()), kWidth, 1e-9);
-            for (std::size_t i = 1; i + 1 < s.points.size(); ++i) {
-                const Vec2 p = s.points[i].xy();
-                const bool out = p.x < part.lo.x || p.x > part.hi.x || p.y < part.lo.y || p.y > part.hi.y;
-                EXPECT_TRUE(out || s.width[i] < kWidth + 1e-9);
-            }
+    const auto regions = towers(6, Join::start);
+    const auto r = link(regions, with(Connect::outside));
+    check(regions, r);
+    EXPECT_EQ(r.counts.connectors, 6U);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_EQ(count(r, "connector to be trimmed"), 6U);
+    double volume = 0;
+    Box2 part;
+    part.add({-2, -2});
+    part.add({14, 2});
+    for (const auto& s : r.spans) {
+        if (s.role != Role::connector) continue;
+        for (std::size_t i = 0; i + 1 < s.points.size(); ++i) volume += toolpath::volume(s, i);
+        EXPECT_NEAR(s.width.front(), 0.4 * kWidth, 1e-9);
+        EXPECT_NEAR(s.width.back(), 0.4 * kWidth, 1e-9);
+        EXPECT_NEAR(*std::max_element(s.width.begin(), s.width.end()), kWidth, 1e-9);
+        for (std::size_t i = 1; i + 1 < s.points.size(); ++i) {
+            const Vec2 p = s.points[i].xy();
+            const bool out = p.x < part.lo.x || p.x > part.hi.x || p.y < part.lo.y || p.y > part.hi.y;
+            EXPECT_TRUE(out || s.width[i] < kWidth + 1e-9);
         }
-        EXPECT_NEAR(r.counts.connector_volume, volume, 1e-9);
-        EXPECT_LT(r.counts.connector_free, 0.3 * r.counts.connector_length) << "most lies on the one below";
     }
+    EXPECT_NEAR(r.counts.connector_volume, volume, 1e-9);
+    EXPECT_LT(r.counts.connector_free, 0.3 * r.counts.connector_length) << "most lies on the one below";
 }
 
 TEST(Connectors, CarriedOnesHangNowhere) {

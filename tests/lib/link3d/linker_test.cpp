@@ -214,4 +214,27 @@ TEST(Linker, TakesNothingAndOddThings) {
         for (const auto& p : s.points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
 }
 
+// A ring about a square: the stroke goes on from the one to the other.
+TEST(Linker, GoesOnFromABrimToItsRegion) {
+    const auto square = [](double r) { return Curve{true, {{-r, -r}, {r, -r}, {r, r}, {-r, r}}, {kWidth}}; };
+    const double w = kWidth;
+    std::vector<RegionPaths> regions{region(0, 0, Join::start, {square(3)}),
+                                     region(1, 0, Join::beside, {square(3 - w)}),
+                                     region(2, 1, Join::vertical, {square(3 - w)})};
+    const Result r = link(regions);
+    EXPECT_EQ(r.counts.strokes, 1U);
+    EXPECT_EQ(r.counts.planned, 1U);
+    EXPECT_EQ(r.counts.brims, 1U);
+    EXPECT_TRUE(r.notes.empty());
+    ASSERT_GE(r.spans.size(), 4U);
+    EXPECT_EQ(r.spans[1].role, Role::jog);
+    EXPECT_NEAR(geom::length(r.spans[1].points), w, 0.3 * w);
+    regions[1].curves = regions[2].curves = {square(3 - 3 * w)};
+    const Result far = link(regions);
+    EXPECT_EQ(far.counts.brims, 0U);
+    EXPECT_EQ(far.counts.strokes, 2U);
+    ASSERT_FALSE(far.notes.empty());
+    EXPECT_EQ(far.notes[0].what, "join broken, the brim is out of reach");
+}
+
 } // namespace filum::link3d

@@ -14,12 +14,6 @@
 namespace filum::sequence {
 namespace {
 
-double fact(const Result& r, const std::string& name) {
-    for (const auto& f : r.facts)
-        if (f.name == name) return f.value;
-    return -1;
-}
-
 Index relaxed(const Graph& g, const Columns& c) { return Relaxation(g, c).tighten(kNone, kAmple); }
 
 TEST(Matching, IsMaximumOnSmallGraphs) {

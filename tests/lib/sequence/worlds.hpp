@@ -24,6 +24,12 @@ inline Index any(Random& random, Index least, Index most) {
     return least + static_cast<Index>(random() % (most - least + 1));
 }
 
+inline double fact(const Result& r, const std::string& name) {
+    for (const auto& f : r.facts)
+        if (f.name == name) return f.value;
+    return -1;
+}
+
 inline polygon::Loops box(double x, double y, double w, double h) {
     polygon::Loops out;
     out.add(std::vector<geom::Vec2>{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}});

@@ -216,6 +216,37 @@ TEST(Supports, RimsLieAboutTheFirstLayer) {
     EXPECT_NEAR(polygon::bounds(all[2].loops).hi.x, 3 + 4 + 3 + 0.8, 0.05);
 }
 
+// A frame with a block within it, and one beside: brims lie outside, and each region knows the one about it.
+TEST(Supports, RegionsKnowTheirBrims) {
+    Loops l;
+    l.add(std::vector<geom::Vec2>{{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+    l.add(std::vector<geom::Vec2>{{2, 2}, {2, 18}, {18, 18}, {18, 2}});
+    const auto add_box = [&](double x, double y, double w, double h) {
+        l.add(std::vector<geom::Vec2>{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}});
+    };
+    add_box(8, 8, 4, 4);
+    add_box(40, 0, 5, 5);
+    add_box(48, 0, 5, 5); // its brim and that of the one before are one
+    Options o;
+    o.brim = 3;
+    o.skirt = 2;
+    Facts facts;
+    Notes notes;
+    const auto all = supports(part_of({l}), o, facts, notes);
+    std::map<std::int64_t, int> about;
+    for (const Region& r : all) {
+        if (r.is == RegionClass::part) ++about[r.brim];
+        EXPECT_TRUE(r.brim < 0 || all[static_cast<std::size_t>(r.brim)].is == RegionClass::rim);
+    }
+    ASSERT_EQ(about.size(), 3U);
+    EXPECT_EQ(about[-1], 1) << "the block within the frame has none";
+    for (const auto& [brim, regions] : about) {
+        if (brim < 0) continue;
+        const Loops& loops = all[static_cast<std::size_t>(brim)].loops;
+        EXPECT_EQ(loops.size(), 1 + static_cast<std::size_t>(regions)) << "a hole for each region";
+    }
+}
+
 TEST(Supports, ARaftCarriesTheFirstLayer) {
     for (const bool support : {false, true})
         for (const std::int64_t gap : {1, 2}) {
@@ -234,6 +265,7 @@ TEST(Supports, ARaftCarriesTheFirstLayer) {
             for (const Region& r : all) {
                 EXPECT_NEAR(r.z, 0.2 * (r.layer + 1), 1e-9);
                 rim += r.is == RegionClass::rim ? r.area : 0;
+                for (const auto& o : r.below) EXPECT_NE(all[o.below].is, RegionClass::rim) << "nothing lies on a brim";
                 if (r.is == RegionClass::part) {
                     EXPECT_EQ(r.layer, before[part].layer + raised);
                     EXPECT_EQ(r.loops.points, before[part].loops.points);

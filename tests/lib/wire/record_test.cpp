@@ -218,7 +218,7 @@ TEST(record, has_units_and_puts_values_first_then_tables_then_records) {
     for (const Entry& e : r.entries) order.push_back(e.name + " " + e.unit);
     EXPECT_EQ(order, (std::vector<std::string>{"id ", "layer ", "z mm", "height mm", "area mm2", "parent ",
                                                "unsupported mm2", "stroke ", "join ", "inradius mm", "walls ",
-                                               "purpose ", "loops ", "below ", "areas "}));
+                                               "purpose ", "brim ", "loops ", "below ", "areas "}));
     EXPECT_TRUE(std::get<Word>(entry(r, "join").value).named);
     const auto& loops = std::get<std::vector<Record>>(entry(r, "loops").value);
     ASSERT_EQ(loops.size(), 2U);

@@ -1,0 +1,45 @@
+#include "sequence/brims.hpp"
+
+#include "base/error.hpp"
+
+#include <algorithm>
+
+namespace filum::sequence {
+
+std::vector<Pair> brims(std::span<const polygon::Region> regions) {
+    std::vector<Pair> out;
+    for (const polygon::Region& r : regions) {
+        if (r.brim < 0) continue;
+        const auto brim = static_cast<std::size_t>(r.brim);
+        if (brim >= regions.size() || brim == r.id || regions[brim].layer != r.layer || !regions[brim].below.empty())
+            throw Error(Exit::bad_input,
+                        "cannot sequence region '" + std::to_string(r.id) + "': its brim is no brim of its layer");
+        const bool taken = std::any_of(out.begin(), out.end(), [&](const Pair& p) { return p.first == r.brim; });
+        if (!taken && r.below.empty()) out.emplace_back(static_cast<Index>(brim), r.id);
+    }
+    return out;
+}
+
+void hold_together(std::span<const Pair> brims, std::vector<Pair>& hits) {
+    for (const auto& [brim, region] : brims)
+        for (std::size_t i = 0, n = hits.size(); i < n; ++i)
+            if (hits[i].first == brim && hits[i].second != region) hits.emplace_back(region, hits[i].second);
+}
+
+void begin_with(std::span<const Pair> brims, Graph& g, Plan& p) {
+    if (brims.empty()) return;
+    std::vector<Pair> links(brims.begin(), brims.end());
+    for (Index v = 0; v < g.size(); ++v)
+        for (const Index w : g.up[v]) links.emplace_back(v, w);
+    g.up = arcs(g.size(), std::move(links));
+    g.down = reversed(g.up);
+    for (const auto& [brim, region] : brims) {
+        p.order.erase(std::find(p.order.begin(), p.order.end(), brim));
+        p.order.insert(std::find(p.order.begin(), p.order.end(), region), brim);
+    }
+    p.cost = cost(g, p.order);
+    const auto fewer = static_cast<Index>(brims.size());
+    for (Index* bound : {&p.path_cover, &p.relaxation, &p.bound}) *bound -= std::min(*bound, fewer);
+}
+
+} // namespace filum::sequence
