@@ -19,6 +19,9 @@ enum class Value : std::uint8_t {
     pattern,   // of infill
     key,       // of the machine's profile, by --set; a share of something else has no meaning here
     bed_only,  // 0 or 1: where supports may stand
+    seam,      // where strokes begin
+    lost,      // % of the size in x and y that a part loses as it cools
+    left,      // % of it that is left then
     turn_x,    // degrees
     turn_y,
     turn_z,

@@ -1,5 +1,6 @@
 // 3MF (core specification 1.3, and the production extension's parts in several files): a zip archive whose root model
 // lists objects (a mesh, or components: other objects, moved) and the build items that are to be made of them.
+#include "archive/zip.hpp"
 #include "base/error.hpp"
 #include "geom/affine.hpp"
 #include "mesh/formats.hpp"
@@ -13,7 +14,6 @@
 #include <pugixml.hpp>
 #include <set>
 #include <tuple>
-#include <zip.h>
 
 namespace filum::mesh {
 
@@ -21,7 +21,6 @@ using geom::Affine;
 
 namespace {
 
-constexpr std::size_t kMaxText = std::size_t{1} << 29;      // of all models together: a small zip can hold terabytes
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // after all copies that components ask for
 constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
@@ -51,19 +50,8 @@ std::string part_path(const pugi::xml_node& n) {
 
 class Archive {
   public:
-    Archive(std::string_view bytes, const std::string& name, Notes& notes) : name_(name), notes_(notes) {
-        zip_error_t error;
-        zip_error_init(&error);
-        zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-        if (source != nullptr) zip_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
-        if (zip_ == nullptr) {
-            const std::string why = zip_error_strerror(&error);
-            if (source != nullptr) zip_source_free(source);
-            zip_error_fini(&error);
-            bad("it is no whole zip archive: " + why);
-        }
-        zip_error_fini(&error);
-    }
+    Archive(std::string_view bytes, const std::string& name, Notes& notes)
+        : name_(name), notes_(notes), zip_(bytes, name) {}
 
     Mesh build() {
         const std::string root = root_path();
@@ -99,44 +87,14 @@ class Archive {
         throw Error(Exit::bad_input, "cannot read " + name_ + ": " + why);
     }
 
-    std::string file(std::string path) {
-        if (path.starts_with('/')) path.erase(0, 1);
-        const zip_int64_t index = zip_name_locate(zip_.get(), path.c_str(), ZIP_FL_NOCASE);
-        if (index < 0) bad("'" + path + "' is missing in the archive");
-        const std::unique_ptr<zip_file_t, decltype(&zip_fclose)> f(
-            zip_fopen_index(zip_.get(), static_cast<zip_uint64_t>(index), 0), &zip_fclose);
-        if (f == nullptr) bad("'" + path + "' in the archive cannot be opened: " + zip_strerror(zip_.get()));
-        std::string out;
-        constexpr std::size_t kStep = std::size_t{1} << 20;
-        for (;;) { // the size that the archive states is no promise
-            const std::size_t had = out.size();
-            out.resize(had + kStep);
-            const zip_int64_t n = zip_fread(f.get(), out.data() + had, kStep);
-            if (n < 0) bad("'" + path + "' in the archive is damaged: " + zip_file_strerror(f.get()));
-            out.resize(had + static_cast<std::size_t>(n));
-            if (n == 0) return out;
-            if (text_ += static_cast<std::size_t>(n); text_ > kMaxText)
-                bad("its models hold more than 512 MiB of text");
-        }
-    }
-
-    // The first entry that is a mesh by its name.
-    [[nodiscard]] std::string other_mesh() const {
-        for (zip_int64_t i = 0; i < zip_get_num_entries(zip_.get(), 0); ++i)
-            if (const char* entry = zip_get_name(zip_.get(), static_cast<zip_uint64_t>(i), 0);
-                entry != nullptr && is_mesh_name(entry))
-                return entry;
-        return "";
-    }
-
     std::string root_path() {
-        if (zip_name_locate(zip_.get(), "_rels/.rels", ZIP_FL_NOCASE) < 0) {
-            const std::string mesh = other_mesh();
+        if (!zip_.has("_rels/.rels")) {
+            const std::string mesh = zip_.find(is_mesh_name); // the first entry that is one by its name
             bad(mesh.empty() ? "it is a ZIP archive, but no 3MF, and holds no mesh"
                              : "it is a ZIP archive that holds '" + mesh + "'; unpack it first");
         }
         pugi::xml_document xml;
-        const std::string text = file("_rels/.rels");
+        const std::string text = zip_.read("_rels/.rels");
         if (!xml.load_buffer(text.data(), text.size())) bad("'_rels/.rels' in the archive is no XML");
         for (const auto& r : child(xml, "Relationships").children())
             if (std::string_view(r.attribute("Type").value()).ends_with("/3dmodel"))
@@ -149,7 +107,7 @@ class Archive {
             {"Metadata/Slic3r_PE_model.config", read_prusa_project},
             {"Metadata/model_settings.config", read_bambu_project}};
         for (const auto& [path, read] : kFiles)
-            if (zip_name_locate(zip_.get(), path, ZIP_FL_NOCASE) >= 0 && !read(file(path), unmade_))
+            if (zip_.has(path) && !read(zip_.read(path), unmade_))
                 bad("'" + std::string(path) + "' in the archive is no XML");
         for (const auto& [object, ranges] : unmade_.triangles) not_made_.count += ranges.size();
     }
@@ -158,7 +116,7 @@ class Archive {
         auto& slot = models_[path];
         if (slot != nullptr) return *slot;
         slot = std::make_unique<Model>();
-        slot->text = file(path);
+        slot->text = zip_.read(path);
         const auto result = slot->xml.load_buffer_inplace(slot->text.data(), slot->text.size());
         if (!result) bad("'" + path + "' in the archive is no XML: " + result.description());
         const auto model = child(slot->xml, "model");
@@ -275,9 +233,9 @@ class Archive {
 
     const std::string& name_;
     Notes& notes_;
-    std::unique_ptr<zip_t, void (*)(zip_t*)> zip_{nullptr, [](zip_t* z) { zip_discard(z); }};
+    archive::Zip zip_;
     std::map<std::string, std::unique_ptr<Model>> models_; // by path
-    std::size_t text_ = 0, copies_ = 0;
+    std::size_t copies_ = 0;
     std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
     std::vector<Placed> placed_;
     Note same_{.stage = "", .what = "copy of a body in the same place left out", .unit = "", .count = 0};

@@ -76,8 +76,8 @@ std::string print_help(const std::vector<Stage>& stages) {
         "first in the program.\n"
         "If a stage fails, the exit code is its own, and no file appears.\n\n"
         "  -o, --output FILE   where to write\n"
-        "  --load FILE         settings of PrusaSlicer, an .ini file: what of it has a meaning here; the rest is "
-        "told.\n"
+        "  --load FILE         settings of PrusaSlicer, OrcaSlicer or Bambu Studio (.ini, .json, or a project, .3mf):\n"
+        "                      what of them has a meaning here; the rest is told.\n"
         "                      Options win over it. Options by slicers' names are taken, too: --fill-density 15%,\n"
         "                      --temperature 210, --rotate 45, --scale 150%\n"
         "  --keep FOLDER       keep the stream of every stage there: 1-slice.layers, 2-regions.regions, ...\n"
@@ -170,6 +170,12 @@ int judge(const std::vector<Ended>& ended, const std::vector<Stage>& stages) {
     return code;
 }
 
+std::vector<std::string> names_of(const std::vector<Stage>& stages) {
+    std::vector<std::string> out(stages.size());
+    std::transform(stages.begin(), stages.end(), out.begin(), [](const Stage& s) { return s.name; });
+    return out;
+}
+
 // Puts the programs that --stage names in place of the stages.
 void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
     const std::string option = "--stage";
@@ -183,9 +189,7 @@ void swap(const std::vector<std::string>& words, std::vector<Stage>& stages) {
             throw Error(Exit::usage, "cannot use --stage '" + what + "': it is no NAME=FILE, as fill=./mine");
         const auto found = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == name; });
         if (found == stages.end()) {
-            std::vector<std::string> names;
-            for (const Stage& s : stages) names.push_back(s.name);
-            const std::string meant = did_you_mean(name, names);
+            const std::string meant = did_you_mean(name, names_of(stages));
             throw Error(Exit::usage, "cannot put in the stage '" + name + "': the chain has none of that name" +
                                          (meant.empty() ? "; see 'filum help print'" : meant));
         }
@@ -216,9 +220,8 @@ int print_part(const std::vector<std::string>& typed) {
     const bool talks = ::isatty(STDERR_FILENO) != 0 && !request.quiet;
     Kept kept(request, stages);
     if (talks) commands.back().push_back("--summary=" + kept.summary());
-    std::vector<std::string> names;
-    for (const Stage& s : stages) names.push_back(s.name);
-    const auto ended = talks ? run_watched(commands, kept.files(), names) : run_piped(commands, kept.files());
+    const auto ended =
+        talks ? run_watched(commands, kept.files(), names_of(stages)) : run_piped(commands, kept.files());
     if (const int code = judge(ended, stages); code != 0) return code;
     kept.commit();
     if (!request.picture.empty()) kept.draw({}, request.picture);

@@ -1,13 +1,12 @@
 #include "app/filum/slicer_names.hpp"
 
+#include "app/filum/slicer_file.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/other_names.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -26,9 +25,10 @@ std::string dashed(std::string name) {
     return name;
 }
 
-std::string trimmed(const std::string& text) {
-    const auto from = text.find_first_not_of(" \t\r");
-    return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
+std::string option_of(const std::string& name, const std::string& value) {
+    std::string out = "--";
+    out.append(name).append("=").append(value);
+    return out;
 }
 
 bool percent(const std::string& text) { return !text.empty() && text.back() == '%'; }
@@ -37,12 +37,33 @@ double number(const std::string& text, const std::string& of) {
     return parse_number(percent(text) ? text.substr(0, text.size() - 1) : text, "--" + of);
 }
 
+double number_or(const std::string& text, double other) {
+    try {
+        return number(text, "load");
+    } catch (const Error&) {
+        return other;
+    }
+}
+
 // Slicers' patterns of straight lines that this program lays as rows, of waves, and of lines along the outline.
 std::string pattern(const std::string& theirs) {
     for (const char* rows : {"rectilinear", "alignedrectilinear", "line", "lines", "grid", "zigzag", "zig-zag", "rows"})
         if (theirs == rows) return "rows";
     if (theirs == "concentric") return "concentric";
     return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
+}
+
+// Strokes begin where they are least seen, or where the one before ended: few that they are, nobody lines them up.
+std::string seam(const std::string& theirs) {
+    if (theirs == "rear" || theirs == "back") return "back";
+    return theirs == "nearest" ? "nearest" : "";
+}
+
+// The option for a part that loses so many % of its size in x and y.
+std::optional<std::string> shrinkage(const std::string& option, double lost) {
+    if (!(lost > 0)) return std::nullopt;
+    const std::string text = shortest_text(lost);
+    return option + "=" + text + "," + text + ",0";
 }
 
 // Our words for a setting; none if it says what has no meaning here.
@@ -65,6 +86,13 @@ std::optional<std::string> translated(const OtherName& n, const std::string& val
     case Value::pattern:
         if (pattern(value).empty()) return std::nullopt;
         return option + "=" + pattern(value);
+    case Value::seam:
+        if (seam(value).empty()) return std::nullopt;
+        return option + "=" + seam(value);
+    case Value::lost:
+        return shrinkage(option, number(value, theirs));
+    case Value::left:
+        return shrinkage(option, 100 - number(value, theirs));
     case Value::key:
         if (percent(value)) return std::nullopt;
         number(value, theirs);
@@ -94,55 +122,38 @@ const OtherName* known(const std::vector<Stage>& stages, const std::string& thei
     return cli::other_name(theirs, [&](std::string_view ours) { return has(stages, ours); });
 }
 
-struct Setting {
-    std::string key, value;
-};
-
-std::vector<Setting> settings_in(const std::string& file) {
-    std::ifstream in(file);
-    if (!in) throw Error(Exit::io, "cannot read '" + file + "': " + std::strerror(errno));
-    std::vector<Setting> out;
-    for (std::string line; std::getline(in, line);) {
-        line = trimmed(line);
-        const auto equal = line.find('=');
-        if (line.empty() || line[0] == '#' || line[0] == ';' || line[0] == '[' || equal == std::string::npos) continue;
-        out.push_back({trimmed(line.substr(0, equal)), trimmed(line.substr(equal + 1))});
-    }
-    if (out.empty())
-        throw Error(Exit::bad_input, "cannot use '" + file +
-                                         "': it has no line 'name = value'; export the settings of "
-                                         "the slicer as an .ini file");
-    return out;
-}
-
 bool says_nothing(const std::string& value) {
     return value.empty() || value == "0" || value == "0%" || value == "\"\"";
 }
 
 // What of a file has a meaning here.  Lists, as for several extruders, give their first value.
 void load(const std::string& file, const std::vector<Stage>& stages, Translated& out) {
-    const std::vector<Setting> all = settings_in(file);
+    const std::vector<SlicerSetting> all = slicer_settings(file);
     const auto value_of = [&](std::string_view key) {
-        for (const Setting& s : all)
+        for (const SlicerSetting& s : all)
             if (dashed(s.key) == key) return s.value;
         return std::string();
     };
-    const bool supports = value_of("support-material") == "1", wide = !says_nothing(value_of("extrusion-width"));
-    for (const Setting& s : all) {
-        const std::string name = dashed(s.key), value = s.value.substr(0, s.value.find_first_of(",;"));
+    const bool supports = value_of("support-material") == "1",
+               wide = !says_nothing(value_of("extrusion-width")) || !says_nothing(value_of("line-width"));
+    const bool no_skirt = says_nothing(value_of("skirts")) && says_nothing(value_of("skirt-loops"));
+    const std::string brims = value_of("brim-type"); // which of them; the width stands there all the same
+    for (const SlicerSetting& s : all) {
+        const std::string name = dashed(s.key), value = s.value;
         const OtherName* n = known(stages, name);
         const bool of_supports = name.starts_with("support-material-");
         // a skirt of none is none at any distance; the nozzle is as wide as the bead where that is not said
-        const bool idle = (of_supports && !supports) ||
-                          (name == "skirt-distance" && says_nothing(value_of("skirts"))) ||
-                          (name == "nozzle-diameter" && wide) || name == "skirts" || says_nothing(value);
+        const bool idle = (of_supports && !supports) || (name == "filament-shrink" && number_or(value, 100) == 100) ||
+                          (name == "skirt-distance" && no_skirt) || (name == "brim-width" && brims == "no_brim") ||
+                          (name == "nozzle-diameter" && wide) || name == "skirts" || name == "skirt-loops" ||
+                          (name == "brim-type" && brims == "no_brim") || says_nothing(value);
         std::optional<std::string> word;
         try {
-            if (n != nullptr && !idle) word = translated(*n, value);
+            if (n != nullptr && !idle && !(name == "brim-width" && brims == "auto_brim")) word = translated(*n, value);
         } catch (const Error&) { // a value of another kind
         }
         if (!idle && std::find(std::begin(kSame), std::end(kSame), name) != std::end(kSame))
-            word = "--" + name + "=" + value;
+            word = option_of(name, value);
         if (word)
             out.words.push_back(*word);
         else if (!idle)
@@ -196,13 +207,13 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
         if (typed == "load") {
             load(value(), stages, out);
         } else if (typed == "set" || typed == "rotate" || typed == "scale") {
-            rest.push_back("--" + typed + "=" + own_value(typed, value()));
+            rest.push_back(option_of(typed, own_value(typed, value())));
         } else if (n != nullptr) {
             const std::string given = n->value == Value::flag && equal == std::string::npos ? "1" : value();
             const auto ours = translated(*n, given);
             if (!ours)
                 throw Error(Exit::usage,
-                            "cannot use '--" + typed + "' with '" + given + "'; here it is '" + cli::ours_of(*n) + "'");
+                            "cannot use '" + option_of(typed, given) + "'; here it is '" + cli::ours_of(*n) + "'");
             rest.push_back(*ours);
         } else {
             rest.push_back(word);

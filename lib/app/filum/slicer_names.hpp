@@ -1,5 +1,5 @@
 // The words of slicers in ours: options of `filum print` by the names that PrusaSlicer, Cura and others have for them,
-// and PrusaSlicer's files of settings.
+// and their files of settings.
 #pragma once
 
 #include "app/filum/stage.hpp"

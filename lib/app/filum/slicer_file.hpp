@@ -1,0 +1,18 @@
+// Settings as slicers keep them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace filum::app::filum {
+
+struct SlicerSetting {
+    std::string key, value; // of a list, as for several extruders, the first value
+};
+
+// The settings of a file, in its order (of JSON, by key): lines "name = value", as PrusaSlicer and SuperSlicer export
+// them; a JSON object, as OrcaSlicer and Bambu Studio do; or a project of any of them (3MF) that holds one of both.
+// Throws Error: io for a file that cannot be read, bad_input for one without settings.
+std::vector<SlicerSetting> slicer_settings(const std::string& file);
+
+} // namespace filum::app::filum
