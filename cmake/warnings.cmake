@@ -20,9 +20,9 @@ if(FILUM_SANITIZE)
         # The sanitizers' own code hides what is initialised (GCC's manual says so); the plain build still asks.
         list(APPEND FILUM_WARNINGS -Wno-maybe-uninitialized)
     endif()
-    # These two checks alone double the time to compile.  AddressSanitizer stops at a null access anyway, and the
-    # readers of foreign bytes have all checks (tests/fuzz).
-    add_compile_options(-fno-sanitize=null,alignment)
+    # These checks alone more than double the time to compile.  AddressSanitizer stops at a null access, and where a
+    # pointer leads out of an object, anyway; the readers of foreign bytes have all checks (tests/fuzz).
+    add_compile_options(-fno-sanitize=null,alignment,pointer-overflow)
     # Nearly all of this is CGAL's code: it takes longest of all to compile.
     set_source_files_properties(lib/surface/remesh.cpp PROPERTIES COMPILE_OPTIONS "-fno-sanitize=all;-O0")
 endif()
