@@ -57,7 +57,7 @@ std::string Zip::read(std::string path) {
         if (n < 0) bad("'" + path + "' in the archive is damaged: " + zip_file_strerror(f.get()));
         out.resize(had + static_cast<std::size_t>(n));
         if (n == 0) return out;
-        if (taken_ += static_cast<std::size_t>(n); taken_ > kMost) bad("its models hold more than 512 MiB of text");
+        if (taken_ += static_cast<std::size_t>(n); taken_ > kMost) bad("it holds more than 512 MiB");
     }
 }
 

@@ -11,18 +11,18 @@ namespace filum::cli {
 
 // How a value of theirs becomes one of ours.
 enum class Value : std::uint8_t {
-    same,      // as it stands
-    length,    // mm; a share of something else has no meaning here, nor has 0, which says "by itself"
-    share,     // 15% or 15 becomes 15%
-    flag,      // 0 or 1
-    steepness, // degrees from the horizontal; here they count from the vertical
-    pattern,   // of infill
-    key,       // of the machine's profile, by --set; a share of something else has no meaning here
-    bed_only,  // 0 or 1: where supports may stand
-    seam,      // where strokes begin
-    lost,      // % of the size in x and y that a part loses as it cools
-    left,      // % of it that is left then
-    turn_x,    // degrees
+    same,       // as it stands
+    length,     // mm; a share of something else has no meaning here, nor has 0, which says "by itself"
+    share,      // 15% or 15 becomes 15%
+    flag,       // 0 or 1
+    steepness,  // degrees from the horizontal; here they count from the vertical
+    pattern,    // of infill
+    key,        // of the machine's profile, by --set; a share of something else has no meaning here
+    bed_only,   // 0 or 1: where supports may stand
+    seam,       // where strokes begin
+    shrinks_by, // % of the size in x and y that a part loses as it cools
+    shrinks_to, // % of it that are left then
+    turn_x,     // degrees
     turn_y,
     turn_z,
     none, // ours takes another kind of value: only its name can be told

@@ -141,7 +141,7 @@ std::optional<Linker::Entry> Linker::go_around(const Emit& emit, Notes& notes) {
 // A strand straight over to the front region, if that is on the same layer and nothing of it is crossed.
 std::optional<Linker::Entry> Linker::go_inside(const Emit& emit) {
     const auto& r = window_.front();
-    if (!may_climb_ || !last_ || std::abs(at_->z - r.paths.z) > 1e-6) return std::nullopt;
+    if (!beside_last()) return std::nullopt;
     const auto entry = nearest_entry(r, at_->xy(), std::numeric_limits<double>::infinity(), {});
     if (!entry) return std::nullopt;
     const Vec3 a = *at_, b = at_height(entry->place.point, r.paths.z);
@@ -149,11 +149,10 @@ std::optional<Linker::Entry> Linker::go_inside(const Emit& emit) {
         printed_.hits(a, b, options_.head))
         return std::nullopt;
     if (!misses_others(a, b, false)) return std::nullopt;
-    joins_.push_back({false, {a.xy(), b.xy()}, {kThin * r.width}});
     ++counts_.strands;
     counts_.strand_length += entry->place.distance;
     printed_.begin();
-    if (entry->place.distance > kSamePoint) extrude(Role::jog, {a, b}, {kThin * r.width}, emit);
+    jog(*entry, emit);
     return entry;
 }
 

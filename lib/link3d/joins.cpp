@@ -53,16 +53,27 @@ std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
 // From the brim, where its last bead ends, straight over to the front region's nearest bead.
 std::optional<Linker::Entry> Linker::step_in(const Emit& emit) {
     const auto& r = window_.front();
-    if (!may_climb_ || !last_ || std::abs(at_->z - r.paths.z) > 1e-6) return std::nullopt;
+    if (!beside_last()) return std::nullopt;
     const auto entry = nearest_entry(r, at_->xy(), reaches(r).back() * (r.width + width_before_) / 2, {});
     if (!entry) return std::nullopt;
     const Vec2 from = at_->xy(), to = entry->place.point;
     if (!is_free(*last_, from, to, kMargin, kEnds, 0) || !is_free(r.index, from, to, kMargin, 0, kEnds))
         return std::nullopt;
-    joins_.push_back({false, {from, to}, {kThin * r.width}});
     ++counts_.brims;
-    extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
+    jog(*entry, emit);
     return entry;
+}
+
+// Whether the region before, which is known as it was printed, is of the front region's layer.
+bool Linker::beside_last() const { return may_climb_ && last_ && std::abs(at_->z - window_.front().paths.z) <= 1e-6; }
+
+// Straight to a place of the front region, on its layer.
+void Linker::jog(const Entry& entry, const Emit& emit) {
+    const auto& r = window_.front();
+    const Vec2 to = entry.place.point;
+    joins_.push_back({false, {at_->xy(), to}, {kThin * r.width}});
+    if (entry.place.distance > kSamePoint)
+        extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
 }
 
 // The curves of the front region as they are printed, the curve `c` as `bead`, with all that joins them.

@@ -175,11 +175,9 @@ Linker::Entry Linker::hop(std::span<const char> done, const Emit& emit, Notes& n
     const Vec2 to = entry.place.point;
     const bool near = entry.place.distance <= options_.reach * r.width;
     if (near && is_free(r.index, at_->xy(), to, kMargin, kEnds, kEnds) && crosses_no_join(at_->xy(), to)) {
-        joins_.push_back({false, {at_->xy(), to}, {kThin * r.width}});
         ++counts_.jogs;
         counts_.jog_length += entry.place.distance;
-        if (entry.place.distance > kSamePoint)
-            extrude(Role::jog, {*at_, at_height(to, r.paths.z)}, {kThin * r.width}, emit);
+        jog(entry, emit);
     } else {
         ++counts_.parted;
         notes.push_back({"",

@@ -98,6 +98,8 @@ class Linker {
     [[nodiscard]] std::optional<Entry> other_end(const Entry& entry) const;
     std::optional<Entry> climb(const Emit& emit);
     std::optional<Entry> step_in(const Emit& emit);
+    [[nodiscard]] bool beside_last() const;
+    void jog(const Entry& entry, const Emit& emit);
     [[nodiscard]] std::optional<std::uint32_t> main_curve() const;
     Entry hop(std::span<const char> done, const Emit& emit, Notes& notes);
     [[nodiscard]] const char* no_climb() const;

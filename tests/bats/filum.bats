@@ -254,6 +254,12 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
         [[ $out == *'slice --layer-height=0.25 '*'skins '*'--infill=20%'*'--walls=3'*'--bead-width=0.42'*'nozzle_temp=225'* ]]
         [[ $out != *brim* && $out != *skirt* && $err == *'1 settings of --load have no meaning here: timelapse_type'* ]]
     done
+    for kind in outer_only auto_brim; do
+        printf '{"brim_width": "5", "brim_type": "%s"}' $kind > brim.json
+        expect 0 filum print part.stl --dry-run --load brim.json
+        if [[ $kind == outer_only ]]; then [[ $out == *'supports --brim=5 '* && -z $err ]]; else
+            [[ $out != *brim* && $err == *': brim_type brim_width'* ]]; fi
+    done
     head -c 150 orca.3mf > cut.3mf
     expect 3 filum print part.stl --load cut.3mf
     [[ $err == *'no whole zip archive'* ]]

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -35,14 +36,6 @@ bool percent(const std::string& text) { return !text.empty() && text.back() == '
 
 double number(const std::string& text, const std::string& of) {
     return parse_number(percent(text) ? text.substr(0, text.size() - 1) : text, "--" + of);
-}
-
-double number_or(const std::string& text, double other) {
-    try {
-        return number(text, "load");
-    } catch (const Error&) {
-        return other;
-    }
 }
 
 // Slicers' patterns of straight lines that this program lays as rows, of waves, and of lines along the outline.
@@ -89,9 +82,9 @@ std::optional<std::string> translated(const OtherName& n, const std::string& val
     case Value::seam:
         if (seam(value).empty()) return std::nullopt;
         return option + "=" + seam(value);
-    case Value::lost:
+    case Value::shrinks_by:
         return shrinkage(option, number(value, theirs));
-    case Value::left:
+    case Value::shrinks_to:
         return shrinkage(option, 100 - number(value, theirs));
     case Value::key:
         if (percent(value)) return std::nullopt;
@@ -126,37 +119,50 @@ bool says_nothing(const std::string& value) {
     return value.empty() || value == "0" || value == "0%" || value == "\"\"";
 }
 
-// What of a file has a meaning here.  Lists, as for several extruders, give their first value.
+using ValueOf = std::function<std::string(std::string_view key)>;
+
+// Whether a setting asks for nothing: by itself, or because of another one.
+bool idle(const std::string& name, const std::string& value, const ValueOf& value_of) {
+    const auto none = [&](const char* key) { return says_nothing(value_of(key)); };
+    if (says_nothing(value)) return true;
+    if (name.starts_with("support-material-")) return value_of("support-material") != "1";
+    if (name == "skirts" || name == "skirt-loops") return true; // told by its distance
+    if (name == "skirt-distance") return none("skirts") && none("skirt-loops");
+    if (name == "brim-type") return value == "no_brim" || value == "outer_only"; // the only kind there is here
+    if (name == "brim-width") return value_of("brim-type") == "no_brim";
+    if (name == "nozzle-diameter") return !none("extrusion-width") || !none("line-width"); // else as wide as the bead
+    if (name == "filament-shrink") return value == "100%" || value == "100";
+    return false;
+}
+
+// Our words for a setting that asks for something; none if it has no meaning here.
+std::optional<std::string> word_for(const SlicerSetting& s, const std::vector<Stage>& stages, const ValueOf& value_of) {
+    const std::string name = dashed(s.key);
+    if (std::find(std::begin(kSame), std::end(kSame), name) != std::end(kSame)) return option_of(name, s.value);
+    const OtherName* n = known(stages, name);
+    if (n == nullptr) return std::nullopt;
+    const std::string brim = value_of("brim-type");
+    if (name == "brim-width" && !brim.empty() && !brim.starts_with("outer_")) return std::nullopt;
+    try {
+        return translated(*n, s.value);
+    } catch (const Error&) { // a value of another kind
+        return std::nullopt;
+    }
+}
+
+// What of a file has a meaning here.
 void load(const std::string& file, const std::vector<Stage>& stages, Translated& out) {
     const std::vector<SlicerSetting> all = slicer_settings(file);
-    const auto value_of = [&](std::string_view key) {
-        for (const SlicerSetting& s : all)
-            if (dashed(s.key) == key) return s.value;
-        return std::string();
+    const ValueOf value_of = [&](std::string_view key) {
+        const auto at =
+            std::find_if(all.begin(), all.end(), [&](const SlicerSetting& s) { return dashed(s.key) == key; });
+        return at == all.end() ? std::string() : at->value;
     };
-    const bool supports = value_of("support-material") == "1",
-               wide = !says_nothing(value_of("extrusion-width")) || !says_nothing(value_of("line-width"));
-    const bool no_skirt = says_nothing(value_of("skirts")) && says_nothing(value_of("skirt-loops"));
-    const std::string brims = value_of("brim-type"); // which of them; the width stands there all the same
     for (const SlicerSetting& s : all) {
-        const std::string name = dashed(s.key), value = s.value;
-        const OtherName* n = known(stages, name);
-        const bool of_supports = name.starts_with("support-material-");
-        // a skirt of none is none at any distance; the nozzle is as wide as the bead where that is not said
-        const bool idle = (of_supports && !supports) || (name == "filament-shrink" && number_or(value, 100) == 100) ||
-                          (name == "skirt-distance" && no_skirt) || (name == "brim-width" && brims == "no_brim") ||
-                          (name == "nozzle-diameter" && wide) || name == "skirts" || name == "skirt-loops" ||
-                          (name == "brim-type" && brims == "no_brim") || says_nothing(value);
-        std::optional<std::string> word;
-        try {
-            if (n != nullptr && !idle && !(name == "brim-width" && brims == "auto_brim")) word = translated(*n, value);
-        } catch (const Error&) { // a value of another kind
-        }
-        if (!idle && std::find(std::begin(kSame), std::end(kSame), name) != std::end(kSame))
-            word = option_of(name, value);
-        if (word)
+        if (idle(dashed(s.key), s.value, value_of)) continue;
+        if (const auto word = word_for(s, stages, value_of))
             out.words.push_back(*word);
-        else if (!idle)
+        else
             out.left.push_back(s.key);
     }
 }
