@@ -10,32 +10,34 @@ using namespace filum;
 
 using app::supports::Options;
 
+constexpr const char* kDescription =
+    "Adds regions that are no part: with --support columns under whatever leans out by more than "
+    "--support-angle, with --raft layers under all of it, with --brim a band about the first layer, with "
+    "--skirt a ring apart from it. They are ordered, filled and joined like all regions: a column climbs as a "
+    "stroke of its own, before what it "
+    "carries.\n\n"
+    "A column stands on the bed or, unless told otherwise, on the part. It keeps clear of the part by --beside "
+    "in a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, "
+    "in "
+    "the last --interface layers two bead widths. Columns nearer to each other than four bead widths are "
+    "one.\n\n"
+    "--raft raises the part by so many layers and --gap, and carries all of its first layer by a support as "
+    "wide as it and two beads more. A brim and a skirt lie about all that lies on the bed, not in its holes; a "
+    "brim's rings are the first turns of a stroke of the first layer.\n\n"
+    "--support-in and --no-support-in say by a body, a mesh in the coordinates of the part's file, where "
+    "supports are wanted and where not: slicers call these enforcers and blockers.\n\n"
+    "What still hangs in the air, as 'regions' tells it, is told anew: where there is no room for a column, "
+    "where it may not stand, between a wall and a column --beside it, and what leans by less than "
+    "--support-angle but "
+    "by more than half a bead. Put this stage behind 'skins', if that is there.";
+
 cli::Spec spec(Options& all) {
     using cli::Option;
     supports::Options& o = all.how;
     return {
         .name = "supports",
         .synopsis = "what carries overhangs, and what holds the first layer",
-        .description =
-            "Adds regions that are no part: with --support columns under whatever leans out by more than "
-            "--support-angle, with --raft layers under all of it, with --brim a band about the first layer, with "
-            "--skirt a ring apart from it. They are ordered, filled and joined like all regions: a column climbs as a "
-            "stroke of its own, before what it "
-            "carries.\n\n"
-            "A column stands on the bed or, unless told otherwise, on the part. It keeps clear of the part by --beside "
-            "in a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, "
-            "in "
-            "the last --interface layers two bead widths. Columns nearer to each other than four bead widths are "
-            "one.\n\n"
-            "--raft raises the part by so many layers and --gap, and carries all of its first layer by a support as "
-            "wide as it and two beads more. A brim and a skirt lie about all that lies on the bed, not in its holes; a "
-            "brim's rings are the first turns of a stroke of the first layer.\n\n"
-            "--support-in and --no-support-in say by a body, a mesh in the coordinates of the part's file, where "
-            "supports are wanted and where not: slicers call these enforcers and blockers.\n\n"
-            "What still hangs in the air, as 'regions' tells it, is told anew: where there is no room for a column, "
-            "where it may not stand, between a wall and a column --beside it, and what leans by less than "
-            "--support-angle but "
-            "by more than half a bead. Put this stage behind 'skins', if that is there.",
+        .description = kDescription,
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",

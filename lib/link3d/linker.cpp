@@ -237,8 +237,8 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
 
 void Linker::lay_lane(const std::vector<Vec2>& way, const Emit& emit) {
     const auto& r = window_.front();
-    std::vector<Vec3> points;
-    for (const auto p : way) points.push_back(at_height(p, r.paths.z));
+    std::vector<Vec3> points(way.size());
+    std::transform(way.begin(), way.end(), points.begin(), [&](Vec2 p) { return at_height(p, r.paths.z); });
     extrude(Role::jog, std::move(points), {kThin * r.width}, emit);
 }
 
