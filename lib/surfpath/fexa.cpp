@@ -158,7 +158,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         find_gaps(s, sides, side, above, spread, d > 0 ? d : o.spacing, gaps);
     }
     const Turning turns = turning(o.spacing, o.least_radius);
-    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
+    Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     wind(s, all, o.spacing, true);
     Plan out = boustrophedon(s, all, turns);
     if (gaps.area > 0)

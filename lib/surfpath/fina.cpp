@@ -22,7 +22,7 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
         sign = -sign;
     }
     const Turning turns = turning(o.spacing, o.least_radius);
-    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
+    Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     wind(s, all, o.spacing, true);
     return boustrophedon(s, all, turns);
 }

@@ -3,8 +3,7 @@
 #include "surface/curve/ease.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/stripes.hpp"
-#include "surfpath/splice.hpp"
-#include "surfpath/winding.hpp"
+#include "surfpath/loops.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -16,13 +15,12 @@ namespace {
 constexpr double kSmoothed = 0.2;  // spacings: what is smaller, of directions, lines cannot follow
 constexpr double kLongestWay = 50; // mm: ways along what is laid, at most: a cut costs as much fibre
 constexpr double kAcross = 10;     // spacings: ways over other lines, at most
-constexpr std::size_t kChain = 4;  // closed lines beside each other that make a spiral
 constexpr double kEasedTo = 1.15;  // of the least radius: what lines are eased to, so that samples of them keep it
 constexpr double kGive =
     0.1; // spacings: how far lines may move to keep the radius; more would cut off the turns of pairs
 
 field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
-    if (given.given > 0 || given.stress > 0 || given.angle > 0 || given.rim > 0) return given;
+    if (given.given > 0 || given.stress > 0 || given.angle > 0 || given.rim > 0 || given.rings > 0) return given;
     const bool stressed = std::any_of(sheet.fields.begin(), sheet.fields.end(), [](const surface::Field& f) {
         return f.name.starts_with("stress.") && f.name.ends_with(".d1");
     });
@@ -30,23 +28,6 @@ field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
                                   [](const surface::Field& f) { return f.name == kDirection; });
     (said ? given.given : stressed ? given.stress : given.angle) = 1;
     return given;
-}
-
-// The lines as rows; of closed ones, long chains as rings to be wound, others as part of lines beside them.
-std::pair<std::vector<Raw>, std::vector<Vec3>> opened(const Surface& s, std::vector<Line> lines, double spacing,
-                                                      double radius) {
-    const auto numbered = [&] {
-        std::vector<Raw> out;
-        for (std::size_t i = 0; i < lines.size(); ++i) out.push_back({lines[i], spacing * static_cast<double>(i)});
-        return out;
-    };
-    auto rings = numbered();
-    std::vector<char> wound;
-    for (const std::size_t size : level_rings(s, rings, spacing)) wound.push_back(size >= kChain ? 1 : 0);
-    const auto crossed = splice_loops(s, lines, wound, spacing, radius);
-    rings = numbered();
-    level_rings(s, rings, spacing);
-    return {std::move(rings), crossed};
 }
 
 // Each by itself, always the one next whose nearer end is nearest to where the last one ended; the first of equals.
@@ -83,7 +64,7 @@ void tell(const Surface& s, const field::Directions& d, Plan& out) {
 
 bool keeps_angle(const Options& o) {
     const auto& f = o.follow;
-    const bool angle = f.angle > 0 && !(f.given > 0) && !(f.stress > 0) && !(f.rim > 0);
+    const bool angle = f.angle > 0 && !(f.given > 0) && !(f.stress > 0) && !(f.rim > 0) && !(f.rings > 0);
     return o.keep == Keep::angle || (o.keep == Keep::usual && angle);
 }
 
@@ -102,12 +83,13 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         for (Line& l : in_turn(std::move(all))) out.strokes.push_back({{{std::move(l), false}}});
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
-        const auto [raw, crossed] = opened(s, std::move(all), o.spacing, gentle);
+        std::vector<Raw> raw;
+        for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
         Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
         turns.across = kAcross * o.spacing;
         turns.along = kLongestWay;
-        Rows found = rows(s, raw, o.spacing / 2, o.spacing / 2);
-        wind(s, found, o.spacing, false);
+        Rows found = rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
+        const auto crossed = open_loops(s, found, {o.spacing, gentle, kLongestWay});
         out = boustrophedon(s, found, turns);
         if (!crossed.empty())
             out.notes.push_back({"", "loop joined by shifts that cross",

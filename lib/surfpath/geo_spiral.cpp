@@ -36,7 +36,7 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     std::vector<Raw> raw;
     add(raw, geodesic::isolines(s, field, levels), 1);
     const Turning turns = turning(o.spacing, o.least_radius);
-    Rows all = rows(s, raw, o.spacing / 2, 2 * turns.least_radius);
+    Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     wind(s, all, o.spacing, false);
     return boustrophedon(s, all, turns);
 }

@@ -17,7 +17,6 @@ namespace {
 constexpr double kLeast = 0.3;    // spacings: no radius is less
 constexpr double kPathStep = 0.1; // least radii: between points of the path
 constexpr double kEase = 1.08;    // least radii: so that what remains keeps to it
-constexpr double kSeam = 25;      // spacings: length of a seam, per lane that lanes go over by
 
 // The line with points where it crosses edges only if it would leave the surface by more than 0.004 mm between its own:
 // of two points that are next to nothing apart, each turns by any angle.
@@ -76,7 +75,7 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
         const Rungs seam =
-            seam_place(lanes, start, 2 * std::sqrt(o.least_radius * made.spacing * by), kSeam * by * made.spacing);
+            seam_place(lanes, start, 2 * std::sqrt(o.least_radius * made.spacing * by), kSeamLength * by * made.spacing);
         if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
             shift(weave, lanes, seam, by);
             merged = seam.lane;

@@ -15,10 +15,11 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kDetour = 1.1;    // of the way that is replaced, at most
-constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
-constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
-constexpr double kFollowing = 0.4; // of the margin: what lines keep that follow the inset instead
+constexpr double kDetour = 1.1;     // of the way that is replaced, at most
+constexpr double kClosed = 0.9;     // of the margin: what closed lines keep
+constexpr double kMostShort = 0.1;  // of the length of all: short rows that may be dropped
+constexpr double kFollowing = 0.4;  // of the margin: what lines keep that follow the inset instead
+constexpr double kCameRound = 1e-6; // mm: ends of a line that came round
 
 surface::Sources rims(const Surface& s) {
     surface::Sources out;
@@ -85,12 +86,20 @@ class Cutter {
         return out;
     }
 
-    // Where the line is nearest to a rim, mm along it.
-    [[nodiscard]] double tightest(const Line& line, std::span<const double> ways) const {
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < line.size(); ++i)
-            if (room(line.places[i]) < room(line.places[best])) best = i;
-        return ways[best];
+    // Where the line is nearest to a rim, and where it is farthest from all, mm along it.
+    [[nodiscard]] std::pair<double, double> extremes(const Line& line, std::span<const double> ways) const {
+        std::size_t near = 0, far = 0;
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            if (room(line.places[i]) < room(line.places[near])) near = i;
+            if (room(line.places[i]) > room(line.places[far])) far = i;
+        }
+        return {ways[near], ways[far]};
+    }
+
+    // The ring of the inset that is nearest to a place; none if there is none.
+    [[nodiscard]] const Line* ring(const Place& p) const {
+        const Port at = port(p.point);
+        return at.ring == kNone ? nullptr : &inset_.rings[at.ring];
     }
 
     // What leads along a ring from one place to another that is `way` mm off along a line; empty if that is a detour.
@@ -175,12 +184,31 @@ class Hugger {
     double margin_;
 };
 
+// A closed line that follows the inset where it comes nearer to a rim, still closed; empty if it cannot.
+Line closed_within(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
+                   double margin, double begin) {
+    if (cutter.kept(line, ways, kFollowing).size() != 1 || cutter.room(line.places[0]) < kFollowing * margin) return {};
+    const Place first = surface::curve::at(line, ways, begin);
+    if (cutter.room(first) < margin) { // nowhere far enough: the ring instead, if that is as long
+        const Line* ring = cutter.ring(first);
+        const bool alike = ring && ring->closed && surface::curve::length(*ring) < kDetour * ways.back();
+        return alike ? *ring : Line{};
+    }
+    const Line open = surface::curve::part(line, ways, begin, begin + ways.back());
+    auto found = Hugger(s, cutter, open, surface::curve::arc_lengths(open), margin).stretches();
+    if (found.size() != 1 || distance(found[0][0], found[0].places.back().point) > kCameRound) return {};
+    found[0].places.pop_back();
+    found[0].closed = true;
+    return std::move(found[0]);
+}
+
 std::vector<Line> stretches(const Surface& s, const Cutter& cutter, const Line& line, std::span<const double> ways,
                             double margin) {
     if (!line.closed) return Hugger(s, cutter, line, ways, margin).stretches();
+    const auto [nearest, farthest] = cutter.extremes(line, ways);
+    if (Line whole = closed_within(s, cutter, line, ways, margin, farthest); whole.size() > 2) return {whole};
     // Opened where it is nearest to a rim.
-    const double at = cutter.tightest(line, ways);
-    const Line open = surface::curve::part(line, ways, at, at + ways.back());
+    const Line open = surface::curve::part(line, ways, nearest, nearest + ways.back());
     return Hugger(s, cutter, open, surface::curve::arc_lengths(open), margin).stretches();
 }
 
@@ -198,7 +226,8 @@ void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, do
     }
 }
 
-Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest) {
+Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits) {
+    const double margin = limits.margin;
     Rows out;
     Cutter cutter(s, margin);
     double all = 0, too_short = 0;
@@ -211,11 +240,11 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
         else
             parts = stretches(s, cutter, raw.line, ways, margin);
         for (Line& line : parts) {
-            if (!line.closed)
-                line = surface::curve::ease(s, line, {.radius = shortest / 2, .corridor = margin / 2}).line;
+            if (!line.closed || !raw.line.closed || parts.size() > 1 || line.size() != raw.line.size())
+                line = surface::curve::ease(s, line, {.radius = limits.radius, .corridor = limits.give}).line;
             const double l = surface::curve::length(line);
             all += l;
-            too_short += l < shortest ? l : 0;
+            too_short += l < limits.shortest ? l : 0;
             Row row{std::move(line), raw.level, {}, {}};
             row.begin = cutter.port(row.line.places.front().point);
             row.end = cutter.port(row.line.places.back().point);
@@ -223,7 +252,7 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double
         }
     }
     double longest = 0;
-    const double least = too_short > kMostShort * all ? margin : shortest;
+    const double least = too_short > kMostShort * all ? margin : limits.shortest;
     std::erase_if(out.rows, [&](const Row& row) {
         const double l = surface::curve::length(row.line);
         if (l >= least) return false;

@@ -47,9 +47,15 @@ struct Rows {
     Vec3 dropped_at; // the middle of the longest of them
 };
 
-// The parts of `lines` that are at least `margin` from every rim, along the surface; exact.  Where a line comes nearer
-// to a rim that it runs along, it follows the inset instead.  What is left of a line and shorter than `shortest` is
-// dropped, unless that is more than a tenth of all.
-Rows rows(const Surface& s, const std::vector<Raw>& lines, double margin, double shortest);
+struct RowLimits {
+    double margin = 0;   // mm: from every rim
+    double shortest = 0; // mm: what is left of a line and shorter is dropped, unless that is more than a tenth of all
+    double radius = 0;   // mm: what lines that were cut are eased to,
+    double give = 0;     // mm: by so much at most
+};
+
+// The parts of `lines` that keep the margin, along the surface; exact.  Where a line comes nearer to a rim that it runs
+// along, it follows the inset instead; closed ones stay closed by that where they can.
+Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits);
 
 } // namespace filum::surfpath

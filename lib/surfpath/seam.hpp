@@ -6,6 +6,8 @@
 
 namespace filum::surfpath {
 
+inline constexpr double kSeamLength = 25; // spacings, per lane that lanes go over by
+
 // Rungs over as many lanes as may be, from `start` inwards (on its right), where they run side by side for a long way,
 // at most `wanted` mm; empty if there is no place as long as `least` mm.
 Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double wanted);

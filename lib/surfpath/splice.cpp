@@ -100,7 +100,8 @@ class Splicer {
                 const double side = k == 0 ? -half_ : half_;
                 const Spot3 there = nearest(surface::curve::at(loop, ways, way + side).point, here.line);
                 on[k] = std::remainder(there.way - here.way, lines_[here.line].closed ? all : 4 * all);
-                good = good && there.line != surface::kNone && std::abs(std::abs(on[k]) - half_) < d_ / 2;
+                good =
+                    good && there.line != surface::kNone && std::abs(std::abs(on[k]) - half_) < std::max(d_, half_) / 2;
                 off += std::abs(there.far - d_);
             }
             if (!good || on[0] * on[1] >= 0 || off >= least) continue;
@@ -181,7 +182,6 @@ std::vector<Vec3> splice_loops(const Surface& s, std::vector<Line>& lines, std::
     std::vector<Vec3> crossed;
     Splicer splicer(s, lines, spacing, radius);
     for (const std::uint32_t i : loops) splicer.take_in(i, crossed);
-    std::erase_if(lines, [](const Line& l) { return l.size() == 0; });
     return crossed;
 }
 

@@ -36,11 +36,13 @@ filum::surfpath::field::Sources followed(const Options& o) {
     out.turn = geom::radians(o.angle_deg);
     out.reference = reference(o.reference);
     for (const auto& [name, weight] : parse_weights(o.follow, "--follow")) {
-        if (name != "direction" && name != "stress" && name != "angle" && name != "rim")
-            throw Error(Exit::usage, "cannot follow '" + name + "'; --follow knows direction, stress, angle and rim");
+        if (name != "direction" && name != "stress" && name != "angle" && name != "rim" && name != "rings")
+            throw Error(Exit::usage,
+                        "cannot follow '" + name + "'; --follow knows direction, stress, angle, rim and rings");
         (name == "direction" ? out.given
          : name == "stress"  ? out.stress
          : name == "angle"   ? out.angle
+         : name == "rings"   ? out.rings
                              : out.rim) = weight;
     }
     if (o.follow.empty() && (o.angle_deg != 0 || o.reference != "X")) out.angle = 1;

@@ -25,6 +25,7 @@ struct Sources {
     double stress = 0;               // along the greatest pull of any load case
     double angle = 0;                // at `turn` from the reference direction
     double rim = 0;                  // along the rims, where one is near
+    double rings = 0;                // along the lines of equal distance from the rims, everywhere
     double turn = 0;                 // rad, counter-clockwise seen from the side that the surface faces
     const char* field = "direction"; // of that
     Vec3 reference{1, 0, 0};         // laid onto the surface; where it stands upright on that it says nothing

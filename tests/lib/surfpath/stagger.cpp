@@ -91,7 +91,7 @@ TEST(Stagger, turns_behind_each_other_lay_less_twice_than_all_at_the_rim) {
         const double radius = between(1.6, 2.8);
         const Surface s = sheet_of(a, b, lift);
         Turning turns = turning(spacing, radius);
-        const Rows all = rows(s, rim_to_rim(s, a, b, spacing, lift), spacing / 2, 2 * radius);
+        const Rows all = rows(s, rim_to_rim(s, a, b, spacing, lift), {spacing / 2, 2 * radius, radius, spacing / 4});
         const Plan plan = boustrophedon(s, all, turns);
         turns.staggered = false;
         const Plan at_rim = boustrophedon(s, all, turns);

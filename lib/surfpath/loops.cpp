@@ -1,0 +1,141 @@
+#include "surfpath/loops.hpp"
+
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
+#include "surfpath/seam.hpp"
+#include "surfpath/splice.hpp"
+#include "surfpath/winding.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace filum::surfpath {
+
+namespace {
+
+// Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
+// the line beside it, each costs two shifts that cross, which lay a spacing twice and leave one bare.  So long chains
+// are spirals, and those that are all there is, which need no cut.
+std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std::size_t> chain, const Loops& o) {
+    std::map<std::uint32_t, std::size_t> in_component;
+    const auto component = [&](std::size_t i) { return s.component[found.rows[i].line.places[0].triangle]; };
+    for (std::size_t i = 0; i < chain.size(); ++i) ++in_component[component(i)];
+    std::vector<char> out;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+        out.push_back(chain[i] > 0 && (chain[i] == in_component[component(i)] ||
+                                       2 * o.spacing * static_cast<double>(chain[i]) > o.cut)
+                          ? 1
+                          : 0);
+    return out;
+}
+
+// Gives closed rows the levels by which wind() finds them; how many each row's chain has.
+std::vector<std::size_t> level_rows(const Surface& s, Rows& found, double spacing) {
+    std::vector<Raw> rings;
+    for (std::size_t i = 0; i < found.rows.size(); ++i)
+        rings.push_back({std::move(found.rows[i].line), spacing * static_cast<double>(i)});
+    auto out = level_rings(s, rings, spacing);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        found.rows[i].line = std::move(rings[i].line);
+        found.rows[i].level = rings[i].level;
+    }
+    return out;
+}
+
+// The row with the way along the ring from its end on to its begin, in the sense in which it ends.
+Line closed_along(const Surface& s, const Row& row, const Inset& inset, double radius) {
+    const Line& ring = inset.rings[row.end.ring];
+    const auto& ways = inset.ways[row.end.ring];
+    const double all = ways.back(), near = inset.margin / 4;
+    const auto at = [&](double way) { return surface::curve::at(ring, ways, way).point; };
+    const Vec3 last = row.line.places.back().point - row.line[row.line.size() - 2];
+    const bool forward = dot(last, at(row.end.way + near) - at(row.end.way - near)) >= 0;
+    double to = forward ? row.begin.way - row.end.way : row.end.way - row.begin.way;
+    if (to < 0) to += all;
+    Line way = forward ? surface::curve::part(ring, ways, row.end.way, row.end.way + to)
+                       : surface::curve::part(ring, ways, row.begin.way, row.begin.way + to);
+    if (!forward) surface::curve::reverse(way);
+    Line out = row.line;
+    surface::curve::append(out, surface::curve::threaded(s, way));
+    out.places.pop_back(); // the first one again
+    out.closed = true;
+    return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.margin / 2}).line;
+}
+
+void close_rows(const Surface& s, Rows& rows, double radius) {
+    std::vector<std::size_t> ends(rows.inset.rings.size(), 0);
+    for (const Row& row : rows.rows)
+        if (!row.line.closed)
+            for (const Port* p : {&row.begin, &row.end})
+                if (p->ring != surface::kNone) ++ends[p->ring];
+    double longest = 0;
+    for (Row& row : rows.rows) {
+        const std::uint32_t ring = row.begin.ring;
+        if (row.line.closed || ring == surface::kNone || ring != row.end.ring || ends[ring] > 2 ||
+            !rows.inset.rings[ring].closed)
+            continue;
+        const double l = surface::curve::length(row.line);
+        if (l >= 2 * radius) {
+            row.line = closed_along(s, row, rows.inset, radius);
+            row.begin = row.end = {};
+            continue;
+        }
+        rows.dropped += l;
+        ++rows.drops;
+        if (l > longest) rows.dropped_at = row.line[row.line.size() / 2];
+        longest = std::max(longest, l);
+        row.line.places.clear();
+    }
+    std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
+}
+
+// Closed rows that are all of a component and lie within each other, as a spiral that goes over from each to the next
+// at one seam: it begins with all of the first and ends with all of the last.  Where no seam leads over all they stay,
+// from the shorter end on: where wind() begins it leaves a wedge of half a lap bare.
+void spiral(const Surface& s, Rows& rows, const Loops& o) {
+    std::map<std::uint32_t, std::vector<std::size_t>> in_component;
+    for (std::size_t i = 0; i < rows.rows.size(); ++i)
+        in_component[s.component[rows.rows[i].line.places[0].triangle]].push_back(i);
+    for (const auto& [component, which] : in_component) {
+        std::vector<Line> lines;
+        for (const std::size_t i : which)
+            if (rows.rows[i].line.closed) lines.push_back(rows.rows[i].line);
+        if (lines.size() < std::max<std::size_t>(2, which.size())) continue;
+        if (surface::curve::length(lines.front()) > surface::curve::length(lines.back()))
+            for (const std::size_t i : which) rows.rows[i].level *= -1;
+        const Lanes lanes(s, lines, o.spacing);
+        Weave weave(lanes);
+        const Rungs seam = seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing), kSeamLength * o.spacing);
+        if (seam.lanes() < lines.size()) continue;
+        shift(weave, lanes, seam, 1);
+        auto courses = weave.courses();
+        if (courses.size() != 1 || courses[0].closed) continue;
+        rows.rows[which[0]].line = std::move(courses[0].line);
+        for (std::size_t i = 1; i < which.size(); ++i) rows.rows[which[i]].line.places.clear();
+    }
+    std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
+}
+
+} // namespace
+
+std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& o) {
+    close_rows(s, rows, o.radius);
+    const auto keep = wound(s, rows, level_rows(s, rows, o.spacing), o);
+    std::vector<Line> lines;
+    for (Row& row : rows.rows) lines.push_back(std::move(row.line));
+    auto crossed = splice_loops(s, lines, keep, o.spacing, o.radius);
+    for (std::size_t i = 0; i < lines.size(); ++i) rows.rows[i].line = std::move(lines[i]);
+    std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
+    level_rows(s, rows, o.spacing);
+    const auto by_level = [&] {
+        std::stable_sort(rows.rows.begin(), rows.rows.end(),
+                         [](const Row& a, const Row& b) { return a.level < b.level; });
+    };
+    by_level();
+    spiral(s, rows, o);
+    by_level();
+    wind(s, rows, o.spacing, false);
+    return crossed;
+}
+
+} // namespace filum::surfpath
