@@ -23,7 +23,8 @@ constexpr const char* kDescription =
     "to fill it: writes the same surfaces with the algorithm, its sources and the distances from them, which "
     "`surfpath` "
     "follows. Candidates are fina and fexa along, and ortheo across, planes in directions from the mean pull of the "
-    "patch on, its principal axes, lines that follow the pull, sides of its rims; geo-contour and geo-fiso within the "
+    "patch on, its principal axes, lines that follow the pull, sides of its rims; geo-contour, geo-fiso and hybrid "
+    "within the "
     "rims; geo-spiral about its middle; and what the patch came with: sources from `geodesic`, an algorithm. All are "
     "judged by how much of the pull would run along such lines, the promising ones laid roughly, twice as far apart, "
     "and the best --finals of them as asked.\n\n"
@@ -48,7 +49,7 @@ cli::Spec spec(Options& o) {
         .memory = "the patches, and windows of distance of one candidate per thread",
         .options =
             {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
-                 {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field"}),
+                 {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"}),
              Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
              Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.within(
                  0, 1e5),

@@ -15,11 +15,12 @@ constexpr const char* kDescription =
     "Fills a surface with lines one spacing apart, inside its rims, as one stroke where there is a way. What "
     "they follow is where `geodesic` measured from: fina, rows at equal distances from a line; fexa, rows in "
     "planes along a plane cut; ortheo, lines straight away from a line; geo-fiso, rings inside the rims, in and out "
-    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. field needs no "
-    "source: its lines follow the stress, an angle to a reference direction, as plies are given, or a rim. Rows are "
-    "taken "
-    "some apart, so that turns are wide; those that must be tighter than --min-radius are spans of their own, "
-    "declared as hairpins. What cannot be placed is noted.\n\n"
+    "again; geo-contour, rings that end on the ridge; geo-spiral, a spiral around a point, then arcs. Two "
+    "need no source: lines of field follow the stress, an angle to a reference direction, as plies are given, a rim, "
+    "or rings about all rims; those of hybrid are rings about holes and along rims that turn into each other where "
+    "they meet, and so cover what a wide turn of a whole ring leaves bare. Rows are taken some apart, so that turns "
+    "are wide; those that must be tighter than --min-radius are spans of their own, declared as hairpins. What cannot "
+    "be placed is noted.\n\n"
     "Of several surfaces, patches of one part, each is filled in its turn. What `choose` has planned for a surface "
     "travels with it, and is followed unless an algorithm is named; without any plan it is geo-fiso. A patch without "
     "a plan among others that have one is left out, and noted. Facts of several patches begin with 'patch.' and their "
@@ -69,7 +70,7 @@ cli::Spec spec(Options& o) {
         .memory = "the model, and windows of distance",
         .options = cli::with(
             {Option{"algorithm", &o.algorithm, "", "what lines the path follows; the first word may say it"}.one_of(
-                 {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field"}),
+                 {"planned", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"}),
              Option{"method", &o.plan.method, "", "ours, or as Kipping et al. 2022"}.one_of({"filum", "kipping2022"}),
              Option{"spacing", &o.plan.spacing, "MM", "between neighbouring lines"}
                  .within(0.001, 1000)
@@ -87,7 +88,7 @@ cli::Spec spec(Options& o) {
                  .when("!method=kipping2022 algorithm=planned|ortheo")
                  .a_limit(),
              Option{"follow", &o.follow, "NAME=W,...",
-                    "what field follows: direction, stress, angle, rim; none: the first that the surface has"}
+                    "what field follows: direction, stress, angle, rim, rings; none: the first that the surface has"}
                  .when("!method=kipping2022 algorithm=planned|field"),
              Option{"angle", &o.angle_deg, "DEG", "of field, from the reference, counter-clockwise"}
                  .within(-360, 360)

@@ -152,6 +152,7 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
     if (!s.rims.empty()) {
         out.push_back({Algorithm::geo_contour, {}});
         out.push_back({Algorithm::geo_fiso, {}});
+        out.push_back({Algorithm::hybrid, {}});
     }
     const auto spots = places(sheet, f.centre);
     const auto through = [](Seed::Kind kind, const Vec3& p) { return Seed{kind, {}, p, {}}; };

@@ -8,13 +8,14 @@
 
 namespace filum::surfpath {
 
-enum class Algorithm : std::uint8_t { fina, fexa, ortheo, geo_fiso, geo_contour, geo_spiral, field };
+enum class Algorithm : std::uint8_t { fina, fexa, ortheo, geo_fiso, geo_contour, geo_spiral, field, hybrid };
 
 // The field of vectors that `field` follows, if a sheet carries it.
 inline constexpr const char* kDirection = "direction";
 
 // As users and streams have them, in that order.
-inline constexpr std::array kAlgorithms{"fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field"};
+inline constexpr std::array kAlgorithms{"fina",        "fexa",       "ortheo", "geo-fiso",
+                                        "geo-contour", "geo-spiral", "field",  "hybrid"};
 
 inline const char* name(Algorithm a) { return kAlgorithms[static_cast<std::size_t>(a)]; }
 

@@ -1,5 +1,6 @@
 #include "surfpath/follow.hpp"
 
+#include "base/error.hpp"
 #include "surface/curve/ease.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/stripes.hpp"
@@ -99,6 +100,17 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
     tell(s, directions, out);
     return out;
+}
+
+Plan hybrid(const surface::Sheet& sheet, const Options& options) {
+    if (sheet.surface.rims.empty())
+        throw Error(Exit::bad_input, "cannot lay rings along the rims of a closed surface: it has none; cut it open by "
+                                     "geodesic --cut, or take field");
+    Options o = options;
+    o.follow = {.rings = 1};
+    o.keep = Keep::spacing;
+    o.turns = RowTurns::usual;
+    return follow(sheet, o);
 }
 
 } // namespace filum::surfpath

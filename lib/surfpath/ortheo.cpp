@@ -111,7 +111,8 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         for (std::size_t i = 0; i < all.size(); ++i)
             raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
         const double radius = o.turns == RowTurns::wide ? o.least_radius : o.spacing / 2;
-        out = boustrophedon(s, rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}), {o.spacing, radius});
+        out = boustrophedon(s, rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}),
+                            {o.spacing, radius});
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);

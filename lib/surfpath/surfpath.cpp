@@ -45,6 +45,8 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
         return geo_spiral(sheet, options);
     case Algorithm::field:
         return follow(sheet, options);
+    case Algorithm::hybrid:
+        return hybrid(sheet, options);
     }
     throw std::logic_error("no such algorithm");
 }
@@ -62,7 +64,7 @@ std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p
 } // namespace
 
 Plan plan(const surface::Sheet& sheet, const Options& options) {
-    const bool by_field = options.algorithm == Algorithm::field;
+    const bool by_field = options.algorithm == Algorithm::field || options.algorithm == Algorithm::hybrid;
     const double longest = !by_field ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
     Fine small = fine(sheet, longest * options.spacing);
     if (by_field)

@@ -36,6 +36,7 @@ std::string text(const Vec3& v) { return shortest_text(v.x) + "," + shortest_tex
 std::string source(surfpath::Algorithm algorithm, const From& from, const Motion& m) {
     const Vec3 n = m.way(from.normal), p = m.point(from.point);
     if (algorithm == surfpath::Algorithm::geo_spiral) return "point:" + text(p);
+    if (algorithm == surfpath::Algorithm::hybrid) return "";
     if (algorithm == surfpath::Algorithm::geo_fiso || algorithm == surfpath::Algorithm::geo_contour) return "boundary";
     return "plane:" + text(n) + "," + shortest_text(dot(n, p));
 }
@@ -108,7 +109,7 @@ Likeness compare(std::uint64_t seed, std::uint64_t number) {
     out.words += ", covered " + fixed_text(first.judged.covered, 3) + strokes;
     // Where its lines lie is the nearest of many minima: other triangles, or a turn's rounding, may lead to another
     // one.
-    if (o.algorithm == surfpath::Algorithm::field) return out;
+    if (o.algorithm == surfpath::Algorithm::field || o.algorithm == surfpath::Algorithm::hybrid) return out;
     hold_near("split", first, fill(split, o, from, {}), o.spacing, out.faults);
     hold_near("turned", first, fill(shape.mesh, o, from, turned(r)), o.spacing, out.faults);
     return out;

@@ -93,7 +93,9 @@ void line(const Surface& s, Random& r, Sources& out, Notes& notes) {
 Sources sources(const Surface& s, surfpath::Algorithm algorithm, Random& r, std::string& words, Notes& notes) {
     const double dice = r.unit();
     std::string what;
-    if (algorithm == surfpath::Algorithm::geo_spiral)
+    if (algorithm == surfpath::Algorithm::hybrid)
+        what = "";
+    else if (algorithm == surfpath::Algorithm::geo_spiral)
         what = point(s, r);
     else if (algorithm == surfpath::Algorithm::geo_fiso || algorithm == surfpath::Algorithm::geo_contour)
         what = dice < 0.75 || s.rims.empty() ? rim(s, r) : dice < 0.85 ? plane(s, r) : dice < 0.95 ? point(s, r) : "";

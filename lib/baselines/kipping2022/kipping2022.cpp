@@ -29,7 +29,9 @@ surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
     case Algorithm::geo_spiral:
         return geo_spiral(sheet, o);
     case Algorithm::field:
-        throw Error(Exit::usage, "cannot lay field as Kipping et al. 2022 did; leave out --method");
+    case Algorithm::hybrid:
+        throw Error(Exit::usage, "cannot lay " + std::string(surfpath::name(o.algorithm)) +
+                                     " as Kipping et al. 2022 did; leave out --method");
     }
     throw std::logic_error("no such algorithm");
 }

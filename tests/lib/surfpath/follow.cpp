@@ -2,8 +2,10 @@
 #include "surfpath/follow.hpp"
 
 #include "../surface/grid.hpp"
+#include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rows.hpp"
 #include "surfpath/splice.hpp"
 
 #include "../trials.hpp"
@@ -110,6 +112,74 @@ TEST(follow, the_order_of_triangles_does_not_matter) {
         EXPECT_EQ(one.strokes[0].pieces[i].line[0], other.strokes[0].pieces[i].line[0]);
 }
 
+// Between a hole of radius 4 and a circle of radius 14; the hole lies `aside` mm off the middle.
+mesh::Mesh washer(double aside) {
+    mesh::Mesh out;
+    const std::uint32_t n = 96, m = 14;
+    for (std::uint32_t j = 0; j <= m; ++j)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const double a = 2 * std::numbers::pi * i / n, t = static_cast<double>(j) / m, r = 4 + 10 * t;
+            out.vertices.push_back({r * std::cos(a) - (1 - t) * aside, r * std::sin(a), 0});
+        }
+    for (std::uint32_t j = 0; j < m; ++j)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t a = n * j + i, b = n * j + (i + 1) % n;
+            out.triangles.insert(out.triangles.end(), {{a, a + n, b + n}, {a, b + n, b}});
+        }
+    return out;
+}
+
+TEST(hybrid, rings_alone_are_one_spiral_that_goes_over_at_a_seam) {
+    const auto sheet = sheet_of(washer(0));
+    const Plan p = plan(sheet, {.algorithm = Algorithm::hybrid});
+    ASSERT_EQ(p.strokes.size(), 1U);
+    EXPECT_GT(covered(sheet.surface, p), 0.985);
+    double length = 0;
+    for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+    EXPECT_NEAR(length, std::numbers::pi * (14 * 14 - 4 * 4), 25);
+}
+
+// Where rings about the hole meet those along the rim, lines turn; all is one stroke.
+TEST(hybrid, rings_that_meet_are_one_stroke) {
+    for (const double aside : kSanitized ? std::vector{4.0} : std::vector{3.0, 4.0, 6.0}) {
+        const auto sheet = sheet_of(washer(aside));
+        const Plan p = plan(sheet, {.algorithm = Algorithm::hybrid});
+        EXPECT_EQ(p.strokes.size(), 1U) << aside;
+        EXPECT_GT(covered(sheet.surface, p), 0.95) << aside;
+    }
+}
+
+TEST(hybrid, needs_a_rim) {
+    mesh::Mesh closed; // a tetrahedron
+    closed.vertices = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}, {0, 0, 20}};
+    closed.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+    EXPECT_THROW(plan(sheet_of(closed), {.algorithm = Algorithm::hybrid}), Error);
+}
+
+// A loop that comes nearer to a hole than half a spacing follows the inset there, and stays a loop.
+TEST(rows, a_loop_beside_a_hole_stays_closed) {
+    const auto sheet = sheet_of(washer(0));
+    const Surface& s = sheet.surface;
+    for (const double off : {0.0, 0.05, 1.0}) { // the middle of the loop from that of the hole, mm
+        Line loop;
+        loop.closed = true;
+        for (int i = 0; i < 400; ++i) {
+            const double a = 2 * std::numbers::pi * i / 400;
+            const auto at = surface::nearest(s, Vec3{4.3 * std::cos(a) + off, (4.3 + off) * std::sin(a), 0});
+            loop.places.push_back({at.triangle, at.a});
+        }
+        const Rows found = rows(s, std::vector{Raw{surface::curve::threaded(s, loop), 0}}, {0.5, 0.5, 2.4, 0.1});
+        if (off > 0.5) { // it leaves the surface: no ring leads past that
+            for (const Row& row : found.rows) EXPECT_FALSE(row.line.closed);
+            continue;
+        }
+        ASSERT_EQ(found.rows.size(), 1U) << off;
+        const Line& line = found.rows[0].line;
+        EXPECT_TRUE(line.closed) << off;
+        for (std::size_t i = 0; i < line.size(); ++i) EXPECT_GT(std::hypot(line[i].x, line[i].y), 4.35) << off;
+    }
+}
+
 // A loop beside a straight line becomes part of it, and nothing of it is lost but what the shifts save.
 TEST(splice, a_loop_becomes_part_of_the_line_beside_it) {
     const auto sheet = sheet_of(plate());
@@ -128,7 +198,7 @@ TEST(splice, a_loop_becomes_part_of_the_line_beside_it) {
     std::vector<Line> lines{surface::curve::threaded(s, straight), surface::curve::threaded(s, loop)};
     const double before = surface::curve::length(lines[0]) + surface::curve::length(lines[1]);
     const auto crossed = splice_loops(s, lines, {0, 0}, 1, 2.4);
-    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[1].size(), 0U); // taken in
     EXPECT_EQ(crossed.size(), 1U);
     EXPECT_FALSE(lines[0].closed);
     EXPECT_NEAR(surface::curve::length(lines[0]), before, 2);
