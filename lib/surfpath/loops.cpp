@@ -1,5 +1,6 @@
 #include "surfpath/loops.hpp"
 
+#include "geom/point_grid.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/seam.hpp"
@@ -42,27 +43,56 @@ std::vector<std::size_t> level_rows(const Surface& s, Rows& found, double spacin
     return out;
 }
 
-// The row with the way along the ring from its end on to its begin, in the sense in which it ends.
-Line closed_along(const Surface& s, const Row& row, const Inset& inset, double radius) {
+constexpr double kLookGrain = 0.5; // spacings, between places that are looked at
+constexpr double kLaid = 0.5;      // spacings: what is nearer to a row lies half on it
+
+// Where rows lie.
+class Laid {
+  public:
+    Laid(const Rows& rows, double spacing) : spacing_(spacing) {
+        for (const Row& row : rows.rows)
+            for (const Place& p : surface::curve::resampled(row.line, kLookGrain * spacing / 2).places)
+                points_.push_back(p.point);
+        grid_ = geom::PointGrid<Vec3>(points_, kLaid * spacing);
+    }
+
+    // How much of a line would lie on rows, mm.
+    [[nodiscard]] double on_rows(const Line& line) const {
+        double out = 0;
+        for (const Place& p : surface::curve::resampled(line, kLookGrain * spacing_).places) {
+            bool near = false;
+            grid_.near(p.point, 1,
+                       [&](std::uint32_t i) { near = near || distance(points_[i], p.point) < kLaid * spacing_; });
+            out += near ? kLookGrain * spacing_ : 0;
+        }
+        return out;
+    }
+
+  private:
+    double spacing_;
+    std::vector<Vec3> points_;
+    geom::PointGrid<Vec3> grid_;
+};
+
+// The row with the way along the ring from its end on to its begin: of both the one that lies less on rows; of equal
+// ones the shorter.
+Line closed_along(const Surface& s, const Row& row, const Inset& inset, const Laid& laid, double radius) {
     const Line& ring = inset.rings[row.end.ring];
     const auto& ways = inset.ways[row.end.ring];
-    const double all = ways.back(), near = inset.margin / 4;
-    const auto at = [&](double way) { return surface::curve::at(ring, ways, way).point; };
-    const Vec3 last = row.line.places.back().point - row.line[row.line.size() - 2];
-    const bool forward = dot(last, at(row.end.way + near) - at(row.end.way - near)) >= 0;
-    double to = forward ? row.begin.way - row.end.way : row.end.way - row.begin.way;
-    if (to < 0) to += all;
-    Line way = forward ? surface::curve::part(ring, ways, row.end.way, row.end.way + to)
-                       : surface::curve::part(ring, ways, row.begin.way, row.begin.way + to);
-    if (!forward) surface::curve::reverse(way);
+    const double from = row.end.way, to = row.begin.way, all = ways.back();
+    Line ahead = surface::curve::part(ring, ways, from, to < from ? to + all : to);
+    Line back = surface::curve::part(ring, ways, to, from < to ? from + all : from);
+    surface::curve::reverse(back);
+    const auto cost = [&](const Line& l) { return std::pair(laid.on_rows(l), surface::curve::length(l)); };
     Line out = row.line;
-    surface::curve::append(out, surface::curve::threaded(s, way));
+    surface::curve::append(out, surface::curve::threaded(s, cost(ahead) <= cost(back) ? ahead : back));
     out.places.pop_back(); // the first one again
     out.closed = true;
     return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.margin / 2}).line;
 }
 
-void close_rows(const Surface& s, Rows& rows, double radius) {
+void close_rows(const Surface& s, Rows& rows, const Loops& o) {
+    const Laid laid(rows, o.spacing);
     std::vector<std::size_t> ends(rows.inset.rings.size(), 0);
     for (const Row& row : rows.rows)
         if (!row.line.closed)
@@ -71,15 +101,17 @@ void close_rows(const Surface& s, Rows& rows, double radius) {
     double longest = 0;
     for (Row& row : rows.rows) {
         const std::uint32_t ring = row.begin.ring;
-        if (row.line.closed || ring == surface::kNone || ring != row.end.ring || ends[ring] > 2 ||
-            !rows.inset.rings[ring].closed)
+        if (row.line.closed || ring == surface::kNone || ring != row.end.ring || !rows.inset.rings[ring].closed)
             continue;
         const double l = surface::curve::length(row.line);
-        if (l >= 2 * radius) {
-            row.line = closed_along(s, row, rows.inset, radius);
+        if (l >= 2 * o.radius) {
+            Line loop = closed_along(s, row, rows.inset, laid, o.radius);
+            if (ends[ring] > 2 && surface::curve::length(loop) - l > 2 * o.radius) continue;
+            row.line = std::move(loop);
             row.begin = row.end = {};
             continue;
         }
+        if (ends[ring] > 2) continue;
         rows.dropped += l;
         ++rows.drops;
         if (l > longest) rows.dropped_at = row.line[row.line.size() / 2];
@@ -119,7 +151,7 @@ void spiral(const Surface& s, Rows& rows, const Loops& o) {
 } // namespace
 
 std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& o) {
-    close_rows(s, rows, o.radius);
+    close_rows(s, rows, o);
     const auto keep = wound(s, rows, level_rows(s, rows, o.spacing), o);
     std::vector<Line> lines;
     for (Row& row : rows.rows) lines.push_back(std::move(row.line));

@@ -11,10 +11,10 @@ struct Loops {
     double cut = 50;     // mm of fibre: what a cut of it costs as much as
 };
 
-// Closes rows that lead nowhere: those of which both ends lie on one ring of the inset, where no other row ends, go on
-// along that ring; shorter ones than two radii are dropped.  Then closed rows become part of the rows beside them
-// (splice.hpp), but for long chains of them and those that are all there is: these become spirals (winding.hpp).
-// Returns where shifts cross.
+// Closes rows that lead nowhere: those of which both ends lie on one ring of the inset, where no other row ends, or
+// near to each other, go on along that ring; shorter ones than two radii that are alone there are dropped.  Then closed
+// rows become part of the rows beside them (splice.hpp), but for long chains of them and those that are all there is:
+// these become spirals (winding.hpp). Returns where shifts cross.
 std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& options);
 
 } // namespace filum::surfpath

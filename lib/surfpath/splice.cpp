@@ -14,10 +14,11 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLoopBeside = 1.3; // spacings: how far from each other lines side by side are, at most
-constexpr double kLoopGrain = 0.25; // spacings, between the places that are compared
-constexpr double kLoopWider = 1.15; // of the least radius: what shifts are rounded to, so that samples keep it
-constexpr double kLoopGive = 0.25;  // spacings: how far lines move to round the shift's corners
+constexpr double kLoopBeside = 1.3;         // spacings: how far from each other lines side by side are, at most
+constexpr double kLoopGrain = 0.25;         // spacings, between the places that are compared
+constexpr double kLoopWider = 1.15;         // of the least radius: what shifts are rounded to, so that samples keep it
+constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
+constexpr double kLoopGive = 0.25;          // spacings: how far lines move to round the shift's corners
 
 struct Spot3 {
     std::uint32_t line = surface::kNone;
@@ -33,11 +34,14 @@ struct Over {
 
 class Splicer {
   public:
-    Splicer(const Surface& s, std::vector<Line>& lines, double spacing, double radius)
-        : s_(s), lines_(lines), d_(spacing), radius_(radius) {
+    Splicer(const Surface& s, std::vector<Line>& lines, double spacing) : s_(s), lines_(lines), d_(spacing) {}
+
+    // Of the shifts from now on, mm.
+    void keep_to(double radius) {
+        radius_ = std::max(radius, d_ / 2);
         // Two arcs of the radius, one after the other, shift by a spacing over twice this length.
-        const double c = std::clamp(1 - d_ / (2 * std::max(radius_, d_ / 2)), 0.0, 1.0);
-        half_ = std::max(radius_ * std::sqrt(1 - c * c), d_);
+        const double c = std::clamp(1 - d_ / (2 * radius_), 0.0, 1.0);
+        half_ = std::max(radius_ * std::sqrt(1 - c * c), d_ / 2);
     }
 
     // False if there is no place for it.
@@ -160,7 +164,7 @@ class Splicer {
 
     const Surface& s_;
     std::vector<Line>& lines_;
-    double d_, radius_, half_ = 0;
+    double d_, radius_ = 0, half_ = 0;
     std::vector<Spot3> spots_;
     std::vector<Vec3> points_;
     std::vector<double> lengths_;
@@ -180,8 +184,11 @@ std::vector<Vec3> splice_loops(const Surface& s, std::vector<Line>& lines, std::
     std::stable_sort(loops.begin(), loops.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return length[a] < length[b]; });
     std::vector<Vec3> crossed;
-    Splicer splicer(s, lines, spacing, radius);
-    for (const std::uint32_t i : loops) splicer.take_in(i, crossed);
+    Splicer splicer(s, lines, spacing);
+    for (const double share : kShares) {
+        splicer.keep_to(share * radius);
+        std::erase_if(loops, [&](std::uint32_t i) { return splicer.take_in(i, crossed); });
+    }
     return crossed;
 }
 

@@ -127,9 +127,11 @@ class Winder {
         return {port, from};
     }
 
-    // Where on the first ring to begin, so that the last lap comes to be half a lap before its end.
+    // Where on the first ring to begin, so that the last lap comes to be half a lap before its end; of a single ring,
+    // at its end.
     [[nodiscard]] double start(const std::vector<Contour>& chain) const {
         const auto [port, to_inset] = landing(chain.back());
+        if (chain.size() == 1) return to_inset;
         double way = port.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
         for (std::size_t i = chain.size() - 1; i-- > 0;)
             way =
