@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "surface/curve/ease.hpp"
 #include "surfpath/boustrophedon.hpp"
+#include "surfpath/field/rings.hpp"
 #include "surfpath/field/stripes.hpp"
 #include "surfpath/loops.hpp"
 
@@ -51,6 +52,10 @@ std::vector<Line> in_turn(std::vector<Line> lines) {
     return out;
 }
 
+bool only_rings(const field::Sources& f) {
+    return f.rings > 0 && !(f.given > 0) && !(f.stress > 0) && !(f.angle > 0) && !(f.rim > 0);
+}
+
 void tell(const Surface& s, const field::Directions& d, Plan& out) {
     out.facts.push_back({"", "tightest-bend", d.tightest, "1/mm"});
     const auto note = [&](const char* what, double amount) {
@@ -74,8 +79,13 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto cells = surface::directions::cells(s);
     const auto wanted = field::wanted(sheet, cells, sources(sheet, o.follow));
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
-    auto all = field::lines(s, field::stripes(s, cells, directions.along,
-                                              {o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven}));
+    field::Striping striping{o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven};
+    std::vector<field::Complex> like;
+    if (only_rings(o.follow)) {
+        like = field::phase(field::rings(s, cells), directions.along, o.spacing);
+        striping.like = like;
+    }
+    auto all = field::lines(s, field::stripes(s, cells, directions.along, striping));
     const double gentle = std::max(o.least_radius, o.spacing / 2);
     for (Line& l : all)
         l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;

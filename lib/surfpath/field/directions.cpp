@@ -1,8 +1,8 @@
 #include "surfpath/field/directions.hpp"
 
 #include "base/error.hpp"
-#include "geodesic/exact.hpp"
 #include "surface/directions/pull.hpp"
+#include "surfpath/field/rings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,34 +64,6 @@ void add_rims(const Surface& s, const Cells& cells, double share, Wanted& out) {
         }
 }
 
-// Along the lines of equal distance from the rims: per vertex the mean over its triangles, by area.  Where such lines
-// bend, on the ridges of the distance, triangles disagree, and so little is wanted.
-void add_rings(const Surface& s, const Cells& cells, double share, Wanted& out) {
-    surface::Sources rims;
-    for (const auto& rim : s.rims)
-        for (const std::uint32_t h : rim.sides)
-            rims.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
-    const auto far = geodesic::exact_distances(s, rims).distance;
-    std::vector<Complex> sum(out.z.size());
-    std::vector<double> area(out.z.size(), 0);
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const auto& c = s.triangles[t];
-        const Vec3 n = surface::normal(s, t);
-        Vec3 along; // across the slope of the distance
-        for (std::size_t k = 0; k < 3; ++k)
-            along = along + far[c[k]] * (s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
-        if (!(norm(along) > 0)) continue;
-        const double a = surface::area(s, t);
-        const Complex z = doubled(1 / norm(along) * along, n);
-        for (const std::uint32_t v : c) {
-            sum[v] += a * z * transport(n, cells.normal[v]);
-            area[v] += a;
-        }
-    }
-    for (std::size_t v = 0; v < sum.size(); ++v)
-        if (area[v] > 0) out.z[v] += share / area[v] * sum[v];
-}
-
 // What lines through a triangle turn on their way, 1/mm: the slope of their angle along them.
 double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, std::uint32_t t) {
     const auto& c = s.triangles[t];
@@ -124,7 +96,10 @@ Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o)
     if (o.stress > 0) add_stress(sheet, cells, o.stress, out);
     if (o.angle > 0) add_angle(cells, o, out);
     if (o.rim > 0) add_rims(sheet.surface, cells, o.rim, out);
-    if (o.rings > 0) add_rings(sheet.surface, cells, o.rings, out);
+    if (o.rings > 0) {
+        const Rings found = rings(sheet.surface, cells);
+        for (std::size_t v = 0; v < n; ++v) out.z[v] += o.rings * found.z[v];
+    }
     for (std::size_t v = 0; v < n; ++v) {
         const double much = std::abs(out.z[v]);
         out.weight[v] = std::min(1.0, much);

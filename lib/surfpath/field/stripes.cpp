@@ -133,40 +133,76 @@ Complex beside_lines(const Complex& phase) {
 
 } // namespace
 
-Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& o) {
-    const double spacing = o.spacing, w = kPi / spacing;
-    const auto n = static_cast<Eigen::Index>(s.vertices.size());
-    std::vector<Eigen::Triplet<double>> entries, mass;
-    add_triangles(s, cells, along, w, o.stiff, entries);
-    add_rims(s, along, spacing, entries);
-    Matrix energy(2 * n, 2 * n), area(2 * n, 2 * n);
-    energy.setFromTriplets(entries.begin(), entries.end());
-    Vector m(2 * n);
-    for (Eigen::Index i = 0; i < 2 * n; ++i) {
-        m[i] = cells.area[static_cast<std::size_t>(i / 2)];
-        mass.emplace_back(static_cast<int>(i), static_cast<int>(i), m[i]);
+namespace {
+
+// The phase of size 1 with the least sum of slopes, from several beginnings.
+class Diffusion {
+  public:
+    Diffusion(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& o)
+        : unit_(o.spacing * o.spacing), total_(cells.total) {
+        const auto n = static_cast<Eigen::Index>(2 * s.vertices.size());
+        std::vector<Eigen::Triplet<double>> entries, mass;
+        add_triangles(s, cells, along, kPi / o.spacing, o.stiff, entries);
+        add_rims(s, along, o.spacing, entries);
+        energy_.resize(n, n);
+        energy_.setFromTriplets(entries.begin(), entries.end());
+        m_.resize(n);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            m_[i] = cells.area[static_cast<std::size_t>(i / 2)];
+            mass.emplace_back(static_cast<int>(i), static_cast<int>(i), m_[i]);
+        }
+        area_.resize(n, n);
+        area_.setFromTriplets(mass.begin(), mass.end());
+        factor_.analyzePattern(energy_ + area_);
     }
-    area.setFromTriplets(mass.begin(), mass.end());
-    Vector psi = Vector::Zero(2 * n);
-    for (Eigen::Index i = 0; i < 2 * n; i += 2) {
-        psi[i] = std::cos(kBegin + kPi * o.shift);
-        psi[i + 1] = std::sin(kBegin + kPi * o.shift);
-    }
-    Eigen::SimplicialLDLT<Matrix> factor;
-    factor.analyzePattern(energy + area);
-    double longest = kShortest;
-    while (longest * spacing * spacing * kTimesFall < cells.total) longest *= kTimesFall;
-    for (double time = longest; time >= kShortest; time /= kTimesFall) {
-        factor.factorize(area + time * spacing * spacing * energy);
-        if (factor.info() != Eigen::Success)
-            throw Error(Exit::failure, "cannot lay stripes: the surface's triangles are too uneven; remesh it");
-        for (int round = 0; round < kDiffusions; ++round) {
-            psi = factor.solve(m.cwiseProduct(psi)).eval();
-            scale(psi);
+
+    // Each diffused, over times that fall, and made of size 1 again.
+    void run(std::vector<Vector>& psis) {
+        double longest = kShortest;
+        while (longest * unit_ * kTimesFall < total_) longest *= kTimesFall;
+        for (double time = longest; time >= kShortest; time /= kTimesFall) {
+            factor_.factorize(area_ + time * unit_ * energy_);
+            if (factor_.info() != Eigen::Success)
+                throw Error(Exit::failure, "cannot lay stripes: the surface's triangles are too uneven; remesh it");
+            for (Vector& psi : psis)
+                for (int round = 0; round < kDiffusions; ++round) {
+                    psi = factor_.solve(m_.cwiseProduct(psi)).eval();
+                    scale(psi);
+                }
         }
     }
+
+    [[nodiscard]] double sum(const Vector& psi) const { return psi.dot(energy_.selfadjointView<Eigen::Lower>() * psi); }
+
+  private:
+    double unit_, total_; // mm2
+    Matrix energy_, area_;
+    Vector m_;
+    Eigen::SimplicialLDLT<Matrix> factor_;
+};
+
+Vector begun(std::size_t n, const Complex& everywhere, std::span<const Complex> like) {
+    Vector out(2 * static_cast<Eigen::Index>(n));
+    for (std::size_t v = 0; v < n; ++v) {
+        const Complex at = like.empty() || like[v] == Complex{} ? everywhere : like[v];
+        out[2 * static_cast<Eigen::Index>(v)] = at.real();
+        out[2 * static_cast<Eigen::Index>(v) + 1] = at.imag();
+    }
+    return out;
+}
+
+} // namespace
+
+Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& o) {
+    const double w = kPi / o.spacing;
+    const Complex everywhere = std::polar(1.0, kBegin + kPi * o.shift);
+    std::vector<Vector> psis{begun(s.vertices.size(), everywhere, {})};
+    if (!o.like.empty()) psis.push_back(begun(s.vertices.size(), everywhere, o.like));
+    Diffusion diffusion(s, cells, along, o);
+    diffusion.run(psis);
+    const Vector& psi = psis.size() > 1 && diffusion.sum(psis[1]) < diffusion.sum(psis[0]) ? psis[1] : psis[0];
     Stripes out;
-    for (Eigen::Index i = 0; i < 2 * n; i += 2) out.phase.push_back(beside_lines({psi[i], psi[i + 1]}));
+    for (Eigen::Index i = 0; i < psi.size(); i += 2) out.phase.push_back(beside_lines({psi[i], psi[i + 1]}));
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         const std::uint32_t a = std::min(s.tail(h), s.head(h)), b = std::max(s.tail(h), s.head(h));
         const Step g = step(s, cells, along, w, a, b);

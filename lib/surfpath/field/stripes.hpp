@@ -27,13 +27,15 @@ struct Striping {
     double spacing = 1;   // mm
     double shift = 0;     // of a spacing: lines lie that much beside where they would else, but those at rims
     double stiff = kEven; // from 1 on
+    std::span<const Complex> like{}; // per vertex: a phase that may be near the best, of size 1 (0: not known); or none
 };
 
 // Stripes whose lines run along `along`, one spacing apart.  Least of |grad psi - i w psi|^2 over the area, |psi| = 1,
 // with w = pi / spacing across the direction, slopes along it counting `stiff` times: Knoppel, Crane, Pinkall,
 // Schroeder 2015, "Stripe patterns on surfaces", but with size 1 everywhere (threshold dynamics: diffuse, then scale to
 // 1, for falling times), since eigenvectors die out where directions spread, and what is left of them there says
-// nothing.  Rims along which lines run attract the middle between two lines, so that the last line is half a spacing
+// nothing.  Begun with the same phase everywhere, and with the one that is given; the one of less sum is taken.  Rims
+// along which lines run attract the middle between two lines, so that the last line is half a spacing
 // from the rim. The period holds two lines: where directions spread, lines are born in twos, joined by a turn, and none
 // ever ends within the surface.
 Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& options);

@@ -1,0 +1,52 @@
+#include "surfpath/field/rings.hpp"
+
+#include "geodesic/exact.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace filum::surfpath::field {
+
+Rings rings(const Surface& s, const Cells& cells) {
+    const std::size_t n = s.vertices.size();
+    surface::Sources rims;
+    for (const auto& rim : s.rims)
+        for (const std::uint32_t h : rim.sides)
+            rims.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+    Rings out{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Complex>(n),
+              std::vector<Vec3>(n)};
+    if (rims.segments.empty()) return out;
+    out.distance = geodesic::exact_distances(s, rims).distance;
+    std::vector<double> area(n, 0);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto& c = s.triangles[t];
+        const Vec3 normal = surface::normal(s, t);
+        Vec3 along; // the slope of the distance, turned by a right angle
+        for (std::size_t k = 0; k < 3; ++k)
+            along = along + out.distance[c[k]] * (s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
+        if (!(norm(along) > 0) || !std::isfinite(norm(along))) continue;
+        const double a = surface::area(s, t);
+        const Vec3 unit = 1 / norm(along) * along;
+        const Complex z = surface::directions::doubled(unit, normal);
+        for (const std::uint32_t v : c) {
+            out.z[v] += a * z * surface::directions::transport(normal, cells.normal[v]);
+            out.along[v] = out.along[v] + a * surface::directions::turned(unit, normal, cells.normal[v]);
+            area[v] += a;
+        }
+    }
+    for (std::size_t v = 0; v < n; ++v)
+        if (area[v] > 0) out.z[v] /= area[v];
+    return out;
+}
+
+std::vector<Complex> phase(const Rings& rings, std::span<const Vec3> along, double spacing) {
+    std::vector<Complex> out;
+    for (std::size_t v = 0; v < along.size(); ++v) {
+        const double angle = std::numbers::pi * rings.distance[v] / spacing;
+        const bool same = dot(along[v], rings.along[v]) >= 0;
+        out.push_back(std::isfinite(angle) ? std::polar(1.0, same ? angle : -angle) : Complex{});
+    }
+    return out;
+}
+
+} // namespace filum::surfpath::field
