@@ -1,6 +1,7 @@
 #include "surfpath/boustrophedon.hpp"
 
 #include "surface/curve/walk.hpp"
+#include "surfpath/loops.hpp"
 #include "surfpath/order.hpp"
 #include "surfpath/stagger.hpp"
 
@@ -41,6 +42,8 @@ class Path {
             out_.strokes.push_back(stroke(chains[c], turns[c]));
             turned_ += static_cast<double>(turns[c].size());
         }
+        const double cut = std::min(o_.along, kBreak);
+        tell_crossed(join_strokes(surface_, out_.strokes, {o_.spacing, o_.least_radius, cut}), o_.spacing, out_.notes);
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                       {"", "turns", turned_, ""},
                       {"", "transits", transited_, "mm"}};

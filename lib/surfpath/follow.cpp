@@ -102,10 +102,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         Rows found = rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
         const auto crossed = open_loops(s, found, {o.spacing, gentle, kLongestWay});
         out = boustrophedon(s, found, turns);
-        if (!crossed.empty())
-            out.notes.push_back({"", "loop joined by shifts that cross",
-                                 o.spacing * o.spacing * static_cast<double>(crossed.size()), "mm2", crossed.size(), -1,
-                                 crossed[0].x, crossed[0].y, crossed[0].z});
+        tell_crossed(crossed, o.spacing, out.notes);
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
     tell(s, directions, out);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace filum::surfpath {
 
@@ -168,6 +169,72 @@ std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& o) {
     by_level();
     wind(s, rows, o.spacing, false);
     return crossed;
+}
+
+namespace {
+
+// All of a stroke as one line, closed straight if its ends are near enough.
+Line whole(const Surface& s, const Stroke& stroke, double reach) {
+    Line out;
+    for (const Piece& piece : stroke.pieces) {
+        if (out.size() == 0)
+            out = piece.line;
+        else
+            surface::curve::append(out, piece.line);
+    }
+    if (out.size() < 2 || distance(out[0], out.places.back().point) > reach) return out;
+    const Line over = surface::curve::join(s, out.places.back(), out.places.front());
+    if (!surface::curve::leads(s, over)) return out;
+    surface::curve::append(out, over);
+    out.places.pop_back(); // the first one again
+    out.closed = true;
+    return out;
+}
+
+// Per line whether it stays a loop: the longest of each component of which none is open.
+std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
+    std::map<std::uint32_t, std::size_t> best;
+    const auto rank = [&](std::size_t i) { return std::pair(!lines[i].closed, surface::curve::length(lines[i])); };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto [at, first] = best.emplace(s.component[lines[i].places[0].triangle], i);
+        if (!first && rank(i) > rank(at->second)) at->second = i;
+    }
+    std::vector<char> out(lines.size(), 0);
+    for (const auto& [component, i] : best) out[i] = 1;
+    return out;
+}
+
+} // namespace
+
+std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, const Loops& o) {
+    if (strokes.size() < 2) return {};
+    std::vector<Line> lines;
+    std::vector<double> before;
+    for (const Stroke& stroke : strokes) {
+        lines.push_back(whole(s, stroke, 2 * o.radius));
+        before.push_back(surface::curve::length(lines.back()));
+    }
+    const auto crossed = splice_loops(s, lines, hosts(s, lines), o.spacing, o.radius);
+    std::vector<Stroke> out;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].size() == 0) continue;
+        if (surface::curve::length(lines[i]) == before[i]) {
+            out.push_back(std::move(strokes[i]));
+            continue;
+        }
+        if (lines[i].closed) lines[i].places.push_back(lines[i].places.front());
+        lines[i].closed = false;
+        out.push_back({{{std::move(lines[i]), false}}});
+    }
+    strokes = std::move(out);
+    return crossed;
+}
+
+void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes) {
+    if (!crossed.empty())
+        notes.push_back({"", "loop joined by shifts that cross",
+                         spacing * spacing * static_cast<double>(crossed.size()), "mm2", crossed.size(), -1,
+                         crossed[0].x, crossed[0].y, crossed[0].z});
 }
 
 } // namespace filum::surfpath

@@ -1,6 +1,7 @@
 // Closed rows made part of what is open.  Private to lib/surfpath.
 #pragma once
 
+#include "surfpath/plan.hpp"
 #include "surfpath/rows.hpp"
 
 namespace filum::surfpath {
@@ -16,5 +17,12 @@ struct Loops {
 // rows become part of the rows beside them (splice.hpp), but for long chains of them and those that are all there is:
 // these become spirals (winding.hpp). Returns where shifts cross.
 std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& options);
+
+// Strokes whose ends lie within two radii of each other become part of the strokes beside them: closed, and taken in as
+// loops are.  If all are such the longest stays open.  Returns where shifts cross.
+std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, const Loops& options);
+
+// "loop joined by shifts that cross", if there are any.
+void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes);
 
 } // namespace filum::surfpath
