@@ -214,7 +214,7 @@ std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, c
         lines.push_back(whole(s, stroke, 2 * o.radius));
         before.push_back(surface::curve::length(lines.back()));
     }
-    const auto crossed = splice_loops(s, lines, hosts(s, lines), o.spacing, o.radius);
+    auto crossed = splice_loops(s, lines, hosts(s, lines), o.spacing, o.radius);
     std::vector<Stroke> out;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (lines[i].size() == 0) continue;

@@ -102,18 +102,23 @@ class Cutter {
         return at.ring == kNone ? nullptr : &inset_.rings[at.ring];
     }
 
-    // What leads along a ring from one place to another that is `way` mm off along a line; empty if that is a detour.
-    [[nodiscard]] Line along(const Place& from, const Place& to, double way) const {
-        const Port a = port(from.point), b = port(to.point);
+    // What leads along a ring beside the stretch of a line from one way to another; empty if that is a detour.
+    [[nodiscard]] Line along(const Line& line, std::span<const double> ways, double from, double to) const {
+        const auto at = [&](double way) { return surface::curve::at(line, ways, way).point; };
+        const Port a = port(at(from)), b = port(at(to));
         if (a.ring != b.ring || a.ring == kNone) return {};
         const Line& ring = inset_.rings[a.ring];
-        const auto& ways = inset_.ways[a.ring];
-        const double on = b.way - a.way, all = ways.back();
+        const auto& of_ring = inset_.ways[a.ring];
+        const double on = b.way - a.way, all = of_ring.back();
         const double ahead = ring.closed && on < 0 ? on + all : on, back = ring.closed && on > 0 ? all - on : -on;
-        const bool forward = ahead >= 0 && (back < 0 || ahead <= back);
-        if (!((forward ? ahead : back) < kDetour * way)) return {};
-        if (forward) return surface::curve::part(ring, ways, a.way, a.way + ahead);
-        Line out = surface::curve::part(ring, ways, b.way, b.way + back);
+        // Of both ways round, the one whose middle is nearer to the stretch's.
+        const auto off = [&](double way) {
+            return distance(surface::curve::at(ring, of_ring, way).point, at((from + to) / 2));
+        };
+        const bool forward = ahead >= 0 && (back < 0 || off(a.way + ahead / 2) <= off(a.way - back / 2));
+        if (!((forward ? ahead : back) < kDetour * (to - from))) return {};
+        if (forward) return surface::curve::part(ring, of_ring, a.way, a.way + ahead);
+        Line out = surface::curve::part(ring, of_ring, b.way, b.way + back);
         surface::curve::reverse(out);
         return out;
     }
@@ -170,8 +175,7 @@ class Hugger {
     // What leads along the inset instead of the stretch; from and up to a margin before it where the line ends there.
     [[nodiscard]] Line ring(double from, double to, bool begins, bool ends) const {
         if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
-        Line way =
-            cutter_.along(surface::curve::at(line_, ways_, from), surface::curve::at(line_, ways_, to), to - from);
+        Line way = cutter_.along(line_, ways_, from, to);
         const auto w = surface::curve::arc_lengths(way);
         if (way.size() < 2 || w.back() < 2 * margin_) return begins || ends ? Line{} : way;
         return surface::curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));

@@ -107,6 +107,7 @@ void run(const Options& o, const cli::Io& io) {
         }
     whole.header.expected = spans.size();
     std::vector<stream::RawFrame> frames;
+    frames.reserve(spans.size());
     for (const auto& span : spans) frames.push_back(wire::frame(span));
     cli::write_all(io, cli::header(self, stream::Payload::toolpath, {&whole.header}), whole, patches.notes,
                    patches.facts, frames);

@@ -160,7 +160,7 @@ TEST(hybrid, needs_a_rim) {
 TEST(rows, a_loop_beside_a_hole_stays_closed) {
     const auto sheet = sheet_of(washer(0));
     const Surface& s = sheet.surface;
-    for (const double off : {0.0, 0.05, 1.0}) { // the middle of the loop from that of the hole, mm
+    for (const double off : {0.0, 0.05, 0.1, 1.0}) { // the middle of the loop from that of the hole, mm
         Line loop;
         loop.closed = true;
         for (int i = 0; i < 400; ++i) {
@@ -176,6 +176,7 @@ TEST(rows, a_loop_beside_a_hole_stays_closed) {
         ASSERT_EQ(found.rows.size(), 1U) << off;
         const Line& line = found.rows[0].line;
         EXPECT_TRUE(line.closed) << off;
+        EXPECT_NEAR(surface::curve::length(line), 2 * std::numbers::pi * 4.5, 0.5) << off;
         for (std::size_t i = 0; i < line.size(); ++i) EXPECT_GT(std::hypot(line[i].x, line[i].y), 4.35) << off;
     }
 }
