@@ -17,7 +17,8 @@ struct Candidate {
 // - what the patch came with: its algorithm with its sources; of sources only fina, fexa and ortheo, of a single point
 //   geo-spiral and ortheo;
 // - field along the stresses, if there are any; along the directions below;
-// - geo-contour, geo-fiso and hybrid within all rims; geo-spiral about the centroid (the nearest place to it) and the vertex
+// - geo-contour, geo-fiso and hybrid within all rims; geo-spiral about the centroid (the nearest place to it) and the
+// vertex
 //   farthest from the rims;
 // - fina along, and ortheo from a line across the pull, through both places;
 // - for directions in the mean plane of the patch, every 22.5 degrees from its mean pull (or its long axis), and its

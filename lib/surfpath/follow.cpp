@@ -95,6 +95,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
         std::vector<Raw> raw;
+        raw.reserve(all.size());
         for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
         Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
         turns.across = kAcross * o.spacing;
