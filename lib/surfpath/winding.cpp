@@ -36,10 +36,20 @@ struct Contour {
     Line line;
     std::vector<double> ways;
     double level;
+    geom::Box3 box;
 };
+
+Contour contour(const Line& line, double level) {
+    Contour out{line, surface::curve::arc_lengths(line), level, {}};
+    for (const Place& p : line.places) out.box.add(p.point);
+    return out;
+}
 
 // How far rings are from each other, mm, in the mean; infinite if anywhere farther than `most`.
 double apart(const Contour& a, const Contour& b, double most) {
+    const Vec3 low = a.box.lo - b.box.lo, high = a.box.hi - b.box.hi; // of rings that near, boxes are alike
+    for (const double off : {low.x, low.y, low.z, high.x, high.y, high.z})
+        if (std::abs(off) > most) return std::numeric_limits<double>::infinity();
     double sum = 0;
     for (std::size_t i = 0; i < kSamples; ++i)
         for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -118,12 +128,16 @@ class Winder {
         Port port;
         double least = kNearInset * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
-            for (std::size_t i = 0; i < ring.line.size(); ++i)
-                if (const Foot f = foot(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]); f.far < least) {
+            for (std::size_t i = 0; i < ring.line.size();) {
+                const Foot f = foot(rows_.inset.rings[r], rows_.inset.ways[r], ring.line[i]);
+                const double nearer = ring.ways[i] + f.far - least; // not before that far on
+                if (f.far < least) {
                     least = f.far;
                     port = {r, f.way};
                     from = ring.ways[i];
                 }
+                for (++i; i < ring.line.size() && ring.ways[i] < nearer;) ++i;
+            }
         return {port, from};
     }
 
@@ -181,7 +195,7 @@ class Winder {
 void wind(const Surface& s, Rows& rows, double spacing, bool from_rim) {
     std::vector<Contour> rings;
     for (const Row& row : rows.rows)
-        if (row.line.closed) rings.push_back({row.line, surface::curve::arc_lengths(row.line), row.level});
+        if (row.line.closed) rings.push_back(contour(row.line, row.level));
     if (rings.empty()) return;
     const Winder winder(s, rows, spacing);
     std::vector<Row> wound;
@@ -212,7 +226,7 @@ std::vector<std::size_t> level_rings(const Surface& s, std::vector<Raw>& lines, 
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (lines[i].line.closed) {
             which.push_back(i);
-            rings.push_back({lines[i].line, surface::curve::arc_lengths(lines[i].line), 0});
+            rings.push_back(contour(lines[i].line, 0));
         }
     const std::size_t n = rings.size();
     using Near = std::pair<double, std::size_t>;

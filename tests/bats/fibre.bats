@@ -142,7 +142,24 @@ setup() {
     run surfpath field --follow stress=1 dome.surface -o none
     [ "$status" -eq 3 ] && [[ $output == *"the surface carries none that pulls; run stressfield first"* ]]
     run surfpath field --follow wind=1 dome.surface -o none
-    [ "$status" -eq 2 ] && [[ $output == *"cannot follow 'wind'; --follow knows direction, stress, angle and rim"* ]]
+    [ "$status" -eq 2 ] && [[ $output == *"cannot follow 'wind'; --follow knows direction, stress, angle, rim and rings"* ]]
     run surfpath field --reference 0,0,0 dome.surface -o none
     [ "$status" -eq 2 ] && [[ $output == *"cannot use --reference '0,0,0'"* ]]
+}
+
+@test "hybrid lays rings around holes and along rims as one stroke, covers more than whole rings, and needs a rim" {
+    gzip -dc "$FILUM_SOURCE/examples/surfaces/plate-nine-holes.off.gz" | geodesic --source boundary > plate.surface
+    figure() { metrics --surface plate.surface --format tsv "$1.toolpath" | awk -v key="$2" '$1 == key { print $2 }'; }
+    surfpath --quiet hybrid plate.surface > hybrid.toolpath
+    surfpath --quiet geo-contour plate.surface > rings.toolpath
+    awk -v a="$(figure hybrid coverage)" -v b="$(figure rings coverage)" 'BEGIN { exit !(a > b + 0.03) }'
+    [ "$(figure hybrid cuts)" -le 1 ]
+    [ "$(figure hybrid tight_undeclared_mm)" = 0.00 ]
+    surfpath --quiet field --follow rings=1 plate.surface > same.toolpath
+    [ "$(figure same fibre_mm)" = "$(figure hybrid fibre_mm)" ]
+    gzip -dc "$FILUM_SOURCE/examples/surfaces/pipe-tee.off.gz" | geodesic > tee.surface
+    run surfpath hybrid tee.surface -o none
+    [ "$status" -eq 3 ] && [[ $output == *"a closed surface: it has none"* ]]
+    run surfpath hybrid --method kipping2022 plate.surface -o none
+    [ "$status" -eq 2 ] && [[ $output == *"cannot lay hybrid as Kipping et al. 2022 did"* ]]
 }
