@@ -46,8 +46,7 @@ surface::Sources rim_side(const Surface& s, const Seed& seed) {
     const auto& sides = s.rims[from.rim].sides;
     std::size_t k = from.side;
     do {
-        const std::uint32_t h = sides[k];
-        out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+        out.segments.push_back(surface::rim_side(s, sides[k]));
         k = (k + 1) % sides.size();
     } while (k != to.side);
     return out;
@@ -163,9 +162,7 @@ surface::Sources sources(const Sheet& sheet, const std::vector<Vec3>& pull, cons
     surface::Sources out;
     switch (seed.kind) {
     case Seed::Kind::rims:
-        for (const auto& rim : s.rims)
-            for (const std::uint32_t h : rim.sides)
-                out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+        out = surface::rim_sources(s);
         if (out.empty()) throw Error(Exit::failure, "the surface has no rim");
         break;
     case Seed::Kind::side:

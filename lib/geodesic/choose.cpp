@@ -34,8 +34,7 @@ std::size_t index(std::string_view word, std::string_view text, std::size_t coun
 }
 
 void add_rim(Sources& out, const Surface& s, const surface::Rim& rim) {
-    for (const std::uint32_t h : rim.sides)
-        out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
+    for (const std::uint32_t h : rim.sides) out.segments.push_back(surface::rim_side(s, h));
 }
 
 void add_boundary(Sources& out, const Surface& s, std::string_view word, std::string_view which) {

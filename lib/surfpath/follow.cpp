@@ -22,7 +22,7 @@ constexpr double kGive =
     0.1; // spacings: how far lines may move to keep the radius; more would cut off the turns of pairs
 
 field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
-    if (given.given > 0 || given.stress > 0 || given.angle > 0 || given.rim > 0 || given.rings > 0) return given;
+    if (!given.only(nullptr)) return given;
     const bool stressed = std::any_of(sheet.fields.begin(), sheet.fields.end(), [](const surface::Field& f) {
         return f.name.starts_with("stress.") && f.name.ends_with(".d1");
     });
@@ -52,10 +52,6 @@ std::vector<Line> in_turn(std::vector<Line> lines) {
     return out;
 }
 
-bool only_rings(const field::Sources& f) {
-    return f.rings > 0 && !(f.given > 0) && !(f.stress > 0) && !(f.angle > 0) && !(f.rim > 0);
-}
-
 void tell(const Surface& s, const field::Directions& d, Plan& out) {
     out.facts.push_back({"", "tightest-bend", d.tightest, "1/mm"});
     const auto note = [&](const char* what, double amount) {
@@ -69,9 +65,7 @@ void tell(const Surface& s, const field::Directions& d, Plan& out) {
 } // namespace
 
 bool keeps_angle(const Options& o) {
-    const auto& f = o.follow;
-    const bool angle = f.angle > 0 && !(f.given > 0) && !(f.stress > 0) && !(f.rim > 0) && !(f.rings > 0);
-    return o.keep == Keep::angle || (o.keep == Keep::usual && angle);
+    return o.keep == Keep::angle || (o.keep == Keep::usual && o.follow.only(&field::Sources::angle));
 }
 
 Plan follow(const surface::Sheet& sheet, const Options& o) {
@@ -81,7 +75,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
     field::Striping striping{o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven};
     std::vector<field::Complex> like;
-    if (only_rings(o.follow)) {
+    if (o.follow.only(&field::Sources::rings)) {
         like = field::phase(field::rings(s, cells), directions.along, o.spacing);
         striping.like = like;
     }

@@ -99,7 +99,6 @@ void close_rows(const Surface& s, Rows& rows, const Loops& o) {
         if (!row.line.closed)
             for (const Port* p : {&row.begin, &row.end})
                 if (p->ring != surface::kNone) ++ends[p->ring];
-    double longest = 0;
     for (Row& row : rows.rows) {
         const std::uint32_t ring = row.begin.ring;
         if (row.line.closed || ring == surface::kNone || ring != row.end.ring || !rows.inset.rings[ring].closed)
@@ -113,10 +112,7 @@ void close_rows(const Surface& s, Rows& rows, const Loops& o) {
             continue;
         }
         if (ends[ring] > 2) continue;
-        rows.dropped += l;
-        ++rows.drops;
-        if (l > longest) rows.dropped_at = row.line[row.line.size() / 2];
-        longest = std::max(longest, l);
+        rows.drop(row.line);
         row.line.places.clear();
     }
     std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
@@ -191,7 +187,8 @@ Line whole(const Surface& s, const Stroke& stroke, double reach) {
     return out;
 }
 
-// Per line whether it stays a loop: the longest of each component of which none is open.
+// Per line whether it is not to be taken in: the longest open one of each component, or the longest loop if none is
+// open.
 std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
     std::map<std::uint32_t, std::size_t> best;
     const auto rank = [&](std::size_t i) { return std::pair(!lines[i].closed, surface::curve::length(lines[i])); };

@@ -41,11 +41,8 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
     const auto less = [&](const surface::Segment& x, const surface::Segment& y) { return key(x) < key(y); };
     auto have = out.segments;
     std::sort(have.begin(), have.end(), less);
-    for (const auto& rim : s.rims)
-        for (const auto h : rim.sides) {
-            const surface::Segment side{h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]};
-            if (!std::binary_search(have.begin(), have.end(), side, less)) out.segments.push_back(side);
-        }
+    for (const surface::Segment& side : surface::rim_sources(s).segments)
+        if (!std::binary_search(have.begin(), have.end(), side, less)) out.segments.push_back(side);
     if (out.empty())
         throw Error(Exit::bad_input, "cannot lay rings on a closed surface without a source; run geodesic --source "
                                      "vertex:ID (or another) first");

@@ -21,21 +21,13 @@ constexpr double kMostShort = 0.1;  // of the length of all: short rows that may
 constexpr double kFollowing = 0.4;  // of the margin: what lines keep that follow the inset instead
 constexpr double kCameRound = 1e-6; // mm: ends of a line that came round
 
-surface::Sources rims(const Surface& s) {
-    surface::Sources out;
-    for (const auto& rim : s.rims)
-        for (const std::uint32_t h : rim.sides)
-            out.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
-    return out;
-}
-
 // Cuts lines where they come nearer to a rim than the margin.
 class Cutter {
   public:
     Cutter(const Surface& s, double margin) : surface_(s), margin_(margin) {
         inset_.margin = margin;
         if (s.rims.empty()) return;
-        inset_.field = geodesic::exact(s, rims(s), margin + 2 * longest_edge(s));
+        inset_.field = geodesic::exact(s, surface::rim_sources(s), margin + 2 * longest_edge(s));
         const double level[] = {margin};
         for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
             inset_.rings.push_back(surface::curve::line(isoline));
@@ -223,6 +215,15 @@ double Inset::room(const Surface& s, const Place& p) const {
     return geodesic::distance_at(s, field, p.triangle, p.point);
 }
 
+void Rows::drop(const Line& row) {
+    const double l = surface::curve::length(row);
+    dropped += l;
+    ++drops;
+    if (!(l > longest_dropped)) return;
+    longest_dropped = l;
+    dropped_at = row[row.size() / 2];
+}
+
 void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
     for (const auto& isoline : isolines) {
         to.push_back({surface::curve::line(isoline), sign * isoline.level});
@@ -255,18 +256,12 @@ Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limi
             out.rows.push_back(std::move(row));
         }
     }
-    double longest = 0;
     const double least = too_short > kMostShort * all ? margin : limits.shortest;
     std::erase_if(out.rows, [&](const Row& row) {
         const double l = surface::curve::length(row.line);
         if (l >= least) return false;
         if (l < margin) return true;
-        out.dropped += l;
-        ++out.drops;
-        if (l > longest) {
-            longest = l;
-            out.dropped_at = row.line[row.line.size() / 2];
-        }
+        out.drop(row.line);
         return true;
     });
     std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });

@@ -44,7 +44,11 @@ struct Rows {
     Inset inset;
     double dropped = 0; // mm of rows that were too short
     std::uint64_t drops = 0;
-    Vec3 dropped_at; // the middle of the longest of them
+    double longest_dropped = 0; // mm
+    Vec3 dropped_at;            // the middle of that
+
+    // Counts a row as one of them.
+    void drop(const Line& row);
 };
 
 struct RowLimits {

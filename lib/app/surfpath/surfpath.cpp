@@ -32,18 +32,18 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorit
 
 // What field is to follow; the angle alone if that is all that is said.
 filum::surfpath::field::Sources followed(const Options& o) {
+    using filum::surfpath::field::kSources;
+    using filum::surfpath::field::NamedSource;
     filum::surfpath::field::Sources out;
     out.turn = geom::radians(o.angle_deg);
     out.reference = reference(o.reference);
     for (const auto& [name, weight] : parse_weights(o.follow, "--follow")) {
-        if (name != "direction" && name != "stress" && name != "angle" && name != "rim" && name != "rings")
+        const auto* source = std::find_if(std::begin(kSources), std::end(kSources),
+                                          [&wanted = name](const NamedSource& known) { return wanted == known.name; });
+        if (source == std::end(kSources))
             throw Error(Exit::usage,
                         "cannot follow '" + name + "'; --follow knows direction, stress, angle, rim and rings");
-        (name == "direction" ? out.given
-         : name == "stress"  ? out.stress
-         : name == "angle"   ? out.angle
-         : name == "rings"   ? out.rings
-                             : out.rim) = weight;
+        out.*source->weight = weight;
     }
     if (o.follow.empty() && (o.angle_deg != 0 || o.reference != "X")) out.angle = 1;
     return out;

@@ -29,6 +29,7 @@ std::vector<std::uint32_t> classify(const std::vector<double>& width) {
     for (const double w : sorted)
         if (begins.empty() || w > begins.back() * ratio) begins.push_back(w);
     std::vector<std::uint32_t> out;
+    out.reserve(width.size());
     for (const double w : width)
         out.push_back(
             static_cast<std::uint32_t>(std::upper_bound(begins.begin(), begins.end(), w) - begins.begin() - 1));
@@ -111,12 +112,8 @@ class Sweeper {
 };
 
 std::optional<geodesic::ExactField> rim_field(const Surface& s, double strip) {
-    filum::surface::Sources sources;
-    for (const auto& rim : s.rims)
-        for (const std::uint32_t h : rim.sides)
-            sources.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
-    if (sources.empty()) return std::nullopt;
-    return geodesic::exact(s, sources, strip);
+    if (s.rims.empty()) return std::nullopt;
+    return geodesic::exact(s, filum::surface::rim_sources(s), strip);
 }
 
 Sweep swept(const Ground& ground, const PathField& field, const geodesic::ExactField* rims, double strip, double row,

@@ -29,7 +29,27 @@ struct Sources {
     double turn = 0;                 // rad, counter-clockwise seen from the side that the surface faces
     const char* field = "direction"; // of that
     Vec3 reference{1, 0, 0};         // laid onto the surface; where it stands upright on that it says nothing
+
+    // Whether this is wanted, and nothing else; of none, whether nothing is.
+    [[nodiscard]] bool only(double Sources::*weight) const;
 };
+
+// The weights, as users have them.
+struct NamedSource {
+    const char* name;
+    double Sources::*weight;
+};
+inline constexpr NamedSource kSources[] = {{"direction", &Sources::given},
+                                           {"stress", &Sources::stress},
+                                           {"angle", &Sources::angle},
+                                           {"rim", &Sources::rim},
+                                           {"rings", &Sources::rings}};
+
+inline bool Sources::only(double Sources::*weight) const {
+    for (const NamedSource& source : kSources)
+        if ((this->*source.weight > 0) != (source.weight == weight)) return false;
+    return true;
+}
 
 // The mix of the sources: the sum of weight times z, of length at most 1.
 // Throws Error(bad_input) if there is none of a source: "the surface carries no stresses; run stressfield first".

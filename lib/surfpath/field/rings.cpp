@@ -9,14 +9,10 @@ namespace filum::surfpath::field {
 
 Rings rings(const Surface& s, const Cells& cells) {
     const std::size_t n = s.vertices.size();
-    surface::Sources rims;
-    for (const auto& rim : s.rims)
-        for (const std::uint32_t h : rim.sides)
-            rims.segments.push_back({h / 3, s.vertices[s.tail(h)], s.vertices[s.head(h)]});
     Rings out{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Complex>(n),
               std::vector<Vec3>(n)};
-    if (rims.segments.empty()) return out;
-    out.distance = geodesic::exact_distances(s, rims).distance;
+    if (s.rims.empty()) return out;
+    out.distance = geodesic::exact_distances(s, surface::rim_sources(s)).distance;
     std::vector<double> area(n, 0);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];

@@ -1,15 +1,9 @@
 // The lines of equal distance from the rims, as directions and as stripes.
 #pragma once
 
-#include "surface/directions/rosy.hpp"
-#include "surface/surface.hpp"
+#include "surfpath/field/directions.hpp"
 
 namespace filum::surfpath::field {
-
-using geom::Vec3;
-using surface::Surface;
-using surface::directions::Cells;
-using surface::directions::Complex;
 
 struct Rings {
     std::vector<double> distance; // per vertex, mm, of the nearest rim; infinite on a component without one
