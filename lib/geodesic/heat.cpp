@@ -9,6 +9,8 @@
 namespace filum::geodesic {
 
 using Eigen::VectorXd;
+using sparse::Factor;
+using sparse::Matrix;
 
 namespace {
 
@@ -54,9 +56,9 @@ Heat::Heat(const Surface& s, const Sources& sources, const HeatOptions& options)
 
 // Of the potential, whose known values leave the system: rows and columns of the identity.
 Factor Heat::held(const std::vector<char>& known) const {
-    Sparse a = stiffness_;
+    Matrix a = stiffness_;
     for (int col = 0; col < a.outerSize(); ++col)
-        for (Sparse::InnerIterator it(a, col); it; ++it)
+        for (Matrix::InnerIterator it(a, col); it; ++it)
             if (known[static_cast<std::size_t>(it.row())] != 0 || known[static_cast<std::size_t>(col)] != 0)
                 it.valueRef() = it.row() == col ? 1 : 0;
     Factor out = flow_.same_order();
@@ -168,7 +170,7 @@ void Heat::assemble() {
 }
 
 void Heat::factorise_flow() {
-    Sparse a = stiffness_;
+    Matrix a = stiffness_;
     a *= time_;
     a.diagonal() += mass_;
     if (raised_ == 0) flow_.analyse(a);
@@ -224,7 +226,7 @@ std::vector<double> Heat::distance() {
     // known values go to the right side
     const auto value = [&](std::size_t v) { return reached_[s.component[s.outgoing[v] / 3]] == 0 ? 0.0 : pinned_[v]; };
     for (int col = 0; col < stiffness_.outerSize(); ++col)
-        for (Sparse::InnerIterator it(stiffness_, col); it; ++it) {
+        for (Matrix::InnerIterator it(stiffness_, col); it; ++it) {
             if (it.row() == col) continue;
             const double x = value(static_cast<std::size_t>(it.row())), y = value(static_cast<std::size_t>(col));
             if (!std::isnan(x) && std::isnan(y)) right[col] -= it.value() * x;

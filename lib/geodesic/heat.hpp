@@ -2,8 +2,8 @@
 // (docs/algorithms/geodesic.md#distances-by-heat).
 #pragma once
 
-#include "geodesic/factor.hpp"
 #include "geodesic/sources.hpp"
+#include "sparse/factor.hpp"
 
 #include <optional>
 #include <span>
@@ -48,7 +48,7 @@ class Heat {
     void shift(Eigen::VectorXd& phi) const;
     void assemble();
     void factorise_flow();
-    [[nodiscard]] Factor held(const std::vector<char>& known) const;
+    [[nodiscard]] sparse::Factor held(const std::vector<char>& known) const;
     [[nodiscard]] Eigen::VectorXd flow();
     void fit(Eigen::VectorXd& phi) const;
     [[nodiscard]] std::vector<double> finished(const Eigen::VectorXd& phi) const;
@@ -61,10 +61,10 @@ class Heat {
     std::vector<double> pinned_; // per vertex: its distance if it is known, else nan
     std::vector<char> reached_;  // per component
     Eigen::VectorXd initial_, mass_;
-    Sparse stiffness_;
-    Factor flow_, potential_;
-    std::optional<Factor> floating_; // the potential's, one vertex of each component held
-    std::vector<char> held_;         // those
+    sparse::Matrix stiffness_;
+    sparse::Factor flow_, potential_;
+    std::optional<sparse::Factor> floating_; // the potential's, one vertex of each component held
+    std::vector<char> held_;                 // those
     double time_ = 0;
     int raised_ = 0;
 };

@@ -32,9 +32,19 @@ struct Over {
     bool same = true;
 };
 
+// A line by places kLoopGrain apart.
+struct Samples {
+    std::vector<Vec3> points;
+    geom::Box3 box;
+    double length = 0; // mm
+};
+
 class Splicer {
   public:
-    Splicer(const Surface& s, std::vector<Line>& lines, double spacing) : s_(s), lines_(lines), d_(spacing) {}
+    Splicer(const Surface& s, std::vector<Line>& lines, double spacing)
+        : s_(s), lines_(lines), d_(spacing), samples_(lines.size()) {
+        for (std::uint32_t i = 0; i < lines.size(); ++i) sample(i);
+    }
 
     // Of the shifts from now on, mm.
     void keep_to(double radius) {
@@ -56,21 +66,37 @@ class Splicer {
         crossed.push_back(surface::curve::at(lines_[loop], ways, at.loop).point);
         lines_[at.line] = std::move(made);
         lines_[loop].places.clear();
+        sample(at.line);
+        sample(loop);
         return true;
     }
 
   private:
+    void sample(std::uint32_t i) {
+        samples_[i] = {};
+        if (lines_[i].size() < 2) return;
+        const auto ways = surface::curve::arc_lengths(lines_[i]);
+        samples_[i].length = ways.back();
+        for (double way = 0; way < ways.back(); way += kLoopGrain * d_) {
+            samples_[i].points.push_back(surface::curve::at(lines_[i], ways, way).point);
+            samples_[i].box.add(samples_[i].points.back());
+        }
+    }
+
+    // What of the other lines can be beside the loop.
     void gather(std::uint32_t loop) {
         spots_.clear();
         std::vector<Vec3> points;
-        lengths_.assign(lines_.size(), 0);
+        const geom::Box3 about = geom::grown(samples_[loop].box, (kLoopBeside + kLoopGrain) * d_);
         for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-            if (i == loop || lines_[i].size() < 2) continue;
-            const auto ways = surface::curve::arc_lengths(lines_[i]);
-            lengths_[i] = ways.back();
-            for (double way = 0; way < ways.back(); way += kLoopGrain * d_) {
-                spots_.push_back({i, way, 0});
-                points.push_back(surface::curve::at(lines_[i], ways, way).point);
+            if (i == loop || !geom::meet(about, samples_[i].box)) continue;
+            double way = 0;
+            for (const Vec3& p : samples_[i].points) {
+                if (!(geom::distance(about, p) > 0)) {
+                    spots_.push_back({i, way, 0});
+                    points.push_back(p);
+                }
+                way += kLoopGrain * d_;
             }
         }
         grid_ = geom::PointGrid<Vec3>(points, kLoopBeside * d_);
@@ -94,7 +120,7 @@ class Splicer {
         for (double way = 0; way < ways.back(); way += d_) {
             const Spot3 here = nearest(surface::curve::at(loop, ways, way).point, surface::kNone);
             if (here.line == surface::kNone) continue;
-            const double all = lengths_[here.line];
+            const double all = samples_[here.line].length;
             if (all < 6 * half_) continue;
             if (!lines_[here.line].closed && (here.way < 2 * half_ || here.way > all - 2 * half_)) continue;
             double off = std::abs(here.far - d_);
@@ -167,7 +193,7 @@ class Splicer {
     double d_, radius_ = 0, half_ = 0;
     std::vector<Spot3> spots_;
     std::vector<Vec3> points_;
-    std::vector<double> lengths_;
+    std::vector<Samples> samples_; // by line
     geom::PointGrid<Vec3> grid_;
 };
 

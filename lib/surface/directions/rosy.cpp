@@ -1,8 +1,7 @@
 #include "surface/directions/rosy.hpp"
 
 #include "base/error.hpp"
-
-#include <Eigen/SparseCholesky>
+#include "sparse/factor.hpp"
 
 namespace filum::surface::directions {
 
@@ -10,23 +9,29 @@ namespace {
 
 constexpr double kNothing = 1e-9; // keeps the system definite where nothing is known
 
-using ComplexMatrix = Eigen::SparseMatrix<Complex>;
+using Entries = std::vector<Eigen::Triplet<double>>;
 
-ComplexMatrix system(const Cells& cells, std::span<const double> weight, double length) {
-    std::vector<Eigen::Triplet<Complex>> entries;
-    entries.reserve(weight.size() + 3 * cells.sides.size());
-    const auto at = [](std::uint32_t v) { return static_cast<int>(v); };
-    for (std::uint32_t v = 0; v < weight.size(); ++v)
-        entries.emplace_back(at(v), at(v), cells.area[v] * (kNothing + weight[v]));
+// A factor of a number at b for one at a, or the same real and imaginary parts of each; the lower triangle alone.
+void add(std::uint32_t row, std::uint32_t column, const Complex& x, Entries& to) {
+    const int r = 2 * static_cast<int>(row), c = 2 * static_cast<int>(column);
+    to.emplace_back(r, c, x.real());
+    to.emplace_back(r + 1, c, x.imag());
+    to.emplace_back(r + 1, c + 1, x.real());
+    if (row != column) to.emplace_back(r, c + 1, -x.imag());
+}
+
+sparse::Matrix system(const Cells& cells, std::span<const double> weight, double length) {
+    Entries entries;
+    entries.reserve(3 * weight.size() + 10 * cells.sides.size());
+    for (std::uint32_t v = 0; v < weight.size(); ++v) add(v, v, cells.area[v] * (kNothing + weight[v]), entries);
     for (const Side& side : cells.sides) {
         const double w = length * length * side.conductance;
-        entries.emplace_back(at(side.a), at(side.a), w);
-        entries.emplace_back(at(side.b), at(side.b), w);
-        entries.emplace_back(at(side.b), at(side.a),
-                             -w * transport(cells.normal[side.a], cells.normal[side.b])); // lower triangle
+        add(side.a, side.a, w, entries);
+        add(side.b, side.b, w, entries);
+        add(side.b, side.a, -w * transport(cells.normal[side.a], cells.normal[side.b]), entries);
     }
-    const auto n = static_cast<int>(weight.size());
-    ComplexMatrix out(n, n);
+    const auto n = 2 * static_cast<int>(weight.size());
+    sparse::Matrix out(n, n);
     out.setFromTriplets(entries.begin(), entries.end());
     return out;
 }
@@ -50,14 +55,23 @@ Complex transport(const Vec3& a, const Vec3& b) { return doubled(turned(across(a
 
 std::vector<Complex> smoothed(const Cells& cells, std::span<const Complex> given, std::span<const double> weight,
                               double length) {
-    Eigen::SimplicialLDLT<ComplexMatrix> factor(system(cells, weight, length));
-    if (factor.info() != Eigen::Success)
+    const auto a = system(cells, weight, length);
+    sparse::Factor factor;
+    factor.analyse(a);
+    if (!factor.factorise(a))
         throw Error(Exit::failure, "cannot smooth the directions: the surface's triangles are too uneven; remesh it");
-    Eigen::VectorXcd right(static_cast<Eigen::Index>(weight.size()));
-    for (std::size_t v = 0; v < weight.size(); ++v)
-        right[static_cast<Eigen::Index>(v)] = cells.area[v] * weight[v] * given[v];
-    const Eigen::VectorXcd z = factor.solve(right);
-    return {z.data(), z.data() + z.size()};
+    Eigen::VectorXd right(a.rows());
+    for (Eigen::Index v = 0; v < a.rows() / 2; ++v) {
+        const auto i = static_cast<std::size_t>(v);
+        const Complex r = cells.area[i] * weight[i] * given[i];
+        right[2 * v] = r.real();
+        right[2 * v + 1] = r.imag();
+    }
+    const Eigen::VectorXd z = factor.solve(right);
+    std::vector<Complex> out;
+    out.reserve(weight.size());
+    for (Eigen::Index v = 0; v < z.size(); v += 2) out.emplace_back(z[v], z[v + 1]);
+    return out;
 }
 
 } // namespace filum::surface::directions

@@ -1,8 +1,7 @@
 #include "surfpath/field/stripes.hpp"
 
 #include "base/error.hpp"
-
-#include <Eigen/SparseCholesky>
+#include "sparse/factor.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +12,10 @@ namespace filum::surfpath::field {
 
 namespace {
 
+using sparse::Matrix;
 using surface::kNone;
 using surface::directions::turned;
-using Matrix = Eigen::SparseMatrix<double>; // symmetric, its lower triangle
-using Vector = Eigen::VectorXd;             // real and imaginary parts of each vertex
+using Vector = Eigen::VectorXd; // real and imaginary parts of each vertex
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kMost = 100; // of a slope squared over its triangle: slivers must not outweigh all else
@@ -153,7 +152,7 @@ class Diffusion {
         }
         area_.resize(n, n);
         area_.setFromTriplets(mass.begin(), mass.end());
-        factor_.analyzePattern(energy_ + area_);
+        factor_.analyse(energy_ + area_);
     }
 
     // Each diffused, over times that fall, and made of size 1 again.
@@ -161,12 +160,11 @@ class Diffusion {
         double longest = kShortest;
         while (longest * unit_ * kTimesFall < total_) longest *= kTimesFall;
         for (double time = longest; time >= kShortest; time /= kTimesFall) {
-            factor_.factorize(area_ + time * unit_ * energy_);
-            if (factor_.info() != Eigen::Success)
+            if (!factor_.factorise(area_ + time * unit_ * energy_))
                 throw Error(Exit::failure, "cannot lay stripes: the surface's triangles are too uneven; remesh it");
             for (Vector& psi : psis)
                 for (int round = 0; round < kDiffusions; ++round) {
-                    psi = factor_.solve(m_.cwiseProduct(psi)).eval();
+                    psi = factor_.solve(m_.cwiseProduct(psi));
                     scale(psi);
                 }
         }
@@ -178,7 +176,7 @@ class Diffusion {
     double unit_, total_; // mm2
     Matrix energy_, area_;
     Vector m_;
-    Eigen::SimplicialLDLT<Matrix> factor_;
+    sparse::Factor factor_;
 };
 
 Vector begun(std::size_t n, const Complex& everywhere, std::span<const Complex> like) {

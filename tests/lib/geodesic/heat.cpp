@@ -89,33 +89,6 @@ TEST(heat, is_raised_where_it_would_fade) {
     EXPECT_LT(mean_error(d, truth, 1), 0.05);
 }
 
-TEST(factor, both_solvers_agree) {
-    // the Laplacian of a long grid with more rows than go to the simple one
-    const int n = 4, rows = n * 40'000;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int v = 0; v < rows; ++v) {
-        entries.emplace_back(v, v, 5.0);
-        if (v % n > 0) entries.emplace_back(v, v - 1, -1.0);
-        if (v >= n) entries.emplace_back(v, v - n, -1.0);
-    }
-    Sparse a(rows, rows);
-    a.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd x(rows);
-    for (int v = 0; v < rows; ++v) x[v] = (v * 7919) % 101;
-    const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
-    Factor large;
-    large.analyse(a);
-    Factor same = large.same_order();
-    ASSERT_TRUE(large.factorise(a));
-    EXPECT_LT((large.solve(b) - x).cwiseAbs().maxCoeff(), 1e-9);
-    Sparse twice = 2 * a;
-    ASSERT_TRUE(same.factorise(twice));
-    EXPECT_LT((same.solve(b) - 0.5 * x).cwiseAbs().maxCoeff(), 1e-9);
-    EXPECT_LT((large.solve(b) - x).cwiseAbs().maxCoeff(), 1e-9);
-    Sparse negative = -1 * a;
-    EXPECT_FALSE(same.factorise(negative));
-}
-
 TEST(heat, the_certificate_tells_how_far_off_it_is) {
     const Surface s = surfaces::bumpy_sphere(5, 0, 1);
     const Sources sources{{0}, {}};

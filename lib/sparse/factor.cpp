@@ -1,18 +1,22 @@
-#include "geodesic/factor.hpp"
+#include "sparse/factor.hpp"
 
 #include "base/error.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <omp.h>
 #include <suitesparse/cholmod.h>
 
-namespace filum::geodesic {
+namespace filum::sparse {
 
 namespace {
 
 constexpr Eigen::Index kSupernodal = 150'000; // rows from which the overhead of supernodes pays
 
+// CHOLMOD takes four threads whatever it is told, and they mostly wait: none but the calling one from here on.
+void by_one_thread() { omp_set_max_active_levels(0); }
+
 // The matrix as CHOLMOD sees it, without a copy.
-cholmod_sparse view(const Sparse& a) {
+cholmod_sparse view(const Matrix& a) {
     cholmod_sparse out{};
     out.nrow = static_cast<std::size_t>(a.rows());
     out.ncol = static_cast<std::size_t>(a.cols());
@@ -50,7 +54,7 @@ struct Factor::State {
 
     std::shared_ptr<Workspace> workspace; // of CHOLMOD; null: Eigen's
     cholmod_factor* super = nullptr;
-    Eigen::SimplicialLDLT<Sparse> simple;
+    Eigen::SimplicialLDLT<Matrix> simple;
 
     ~State() {
         if (super != nullptr) cholmod_free_factor(&super, &workspace->common);
@@ -62,12 +66,13 @@ Factor::~Factor() = default;
 Factor::Factor(Factor&&) noexcept = default;
 Factor& Factor::operator=(Factor&&) noexcept = default;
 
-void Factor::analyse(const Sparse& a) {
+void Factor::analyse(const Matrix& a) {
     if (a.rows() <= kSupernodal) {
         state_->simple.analyzePattern(a);
         return;
     }
     state_->workspace = std::make_shared<State::Workspace>();
+    by_one_thread();
     cholmod_sparse m = view(a);
     state_->super = cholmod_analyze(&m, &state_->workspace->common);
     if (state_->super == nullptr) throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");
@@ -81,12 +86,13 @@ Factor Factor::same_order() const {
     return out;
 }
 
-bool Factor::factorise(const Sparse& a) {
+bool Factor::factorise(const Matrix& a) {
     if (state_->workspace == nullptr) {
         if (state_->simple.rows() != a.rows()) state_->simple.analyzePattern(a);
         state_->simple.factorize(a);
         return state_->simple.info() == Eigen::Success;
     }
+    by_one_thread();
     cholmod_sparse m = view(a);
     cholmod_common& common = state_->workspace->common;
     cholmod_factorize(&m, state_->super, &common);
@@ -97,6 +103,7 @@ bool Factor::factorise(const Sparse& a) {
 
 Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
     if (state_->workspace == nullptr) return state_->simple.solve(b);
+    by_one_thread();
     cholmod_dense right{};
     right.nrow = right.d = right.nzmax = static_cast<std::size_t>(b.size());
     right.ncol = 1;
@@ -105,10 +112,10 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_common& common = state_->workspace->common;
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->super, &right, &common);
-    if (x == nullptr) throw Error(Exit::failure, "cannot solve for the distances: out of memory");
+    if (x == nullptr) throw Error(Exit::failure, "cannot solve on the surface: out of memory");
     Eigen::VectorXd out = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());
     cholmod_free_dense(&x, &common);
     return out;
 }
 
-} // namespace filum::geodesic
+} // namespace filum::sparse

@@ -1,13 +1,13 @@
-// Direct solvers for symmetric positive definite systems; private to lib/geodesic.
+// Direct solvers for symmetric positive definite systems.
 #pragma once
 
 #include <Eigen/SparseCore>
 
 #include <memory>
 
-namespace filum::geodesic {
+namespace filum::sparse {
 
-using Sparse = Eigen::SparseMatrix<double>; // the lower triangle of a symmetric matrix
+using Matrix = Eigen::SparseMatrix<double>; // the lower triangle of a symmetric matrix
 
 // A factorisation.  Matrices of more than 150,000 rows go to CHOLMOD's supernodal one, others to Eigen's.
 class Factor {
@@ -18,9 +18,9 @@ class Factor {
     Factor& operator=(Factor&&) noexcept;
 
     // Orders the unknowns; all matrices to come have entries in the same places.
-    void analyse(const Sparse& a);
+    void analyse(const Matrix& a);
     // False if the matrix is not positive definite.
-    [[nodiscard]] bool factorise(const Sparse& a);
+    [[nodiscard]] bool factorise(const Matrix& a);
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     // Another factor of matrices with entries in the same places, with what analyse() found.
     [[nodiscard]] Factor same_order() const;
@@ -30,4 +30,4 @@ class Factor {
     std::unique_ptr<State> state_;
 };
 
-} // namespace filum::geodesic
+} // namespace filum::sparse

@@ -1,0 +1,32 @@
+#include "sparse/factor.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace filum::sparse;
+
+TEST(factor, both_solvers_agree) {
+    // the Laplacian of a long grid with more rows than go to the simple one
+    const int n = 4, rows = n * 40'000;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int v = 0; v < rows; ++v) {
+        entries.emplace_back(v, v, 5.0);
+        if (v % n > 0) entries.emplace_back(v, v - 1, -1.0);
+        if (v >= n) entries.emplace_back(v, v - n, -1.0);
+    }
+    Matrix a(rows, rows);
+    a.setFromTriplets(entries.begin(), entries.end());
+    Eigen::VectorXd x(rows);
+    for (int v = 0; v < rows; ++v) x[v] = (v * 7919) % 101;
+    const Eigen::VectorXd b = a.selfadjointView<Eigen::Lower>() * x;
+    Factor large;
+    large.analyse(a);
+    Factor same = large.same_order();
+    ASSERT_TRUE(large.factorise(a));
+    EXPECT_LT((large.solve(b) - x).cwiseAbs().maxCoeff(), 1e-9);
+    Matrix twice = 2 * a;
+    ASSERT_TRUE(same.factorise(twice));
+    EXPECT_LT((same.solve(b) - 0.5 * x).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_LT((large.solve(b) - x).cwiseAbs().maxCoeff(), 1e-9);
+    Matrix negative = -1 * a;
+    EXPECT_FALSE(same.factorise(negative));
+}
