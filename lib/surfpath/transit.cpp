@@ -78,8 +78,8 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
         const Row& row = rows.rows[r];
         if (row.line.closed) continue;
         const double l = surface::curve::length(row.line);
-        steps_[2 * r].push_back({2 * r + 1, l});
-        steps_[2 * r + 1].push_back({2 * r, l});
+        steps_[2 * r].push_back({2 * r + 1, l, true});
+        steps_[2 * r + 1].push_back({2 * r, l, true});
         if (row.begin.ring != kNone) on[row.begin.ring].emplace_back(row.begin.way, 2 * r);
         if (row.end.ring != kNone) on[row.end.ring].emplace_back(row.end.way, 2 * r + 1);
     }
@@ -91,14 +91,15 @@ Transits::Transits(const Rows& rows) : rows_(rows), steps_(2 * rows.rows.size())
             const auto& [a, from] = ends[i];
             const auto& [b, to] = ends[(i + 1) % ends.size()];
             const double l = std::abs(ahead(rows.inset.rings[ring], rows.inset.ways[ring], a, b));
-            steps_[from].push_back({to, l});
-            steps_[to].push_back({from, l});
+            steps_[from].push_back({to, l, false});
+            steps_[to].push_back({from, l, false});
         }
     }
 }
 
 Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
-    Tree out{std::vector<double>(steps_.size(), kUnreached), std::vector<std::uint32_t>(steps_.size(), kNone)};
+    Tree out{std::vector<double>(steps_.size(), kUnreached), std::vector<std::uint32_t>(steps_.size(), kNone),
+             std::vector<char>(steps_.size(), 0)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
     out.length[from] = 0;
@@ -109,9 +110,10 @@ Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
         if (l > out.length[at]) continue;
         const bool own = at / 2 == from / 2 || at / 2 == to / 2;
         for (const Step& s : steps_[at])
-            if (!(own && s.to == (at ^ 1u)) && l + s.length < out.length[s.to]) {
+            if (!(own && s.row) && l + s.length < out.length[s.to]) {
                 out.length[s.to] = l + s.length;
                 out.before[s.to] = at;
+                out.by_row[s.to] = s.row ? 1 : 0;
                 queue.emplace(l + s.length, s.to);
             }
     }
@@ -139,9 +141,9 @@ std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to)
     std::reverse(ends.begin(), ends.end());
     Way out{tree.length[to], {}};
     for (std::size_t i = 1; i < ends.size(); ++i) {
-        if ((ends[i - 1] ^ 1u) != ends[i]) {
+        if (tree.by_row[ends[i]] == 0) {
             Line next = along(ends[i - 1], ends[i]);
-            if (i > 1 && (ends[i - 2] ^ 1u) != ends[i - 1])
+            if (i > 1 && tree.by_row[ends[i - 1]] == 0)
                 surface::curve::append(out.stretches.back(), next);
             else
                 out.stretches.push_back(std::move(next));

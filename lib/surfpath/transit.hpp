@@ -31,10 +31,12 @@ class Transits {
     struct Step {
         std::uint32_t to;
         double length;
+        bool row; // along the row, not the ring: a ring may lead from one end of a row to the other, too
     };
     struct Tree {
         std::vector<double> length;
         std::vector<std::uint32_t> before;
+        std::vector<char> by_row; // from there
     };
     [[nodiscard]] Tree search(std::uint32_t from, std::uint32_t to) const;
 

@@ -1,0 +1,60 @@
+// Ways along rims: what is counted is what is laid.
+#include "surfpath/transit.hpp"
+
+#include "geom/angle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace filum::surfpath {
+namespace {
+
+constexpr double kRadius = 20; // mm, of the rim
+
+Vec3 on_rim(double angle) { return {kRadius * std::cos(angle), kRadius * std::sin(angle), 0}; }
+
+Inset round_rim() {
+    Inset out;
+    Line ring{{}, true};
+    for (int i = 0; i < 720; ++i) ring.places.push_back({0, on_rim(i * std::numbers::pi / 360)});
+    out.ways.push_back(surface::curve::arc_lengths(ring));
+    out.rings.push_back(std::move(ring));
+    return out;
+}
+
+// From one place of the rim by way of the middle to another.
+Row across(double from, double to) {
+    Row out{{{{0, on_rim(from)}, {0, {0, 0, 0}}, {0, on_rim(to)}}, false}, 0, {}, {}};
+    out.begin = {0, from * kRadius};
+    out.end = {0, to * kRadius};
+    return out;
+}
+
+TEST(transit, a_way_along_the_rim_past_both_ends_of_a_row_does_not_take_the_row) {
+    Rows rows;
+    rows.inset = round_rim();
+    rows.rows = {across(1, 1.3), across(0.5, 3), across(1.8, 4)};
+    const auto way = Transits(rows).way(2, 4); // from 0.5 to 1.8, past 1 and 1.3
+    ASSERT_TRUE(way.has_value());
+    EXPECT_NEAR(way->length, 1.3 * kRadius, 0.01);
+    double laid = 0;
+    for (const Line& l : way->stretches) laid += surface::curve::length(l);
+    EXPECT_NEAR(laid, way->length, 0.01);
+}
+
+TEST(transit, a_row_that_is_shorter_than_the_rim_is_taken) {
+    Rows rows;
+    rows.inset = round_rim();
+    rows.rows = {across(0.2, 3), across(0.1, 6), across(3.1, 4.5)};
+    const auto way = Transits(rows).way(2, 4); // from 0.1 to 3.1, half round
+    ASSERT_TRUE(way.has_value());
+    EXPECT_NEAR(way->length, (2 + 0.2) * kRadius, 0.01);
+    double laid = 0;
+    for (const Line& l : way->stretches) laid += surface::curve::length(l);
+    EXPECT_NEAR(laid, way->length, 0.01);
+}
+
+} // namespace
+} // namespace filum::surfpath
