@@ -79,6 +79,7 @@ cli::Spec spec(Options& o) {
 void run(const Options& o, const cli::Io& io) {
     choose::Options how = o.how;
     how.weights = choose::weights(o.weights);
+    how.plan.cut_length = how.cut_length;
     if (const auto asked = surfpath::algorithm(o.algorithm)) {
         how.plan.algorithm = *asked;
         how.by_hand = true;

@@ -100,6 +100,12 @@ cli::Spec spec(Options& o) {
                     "them; usual: the angle if that alone is asked for"}
                  .one_of({"usual", "spacing", "angle"})
                  .when("!method=kipping2022 algorithm=planned|field"),
+             Option{"cut-length", &o.plan.cut_length, "MM",
+                    "of fibre that a cut costs: field and hybrid lay less than that twice to save one"}
+                 .within(0, 1e6)
+                 .when("!method=kipping2022 algorithm=planned|field|hybrid")
+                 .same_as({"choose.cut-length"})
+                 .a_limit(),
              Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),

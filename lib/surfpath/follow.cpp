@@ -14,10 +14,9 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSmoothed = 0.2;  // spacings: what is smaller, of directions, lines cannot follow
-constexpr double kLongestWay = 50; // mm: ways along what is laid, at most: a cut costs as much fibre
-constexpr double kAcross = 10;     // spacings: ways over other lines, at most
-constexpr double kEasedTo = 1.15;  // of the least radius: what lines are eased to, so that samples of them keep it
+constexpr double kSmoothed = 0.2; // spacings: what is smaller, of directions, lines cannot follow
+constexpr double kAcross = 10;    // spacings: ways over other lines, at most
+constexpr double kEasedTo = 1.15; // of the least radius: what lines are eased to, so that samples of them keep it
 constexpr double kGive =
     0.1; // spacings: how far lines may move to keep the radius; more would cut off the turns of pairs
 
@@ -93,9 +92,9 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
         Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
         turns.across = kAcross * o.spacing;
-        turns.along = kLongestWay;
+        turns.along = o.cut_length;
         Rows found = rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
-        const auto crossed = open_loops(s, found, {o.spacing, gentle, kLongestWay});
+        const auto crossed = open_loops(s, found, {o.spacing, gentle, o.cut_length});
         out = boustrophedon(s, found, turns);
         tell_crossed(crossed, o.spacing, out.notes);
     }

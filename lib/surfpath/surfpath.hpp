@@ -26,8 +26,9 @@ struct Options {
     field::Sources
         follow{}; // what field follows; nothing: directions that the sheet carries, else its stress, else the angle
     Keep keep = Keep::usual;
-    double shift = 0;    // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
-    bool strict = false; // no turn may be tighter than least_radius
+    double shift = 0;       // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
+    double cut_length = 50; // mm: of fibre that a cut costs; no way of field along what is laid is longer
+    bool strict = false;    // no turn may be tighter than least_radius
 };
 
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.

@@ -59,6 +59,7 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     };
     if (!used(Algorithm::ortheo)) idle({"min-length", "d-iso", "min-spacing"}, "ortheo");
     if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
+    if (!used(Algorithm::field) && !used(Algorithm::hybrid)) idle({"cut-length"}, "field or hybrid");
     if (!used(Algorithm::field)) idle({"follow", "angle", "reference", "keep"}, "field");
     if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
         idle({"plane"}, "fina, fexa or ortheo");
