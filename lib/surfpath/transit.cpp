@@ -44,7 +44,7 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
                 }
             }
         }
-    const auto first = best.begin() + static_cast<std::ptrdiff_t>((sets - 1) * 2 * n);
+    const auto first = best.end() - static_cast<std::ptrdiff_t>(2) * n; // of the set of all
     auto at = static_cast<std::uint32_t>(std::min_element(first, best.end()) - best.begin());
     std::vector<Turned> out;
     for (; at != kNone; at = before[at]) {
