@@ -25,7 +25,6 @@ find_path(GLPK_INCLUDE glpk.h REQUIRED)
 find_library(GLPK_LIBRARY glpk REQUIRED)
 find_path(CHOLMOD_INCLUDE suitesparse/cholmod.h REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
-find_package(OpenMP REQUIRED) # which CHOLMOD brings
 
 # What a folder of lib/ uses from outside; included in its .cpp files only, but for Eigen.
 set(FILUM_USES_geom Eigen3::Eigen)
@@ -40,7 +39,7 @@ set(FILUM_USES_rings Boost::headers)
 set(FILUM_USES_fill Boost::headers Eigen3::Eigen)
 set(FILUM_USES_link3d CGAL::CGAL)
 set(FILUM_HIDES_surface CGAL::CGAL) # whose flags (-frounding-math) are for its own files only
-set(FILUM_USES_sparse Eigen3::Eigen ${CHOLMOD_LIBRARY} OpenMP::OpenMP_CXX)
+set(FILUM_USES_sparse Eigen3::Eigen ${CHOLMOD_LIBRARY} gomp) # gomp: the OpenMP that CHOLMOD runs on, part of g++
 set(FILUM_USES_geodesic Eigen3::Eigen)
 set(FILUM_USES_stressfield Eigen3::Eigen PkgConfig::pugixml ZLIB::ZLIB)
 set(FILUM_USES_partition Eigen3::Eigen)

@@ -3,8 +3,10 @@
 #include "base/error.hpp"
 
 #include <Eigen/SparseCholesky>
-#include <omp.h>
 #include <suitesparse/cholmod.h>
+
+// Of GCC's OpenMP, on which CHOLMOD runs; clang's omp.h would bring a second one.
+extern "C" void omp_set_max_active_levels(int);
 
 namespace filum::sparse {
 
