@@ -51,7 +51,7 @@ cli::Spec spec(Options& o) {
             {Option{"algorithm", &o.algorithm, "", "the best, or this one from the sources that the patch has"}.one_of(
                  {"best", "fina", "fexa", "ortheo", "geo-fiso", "geo-contour", "geo-spiral", "field", "hybrid"}),
              Option{"weights", &o.weights, "NAME=W,...", "how much each criterion counts; see above"},
-             Option{"cut-length", &o.how.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.within(
+             Option{"cut-length", &plan.cut_length, "MM", "of fibre that a cut costs: from cutter to nozzle"}.within(
                  0, 1e5),
              Option{"finals", &o.how.finals, "N", "candidates to lay as asked"}
                  .within(1, 1000)
@@ -79,7 +79,6 @@ cli::Spec spec(Options& o) {
 void run(const Options& o, const cli::Io& io) {
     choose::Options how = o.how;
     how.weights = choose::weights(o.weights);
-    how.plan.cut_length = how.cut_length;
     if (const auto asked = surfpath::algorithm(o.algorithm)) {
         how.plan.algorithm = *asked;
         how.by_hand = true;

@@ -101,7 +101,7 @@ cli::Spec spec(Options& o) {
                  .one_of({"usual", "spacing", "angle"})
                  .when("!method=kipping2022 algorithm=planned|field"),
              Option{"cut-length", &o.plan.cut_length, "MM",
-                    "of fibre that a cut costs: field and hybrid lay less than that twice to save one"}
+                    "of fibre that a cut costs: field and hybrid go no farther along what is laid to save one"}
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|field|hybrid")
                  .same_as({"choose.cut-length"})

@@ -106,7 +106,7 @@ void finals(std::vector<Trial>& trials, std::vector<std::size_t> left, const Gro
         for (std::int64_t k = 0; k < o.finals && next < left.size(); ++k) now.push_back(left[next++]);
         each(trials, now, threads, [&](Trial& t) {
             t.found = lay(ground, t.candidate);
-            t.score = score(*t.found, o.weights, o.cut_length);
+            t.score = score(*t.found, o.weights, o.plan.cut_length);
         });
         for (const std::size_t i : now) found += trials[i].found ? 1 : 0;
     }
@@ -137,7 +137,7 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     const auto some = promising(out.trials);
     each(out.trials, some, threads, [&](Trial& t) {
         t.rough = lay(small, t.candidate);
-        t.rough_score = score(*t.rough, o.weights, o.cut_length);
+        t.rough_score = score(*t.rough, o.weights, o.plan.cut_length);
     });
     finals(out.trials, some, ground, o, threads);
     for (std::size_t i = 0; i < out.trials.size(); ++i)

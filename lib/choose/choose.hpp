@@ -15,7 +15,6 @@ struct Options {
     surfpath::Options plan;  // spacing, least radius and so on; its algorithm counts only
     bool by_hand = false;    // here: it is laid from the sheet's sources, and nothing else is tried
     Weights weights;         //
-    double cut_length = 50;  // mm: of fibre that a cut costs, see score()
     std::int64_t finals = 3; // how many candidates are laid as asked
 };
 

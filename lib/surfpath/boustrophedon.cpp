@@ -42,8 +42,7 @@ class Path {
             out_.strokes.push_back(stroke(chains[c], turns[c]));
             turned_ += static_cast<double>(turns[c].size());
         }
-        const double cut = std::min(o_.along, kBreak);
-        tell_crossed(join_strokes(surface_, out_.strokes, {o_.spacing, o_.least_radius, cut}), o_.spacing, out_.notes);
+        tell_crossed(join_strokes(surface_, out_.strokes, o_.spacing, o_.least_radius), o_.spacing, out_.notes);
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                       {"", "turns", turned_, ""},
                       {"", "transits", transited_, "mm"}};

@@ -203,15 +203,15 @@ std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
 
 } // namespace
 
-std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, const Loops& o) {
+std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, double spacing, double radius) {
     if (strokes.size() < 2) return {};
     std::vector<Line> lines;
     std::vector<double> before;
     for (const Stroke& stroke : strokes) {
-        lines.push_back(whole(s, stroke, 2 * o.radius));
+        lines.push_back(whole(s, stroke, 2 * radius));
         before.push_back(surface::curve::length(lines.back()));
     }
-    auto crossed = splice_loops(s, lines, hosts(s, lines), o.spacing, o.radius);
+    auto crossed = splice_loops(s, lines, hosts(s, lines), spacing, radius);
     std::vector<Stroke> out;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (lines[i].size() == 0) continue;

@@ -19,8 +19,8 @@ struct Loops {
 std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& options);
 
 // Strokes whose ends lie within two radii of each other become part of the strokes beside them: closed, and taken in as
-// loops are.  If all are such the longest stays open.  Returns where shifts cross.
-std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, const Loops& options);
+// loops are, by shifts of that radius, mm.  If all are such the longest stays open.  Returns where shifts cross.
+std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, double spacing, double radius);
 
 // "loop joined by shifts that cross", if there are any.
 void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes);

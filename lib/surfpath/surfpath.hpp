@@ -27,7 +27,7 @@ struct Options {
         follow{}; // what field follows; nothing: directions that the sheet carries, else its stress, else the angle
     Keep keep = Keep::usual;
     double shift = 0;       // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
-    double cut_length = 50; // mm: of fibre that a cut costs; no way of field along what is laid is longer
+    double cut_length = 50; // mm: of fibre that a cut costs; no way of field or hybrid along what is laid is longer
     bool strict = false;    // no turn may be tighter than least_radius
 };
 
