@@ -106,6 +106,14 @@ cli::Spec spec(Options& o) {
                  .when("!method=kipping2022 algorithm=planned|field|hybrid")
                  .same_as({"choose.cut-length"})
                  .a_limit(),
+             Option{"turn-outside", &o.turn_outside, "MM",
+                    "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
+                 .zero_or_at_least(0.001)
+                 .at_most(1000)
+                 .when("!method=kipping2022 algorithm=planned|fina|fexa|ortheo|field"),
+             Option{"trim-list", &o.trim_list, "FILE", "also where to trim: stroke, mm along it, and the place"}
+                 .not_a_setting()
+                 .when("turn-outside"),
              Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),

@@ -77,22 +77,33 @@ Vec3 widest(const std::vector<Sample>& bare, const Stretches& lines, double widt
     return at;
 }
 
+// The length, mm, that lies on the first `part` triangles; of a threaded plan, or if they are all.
+double laid_on(const Plan& plan, std::uint32_t part) {
+    double out = 0;
+    for (const Stroke& stroke : plan.strokes)
+        for (const Piece& piece : stroke.pieces)
+            for (std::size_t i = 0; i + 1 < piece.line.size(); ++i)
+                if (piece.line.places[i].triangle < part) out += distance(piece.line[i], piece.line[i + 1]);
+    return out;
+}
+
 Note noted(const char* what, double area, const Vec3& at) { return {"", what, area, "mm2", 1, -1, at.x, at.y, at.z}; }
 
 } // namespace
 
-Cover cover(const Surface& s, const Plan& plan, double width) {
+Cover cover(const Surface& s, const Plan& plan, double width, std::uint32_t part) {
     const Stretches lines(s, plan);
-    std::vector<Sum> parts((s.triangles.size() + kTriangles - 1) / kTriangles);
-    parallel::for_chunks(s.triangles.size(), kTriangles, 0, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = std::min<std::size_t>(part, s.triangles.size());
+    std::vector<Sum> parts((count + kTriangles - 1) / kTriangles);
+    parallel::for_chunks(count, kTriangles, 0, [&](std::size_t begin, std::size_t end) {
         std::vector<double> ways;
         for (std::size_t t = begin; t < end; ++t)
             each_sample(s, static_cast<std::uint32_t>(t), kPart * width,
                         [&](const Sample& p) { look(p, lines, width, parts[begin / kTriangles], ways); });
     });
     Sum sum;
-    for (const Sum& part : parts) add(part, sum);
-    Cover out{sum.surface, lines.length() * width, sum.covered, sum.missing, {}, {}};
+    for (const Sum& one : parts) add(one, sum);
+    Cover out{sum.surface, laid_on(plan, part) * width, sum.covered, sum.missing, {}, {}};
     out.widest = widest(sum.bare, lines, width);
     double most = 0;
     for (const auto& [cell, heap] : sum.heaps)
@@ -103,8 +114,8 @@ Cover cover(const Surface& s, const Plan& plan, double width) {
     return out;
 }
 
-void tell_cover(const Surface& s, Plan& plan, double width) {
-    const Cover c = cover(s, plan, width);
+void tell_cover(const Surface& s, Plan& plan, double width, std::uint32_t part) {
+    const Cover c = cover(s, plan, width, part);
     plan.facts.push_back({"", "bare", c.missing, "mm2"});
     plan.facts.push_back({"", "uncovered", c.bare(), "mm2"});
     plan.facts.push_back({"", "laid-twice", c.overlap(), "mm2"});

@@ -19,10 +19,11 @@ struct Cover {
 
 // Judged at points of the triangles about a third of the width apart, by distances in space to lines on triangles that
 // face the same way.  Places are those of such points; of equals, the first.
-Cover cover(const Surface& surface, const Plan& plan, double width);
+// `part`: how many triangles count, the first ones.
+Cover cover(const Surface& surface, const Plan& plan, double width, std::uint32_t part = surface::kNone);
 
 // Adds that to the plan: facts "bare" (what is missing), "uncovered" and "laid-twice", mm2, and notes with a place of
 // "no line within a spacing" beyond 1 % of the surface, "not covered" and "laid twice" beyond 4 %.
-void tell_cover(const Surface& surface, Plan& plan, double width);
+void tell_cover(const Surface& surface, Plan& plan, double width, std::uint32_t part = surface::kNone);
 
 } // namespace filum::surfpath

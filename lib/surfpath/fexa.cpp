@@ -157,7 +157,9 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         add(raw, geodesic::isolines(s, above, at), sign);
         find_gaps(s, sides, side, above, spread, d > 0 ? d : o.spacing, gaps);
     }
-    const Turning turns = turning(o.spacing, o.least_radius);
+    leave_out(raw, o.beyond);
+    Turning turns = turning(o.spacing, o.least_radius);
+    turns.staggered = o.beyond.empty();
     Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     wind(s, all, o.spacing, true);
     Plan out = boustrophedon(s, all, turns);

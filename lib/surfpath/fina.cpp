@@ -21,7 +21,9 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
         add(raw, side, sign);
         sign = -sign;
     }
-    const Turning turns = turning(o.spacing, o.least_radius);
+    leave_out(raw, o.beyond);
+    Turning turns = turning(o.spacing, o.least_radius);
+    turns.staggered = o.beyond.empty();
     Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     wind(s, all, o.spacing, true);
     return boustrophedon(s, all, turns);

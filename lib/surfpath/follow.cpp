@@ -90,9 +90,11 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         std::vector<Raw> raw;
         raw.reserve(all.size());
         for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
+        leave_out(raw, o.beyond);
         Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
         turns.across = kAcross * o.spacing;
         turns.along = o.cut_length;
+        turns.staggered = o.beyond.empty();
         Rows found = rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
         const auto crossed = open_loops(s, found, {o.spacing, gentle, o.cut_length});
         out = boustrophedon(s, found, turns);

@@ -99,20 +99,20 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
     const bool alone = o.turns == RowTurns::none || o.turns == RowTurns::usual;
     const Strands found = strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
+    std::vector<Raw> raw;
+    for (std::size_t i = 0; i < all.size(); ++i) raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
+    leave_out(raw, o.beyond);
     Plan out;
     if (alone) {
-        for (Line& line : all) {
-            if (out.strokes.size() % 2 == 1) surface::curve::reverse(line);
-            out.strokes.push_back({{{std::move(line), false}}});
+        for (Raw& row : raw) {
+            if (out.strokes.size() % 2 == 1) surface::curve::reverse(row.line);
+            out.strokes.push_back({{{std::move(row.line), false}}});
         }
         fact(out, "rows", out.strokes.size());
     } else {
-        std::vector<Raw> raw;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
         const double radius = o.turns == RowTurns::wide ? o.least_radius : o.spacing / 2;
         out = boustrophedon(s, rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}),
-                            {o.spacing, radius});
+                            {.spacing = o.spacing, .least_radius = radius, .staggered = o.beyond.empty()});
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);

@@ -231,6 +231,14 @@ void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, do
     }
 }
 
+void leave_out(std::vector<Raw>& lines, std::span<const char> marked) {
+    if (marked.empty()) return;
+    std::erase_if(lines, [&](const Raw& raw) {
+        const auto& places = raw.line.places;
+        return std::all_of(places.begin(), places.end(), [&](const Place& p) { return marked[p.triangle] != 0; });
+    });
+}
+
 Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits) {
     const double margin = limits.margin;
     Rows out;

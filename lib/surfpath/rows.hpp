@@ -39,6 +39,9 @@ struct Raw {
 // The isolines with levels times `sign`, 1 or -1, and turned round if that is -1.
 void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign);
 
+// Leaves out lines all of whose stretches lie on triangles that are marked; `marked` is per triangle, or empty.
+void leave_out(std::vector<Raw>& lines, std::span<const char> marked);
+
 struct Rows {
     std::vector<Row> rows; // by level, then as given
     Inset inset;

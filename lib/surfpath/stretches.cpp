@@ -7,7 +7,7 @@ namespace filum::surfpath {
 
 namespace {
 
-std::vector<Stretch> listed(const Surface& s, const Plan& plan, double& length) {
+std::vector<Stretch> listed(const Surface& s, const Plan& plan) {
     constexpr double kApart = 1e6; // mm
     std::vector<Stretch> out;
     double way = 0;
@@ -18,7 +18,6 @@ std::vector<Stretch> listed(const Surface& s, const Plan& plan, double& length) 
                 out.push_back({a, b, surface::normal(s, piece.line.places[i].triangle), way, piece.hairpin,
                                static_cast<std::uint32_t>(&stroke - plan.strokes.data())});
                 way += distance(a, b);
-                length += distance(a, b);
             }
         way += kApart;
     }
@@ -34,7 +33,7 @@ std::vector<geom::Box3> boxes_of(const std::vector<Stretch>& all) {
 
 } // namespace
 
-Stretches::Stretches(const Surface& s, const Plan& plan) : all_(listed(s, plan, length_)), tree_(boxes_of(all_)) {}
+Stretches::Stretches(const Surface& s, const Plan& plan) : all_(listed(s, plan)), tree_(boxes_of(all_)) {}
 
 std::size_t passes(std::vector<double>& ways, double width) {
     std::sort(ways.begin(), ways.end());

@@ -18,7 +18,6 @@ class Stretches {
   public:
     Stretches(const Surface& s, const Plan& plan);
 
-    [[nodiscard]] double length() const { return length_; } // mm
     [[nodiscard]] std::span<const Stretch> all() const { return all_; }
 
     // Calls f(stretch, mm off, way) for the nearest place of every stretch within reach that faces alike.
@@ -33,7 +32,6 @@ class Stretches {
     }
 
   private:
-    double length_ = 0;
     std::vector<Stretch> all_;
     geom::Bvh tree_;
 };

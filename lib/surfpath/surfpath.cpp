@@ -69,7 +69,11 @@ Plan plan(const surface::Sheet& sheet, const Options& options) {
     Fine small = fine(sheet, longest * options.spacing);
     if (by_field)
         small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
-    Plan out = lines(small.sheet, options);
+    Options on_small = options;
+    on_small.beyond.clear();
+    if (!options.beyond.empty())
+        for (const std::uint32_t t : small.parent) on_small.beyond.push_back(options.beyond[t]);
+    Plan out = lines(small.sheet, on_small);
     back(out, small);
     keep_to_surface(sheet.surface, out);
     return out;
@@ -89,7 +93,7 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
     if (tight.count > 0)
         plan.notes.push_back({"", "turn tighter than the least radius", tight.length, "mm", tight.count, -1, tight.at.x,
                               tight.at.y, tight.at.z});
-    tell_cover(surface, plan, o.spacing);
+    tell_cover(surface, plan, o.spacing, o.part);
 }
 
 } // namespace filum::surfpath

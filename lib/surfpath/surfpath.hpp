@@ -29,6 +29,11 @@ struct Options {
     double shift = 0;       // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
     double cut_length = 50; // mm: of fibre that a cut costs; no way of field or hybrid along what is laid is longer
     bool strict = false;    // no turn may be tighter than least_radius
+    // Of a sheet with a flange (outside.hpp), per triangle: it lies so far beyond the part that lines there cover
+    // nothing of it; rows that lie on such triangles only are left out, and turns lie as far out as they can.  Empty:
+    // no flange.
+    std::vector<char> beyond{};
+    std::uint32_t part = surface::kNone; // triangles, the first ones, that are to be covered
 };
 
 // Strokes on the surface of `sheet`, along the field "distance" or from its sources.

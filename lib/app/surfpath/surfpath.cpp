@@ -3,10 +3,12 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "surfpath/outside.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace filum::app::surfpath {
 
@@ -15,8 +17,18 @@ namespace {
 using filum::surfpath::Algorithm;
 using geom::Vec3;
 
-filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorithm algorithm) {
+using filum::surfpath::Flange;
+
+bool has_rows(Algorithm a) {
+    return a == Algorithm::fina || a == Algorithm::fexa || a == Algorithm::ortheo || a == Algorithm::field;
+}
+
+filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, const Options& o, Algorithm algorithm) {
     filum::surfpath::Options asked = o.plan;
+    if (flange) {
+        asked.beyond = flange->far;
+        asked.part = flange->part;
+    }
     asked.algorithm = algorithm;
     asked.offset = o.laying.offset;
     baselines::kipping2022::Options paper = o.paper;
@@ -26,7 +38,39 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Options& o, Algorit
     filum::surfpath::Plan out = asked.method == filum::surfpath::Method::kipping2022
                                     ? baselines::kipping2022::plan(sheet, paper)
                                     : filum::surfpath::plan(sheet, asked);
+    if (flange) filum::surfpath::thread(sheet.surface, out);
     filum::surfpath::finish(sheet.surface, out, asked);
+    if (flange) filum::surfpath::tell_trims(*flange, o.turn_outside, out);
+    return out;
+}
+
+// Flanges for the surfaces that are filled by rows, which take their sheets; the others stay as they are.
+std::vector<std::optional<Flange>> flanges(const Options& o, const filum::surfpath::Algorithms& algorithms,
+                                           std::vector<surface::Sheet>& sheets) {
+    std::vector<std::optional<Flange>> out(sheets.size());
+    if (o.turn_outside == 0) return out;
+    if (o.turn_outside < o.plan.spacing)
+        throw Error(Exit::usage, "cannot turn within --turn-outside " + shortest_text(o.turn_outside) +
+                                     " mm: less than a spacing; turns of a radius need that and half a spacing");
+    for (std::size_t k = 0; k < sheets.size(); ++k) {
+        if (!algorithms[k] || !has_rows(*algorithms[k])) continue;
+        out[k] = filum::surfpath::flange(sheets[k], o.turn_outside, o.plan.spacing, *algorithms[k] != Algorithm::fexa);
+        std::swap(sheets[k], out[k]->sheet);
+    }
+    return out;
+}
+
+// Where to cut off what lies outside: a line per place.
+std::string trim_table(std::span<const filum::surfpath::Plan> plans, std::span<const std::optional<Flange>> flanges) {
+    std::size_t strokes = 0;
+    std::string out = "stroke\talong\tx\ty\tz\n";
+    for (std::size_t k = 0; k < plans.size(); ++k) {
+        if (flanges[k])
+            for (const auto& t : filum::surfpath::trims(plans[k], flanges[k]->part).all)
+                out += std::to_string(strokes + t.stroke) + "\t" + fixed_text(t.way, 3) + "\t" + fixed_text(t.at.x, 3) +
+                       "\t" + fixed_text(t.at.y, 3) + "\t" + fixed_text(t.at.z, 3) + "\n";
+        strokes += plans[k].strokes.size();
+    }
     return out;
 }
 
@@ -60,6 +104,8 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     if (!used(Algorithm::ortheo)) idle({"min-length", "d-iso", "min-spacing"}, "ortheo");
     if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
     if (!used(Algorithm::field) && !used(Algorithm::hybrid)) idle({"cut-length"}, "field or hybrid");
+    if (std::none_of(algorithms.begin(), algorithms.end(), [](const auto& a) { return a && has_rows(*a); }))
+        idle({"turn-outside", "trim-list"}, "rows: fina, fexa, ortheo or field");
     if (!used(Algorithm::field)) idle({"follow", "angle", "reference", "keep"}, "field");
     if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))
         idle({"plane"}, "fina, fexa or ortheo");
@@ -94,8 +140,12 @@ void run(const Options& o, const cli::Io& io) {
                                [&](const stream::RawFrame& frame) { sheets.push_back(wire::sheet(frame)); });
     const auto algorithms = filum::surfpath::algorithms(sheets, filum::surfpath::algorithm(o.algorithm));
     tell_idle(algorithms, io);
-    auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads,
-                                               [&](std::size_t k) { return lay(sheets[k], asked, *algorithms[k]); });
+    if (std::all_of(sheets.begin(), sheets.end(), [](const auto& sheet) { return sheet.surface.rims.empty(); }))
+        for (const char* option : {"turn-outside", "trim-list"}) io.idle(option, "no surface has a rim");
+    const auto outside = flanges(o, algorithms, sheets);
+    auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads, [&](std::size_t k) {
+        return lay(sheets[k], outside[k] ? &*outside[k] : nullptr, asked, *algorithms[k]);
+    });
     filum::surfpath::Laying laying = o.laying;
     laying.width = o.plan.spacing;
     laying.layer = static_cast<std::uint32_t>(o.ply);
@@ -110,6 +160,7 @@ void run(const Options& o, const cli::Io& io) {
     std::vector<stream::RawFrame> frames;
     frames.reserve(spans.size());
     for (const auto& span : spans) frames.push_back(wire::frame(span));
+    if (!o.trim_list.empty()) cli::write_text(o.trim_list, trim_table(patches.plans, outside));
     cli::write_all(io, cli::header(self, stream::Payload::toolpath, {&whole.header}), whole, patches.notes,
                    patches.facts, frames);
 }

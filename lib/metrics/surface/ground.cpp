@@ -32,6 +32,12 @@ bool on_rim(const Surface& s, const filum::surface::curve::Place& at) {
     return false;
 }
 
+// Whether a place of a path of that width lies past the rim that its foot is on.
+bool past_rim(const Surface& s, const filum::surface::curve::Place& foot, const Vec3& p, double width) {
+    const Vec3 way = p - foot.point, n = filum::surface::normal(s, foot.triangle);
+    return norm(way - dot(way, n) * n) > kBeside * width && on_rim(s, foot);
+}
+
 Vec3 axis_at(const Chain& c, std::size_t stretch, double t) {
     const Vec3 v = (1 - t) * c.axes[stretch] + t * c.axes[stretch + 1];
     return norm(v) > 0.5 ? v : Vec3{};
@@ -52,7 +58,9 @@ class Laying {
         const filum::surface::curve::Place a = place(c, i, from), b = place(c, i, to);
         const Off a_off = off(c, i, from, a), b_off = off(c, i, to, b);
         if (a_off != Off::no && a_off == b_off) {
-            (a_off == Off::beside ? out_.beside : out_.aloft) += (to - from) * (c.along[i + 1] - c.along[i]);
+            const double length = (to - from) * (c.along[i + 1] - c.along[i]);
+            (a_off == Off::beside ? out_.beside : out_.aloft) += length;
+            if (a_off == Off::beside) out_.beside_area += length * c.width[i];
             return;
         }
         const filum::surface::curve::Line way = a.triangle == b.triangle ? filum::surface::curve::Line{{a, b}, false}
@@ -85,8 +93,8 @@ class Laying {
     // Why a place of the path has no shadow, if it has none.
     enum class Off : std::uint8_t { no, beside, aloft };
     [[nodiscard]] Off off(const Chain& c, std::size_t i, double t, const filum::surface::curve::Place& foot) const {
-        const Vec3 way = at(c, i, t) - foot.point, n = filum::surface::normal(surface_, foot.triangle);
-        if (norm(way - dot(way, n) * n) > kBeside * c.width[i] && on_rim(surface_, foot)) return Off::beside;
+        const Vec3 p = at(c, i, t), way = p - foot.point;
+        if (past_rim(surface_, foot, p, c.width[i])) return Off::beside;
         return norm(way) > level_ + c.width[i] / 2 ? Off::aloft : Off::no;
     }
     void add(const Chain& c, std::size_t i, std::uint32_t triangle, const Vec3& a, const Vec3& b) {
@@ -144,6 +152,7 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
         for (std::size_t i = begin; i < end; ++i) {
             out[i].foot = ground.foot(out[i].at, axes[i]);
             out[i].off = distance(out[i].at, out[i].foot.point);
+            out[i].beside = past_rim(ground.surface, out[i].foot, out[i].at, out[i].width);
             out[i].normal = ground.normal(out[i].foot);
         }
     });
@@ -187,6 +196,7 @@ Shadow shadow(const Fibres& fibres, const Ground& ground, const ShadowOptions& o
         out.width.insert(out.width.end(), p.width.begin(), p.width.end());
         out.lost += p.lost;
         out.beside += p.beside;
+        out.beside_area += p.beside_area;
         out.aloft += p.aloft;
     }
     return out;

@@ -50,6 +50,7 @@ struct Sample {
     Vec3 normal{};                       // unit, of the surface
     filum::surface::curve::Place foot{}; // nearest to the middle
     double off = 0;                      // mm between the middle and its foot
+    bool beside = false;                 // it lies past a rim, by more than a twentieth of the bead
 };
 
 // Every chain in stretches of equal length, as near to `step` mm as divides it evenly.
@@ -69,7 +70,8 @@ struct Shadow {
     std::vector<filum::surface::Segment> segments;
     std::vector<double> width; // mm, per segment
     double lost = 0;           // mm of path that no way on the surface follows: across gaps
-    double beside = 0;         // mm of path past a rim
+    double beside = 0;         // mm of path past a rim,
+    double beside_area = 0;    // mm2, times its width
     double aloft = 0;          // mm of path too far from the surface
 };
 // Of the stretches of one layer.  `level`: mm, how far the path is meant to be from the surface.  `step`: mm, stretches

@@ -81,7 +81,7 @@ Plies measure_plies(const Fibres& fibres, const Ground& ground, std::span<const 
         ++out.count;
         add(out.area, area);
         out.least = std::min(out.least, area.covered / area.surface);
-        out.laid += laid(fibres, layer);
+        out.laid += laid(fibres, layer) - below.beside_area;
         out.paper += paper_area_fraction(ground, own, options.spacing, threads);
         out.beside += below.beside;
         out.aloft += below.aloft;

@@ -14,7 +14,7 @@ struct Plies {
     std::size_t count = 0;
     Area area;                                     // sums, and the largest void of any ply
     double least = 1;                              // coverage of the worst ply
-    double laid = 0;                               // mm2: length times width
+    double laid = 0;                               // mm2: length times width, of what is not beside
     double paper = 0;                              // the paper's share, summed
     double beside = 0, aloft = 0, lost = 0;        // mm of path, see Shadow
     std::optional<filum::surface::Sheet> distance; // field "path-distance": the greatest of all plies

@@ -181,9 +181,12 @@ void load(const Job& job, Figures& out) {
     const auto cases = load_cases(job.sheet);
     if (cases.empty() || job.samples.empty()) return;
     const Surface& s = job.sheet.surface;
+    std::vector<Sample> on; // what is trimmed off carries nothing
+    std::copy_if(job.samples.begin(), job.samples.end(), std::back_inserter(on),
+                 [](const Sample& p) { return !p.beside; });
     std::vector<LoadFigures> each;
-    for (const LoadCase& c : cases) each.push_back(adequacy(job.samples, s, c));
-    const PaperLoad paper = paper_adequacy(job.samples, s, cases);
+    for (const LoadCase& c : cases) each.push_back(adequacy(on, s, c));
+    const PaperLoad paper = paper_adequacy(on, s, cases);
     const auto least = [&](double LoadFigures::*of) {
         double out = INFINITY;
         for (const auto& e : each) out = std::min(out, e.*of);

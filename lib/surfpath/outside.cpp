@@ -1,0 +1,103 @@
+#include "surfpath/outside.hpp"
+
+#include "surface/curve/walk.hpp"
+#include "surface/flange.hpp"
+#include "surfpath/source_lines.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace filum::surfpath {
+
+namespace {
+
+constexpr double kTouches = 1e-6; // mm
+constexpr double kRunsOut = 1.5;  // depths: how far sources go on over the flange, which may be left at a slant
+
+// The values of a field at the vertices that a flange has grown out from.
+surface::Field grown(const surface::Field& field, std::span<const std::uint32_t> root) {
+    surface::Field out{field.name, {}, field.components};
+    out.values.reserve(root.size() * field.components);
+    for (const std::uint32_t v : root)
+        for (std::size_t k = 0; k < field.components; ++k) out.values.push_back(field.values[field.components * v + k]);
+    return out;
+}
+
+bool on_rim(const Surface& s, std::uint32_t triangle, const Vec3& p) {
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if (s.twin[h] != surface::kNone) continue;
+        const Vec3 &a = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - a;
+        if (distance(p, a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d) < kTouches) return true;
+    }
+    return false;
+}
+
+// Goes straight on from the end of a source that lies on a rim of `s`, over the flange.
+void go_on(const Surface& s, const Surface& flanged, Line line, double length, surface::Sources& to) {
+    const std::size_t n = line.size();
+    if (n < 2 || line.closed) return;
+    const std::uint32_t last = line.places[n - 2].triangle;
+    const Place end{last, line.places[n - 1].point};
+    if (!on_rim(s, last, end.point)) return;
+    const Line on = surface::curve::walk(flanged, end, end.point - line.places[n - 2].point, length);
+    for (std::size_t i = 0; i + 1 < on.size(); ++i)
+        if (distance(on[i], on[i + 1]) > kTouches) to.segments.push_back({on.places[i].triangle, on[i], on[i + 1]});
+}
+
+} // namespace
+
+Flange flange(const surface::Sheet& sheet, double depth, double spacing, bool going_on) {
+    auto grown_out = surface::flanged(sheet.surface, spacing / 2, depth);
+    Flange out;
+    out.part = grown_out.part;
+    out.far = std::move(grown_out.far);
+    out.least = grown_out.least;
+    out.least_at = grown_out.least_at;
+    for (const auto& field : sheet.fields) out.sheet.fields.push_back(grown(field, grown_out.root));
+    out.sheet.surface = std::move(grown_out.surface);
+    out.sheet.name = sheet.name;
+    out.sheet.algorithm = sheet.algorithm;
+    out.sheet.sources = sheet.sources;
+    if (!going_on) return out;
+    for (Line& line : source_lines(sheet.sources)) {
+        Line back = line;
+        surface::curve::reverse(back);
+        go_on(sheet.surface, out.sheet.surface, std::move(line), kRunsOut * depth, out.sheet.sources);
+        go_on(sheet.surface, out.sheet.surface, std::move(back), kRunsOut * depth, out.sheet.sources);
+    }
+    return out;
+}
+
+void thread(const Surface& s, Plan& plan) {
+    for (Stroke& stroke : plan.strokes)
+        for (Piece& piece : stroke.pieces) piece.line = surface::curve::threaded(s, piece.line);
+}
+
+Trims trims(const Plan& plan, std::uint32_t part) {
+    Trims out;
+    for (std::size_t k = 0; k < plan.strokes.size(); ++k) {
+        double way = 0;
+        std::optional<bool> before;
+        for (const Piece& piece : plan.strokes[k].pieces)
+            for (std::size_t i = 0; i + 1 < piece.line.size(); ++i) {
+                const bool inside = piece.line.places[i].triangle < part;
+                const double length = distance(piece.line[i], piece.line[i + 1]);
+                if (before && *before != inside) out.all.push_back({k, way, piece.line[i]});
+                if (!inside) out.outside += length;
+                before = inside;
+                way += length;
+            }
+    }
+    return out;
+}
+
+void tell_trims(const Flange& flange, double depth, Plan& plan) {
+    const Trims found = trims(plan, flange.part);
+    plan.facts.push_back({"", "trims", static_cast<double>(found.all.size()), ""});
+    plan.facts.push_back({"", "outside", found.outside, "mm"});
+    if (flange.least < depth)
+        plan.notes.push_back({"", "less room outside for turns: another part of the rim is near", flange.least, "mm", 1,
+                              -1, flange.least_at.x, flange.least_at.y, flange.least_at.z});
+}
+
+} // namespace filum::surfpath

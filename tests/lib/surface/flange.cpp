@@ -1,0 +1,96 @@
+// What lies about the rims of a surface: as deep as asked, and nowhere over itself.
+#include "surface/flange.hpp"
+
+#include "../trials.hpp"
+#include "grid.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace filum::surface {
+namespace {
+
+Vec3 flat(geom::Vec2 p) { return {p.x, p.y, 0}; }
+
+Surface connected(mesh::Mesh mesh) {
+    Notes notes;
+    return connect(std::move(mesh), notes);
+}
+
+double flange_area(const Flanged& f) {
+    double out = 0;
+    for (std::uint32_t t = f.part; t < f.surface.triangles.size(); ++t) out += area(f.surface, t);
+    return out;
+}
+
+// How many triangles a point of the plane lies in, well inside.
+int layers(const Surface& s, const Vec3& p) {
+    int out = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto w = curve::barycentric(s, {t, p});
+        out += std::min({w[0], w[1], w[2]}) > 1e-6 ? 1 : 0;
+    }
+    return out;
+}
+
+TEST(flange, of_a_plate_is_a_strip_with_round_corners) {
+    const auto f = flanged(connected(grid(30, 20, 3, 2, flat)), 0.5, 4);
+    EXPECT_EQ(f.part, 12U);
+    EXPECT_NEAR(flange_area(f), 100 * 4 + 4 * 3 * 0.5 * 16 * std::sin(std::numbers::pi / 6), 1e-9);
+    EXPECT_EQ(f.least, 4);
+    EXPECT_EQ(f.surface.rims.size(), 1U);
+    double near = 0;
+    for (std::uint32_t t = f.part; t < f.surface.triangles.size(); ++t) near += f.far[t] ? 0 : area(f.surface, t);
+    EXPECT_NEAR(near, 100 * 0.5 + 3 * 0.25, 1e-9);
+}
+
+TEST(flange, goes_on_in_the_tangent_planes) {
+    const Surface s = connected(grid(std::numbers::pi, 10, 60, 5, [](geom::Vec2 p) {
+        return Vec3{10 * std::cos(p.x / 1), p.y, 10 * std::sin(p.x / 1)};
+    }));
+    const auto f = flanged(s, 0.5, 3);
+    for (std::size_t v = s.vertices.size(); v < f.surface.vertices.size(); ++v) {
+        const Vec3 &p = f.surface.vertices[v], &q = s.vertices[f.root[v]];
+        const Vec3 radial{q.x / 10, 0, q.z / 10};
+        EXPECT_LT(std::abs(dot(p - q, radial)), 0.1 * distance(p, q));
+    }
+}
+
+TEST(flange, in_a_hole_leaves_half_of_it_free) {
+    const auto hole = [](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 5; };
+    const auto f = flanged(connected(pierced_grid(40, 40, 80, 80, flat, hole)), 0.5, 8);
+    for (std::uint32_t t = f.part; t < f.surface.triangles.size(); ++t)
+        for (const std::uint32_t v : f.surface.triangles[t]) {
+            const Vec3& p = f.surface.vertices[v];
+            EXPECT_GT(std::hypot(p.x - 20, p.y - 20), 2);
+        }
+    EXPECT_LT(f.least, 0.5); // in the corners of its steps
+}
+
+// Surfaces with rims at random, of steps, notches and holes.
+TEST(flange, never_lies_over_itself) {
+    for (int seed = 0; seed < trials(20); ++seed) {
+        std::mt19937 random(static_cast<unsigned>(seed));
+        const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+        std::vector<std::array<double, 3>> holes;
+        for (int k = 0; k < 5; ++k) holes.push_back({20 * unit(), 20 * unit(), 1 + 4 * unit()});
+        const auto hole = [&](geom::Vec2 p) {
+            for (const auto& [x, y, r] : holes)
+                if (std::hypot(p.x - x, p.y - y) < r) return true;
+            return false;
+        };
+        const Surface s = connected(pierced_grid(20, 20, 16, 16, flat, hole));
+        const auto f = flanged(s, 0.5, 1 + 6 * unit());
+        for (std::uint32_t t = 0; t < f.surface.triangles.size(); ++t)
+            EXPECT_GT(normal(f.surface, t).z, 0.99) << "seed " << seed;
+        for (int k = 0; k < 1500; ++k)
+            EXPECT_LE(layers(f.surface, {30 * unit() - 5, 30 * unit() - 5, 0}), 1) << "seed " << seed;
+    }
+}
+
+} // namespace
+} // namespace filum::surface

@@ -1,0 +1,91 @@
+// Turns beyond the rims.
+#include "surfpath/outside.hpp"
+
+#include "../surface/grid.hpp"
+#include "geom/angle.hpp"
+#include "plans.hpp"
+#include "surfpath/surfpath.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::surfpath {
+namespace {
+
+surface::Sheet flat_plate() {
+    Notes notes;
+    return {surface::connect(surface::grid(30, 20, 6, 4,
+                                           [](geom::Vec2 p) {
+                                               return Vec3{p.x, p.y, 0};
+                                           }),
+                             notes),
+            {},
+            {}};
+}
+
+// The plan with turns up to `depth` mm outside, told.
+Plan planned(const surface::Sheet& sheet, Options o, double depth) {
+    const Flange f = flange(sheet, depth, o.spacing, true);
+    o.beyond = f.far;
+    o.part = f.part;
+    Plan out = plan(f.sheet, o);
+    thread(f.sheet.surface, out);
+    finish(f.sheet.surface, out, o);
+    tell_trims(f, depth, out);
+    return out;
+}
+
+Options rows_at(double degrees) {
+    Options out{.algorithm = Algorithm::field};
+    out.follow.angle = 1;
+    out.follow.turn = geom::radians(degrees);
+    return out;
+}
+
+TEST(outside, a_line_over_the_rim_is_trimmed_where_it_crosses) {
+    const Flange f = flange(flat_plate(), 4, 1, true);
+    Plan p;
+    const surface::Segment begin = surface::nearest(f.sheet.surface, {15, 10, 0});
+    const surface::Segment end = surface::nearest(f.sheet.surface, {33, 10, 0});
+    p.strokes.push_back({{{{{{begin.triangle, begin.a}, {end.triangle, end.a}}, false}, false}}});
+    thread(f.sheet.surface, p);
+    const Trims found = trims(p, f.part);
+    ASSERT_EQ(found.all.size(), 1U);
+    EXPECT_NEAR(found.all[0].at.x, 30, 1e-9);
+    EXPECT_NEAR(found.all[0].way, 15, 1e-9);
+    EXPECT_NEAR(found.outside, 3, 1e-9);
+}
+
+TEST(outside, a_plate_is_covered_without_a_turn_on_it) {
+    for (const double angle : {0.0, 30.0, 45.0}) {
+        const Plan on = planned(flat_plate(), rows_at(angle), 6);
+        EXPECT_EQ(fact(on, "cuts"), 0);
+        EXPECT_LT(fact(on, "uncovered"), 0.005 * 600) << angle;
+        EXPECT_LT(fact(on, "laid-twice"), 0.01 * 600) << angle;
+        EXPECT_GT(fact(on, "outside"), 50);
+        EXPECT_EQ(static_cast<int>(fact(on, "trims")) % 2, 0); // it begins and ends outside
+    }
+}
+
+TEST(outside, rows_that_cover_nothing_of_the_part_are_left_out) {
+    const Plan on = planned(flat_plate(), rows_at(0), 8); // 16 mm of flange above and below 20 mm of part
+    EXPECT_LT(fact(on, "rows"), 23);
+}
+
+TEST(outside, sources_go_on_over_the_flange) {
+    surface::Sheet sheet = flat_plate();
+    for (const surface::Segment& g : surface::section(sheet.surface, {{0, 1, 0}, 7}))
+        sheet.sources.segments.push_back(g);
+    const Flange f = flange(sheet, 4, 1, true);
+    double least = 0, most = 0;
+    for (const surface::Segment& g : f.sheet.sources.segments)
+        for (const Vec3& p : {g.a, g.b}) {
+            EXPECT_NEAR(p.y, 7, 1e-9);
+            least = std::min(least, p.x);
+            most = std::max(most, p.x);
+        }
+    EXPECT_NEAR(least, -4, 1e-9);
+    EXPECT_NEAR(most, 34, 1e-9);
+}
+
+} // namespace
+} // namespace filum::surfpath
