@@ -60,6 +60,35 @@ std::vector<Option> paper_options(Options& o) {
                 .a_limit()};
 }
 
+// What lines of field follow.
+std::vector<Option> field_options(Options& o) {
+    return {
+        Option{"follow", &o.follow, "NAME=W,...",
+               "what field follows: direction, stress, angle, rim, rings; none: the first that the surface has"}
+            .when("!method=kipping2022 algorithm=planned|field"),
+        Option{"angle", &o.angle_deg, "DEG", "of field, from the reference, counter-clockwise"}.within(-360, 360).when(
+            "!method=kipping2022 algorithm=planned|field"),
+        Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angle: a direction, laid onto the surface"}.when(
+            "!method=kipping2022 algorithm=planned|field"),
+        Option{"keep", &o.plan.keep, "",
+               "where directions spread, lines of field keep to the spacing, or to the angle by ending more of "
+               "them; usual: the angle if that alone is asked for"}
+            .one_of({"usual", "spacing", "angle"})
+            .when("!method=kipping2022 algorithm=planned|field")};
+}
+
+// How rows turn beyond the rims.
+std::vector<Option> outside_options(Options& o) {
+    return {Option{"turn-outside", &o.turn_outside, "MM",
+                   "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
+                .zero_or_at_least(0.001)
+                .at_most(1000)
+                .when("!method=kipping2022 algorithm=planned|fina|fexa|ortheo|field"),
+            Option{"trim-list", &o.trim_list, "FILE", "also where to trim: stroke, mm along it, and the place"}
+                .not_a_setting()
+                .when("turn-outside")};
+}
+
 cli::Spec spec(Options& o) {
     return {
         .name = "surfpath",
@@ -87,38 +116,18 @@ cli::Spec spec(Options& o) {
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|ortheo")
                  .a_limit(),
-             Option{"follow", &o.follow, "NAME=W,...",
-                    "what field follows: direction, stress, angle, rim, rings; none: the first that the surface has"}
-                 .when("!method=kipping2022 algorithm=planned|field"),
-             Option{"angle", &o.angle_deg, "DEG", "of field, from the reference, counter-clockwise"}
-                 .within(-360, 360)
-                 .when("!method=kipping2022 algorithm=planned|field"),
-             Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angle: a direction, laid onto the surface"}.when(
-                 "!method=kipping2022 algorithm=planned|field"),
-             Option{"keep", &o.plan.keep, "",
-                    "where directions spread, lines of field keep to the spacing, or to the angle by ending more of "
-                    "them; usual: the angle if that alone is asked for"}
-                 .one_of({"usual", "spacing", "angle"})
-                 .when("!method=kipping2022 algorithm=planned|field"),
              Option{"cut-length", &o.plan.cut_length, "MM",
                     "of fibre that a cut costs: field and hybrid go no farther along what is laid to save one"}
                  .within(0, 1e6)
                  .when("!method=kipping2022 algorithm=planned|field|hybrid")
                  .same_as({"choose.cut-length"})
                  .a_limit(),
-             Option{"turn-outside", &o.turn_outside, "MM",
-                    "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
-                 .zero_or_at_least(0.001)
-                 .at_most(1000)
-                 .when("!method=kipping2022 algorithm=planned|fina|fexa|ortheo|field"),
-             Option{"trim-list", &o.trim_list, "FILE", "also where to trim: stroke, mm along it, and the place"}
-                 .not_a_setting()
-                 .when("turn-outside"),
              Option{"layer-height", &o.laying.height, "MM", "of the bead, along the normals"}.within(0.001, 100),
              Option{"ply", &o.ply, "N", "number of this ply, its layer in the toolpath"}.within(0, 1e6),
              Option{"offset", &o.laying.offset, "MM", "along the normals: the plies below"}.within(0, 1e4),
              Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()},
-            cli::when("method=kipping2022", paper_options(o))),
+            cli::with(cli::with(field_options(o), outside_options(o)),
+                      cli::when("method=kipping2022", paper_options(o)))),
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                       "one path over a surface, here a part without its top"},
                      {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "

@@ -26,7 +26,8 @@ void each_sample(const surface::Surface& s, std::uint32_t t, double apart, const
     for (std::uint32_t i = 0; i < k; ++i)
         for (std::uint32_t j = 0; j < 2 * (k - i) - 1; ++j) { // triangles that stand up, and between them down
             const double turn = j % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
-            f(Sample{a + (i + turn) / k * u + (j / 2 + turn) / k * v, n, part});
+            const std::uint32_t cell = j / 2;
+            f(Sample{a + (i + turn) / k * u + (cell + turn) / k * v, n, part});
         }
 }
 

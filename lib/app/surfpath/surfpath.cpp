@@ -49,11 +49,11 @@ std::vector<std::optional<Flange>> flanges(const Options& o, const filum::surfpa
                                            std::vector<surface::Sheet>& sheets) {
     std::vector<std::optional<Flange>> out(sheets.size());
     if (o.turn_outside == 0) return out;
-    if (o.turn_outside < o.plan.spacing)
-        throw Error(Exit::usage, "cannot turn within --turn-outside " + shortest_text(o.turn_outside) +
-                                     " mm: less than a spacing; turns of a radius need that and half a spacing");
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         if (!algorithms[k] || !has_rows(*algorithms[k])) continue;
+        if (o.turn_outside < o.plan.spacing)
+            throw Error(Exit::usage, "cannot turn within --turn-outside " + shortest_text(o.turn_outside) +
+                                         " mm: less than a spacing; turns of a radius need that and half a spacing");
         out[k] = filum::surfpath::flange(sheets[k], o.turn_outside, o.plan.spacing, *algorithms[k] != Algorithm::fexa);
         std::swap(sheets[k], out[k]->sheet);
     }

@@ -185,6 +185,7 @@ void load(const Job& job, Figures& out) {
     std::copy_if(job.samples.begin(), job.samples.end(), std::back_inserter(on),
                  [](const Sample& p) { return !p.beside; });
     std::vector<LoadFigures> each;
+    each.reserve(cases.size());
     for (const LoadCase& c : cases) each.push_back(adequacy(on, s, c));
     const PaperLoad paper = paper_adequacy(on, s, cases);
     const auto least = [&](double LoadFigures::*of) {

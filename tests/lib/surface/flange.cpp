@@ -77,7 +77,8 @@ TEST(flange, never_lies_over_itself) {
         std::mt19937 random(static_cast<unsigned>(seed));
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
         std::vector<std::array<double, 3>> holes;
-        for (int k = 0; k < 5; ++k) holes.push_back({20 * unit(), 20 * unit(), 1 + 4 * unit()});
+        holes.resize(5);
+        for (auto& h : holes) h = {20 * unit(), 20 * unit(), 1 + 4 * unit()};
         const auto hole = [&](geom::Vec2 p) {
             for (const auto& [x, y, r] : holes)
                 if (std::hypot(p.x - x, p.y - y) < r) return true;

@@ -28,7 +28,8 @@ inline mesh::Mesh pierced_grid(double a, double b, int n, int m, const std::func
     mesh::Mesh out;
     std::vector<std::uint32_t> number(static_cast<std::size_t>((n + 1) * (m + 1)), none);
     const auto vertex = [&](int i, int j) {
-        auto& v = number[static_cast<std::size_t>(j * (n + 1) + i)];
+        const int at = j * (n + 1) + i;
+        auto& v = number[static_cast<std::size_t>(at)];
         if (v == none) {
             v = static_cast<std::uint32_t>(out.vertices.size());
             out.vertices.push_back(lift({a * i / n, b * j / m}));

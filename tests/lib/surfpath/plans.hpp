@@ -30,7 +30,8 @@ inline double covered(const Surface& s, const Plan& plan, double reach = 0.501) 
     const auto cell = [](const Vec3& p, int dx, int dy) {
         const int x = std::clamp(static_cast<int>(p.x + 50) + dx, 0, 159);
         const int y = std::clamp(static_cast<int>(p.y + 50) + dy, 0, 159);
-        return static_cast<std::size_t>(160 * y + x);
+        const int at = 160 * y + x;
+        return static_cast<std::size_t>(at);
     };
     for (std::size_t i = 0; i < path.size(); ++i) {
         const double l = distance(path[i].first, path[i].second);
