@@ -62,6 +62,11 @@ cli::Spec spec(Options& o) {
                  .within(0, 1e5)
                  .a_limit()
                  .a_limit(),
+             Option{"turn-outside", &plan.turn_outside, "MM",
+                    "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
+                 .zero_or_at_least(0.001)
+                 .at_most(1000)
+                 .when("algorithm=best|fina|fexa|ortheo|field"),
              Option{"turns", &plan.turns, "", "of ortheo: lines end at the rim, or go on by tight or by wide turns"}
                  .one_of({"usual", "none", "hairpin", "wide"})
                  .when("algorithm=best|ortheo")

@@ -79,11 +79,12 @@ std::vector<Option> field_options(Options& o) {
 
 // How rows turn beyond the rims.
 std::vector<Option> outside_options(Options& o) {
-    return {Option{"turn-outside", &o.turn_outside, "MM",
+    return {Option{"turn-outside", &o.plan.turn_outside, "MM",
                    "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
                 .zero_or_at_least(0.001)
                 .at_most(1000)
-                .when("!method=kipping2022 algorithm=planned|fina|fexa|ortheo|field"),
+                .when("!method=kipping2022 algorithm=planned|fina|fexa|ortheo|field")
+                .same_as({"choose.turn-outside"}),
             Option{"trim-list", &o.trim_list, "FILE", "also where to trim: stroke, mm along it, and the place"}
                 .not_a_setting()
                 .when("turn-outside")};

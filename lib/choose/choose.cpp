@@ -5,6 +5,7 @@
 #include "parallel/parallel.hpp"
 #include "surface/curve/transfer.hpp"
 #include "surface/remesh.hpp"
+#include "surfpath/outside.hpp"
 
 #include <algorithm>
 #include <map>
@@ -36,6 +37,7 @@ Ground rough(const Sheet& sheet, const Options& o, double area) {
     const double scale = area < kSmall * kSmall * o.plan.spacing * o.plan.spacing ? 1 : kRough;
     out.plan.spacing *= scale;
     out.plan.least_radius *= scale;
+    out.plan.turn_outside *= scale;
     const double edge = out.plan.spacing;
     out.sheet = sheet;
     if (surface::mean_edge(sheet.surface) < kFine * edge) try {
@@ -55,10 +57,13 @@ Criteria lay(const Ground& ground, const Candidate& candidate) {
     put(sheet, ground.pull, candidate.seed);
     surfpath::Options plan = ground.plan;
     plan.algorithm = candidate.algorithm;
+    const auto flange = surfpath::flange(sheet, plan);
+    if (flange) plan = surfpath::on_flange(*flange, std::move(plan));
+    const Sheet& on = flange ? flange->sheet : sheet;
     metrics::surface::Fibres fibres;
     surfpath::Laying laying;
     laying.width = plan.spacing;
-    for (const auto& span : surfpath::spans(sheet.surface, surfpath::plan(sheet, plan), laying))
+    for (const auto& span : surfpath::spans(on.surface, surfpath::plan(on, plan), laying))
         metrics::surface::add(fibres, span);
     return measure(fibres, ground.sheet, plan.spacing, ground.stable);
 }

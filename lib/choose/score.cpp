@@ -39,7 +39,8 @@ Weights weights(std::string_view words) {
 Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& sheet, double spacing, double stable) {
     if (fibres.chains.empty()) throw Error(Exit::failure, "nothing is laid");
     const metrics::surface::Ground ground(sheet.surface, spacing);
-    const auto samples = metrics::surface::samples(fibres, ground, spacing / 4, 1);
+    auto samples = metrics::surface::samples(fibres, ground, spacing / 4, 1);
+    std::erase_if(samples, [](const metrics::surface::Sample& s) { return s.beside; });
     const auto shadow = metrics::surface::shadow(fibres, ground, {0, 0, spacing / 2}, 1);
     const auto area =
         metrics::surface::measure_area(ground, metrics::surface::path_field(ground, shadow), 0, 1, stable);
@@ -53,7 +54,7 @@ Criteria measure(const metrics::surface::Fibres& fibres, const surface::Sheet& s
     out.angle = metrics::surface::paper_angle(fibres, spacing / 4) * kDegrees;
     out.cuts = static_cast<double>(fibres.chains.size() - 1);
     out.length = metrics::surface::length(fibres);
-    out.overlap = std::max(0.0, 1 - area.covered / (out.length * spacing));
+    out.overlap = std::max(0.0, 1 - area.covered / (out.length * spacing - shadow.beside_area));
     return out;
 }
 

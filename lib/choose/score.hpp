@@ -17,7 +17,7 @@ struct Weights {
 // Throws Error(usage) for unknown names, negative or infinite numbers, and if all are 0.
 Weights weights(std::string_view words);
 
-// Of a path on a surface.
+// Of a path on a surface; what lies beside it counts for angle, cuts and length only.
 struct Criteria {
     double area = 0;       // mm2, of the surface
     double coverage = 0;   // share of it within half a bead of the path
@@ -26,7 +26,7 @@ struct Criteria {
     double angle = 0;      // deg: the paper's mean of the top 1 % of angles, at a quarter of the spacing
     double cuts = 0;       // fibres - 1
     double length = 0;     // mm of fibre
-    double overlap = 0;    // share of the fibre that lies on fibre: 1 - covered area / (length * width)
+    double overlap = 0;    // share of the fibre on the surface that lies on fibre: 1 - covered area / (length * width)
 };
 
 // `spacing`: mm, the width of the beads, too; `stable`: to what the coverage is measured.  Throws Error(failure) if

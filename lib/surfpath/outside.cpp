@@ -1,5 +1,7 @@
 #include "surfpath/outside.hpp"
 
+#include "base/error.hpp"
+#include "base/number.hpp"
 #include "surface/curve/walk.hpp"
 #include "surface/flange.hpp"
 #include "surfpath/source_lines.hpp"
@@ -46,8 +48,17 @@ void go_on(const Surface& s, const Surface& flanged, Line line, double length, s
 
 } // namespace
 
-Flange flange(const surface::Sheet& sheet, double depth, double spacing, bool going_on) {
-    auto grown_out = surface::flanged(sheet.surface, spacing / 2, depth);
+bool has_rows(Algorithm a) {
+    return a == Algorithm::fina || a == Algorithm::fexa || a == Algorithm::ortheo || a == Algorithm::field;
+}
+
+std::optional<Flange> flange(const surface::Sheet& sheet, const Options& o) {
+    const double depth = o.turn_outside;
+    if (depth == 0 || !has_rows(o.algorithm)) return {};
+    if (depth < o.spacing)
+        throw Error(Exit::usage, "cannot turn within --turn-outside " + shortest_text(depth) +
+                                     " mm: less than a spacing; turns of a radius need that and half a spacing");
+    auto grown_out = surface::flanged(sheet.surface, o.spacing / 2, depth);
     Flange out;
     out.part = grown_out.part;
     out.far = std::move(grown_out.far);
@@ -58,7 +69,7 @@ Flange flange(const surface::Sheet& sheet, double depth, double spacing, bool go
     out.sheet.name = sheet.name;
     out.sheet.algorithm = sheet.algorithm;
     out.sheet.sources = sheet.sources;
-    if (!going_on) return out;
+    if (o.algorithm == Algorithm::fexa) return out;
     for (Line& line : source_lines(sheet.sources)) {
         Line back = line;
         surface::curve::reverse(back);
@@ -66,6 +77,12 @@ Flange flange(const surface::Sheet& sheet, double depth, double spacing, bool go
         go_on(sheet.surface, out.sheet.surface, std::move(back), kRunsOut * depth, out.sheet.sources);
     }
     return out;
+}
+
+Options on_flange(const Flange& flange, Options options) {
+    options.beyond = flange.far;
+    options.part = flange.part;
+    return options;
 }
 
 void thread(const Surface& s, Plan& plan) {

@@ -1,8 +1,9 @@
 // Turns beyond the rims of a part, which is trimmed there later.
 #pragma once
 
-#include "surface/sheet.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/surfpath.hpp"
+
+#include <optional>
 
 namespace filum::surfpath {
 
@@ -15,9 +16,16 @@ struct Flange {
     Vec3 least_at;          // and where
 };
 
-// `depth` mm deep, at least a spacing; narrower in holes and notches.  `go_on`: sources that end at a rim go straight
-// on over the flange, which may leave their plane.
-Flange flange(const surface::Sheet& sheet, double depth, double spacing, bool go_on);
+// As deep as the options ask; narrower in holes and notches.  None if they do not, or their algorithm has no rows that
+// end at rims.  Sources that end at a rim go straight on over the flange, but for fexa, which needs only their plane.
+// Throws Error(usage) if that is less than a spacing.
+std::optional<Flange> flange(const surface::Sheet& sheet, const Options& options);
+
+// Whether its lines end at rims.
+bool has_rows(Algorithm algorithm);
+
+// The options for a plan on the flange's sheet.
+Options on_flange(const Flange& flange, Options options);
 
 // Where the path leaves the part, or comes back.
 struct Trim {

@@ -26,9 +26,10 @@ struct Options {
     field::Sources
         follow{}; // what field follows; nothing: directions that the sheet carries, else its stress, else the angle
     Keep keep = Keep::usual;
-    double shift = 0;       // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
-    double cut_length = 50; // mm: of fibre that a cut costs; no way of field or hybrid along what is laid is longer
-    bool strict = false;    // no turn may be tighter than least_radius
+    double shift = 0;        // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
+    double cut_length = 50;  // mm: of fibre that a cut costs; no way of field or hybrid along what is laid is longer
+    bool strict = false;     // no turn may be tighter than least_radius
+    double turn_outside = 0; // mm: how far beyond the rims rows may turn (outside.hpp); 0: not
     // Of a sheet with a flange (outside.hpp), per triangle: it lies so far beyond the part that lines there cover
     // nothing of it; rows that lie on such triangles only are left out, and turns lie as far out as they can.  Empty:
     // no flange.

@@ -19,16 +19,8 @@ using geom::Vec3;
 
 using filum::surfpath::Flange;
 
-bool has_rows(Algorithm a) {
-    return a == Algorithm::fina || a == Algorithm::fexa || a == Algorithm::ortheo || a == Algorithm::field;
-}
-
 filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, const Options& o, Algorithm algorithm) {
-    filum::surfpath::Options asked = o.plan;
-    if (flange) {
-        asked.beyond = flange->far;
-        asked.part = flange->part;
-    }
+    filum::surfpath::Options asked = flange ? filum::surfpath::on_flange(*flange, o.plan) : o.plan;
     asked.algorithm = algorithm;
     asked.offset = o.laying.offset;
     baselines::kipping2022::Options paper = o.paper;
@@ -40,7 +32,7 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
                                     : filum::surfpath::plan(sheet, asked);
     if (flange) filum::surfpath::thread(sheet.surface, out);
     filum::surfpath::finish(sheet.surface, out, asked);
-    if (flange) filum::surfpath::tell_trims(*flange, o.turn_outside, out);
+    if (flange) filum::surfpath::tell_trims(*flange, o.plan.turn_outside, out);
     return out;
 }
 
@@ -48,14 +40,12 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
 std::vector<std::optional<Flange>> flanges(const Options& o, const filum::surfpath::Algorithms& algorithms,
                                            std::vector<surface::Sheet>& sheets) {
     std::vector<std::optional<Flange>> out(sheets.size());
-    if (o.turn_outside == 0) return out;
     for (std::size_t k = 0; k < sheets.size(); ++k) {
-        if (!algorithms[k] || !has_rows(*algorithms[k])) continue;
-        if (o.turn_outside < o.plan.spacing)
-            throw Error(Exit::usage, "cannot turn within --turn-outside " + shortest_text(o.turn_outside) +
-                                         " mm: less than a spacing; turns of a radius need that and half a spacing");
-        out[k] = filum::surfpath::flange(sheets[k], o.turn_outside, o.plan.spacing, *algorithms[k] != Algorithm::fexa);
-        std::swap(sheets[k], out[k]->sheet);
+        if (!algorithms[k]) continue;
+        filum::surfpath::Options asked = o.plan;
+        asked.algorithm = *algorithms[k];
+        out[k] = filum::surfpath::flange(sheets[k], asked);
+        if (out[k]) std::swap(sheets[k], out[k]->sheet);
     }
     return out;
 }
@@ -104,7 +94,8 @@ void tell_idle(const filum::surfpath::Algorithms& algorithms, const cli::Io& io)
     if (!used(Algorithm::ortheo)) idle({"min-length", "d-iso", "min-spacing"}, "ortheo");
     if (!used(Algorithm::ortheo) && !used(Algorithm::field)) idle({"turns"}, "ortheo or field");
     if (!used(Algorithm::field) && !used(Algorithm::hybrid)) idle({"cut-length"}, "field or hybrid");
-    if (std::none_of(algorithms.begin(), algorithms.end(), [](const auto& a) { return a && has_rows(*a); }))
+    if (std::none_of(algorithms.begin(), algorithms.end(),
+                     [](const auto& a) { return a && filum::surfpath::has_rows(*a); }))
         idle({"turn-outside", "trim-list"}, "rows: fina, fexa, ortheo or field");
     if (!used(Algorithm::field)) idle({"follow", "angle", "reference", "keep"}, "field");
     if (!used(Algorithm::fina) && !used(Algorithm::fexa) && !used(Algorithm::ortheo))

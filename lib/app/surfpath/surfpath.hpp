@@ -12,7 +12,6 @@ struct Options {
     std::string algorithm = "planned"; // by what the surfaces carry, or a name
     filum::surfpath::Options plan;
     filum::surfpath::Laying laying;
-    double turn_outside = 0;             // mm: how far beyond the rims rows may turn, where the part is trimmed; 0: not
     std::string trim_list;               // file of where to trim; "": none
     std::string follow, reference = "X"; // of field, as users have them
     double angle_deg = 0;

@@ -2,6 +2,7 @@
 #include "surfpath/outside.hpp"
 
 #include "../surface/grid.hpp"
+#include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "plans.hpp"
 #include "surfpath/surfpath.hpp"
@@ -22,11 +23,24 @@ surface::Sheet flat_plate() {
             {}};
 }
 
+Options outside_by(Algorithm a, double depth) {
+    Options out{.algorithm = a};
+    out.turn_outside = depth;
+    return out;
+}
+
+TEST(outside, only_rows_turn_there) {
+    EXPECT_TRUE(flange(flat_plate(), outside_by(Algorithm::fexa, 2)).has_value());
+    EXPECT_FALSE(flange(flat_plate(), outside_by(Algorithm::hybrid, 2)).has_value());
+    EXPECT_FALSE(flange(flat_plate(), outside_by(Algorithm::fina, 0)).has_value());
+    EXPECT_THROW(flange(flat_plate(), outside_by(Algorithm::fina, 0.5)), Error);
+}
+
 // The plan with turns up to `depth` mm outside, told.
 Plan planned(const surface::Sheet& sheet, Options o, double depth) {
-    const Flange f = flange(sheet, depth, o.spacing, true);
-    o.beyond = f.far;
-    o.part = f.part;
+    o.turn_outside = depth;
+    const Flange f = flange(sheet, o).value();
+    o = on_flange(f, o);
     Plan out = plan(f.sheet, o);
     thread(f.sheet.surface, out);
     finish(f.sheet.surface, out, o);
@@ -42,7 +56,7 @@ Options rows_at(double degrees) {
 }
 
 TEST(outside, a_line_over_the_rim_is_trimmed_where_it_crosses) {
-    const Flange f = flange(flat_plate(), 4, 1, true);
+    const Flange f = flange(flat_plate(), outside_by(Algorithm::fina, 4)).value();
     Plan p;
     const surface::Segment begin = surface::nearest(f.sheet.surface, {15, 10, 0});
     const surface::Segment end = surface::nearest(f.sheet.surface, {33, 10, 0});
@@ -75,7 +89,7 @@ TEST(outside, sources_go_on_over_the_flange) {
     surface::Sheet sheet = flat_plate();
     for (const surface::Segment& g : surface::section(sheet.surface, {{0, 1, 0}, 7}))
         sheet.sources.segments.push_back(g);
-    const Flange f = flange(sheet, 4, 1, true);
+    const Flange f = flange(sheet, outside_by(Algorithm::fina, 4)).value();
     double least = 0, most = 0;
     for (const surface::Segment& g : f.sheet.sources.segments)
         for (const Vec3& p : {g.a, g.b}) {
