@@ -41,14 +41,6 @@ Fans fans(const std::vector<std::uint32_t>& old_tail, const std::vector<std::uin
     return out;
 }
 
-surface::Field picked(const surface::Field& f, std::span<const std::uint32_t> from) {
-    surface::Field out{f.name, {}, f.components};
-    out.values.reserve(from.size() * f.components);
-    for (const std::size_t v : from)
-        for (std::size_t k = 0; k < f.components; ++k) out.values.push_back(f.values[f.components * v + k]);
-    return out;
-}
-
 class Splitter {
   public:
     Splitter(const Sheet& sheet, const Cells& cells, const Borders& borders)
@@ -184,7 +176,7 @@ Sheet take(const Sheet& sheet, std::span<const std::uint32_t> triangles, std::sp
     for (const std::uint32_t v : f.from) vertices.push_back(s.vertices[v]);
     Sheet out;
     out.surface = surface::assemble(std::move(vertices), std::move(corners), std::move(twin));
-    for (const auto& field : sheet.fields) out.fields.push_back(picked(field, f.from));
+    for (const auto& field : sheet.fields) out.fields.push_back(surface::picked(field, f.from));
     if (!sheet.faces.empty())
         for (const std::uint32_t t : triangles) out.faces.push_back(sheet.faces[t]);
     return out;

@@ -24,11 +24,9 @@ struct Station {
     Vec3 out; // unit
 };
 
-Vec3 unit(const Vec3& v) { return 1 / norm(v) * v; }
-
 // Square to the side of a rim, along the surface and away from it.
 Vec3 outwards(const Surface& s, std::uint32_t h) {
-    return unit(cross(s.vertices[s.head(h)] - s.vertices[s.tail(h)], normal(s, h / 3)));
+    return geom::unit(cross(s.vertices[s.head(h)] - s.vertices[s.tail(h)], normal(s, h / 3)), {});
 }
 
 // The directions at the vertex between two sides of a rim: several about a corner that sticks out, else the middle one.
@@ -38,8 +36,8 @@ void add_stations(const Surface& s, std::uint32_t before, std::uint32_t after, s
     const double turn = geom::angle(a, b);
     const bool corner = dot(cross(a, b), n) > 0 && turn > geom::radians(kFan);
     const auto parts = corner ? static_cast<std::size_t>(std::ceil(turn / geom::radians(kFan))) : 0;
-    const Vec3 aside = cross(unit(cross(a, b)), a);
-    if (!corner) to.push_back({v, norm(a + b) > 0 ? unit(a + b) : a});
+    const Vec3 aside = cross(geom::unit(cross(a, b), n), a);
+    if (!corner) to.push_back({v, geom::unit(a + b, a)});
     for (std::size_t k = 0; corner && k <= parts; ++k) {
         const double w = turn * static_cast<double>(k) / static_cast<double>(parts);
         to.push_back({v, std::cos(w) * a + std::sin(w) * aside});

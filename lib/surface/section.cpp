@@ -51,6 +51,11 @@ std::vector<Segment> section(const Surface& s, const Plane& plane) {
 }
 
 // Of its inside, or of a side (Ericson, Real-Time Collision Detection, 5.1.5).
+double distance_to_side(const Surface& s, std::uint32_t h, const Vec3& p) {
+    const Vec3 &a = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - a;
+    return distance(p, a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d);
+}
+
 Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
     const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
     const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),

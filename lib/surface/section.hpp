@@ -25,6 +25,9 @@ std::vector<double> sides(const Surface& s, const Plane& plane);
 // that the normal points to lies to their left, seen from the side that the surface faces.
 std::vector<Segment> section(const Surface& s, const Plane& plane);
 
+// mm from `p` to the side of half-edge `h`, its ends included.
+double distance_to_side(const Surface& s, std::uint32_t h, const Vec3& p);
+
 // The point of a triangle, borders included, that is nearest to `p`.
 Vec3 nearest_in(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p);
 Vec3 nearest_in(const Surface& s, std::uint32_t triangle, const Vec3& p);

@@ -3,6 +3,7 @@
 
 #include "surface/sources.hpp"
 
+#include <span>
 #include <string>
 
 namespace filum::surface {
@@ -17,6 +18,15 @@ struct Field {
         return {values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]};
     }
 };
+
+// The values at these vertices, in this order.
+inline Field picked(const Field& field, std::span<const std::uint32_t> vertices) {
+    Field out{field.name, {}, field.components};
+    out.values.reserve(vertices.size() * field.components);
+    for (const std::size_t v : vertices)
+        for (std::size_t k = 0; k < field.components; ++k) out.values.push_back(field.values[field.components * v + k]);
+    return out;
+}
 
 // A line on the surface along which a field has one value.  What is less lies to its left, seen from the side that the
 // surface faces.

@@ -27,11 +27,8 @@ std::vector<const Rim*> holes(const Surface& s) {
 }
 
 bool at_rim(const Surface& s, const Rim& rim, const Vec3& p) {
-    return std::any_of(rim.sides.begin(), rim.sides.end(), [&](std::uint32_t h) {
-        const Vec3 &a = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - a;
-        const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-        return distance(p, a + t * d) < kAtRim;
-    });
+    return std::any_of(rim.sides.begin(), rim.sides.end(),
+                       [&](std::uint32_t h) { return surface::distance_to_side(s, h, p) < kAtRim; });
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "surface/flange.hpp"
 #include "surfpath/source_lines.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace filum::surfpath {
@@ -16,21 +15,10 @@ namespace {
 constexpr double kTouches = 1e-6; // mm
 constexpr double kRunsOut = 1.5;  // depths: how far sources go on over the flange, which may be left at a slant
 
-// The values of a field at the vertices that a flange has grown out from.
-surface::Field grown(const surface::Field& field, std::span<const std::uint32_t> root) {
-    surface::Field out{field.name, {}, field.components};
-    out.values.reserve(root.size() * field.components);
-    for (const std::uint32_t v : root)
-        for (std::size_t k = 0; k < field.components; ++k) out.values.push_back(field.values[field.components * v + k]);
-    return out;
-}
-
+// Whether the point lies on a side of the triangle that is a rim.
 bool on_rim(const Surface& s, std::uint32_t triangle, const Vec3& p) {
-    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        if (s.twin[h] != surface::kNone) continue;
-        const Vec3 &a = s.vertices[s.tail(h)], d = s.vertices[s.head(h)] - a;
-        if (distance(p, a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d) < kTouches) return true;
-    }
+    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
+        if (s.twin[h] == surface::kNone && surface::distance_to_side(s, h, p) < kTouches) return true;
     return false;
 }
 
@@ -64,7 +52,7 @@ std::optional<Flange> flange(const surface::Sheet& sheet, const Options& o) {
     out.far = std::move(grown_out.far);
     out.least = grown_out.least;
     out.least_at = grown_out.least_at;
-    for (const auto& field : sheet.fields) out.sheet.fields.push_back(grown(field, grown_out.root));
+    for (const auto& field : sheet.fields) out.sheet.fields.push_back(surface::picked(field, grown_out.root));
     out.sheet.surface = std::move(grown_out.surface);
     out.sheet.name = sheet.name;
     out.sheet.algorithm = sheet.algorithm;

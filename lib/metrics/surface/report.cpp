@@ -179,11 +179,11 @@ void spacing(const Job& job, bool turns, Figures& out) {
 
 void load(const Job& job, Figures& out) {
     const auto cases = load_cases(job.sheet);
-    if (cases.empty() || job.samples.empty()) return;
     const Surface& s = job.sheet.surface;
     std::vector<Sample> on; // what is trimmed off carries nothing
     std::copy_if(job.samples.begin(), job.samples.end(), std::back_inserter(on),
                  [](const Sample& p) { return !p.beside; });
+    if (cases.empty() || on.empty()) return;
     std::vector<LoadFigures> each;
     each.reserve(cases.size());
     for (const LoadCase& c : cases) each.push_back(adequacy(on, s, c));
