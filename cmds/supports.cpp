@@ -19,7 +19,9 @@ constexpr const char* kDescription =
     "A column stands on the bed or, unless told otherwise, on the part. It keeps clear of the part by --beside "
     "in a layer and by --gap layers above and below, and is a ring filled with rows --support-spacing apart, "
     "in "
-    "the last --interface layers two bead widths. Columns nearer to each other than four bead widths are "
+    "the last --interface layers two bead widths. Downward it grows narrower by --support-taper, but stays a tenth as "
+    "wide "
+    "as it is high. Columns nearer to each other than four bead widths are "
     "one.\n\n"
     "--raft raises the part by so many layers and --gap, and carries all of its first layer by a support as "
     "wide as it and two beads more. A brim and a skirt lie about all that lies on the bed, not in its holes; a "
@@ -58,6 +60,11 @@ cli::Spec spec(Options& all) {
                            "walls that lean by less from the vertical carry themselves"}
                         .within(0, 89)
                         .when("support")
+                        .a_limit(),
+                    Option{"support-taper", &all.taper_deg, "DEG",
+                           "columns grow narrower downward by this angle from the vertical; 0: straight"}
+                        .within(0, 60)
+                        .when("support/support-in")
                         .a_limit(),
                     Option{"gap", &o.gap, "LAYERS", "left out between part and support"}
                         .within(1, 100)

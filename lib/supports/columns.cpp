@@ -16,6 +16,8 @@ constexpr double kLeast = 0.25; // bead widths: an overhang nowhere twice as wid
 constexpr double kReach = 0.5;  // bead widths that supports reach beyond an overhang: its outer bead has a place to lie
 constexpr double kMerge = 2;    // bead widths: supports nearer than twice that are one
 constexpr double kThin = 1;     // bead widths: a support nowhere twice as wide is none
+constexpr double kHang = 0.5;   // bead widths that a bead of a column may lie beside the one below it
+constexpr double kSlender = 10; // a column that tapers stays a tenth as wide as it is high: a nozzle may push it
 
 Loops less(const Loops& a, const Loops& b) { return a.empty() || b.empty() ? a : polygon::subtract(a, b); }
 
@@ -34,7 +36,42 @@ Loops kept_free(const std::vector<Loops>& layers, std::size_t j, const Options& 
     return polygon::unite(out);
 }
 
+// What is to be carried from a layer, before the part is cut out; it stands as high as `top` mm.
+struct Piece {
+    Loops area;
+    double top = 0;
+};
+
+// `over`, as high as `top`, joins `pieces`: what is nearer to each other than twice `merge` is one, as high as its
+// highest.
+void join(std::vector<Piece>& pieces, const Loops& over, double top, double merge) {
+    pieces.push_back({over, top});
+    Loops all;
+    for (const Piece& p : pieces) all.add(p.area);
+    std::vector<Piece> out;
+    for (Loops& area : polygon::split(polygon::closed(polygon::unite(all), merge, kBeadArc)).part) {
+        double highest = 0;
+        for (const Piece& p : pieces)
+            if (p.top > highest && !both(area, p.area).empty()) highest = p.top;
+        out.push_back({std::move(area), highest});
+    }
+    pieces = std::move(out);
+}
+
+// What carries `a` from a layer below: nowhere farther than `by` from it, and as it is where it would become narrower
+// than `width`.
+Loops tapered(const Loops& a, double by, double width) {
+    if (by <= 0) return a;
+    const Loops inner = polygon::offset(a, -by, kBeadArc);
+    const Loops wide = inner.empty() ? inner : polygon::opened(inner, width / 2, kBeadArc);
+    if (wide.empty()) return a;
+    const Loops narrow = less(a, grown(wide, width / 2 + by));
+    return narrow.empty() ? inner : polygon::unite(inner, narrow);
+}
+
 } // namespace
+
+double taper(double height, const Options& o) { return std::min(height * std::tan(o.taper), kHang * o.bead_width); }
 
 std::vector<Loops> overhangs(const std::vector<Loops>& layers, const std::vector<double>& height, const Options& o) {
     std::vector<Loops> out(layers.size());
@@ -49,29 +86,35 @@ std::vector<Loops> overhangs(const std::vector<Loops>& layers, const std::vector
     return out;
 }
 
-Columns columns(const std::vector<Loops>& layers, const std::vector<Loops>& over, const Options& o) {
+Columns columns(const std::vector<Loops>& layers, const std::vector<double>& height, const std::vector<Loops>& over,
+                const Options& o) {
     const std::size_t n = layers.size(), gap = static_cast<std::size_t>(o.gap);
     std::vector<Loops> free(n);
     parallel::for_chunks(n, 1, 0, [&](std::size_t j, std::size_t) { free[j] = kept_free(layers, j, o); });
+    std::vector<double> top(n, 0);
+    for (std::size_t j = 0; j < n; ++j) top[j] = (j > 0 ? top[j - 1] : 0) + height[j];
     const double merge = kMerge * o.bead_width, thin = kThin * o.bead_width;
     Columns out{std::vector<Loops>(n), std::vector<Loops>(n)};
-    Loops down; // what is to be carried from here, before the part is cut out
+    std::vector<Piece> down;
     for (std::size_t j = n; j-- > 0;) {
-        const std::size_t from = j + 1 + gap;
-        if (from < n && !over[from].empty()) {
-            down.add(over[from]);
-            down = polygon::unite(down);
-            down = polygon::closed(down, merge, kBeadArc);
+        const double by = j + 1 < n ? taper(height[j + 1], o) : 0;
+        parallel::for_chunks(down.size(), 1, 0, [&](std::size_t k, std::size_t) {
+            down[k].area = tapered(down[k].area, by, std::max(2 * merge, down[k].top / kSlender));
+        });
+        if (const std::size_t from = j + 1 + gap; from < n && !over[from].empty())
+            join(down, over[from], top[j], merge);
+        Loops all;
+        for (Piece& p : down) {
+            p.area = polygon::simplify(less(p.area, layers[j]), kBeadArc);
+            all.add(p.area);
         }
-        if (down.empty()) continue;
-        down = less(down, layers[j]);
-        out.all[j] = polygon::opened(less(down, free[j]), thin, kBeadArc);
-        down = polygon::simplify(down, kBeadArc);
+        std::erase_if(down, [](const Piece& p) { return p.area.empty(); });
+        if (!all.empty()) out.all[j] = polygon::opened(less(all, free[j]), thin, kBeadArc);
     }
     if (!o.on_part) { // only what goes down to the bed
         Loops stands = out.all.empty() ? Loops{} : out.all[0];
         for (std::size_t j = 1; j < n; ++j) {
-            stands = both(out.all[j], stands);
+            stands = both(out.all[j], stands.empty() ? stands : grown(stands, taper(height[j], o)));
             out.all[j] = stands = polygon::opened(stands, thin, kBeadArc);
         }
     }

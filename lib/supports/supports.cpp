@@ -138,7 +138,7 @@ Stack all_carriers(const std::vector<Loops>& layers, const Stack& stack, const O
     std::vector<Loops> over = all_overhangs(layers, height, o);
     if (const std::size_t first = first_of(stack); o.raft > 0 && first < stack.size())
         over[first] = polygon::offset(layers[first], kRaftReach * o.bead_width, kBeadArc);
-    const Columns c = columns(layers, over, o);
+    const Columns c = columns(layers, height, over, o);
     Stack out(stack.size());
     for (std::size_t i = 0; i < stack.size(); ++i)
         if (const Region like = model(stack, i); like.height > 0) out[i] = carriers(c, i, like, o);

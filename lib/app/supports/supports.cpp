@@ -13,6 +13,7 @@ namespace filum::app::supports {
 void run(const Options& o, const cli::Io& io) {
     filum::supports::Options options = o.how;
     options.angle = geom::radians(o.angle_deg);
+    options.taper = geom::radians(o.taper_deg);
     options.on_part = o.on == "everywhere";
     std::vector<polygon::Region> given;
     auto whole = cli::read_all(io.input, stream::Payload::regions,

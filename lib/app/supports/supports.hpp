@@ -8,7 +8,7 @@ namespace filum::app::supports {
 
 struct Options {
     filum::supports::Options how;
-    double angle_deg = 45;
+    double angle_deg = 45, taper_deg = 30;
     std::string on = "everywhere";
     std::string wanted, unwanted; // files of bodies
 };

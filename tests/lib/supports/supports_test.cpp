@@ -134,6 +134,57 @@ TEST(Supports, CarriesAPlateAcrossTheGap) {
     EXPECT_EQ(from_afar, 1);
 }
 
+// A taper saves, and yet every layer of a column lies on the one below it, a column keeps a tenth of its height as
+// width, and what the part lies on is as without.
+TEST(Supports, TaperWithoutHanging) {
+    std::vector<std::vector<Loops>> parts{std::vector<Loops>(60, test::disc({0, 0}, 3))};
+    for (int k = 0; k < 3; ++k) parts[0].push_back(test::disc({0, 0}, 14));
+    for (unsigned seed = 0; seed < 4; ++seed) parts.push_back(random_layers(seed));
+    for (const auto& part : parts)
+        for (const bool on_part : {true, false}) {
+            Options straight = with_support(), o;
+            straight.on_part = on_part;
+            o = straight;
+            o.taper = std::numbers::pi / 6;
+            Facts facts;
+            Notes before, notes;
+            const auto was = supports(part_of(part), straight, facts, before);
+            const auto all = supports(part_of(part), o, facts, notes);
+            EXPECT_LE(support_area(all), support_area(was) + 1e-6);
+            std::vector<Loops> column(part.size());
+            for (const Region& r : all)
+                if (r.is == RegionClass::support) column[r.layer].add(r.loops);
+            for (std::size_t i = 1; i < part.size(); ++i) {
+                if (column[i].empty()) continue;
+                Loops below = i >= 2 ? part[i - 2] : Loops{};
+                below.add(column[i - 1]);
+                if (below.empty()) continue;
+                const Loops hangs =
+                    polygon::subtract(column[i], polygon::offset(polygon::unite(below), 0.5 * o.bead_width));
+                if (!on_part) {
+                    EXPECT_LT(polygon::signed_area(hangs), 0.05) << i;
+                }
+                for (const Loops& piece : polygon::split(column[i]).part)
+                    EXPECT_FALSE(polygon::opened(piece, 0.9 * o.bead_width).empty()) << i;
+            }
+            double carried = 0, now = 0;
+            for (const Note& n : before) carried += n.amount;
+            for (const Note& n : notes) now += n.amount;
+            EXPECT_LE(now, carried * 1.15 + 0.1); // slivers that lay on a column which is now narrower
+        }
+    Facts facts;
+    Notes notes;
+    Options o = with_support();
+    const double straight = support_area(supports(part_of(parts[0]), o, facts, notes));
+    o.taper = std::numbers::pi / 6;
+    const auto all = supports(part_of(parts[0]), o, facts, notes);
+    EXPECT_LT(support_area(all), 0.7 * straight);
+    for (const Region& r : all)
+        if (r.is == RegionClass::support && r.layer == 0) {
+            EXPECT_FALSE(polygon::opened(r.loops, 0.7).empty());
+        }
+}
+
 TEST(Supports, WhatHangsHalfABeadFromAColumnIsCarried) {
     Options o = with_support();
     o.beside = o.bead_width;
