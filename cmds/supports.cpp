@@ -61,8 +61,7 @@ cli::Spec spec(Options& all) {
                         .within(0, 89)
                         .when("support")
                         .a_limit(),
-                    Option{"support-taper", &all.taper_deg, "DEG",
-                           "columns grow narrower downward by this angle from the vertical; 0: straight"}
+                    Option{"support-taper", &all.taper_deg, "DEG", "columns lean inward by this, downward; 0: straight"}
                         .within(0, 60)
                         .when("support/support-in")
                         .a_limit(),
@@ -74,8 +73,7 @@ cli::Spec spec(Options& all) {
                         .within(0, 100)
                         .when("support/support-in")
                         .a_limit(),
-                    Option{"interface", &o.interface, "LAYERS",
-                           "of a support next to the part, with lines nearer to each other"}
+                    Option{"interface", &o.interface, "LAYERS", "of a support next to the part, with closer lines"}
                         .within(0, 100)
                         .when("support/support-in/raft")
                         .a_limit(),

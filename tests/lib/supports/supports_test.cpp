@@ -86,6 +86,7 @@ TEST(Supports, StandWhereABodyWantsThem) {
     EXPECT_NEAR(rest, whole / 2, 0.05 * whole);
     // what leans by less than the angle is carried where it is wanted
     std::vector<Loops> cone;
+    cone.reserve(20);
     for (int k = 0; k < 20; ++k) cone.push_back(test::disc({0, 0}, 5 + 0.3 * k));
     all.angle = std::numbers::pi / 3;
     EXPECT_EQ(support_area(supports(part_of(cone), all, facts, notes)), 0);
