@@ -37,6 +37,7 @@ constexpr OtherName kOtherNames[] = {
     {"elephant-foot-compensation", "elephant-foot", Value::length},
     {"filament-shrink", "shrinkage", Value::shrinks_to},
     {"filament-shrinkage-compensation-xy", "shrinkage", Value::shrinks_by},
+    {"filament-shrinkage-compensation-z", "shrinkage", Value::shrinks_z},
     {"seam-position", "seam", Value::seam},
     {"z-seam-type", "seam", Value::none},
     {"pause-at-layer", "pause-at"},

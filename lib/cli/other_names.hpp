@@ -22,6 +22,7 @@ enum class Value : std::uint8_t {
     seam,       // where strokes begin
     shrinks_by, // % of the size in x and y that a part loses as it cools
     shrinks_to, // % of it that are left then
+    shrinks_z,  // % of the height that it loses (PrusaSlicer: up to 10), or that are left (OrcaSlicer: more than 10)
     turn_x,     // degrees
     turn_y,
     turn_z,

@@ -52,12 +52,15 @@ std::string seam(const std::string& theirs) {
     return theirs == "nearest" ? "nearest" : "";
 }
 
-// The option for a part that loses so many % of its size in x and y.
-std::optional<std::string> shrinkage(const std::string& option, double lost) {
+// The option for a part that loses so many % of its size in x and y, or in z.
+std::optional<std::string> shrinkage(const std::string& option, double lost, bool in_z = false) {
     if (!(lost > 0)) return std::nullopt;
     const std::string text = shortest_text(lost);
-    return option + "=" + text + "," + text + ",0";
+    return option + (in_z ? "=0,0," + text : "=" + text + "," + text + ",0");
 }
+
+// PrusaSlicer says what is lost, at most 10 %; OrcaSlicer what is left, by the same name.
+double lost_in_z(double value) { return value > 10 ? 100 - value : value; }
 
 // Our words for a setting; none if it says what has no meaning here.
 std::optional<std::string> translated(const OtherName& n, const std::string& value) {
@@ -86,6 +89,8 @@ std::optional<std::string> translated(const OtherName& n, const std::string& val
         return shrinkage(option, number(value, theirs));
     case Value::shrinks_to:
         return shrinkage(option, 100 - number(value, theirs));
+    case Value::shrinks_z:
+        return shrinkage(option, lost_in_z(number(value, theirs)), true);
     case Value::key:
         if (percent(value)) return std::nullopt;
         number(value, theirs);
@@ -131,7 +136,8 @@ bool idle(const std::string& name, const std::string& value, const ValueOf& valu
     if (name == "brim-type") return value == "no_brim" || value == "outer_only"; // the only kind there is here
     if (name == "brim-width") return value_of("brim-type") == "no_brim";
     if (name == "nozzle-diameter") return !none("extrusion-width") || !none("line-width"); // else as wide as the bead
-    if (name == "filament-shrink") return value == "100%" || value == "100";
+    if (name == "filament-shrink" || name == "filament-shrinkage-compensation-z")
+        return value == "100%" || value == "100";
     return false;
 }
 
@@ -150,6 +156,17 @@ std::optional<std::string> word_for(const SlicerSetting& s, const std::vector<St
     }
 }
 
+// A file says shrinkage in x and y and in z apart; here it is one option.
+void join_shrinkages(std::vector<std::string>& words) {
+    const std::string option = "--shrinkage=", flat = option + "0,0,";
+    const auto z = std::find_if(words.begin(), words.end(), [&](const std::string& w) { return w.starts_with(flat); });
+    const auto xy = std::find_if(words.begin(), words.end(),
+                                 [&](const std::string& w) { return w.starts_with(option) && !w.starts_with(flat); });
+    if (z == words.end() || xy == words.end()) return;
+    *xy = xy->substr(0, xy->rfind(',') + 1) + z->substr(flat.size());
+    words.erase(z);
+}
+
 // What of a file has a meaning here.
 void load(const std::string& file, const std::vector<Stage>& stages, Translated& out) {
     const std::vector<SlicerSetting> all = slicer_settings(file);
@@ -165,6 +182,7 @@ void load(const std::string& file, const std::vector<Stage>& stages, Translated&
         else
             out.left.push_back(s.key);
     }
+    join_shrinkages(out.words);
 }
 
 // --rotate 45, --scale 150%: our options, values of theirs.

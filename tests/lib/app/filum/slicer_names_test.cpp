@@ -15,10 +15,11 @@ std::vector<Stage> some_stages() {
         for (const char* o : options) s.options.push_back({o, std::string(o) != "support"});
         return s;
     };
-    return {stage("slice", {"scale", "rotate", "layer-height", "copies", "xy-compensation", "elephant-foot"}),
-            stage("skins", {"infill", "infill-pattern", "walls", "top", "bottom", "bead-width", "solid-below"}),
-            stage("supports", {"support", "support-angle", "support-on", "brim", "skirt"}),
-            stage("postproc", {"set", "machine", "z-offset"})};
+    return {
+        stage("slice", {"scale", "rotate", "layer-height", "copies", "xy-compensation", "elephant-foot", "shrinkage"}),
+        stage("skins", {"infill", "infill-pattern", "walls", "top", "bottom", "bead-width", "solid-below"}),
+        stage("supports", {"support", "support-angle", "support-on", "brim", "skirt"}),
+        stage("postproc", {"set", "machine", "z-offset"})};
 }
 
 Words ours(const Words& theirs) { return translated(theirs, some_stages()).words; }
@@ -51,6 +52,18 @@ TEST(slicer_names, compensation_and_copies_have_other_names) {
     EXPECT_EQ(ours({"--load", file}), (Words{"--xy-compensation=-0.1", "--elephant-foot=0.2", "--z-offset=-0.05"}));
     const std::string none = at.write("y.ini", "xy_size_compensation = 0\nz_offset = 0\nlayer_height = 0.2\n");
     EXPECT_EQ(ours({"--load", none}), Words{"--layer-height=0.2"});
+}
+
+// PrusaSlicer says what is lost in z, OrcaSlicer what is left.
+TEST(slicer_names, shrinkage_of_all_axes_is_one_option) {
+    const test::Folder at;
+    const auto load = [&](const char* text) { return ours({"--load", at.write("s.ini", text)}); };
+    const std::string xy = "filament_shrinkage_compensation_xy", z = "\nfilament_shrinkage_compensation_z";
+    EXPECT_EQ(load((xy + " = 0.8%" + z + " = 0.3%\n").c_str()), Words{"--shrinkage=0.8,0.8,0.3"});
+    EXPECT_EQ(load((z + " = 0.3%\n" + xy + " = 0.8%\n").c_str()), Words{"--shrinkage=0.8,0.8,0.3"});
+    EXPECT_EQ(load((z + " = 99.5%\n").c_str()), Words{"--shrinkage=0,0,0.5"});
+    EXPECT_EQ(load(("layer_height = 0.2" + z + " = 100%\n").c_str()), Words{"--layer-height=0.2"});
+    EXPECT_EQ(load(("layer_height = 0.2" + z + " = 0%\n").c_str()), Words{"--layer-height=0.2"});
 }
 
 TEST(slicer_names, own_words_stay) {
