@@ -25,10 +25,11 @@ constexpr const char* kDescription =
     "The volume of the layers is compared with what the mesh holds: more than 2 % between them is told, as is what an "
     "open surface leaves undecided, an empty layer between others, and a part of unlikely size. A mesh that leaves "
     "more undecided than it holds is refused.\n\n"
-    "Several files, or --copies, make a plate: parts are packed on the bed (libnest2d; none is turned) as far apart as "
+    "Several files, or --copies, make a plate: parts are packed on the bed (libnest2d) as far apart as "
     "the head is wide below the second highest top, so that each can be printed to its top by itself; where there is "
     "no room for that, so far that the nozzle passes, and they grow together, which is told. 'sequence' then finds the "
-    "order. What finds no place is refused. All have the layers of the highest; --center and --translate move the "
+    "order. Parts are turned by quarter turns only if they find no place as they are, which "
+    "is told; what finds none then is refused. All have the layers of the highest; --center and --translate move the "
     "whole, other options act on each part.\n\n"
     "Limits: files up to 4 GiB, coordinates up to 10 km, a million layers; below 3 GB of memory for any file below "
     "100 MB. Contours are on a grid of 0.1 um.";

@@ -5,9 +5,17 @@
 #define LIBNEST2D_THREADING_std
 #include <libnest2d/libnest2d.hpp>
 
+#include <cmath>
+
 namespace filum::plate {
 
-Nested nest(const std::vector<Corners>& polygons, double width, double depth) {
+namespace {
+
+const double kQuarter = std::acos(0.0); // rad
+
+} // namespace
+
+Nested nest(const std::vector<Corners>& polygons, double width, double depth, bool turn) {
     using namespace libnest2d;
     std::vector<Item> items;
     items.reserve(polygons.size());
@@ -19,6 +27,8 @@ Nested nest(const std::vector<Corners>& polygons, double width, double depth) {
     }
     NestConfig<> how;
     how.placer_config.rotations = {0.0};
+    if (turn)
+        for (int k = 1; k < 4; ++k) how.placer_config.rotations.emplace_back(k * kQuarter);
     how.placer_config.parallel = false; // milliseconds either way
     libnest2d::nest(items, Box(mm(width), mm(depth), {0, 0}), 0, how);
     Nested out;
@@ -26,6 +36,7 @@ Nested nest(const std::vector<Corners>& polygons, double width, double depth) {
     for (const Item& item : items) {
         out.x.push_back(to_mm(item.translation().X));
         out.y.push_back(to_mm(item.translation().Y));
+        out.quarters.push_back(static_cast<int>(std::lround(static_cast<double>(item.rotation()) / kQuarter)) & 3);
         out.on_bed.push_back(item.binId() < 0 ? items.size() : static_cast<std::size_t>(item.binId()));
     }
     return out;

@@ -65,21 +65,27 @@ Spacing spacing(double apart, std::span<const Thing> things, const machine::Head
     return {apart, apart, whole && apart >= whole->x && apart >= whole->y};
 }
 
-Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size) {
+Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Turn turn) {
+    Spacing keep = apart;
+    if (turn == Turn::each) keep.x = keep.y = std::max(apart.x, apart.y);
+    const Place first{{0, 0}, turn == Turn::all ? 1 : 0};
     std::vector<Corners> polygons;
-    for (const Thing& t : things) polygons.push_back(grown(t, apart));
+    for (Thing t : things) {
+        for (Vec2& p : t.outline) p = first(p);
+        polygons.push_back(grown(t, keep));
+    }
     // what is grown may reach over the edge of the bed by as much as it grew; and room for the rounding of places
-    const Nested nested = nest(polygons, size.x + apart.x - 2 * kGrid, size.y + apart.y - 2 * kGrid);
+    const Nested nested = nest(polygons, size.x + keep.x - 2 * kGrid, size.y + keep.y - 2 * kGrid, turn == Turn::each);
     Packed out;
     geom::Box2 box;
     for (std::size_t i = 0; i < things.size(); ++i) {
         if (nested.on_bed[i] > 0) out.left.push_back(i);
-        for (const Vec2& p : things[i].outline) box.add(p + Vec2{nested.x[i], nested.y[i]});
+        out.place.push_back({{nested.x[i], nested.y[i]}, (first.quarters + nested.quarters[i]) % 4});
+        for (const Vec2& p : things[i].outline) box.add(out.place[i](p));
     }
-    if (!out.left.empty()) return out;
     const Vec2 middle = 0.5 * (box.lo + box.hi);
-    for (std::size_t i = 0; i < things.size(); ++i)
-        out.move.push_back({rounded(nested.x[i] - middle.x), rounded(nested.y[i] - middle.y)});
+    for (Place& p : out.place) p.move = {rounded(p.move.x - middle.x), rounded(p.move.y - middle.y)};
+    if (!out.left.empty()) out.place.clear();
     return out;
 }
 

@@ -31,12 +31,27 @@ std::vector<Spacing> spacings(std::span<const Thing> things, const machine::Head
 // The one that was asked for.
 Spacing spacing(double apart, std::span<const Thing> things, const machine::Head& head);
 
-// How far each thing is moved, so that they lie around (0, 0) within `size` of the bed, `apart` from each other,
-// unturned; whole um.  Or the numbers of those that find no place (`left`), and no moves.
+// Where a thing goes: turned about (0, 0) by quarter turns to the left, then moved.
+struct Place {
+    Vec2 move;
+    int quarters = 0; // 0 to 3
+
+    [[nodiscard]] Vec2 operator()(Vec2 p) const {
+        for (int k = 0; k < quarters; ++k) p = {-p.y, p.x};
+        return p + move;
+    }
+    bool operator==(const Place&) const = default;
+};
+
+enum class Turn { none, all, each }; // all by one quarter turn, or each as finds room
+
+// The place of each thing, so that they lie around (0, 0) within `size` of the bed, `apart` from each other; whole um.
+// Where each may be turned by itself, they keep the greater distance in x and y.  Or the numbers of those that find no
+// place (`left`), and no places.
 struct Packed {
-    std::vector<Vec2> move;
+    std::vector<Place> place;
     std::vector<std::size_t> left;
 };
-Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size);
+Packed pack(std::span<const Thing> things, const Spacing& apart, Vec2 size, Turn turn = Turn::none);
 
 } // namespace filum::plate

@@ -89,14 +89,16 @@ std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
 
 std::string size_text(Vec2 v) { return fixed_text(v.x, 1) + " x " + fixed_text(v.y, 1) + " mm"; }
 
-// The first spacing with which all find a place.
+// With the first spacing with which all find a place; turned only if they find none as they are, then all alike.
 plate::Packed packed(const std::vector<plate::Thing>& things, const std::vector<plate::Spacing>& tries, Vec2 size,
                      plate::Spacing& taken) {
     plate::Packed out;
     for (const plate::Spacing& spacing : tries) {
         taken = spacing;
-        out = plate::pack(things, spacing, size);
-        if (out.left.empty()) break;
+        for (const plate::Turn turn : {plate::Turn::none, plate::Turn::all, plate::Turn::each}) {
+            out = plate::pack(things, spacing, size, turn);
+            if (out.left.empty()) return out;
+        }
     }
     return out;
 }
@@ -124,6 +126,16 @@ void tell_spacing(const plate::Spacing& taken, const std::vector<plate::Spacing>
                      .unit = "mm"});
 }
 
+void tell_turned(const plate::Packed& packed, Notes& notes) {
+    double turned = 0;
+    for (const plate::Place& p : packed.place) turned += p.quarters == 0 ? 0 : 1;
+    if (turned > 0)
+        notes.push_back({.stage = "",
+                         .what = "parts turned by quarter turns, or not all would fit",
+                         .amount = turned,
+                         .unit = "parts"});
+}
+
 } // namespace
 
 std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
@@ -133,7 +145,7 @@ std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
     std::string crc;
     for (const std::string& path : inputs) out.push_back(read_part(path, o, self, several, crc));
     self.settings.push_back({"input_crc32c", crc});
-    for (OnBed& part : out) part.at.assign(static_cast<std::size_t>(o.copies), {0, 0});
+    for (OnBed& part : out) part.at.assign(static_cast<std::size_t>(o.copies), {});
     return out;
 }
 
@@ -161,16 +173,18 @@ std::vector<stream::Object> place_on_bed(std::vector<OnBed>& parts, const Option
     const auto names = names_of(parts);
     if (!places.left.empty()) refuse(places, names, taken, profile.name, size);
     tell_spacing(taken, tries, notes);
+    tell_turned(places, notes);
     Vec2 to = o.place.center.empty() ? profile.bed.centre() : Vec2{o.place.center[0], o.place.center[1]};
     to = to + Vec2{o.place.translate[0], o.place.translate[1]};
     std::vector<stream::Object> out;
     for (OnBed& part : parts)
-        for (Vec2& at : part.at) {
-            at = places.move[out.size()] + to;
+        for (plate::Place& at : part.at) {
+            at = places.place[out.size()];
+            at.move = at.move + to;
             stream::Object object{names[out.size()], {}, {}, part.box.hi.z};
             for (const Vec2& p : part.outline) {
-                object.x.push_back(p.x + at.x);
-                object.y.push_back(p.y + at.y);
+                object.x.push_back(at(p).x);
+                object.y.push_back(at(p).y);
             }
             out.push_back(std::move(object));
         }
@@ -181,8 +195,9 @@ Notes as_placed(const OnBed& part, Notes notes) {
     for (Note& note : notes) {
         note.count *= part.at.size();
         note.amount *= static_cast<double>(part.at.size());
-        note.x += part.at[0].x;
-        note.y += part.at[0].y;
+        const Vec2 at = part.at[0]({note.x, note.y});
+        note.x = at.x;
+        note.y = at.y;
     }
     return notes;
 }

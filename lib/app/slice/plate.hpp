@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/slice/slice.hpp"
+#include "plate/plate.hpp"
 #include "slice/volume.hpp"
 #include "stream/frame.hpp"
 
@@ -18,7 +19,7 @@ struct OnBed {
     geom::Affine placement{};  // from the file's coordinates
     std::vector<Vec2> outline; // its convex hull seen from above; of several things only
     std::unique_ptr<filum::slice::Part> part;
-    std::vector<Vec2> at{{0, 0}}; // by how much each copy is moved, mm
+    std::vector<plate::Place> at{{}}; // where each copy stands
     filum::slice::Sweep sweep;
     std::optional<filum::slice::Measured> measured;
     std::vector<double> area; // of each of its layers, mm2

@@ -13,10 +13,10 @@ namespace filum::app::slice {
 namespace {
 
 // The layer of one part, once for each of its copies.
-void add_copies(const polygon::Loops& loops, const std::vector<Vec2>& at, polygon::Loops& to) {
-    for (const Vec2& by : at)
+void add_copies(const polygon::Loops& loops, const std::vector<plate::Place>& at, polygon::Loops& to) {
+    for (const plate::Place& place : at)
         for (std::size_t i = 0; i < loops.size(); ++i) {
-            for (const Vec2& p : loops[i]) to.points.push_back(p + by);
+            for (const Vec2& p : loops[i]) to.points.push_back(place(p));
             to.close();
         }
 }

@@ -20,8 +20,8 @@ plate::Thing random_thing(std::mt19937& random) {
     return {geom::convex_hull(points), height(random)};
 }
 
-std::vector<Vec2> moved(std::vector<Vec2> points, Vec2 by) {
-    for (Vec2& p : points) p = p + by;
+std::vector<Vec2> moved(std::vector<Vec2> points, const plate::Place& place) {
+    for (Vec2& p : points) p = place(p);
     return points;
 }
 
@@ -55,17 +55,17 @@ TEST(plate, parts_keep_the_asked_distance_and_lie_on_the_bed) {
         ASSERT_TRUE(packed.left.empty()) << seed;
         geom::Box2 box;
         for (std::size_t i = 0; i < things.size(); ++i) {
-            const auto own = moved(things[i].outline, packed.move[i]);
+            const auto own = moved(things[i].outline, packed.place[i]);
             for (const Vec2& p : own) box.add(p);
             for (std::size_t j = 0; j < i; ++j)
                 EXPECT_TRUE(
-                    apart(own, moved(things[j].outline, packed.move[j]), apart_by.x - 0.005, apart_by.y - 0.005))
+                    apart(own, moved(things[j].outline, packed.place[j]), apart_by.x - 0.005, apart_by.y - 0.005))
                     << seed << ": " << i << " and " << j;
         }
         EXPECT_LE(box.hi.x - box.lo.x, size.x);
         EXPECT_LE(box.hi.y - box.lo.y, size.y);
         EXPECT_NEAR(box.lo.x + box.hi.x, 0, 0.01);
-        EXPECT_EQ(plate::pack(things, apart_by, size).move, packed.move); // the same again
+        EXPECT_EQ(plate::pack(things, apart_by, size).place, packed.place); // the same again
     }
 }
 
@@ -76,6 +76,37 @@ TEST(plate, a_part_as_large_as_the_bed_fits_and_a_second_one_is_left) {
     things.push_back({{{0, 0}, {10, 0}, {10, 10}}, 10});
     EXPECT_EQ(plate::pack(things, {5, 5, true}, {100.1, 100.1}).left, std::vector<std::size_t>{1});
     EXPECT_TRUE(plate::pack(things, {5, 5, true}, {115.1, 100.1}).left.empty());
+}
+
+// Three of 95 x 60 fit on 200 x 100 upright alone; four of 140 x 70 on 220 x 220 with one upright beside three.
+TEST(plate, turned_parts_keep_their_distance_too) {
+    struct Try {
+        double x, y;
+        std::size_t count;
+        Vec2 bed;
+        plate::Turn turn;
+        std::size_t odd; // how many of them by an odd number of quarters
+    };
+    const plate::Spacing by{2, 4, true};
+    for (const Try& t :
+         {Try{95, 60, 3, {200, 100}, plate::Turn::all, 3}, Try{140, 70, 4, {220, 220}, plate::Turn::each, 1}}) {
+        const std::vector<plate::Thing> bars(t.count, {{{0, 0}, {t.x, 0}, {t.x, t.y}, {0, t.y}}, 10});
+        EXPECT_FALSE(plate::pack(bars, by, t.bed).left.empty());
+        const plate::Packed packed = plate::pack(bars, by, t.bed, t.turn);
+        ASSERT_TRUE(packed.left.empty());
+        geom::Box2 box;
+        std::size_t odd = 0;
+        for (std::size_t i = 0; i < bars.size(); ++i) {
+            odd += packed.place[i].quarters % 2 == 1 ? 1 : 0;
+            const auto own = moved(bars[i].outline, packed.place[i]);
+            for (const Vec2& p : own) box.add(p);
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_TRUE(apart(own, moved(bars[j].outline, packed.place[j]), by.x - 0.005, by.y - 0.005));
+        }
+        EXPECT_EQ(odd, t.odd);
+        EXPECT_LE(box.hi.x - box.lo.x, t.bed.x);
+        EXPECT_LE(box.hi.y - box.lo.y, t.bed.y);
+    }
 }
 
 TEST(plate, the_head_says_how_far_apart) {
