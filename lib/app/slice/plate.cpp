@@ -143,6 +143,7 @@ std::vector<OnBed> read_parts(const Options& o, cli::Io& self) {
     const bool several = inputs.size() > 1 || o.copies > 1;
     std::vector<OnBed> out;
     std::string crc;
+    out.reserve(inputs.size());
     for (const std::string& path : inputs) out.push_back(read_part(path, o, self, several, crc));
     self.settings.push_back({"input_crc32c", crc});
     for (OnBed& part : out) part.at.assign(static_cast<std::size_t>(o.copies), {});
