@@ -1,6 +1,7 @@
 // Curves that cross nothing, from curves that do.
 #pragma once
 
+#include "base/note.hpp"
 #include "toolpath/path.hpp"
 
 #include <vector>
