@@ -1,6 +1,7 @@
 #include "link3d/stacked.hpp"
 
 #include "geom/polyline.hpp"
+#include "link3d/features.hpp"
 #include "link3d/linker.hpp"
 
 #include <algorithm>
