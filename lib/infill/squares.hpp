@@ -5,9 +5,9 @@
 
 namespace filum::infill {
 
-// What of `within` (simple) lies in squares that `area` reaches: each lies between two rows with the spacing of `lines`,
-// and two of the layer below, which has the same across.  So more rows between those of a square end on rows below.
-// What reaches less than half a bead beyond a row ends on it; what is lower than that in a square reaches none.
+// What of `within` (simple) lies in squares that `area` reaches: each lies between two rows with the spacing of
+// `lines`, and two of the layer below, which has the same across.  So more rows between those of a square end on rows
+// below. What reaches less than half a bead beyond a row ends on it; what is lower than that in a square reaches none.
 Loops whole_squares(const Loops& area, const Loops& within, const Lines& lines);
 
 } // namespace filum::infill

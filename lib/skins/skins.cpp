@@ -1,6 +1,7 @@
 #include "skins/skins.hpp"
 
 #include "infill/infill.hpp"
+#include "infill/squares.hpp"
 #include "parallel/parallel.hpp"
 #include "polygon/clip.hpp"
 #include "skins/bridges.hpp"
@@ -188,10 +189,24 @@ void part_dense(std::vector<Sparse>& settings, const std::vector<Region>& region
         });
 }
 
+// Rows that carry skins begin and end on those of the layer below: what of an area is dense takes whole squares.
+void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing) {
+    if (s.how.pattern != polygon::Pattern::rows) return;
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        if (s.dense[i].empty()) return;
+        const Loops all = polygon::unite(s.plain[i], s.dense[i]);
+        s.dense[i] = infill::whole_squares(
+            s.dense[i], all,
+            {.direction = direction_of(regions[i].layer), .spacing = spacing, .bead_width = s.how.bead_width});
+        s.plain[i] = polygon::subtract(all, s.dense[i]);
+    });
+}
+
 // Puts down the areas of one of the settings.
 void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whose, Facts& facts) {
     const double spacing = spacing_of(regions, s.plain, s.dense, s.how, whose, facts);
     if (spacing == 0) return;
+    take_squares(s, regions, spacing);
     for (std::size_t i = 0; i < regions.size(); ++i) {
         Region& r = regions[i];
         const auto put = [&](Loops& loops, double gap) {

@@ -3,8 +3,12 @@
 #include "../fill/pattern_check.hpp"
 #include "../trials.hpp"
 #include "geom/segment.hpp"
+#include "infill/squares.hpp"
 #include "polygon/segments.hpp"
 #include "polygon/simple.hpp"
+#include "polygon/stretches.hpp"
+
+#include <cmath>
 
 namespace filum::infill {
 namespace {
@@ -50,6 +54,35 @@ TEST(Infill, LoopsAreSimpleInsideAndABeadApart) {
             }
     EXPECT_LE(10 * necks, std::max(10U, areas))
         << necks; // 3 of 40 areas now: what a better choice of places would mend
+}
+
+// All of an area but for what is lower than half a bead, or ends half a bead beyond a row; each square whole.
+TEST(Infill, SquaresAreWhole) {
+    unsigned areas = 0;
+    for (unsigned seed = 0, n = trials(40); seed < n; ++seed)
+        for (const Loops& within : random_areas(seed, 2)) {
+            const Lines lines = lines_of(Pattern::rows, seed, 2 + 0.1 * seed);
+            const double s = lines.spacing;
+            const Loops area = polygon::intersect(within, test::disc({0.3 * seed, 1}, 5));
+            const Loops squares = whole_squares(area, within, lines);
+            EXPECT_LT(polygon::signed_area(polygon::subtract(squares, within)), 1e-3) << seed;
+            const Loops left = polygon::opened(polygon::subtract(area, squares), kWidth / 2 + 0.01);
+            EXPECT_LT(polygon::signed_area(left), 1e-3) << seed;
+            const Loops level =
+                polygon::rotated(polygon::opened(polygon::subtract(within, squares), 0.01), -lines.direction);
+            for (const Loops& part : polygon::split(level).part) { // nothing taken of a square without all of it
+                const geom::Vec2 p = geom::lerp(polygon::bounds(part).lo, polygon::bounds(part).hi, 0.5);
+                const double x = std::floor(p.x / s) * s, y = std::floor(p.y / s) * s;
+                if (!polygon::contains(part, p)) continue;
+                Loops square;
+                square.add(std::vector<geom::Vec2>{{x, y}, {x + s, y}, {x + s, y + s}, {x, y + s}});
+                const Loops taken =
+                    polygon::intersect(polygon::rotated(squares, -lines.direction), polygon::offset(square, -0.01));
+                EXPECT_LT(polygon::signed_area(taken), 1e-3) << seed;
+                ++areas;
+            }
+        }
+    EXPECT_GT(areas, 10U);
 }
 
 // Of the tasks' areas, what beads cover that are one spacing apart.

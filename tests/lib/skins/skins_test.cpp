@@ -5,6 +5,8 @@
 #include "base/error.hpp"
 #include "polygon/stretches.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace filum::skins {
@@ -171,6 +173,34 @@ TEST(Skins, AreasOfARegionDoNotOverlap) {
         EXPECT_EQ(sparse[0]->spacing, sparse[1]->spacing); // every line goes on
     }
     EXPECT_GT(dense, 0U);
+}
+
+// Where more rows begin inside what is sparse, a row of their layer or of the one below lies there.
+TEST(Skins, MoreRowsBeginOnRows) {
+    std::size_t inside = 0;
+    for (unsigned seed = 0, n = trials(6); seed < n; ++seed) {
+        auto part = random_part(seed, 40);
+        Facts facts;
+        Options o;
+        o.infill = 0.08 + 0.02 * seed;
+        skins(part, o, {}, facts);
+        for (const Region& r : part) {
+            const Loops room = polygon::offset(polygon::unite(sparse_of(r)), -0.05);
+            for (const auto& a : r.areas) {
+                if (a.kind != AreaKind::sparse || a.gap == 0) continue;
+                const Loops level = polygon::rotated(a.loops, -a.direction);
+                for (std::size_t i = 0; i < level.points.size(); ++i) {
+                    if (!polygon::contains(room, a.loops.points[i])) continue;
+                    ++inside;
+                    const auto [x, y] = level.points[i];
+                    const double off =
+                        std::min(std::abs(std::remainder(x, a.spacing)), std::abs(std::remainder(y, a.spacing)));
+                    EXPECT_LT(off, 1e-3) << seed << " layer " << r.layer << " at " << x << "," << y;
+                }
+            }
+        }
+    }
+    EXPECT_GT(inside, 50U);
 }
 
 TEST(Skins, SmallSparsePartsAreSolid) {
