@@ -6,11 +6,13 @@
 #include "rings/rings.hpp"
 #include "toolpath/path.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace filum::fill {
 
-inline constexpr double kRoundReach = 0.4; // bead widths of path on each side that corners are rounded within
+inline constexpr double kRoundReach = 0.4;  // bead widths of path on each side that corners are rounded within
+inline constexpr std::size_t kFewRings = 4; // no more are left with the corners of their region
 
 struct Finish {
     double bead_width = 0.4; // mm

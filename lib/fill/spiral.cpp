@@ -17,8 +17,6 @@ using polygon::Loops;
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
 constexpr double kRoundMost = 0.7;     // bead widths: as kRoundReach where a least radius asks for more
 
-constexpr std::size_t kFewRings = 4; // no more are left with the corners of their region
-
 constexpr double kGrid = 1e-3; // mm
 
 // The rings of the region; with corners of the radius that is asked for, if any.

@@ -230,7 +230,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
                                      {.bead_width = o.bead_width,
                                       .tolerance = t.tolerance,
                                       .wind = t.wind,
-                                      .round = t.round,
+                                      .round = t.round && parts.rings.size() > fill::kFewRings,
                                       .reach = fill::kRoundReach * o.bead_width,
                                       .hung = hung});
         const double left = fill::leave_tiny(curves, o.bead_width);
