@@ -26,8 +26,8 @@ constexpr const char* kDescription =
     "shares of the area that are bare or laid twice or thrice, the gap that ninety-nine hundredths of the area stay "
     "below, and how far the fibres are off the angle, turns included. 'metrics --surface' shows them. --map writes the "
     "surface with all "
-    "of it at every point: 'render --by thickness map.surface' draws it, 'render map.surface -o map.vtp' is for "
-    "ParaView.";
+    "of it at every point, as 'metrics --map' does: 'render --by thickness map.surface' draws it, 'render map.surface "
+    "-o map.vtp' is for ParaView.";
 
 cli::Spec spec(Options& o) {
     return {.name = "laminate",

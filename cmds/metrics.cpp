@@ -37,7 +37,10 @@ constexpr const char* kDescription =
     "of the path along the surface, swept by rows whose ends are solved from exact distances, overlap, the largest "
     "void, and the gaps between neighbours; and how well the path follows the stress of every load case in the "
     "stream. docs/surface-metrics.md defines each figure. --voids writes the surface with the distance from the path, "
-    "for render: what is farther than half a bead is not covered.";
+    "for render: what is farther than half a bead is not covered. --map writes the surface with what lies at every "
+    "point, and tells it ply by ply: thickness, what is bare and how far that is from a bead, what is laid twice, and "
+    "how far beads run off what the ply is to follow: the angles of `laminate`, else the surface's field 'direction', "
+    "else the pull of its first load case.";
 
 cli::Spec spec(app::metrics::Options& all) {
     using cli::Option;
@@ -77,6 +80,10 @@ cli::Spec spec(app::metrics::Options& all) {
                  .when("!surface"),
              Option{"surface", &all.surface, "FILE", "the Surface stream that the path lies on"}.not_a_setting(),
              Option{"voids", &all.voids, "FILE", "also the surface with its distances from the path"}
+                 .not_a_setting()
+                 .when("surface"),
+             Option{"map", &all.map, "FILE",
+                    "also the surface with thickness, gaps and angles at every point; x.vtp: for ParaView"}
                  .not_a_setting()
                  .when("surface"),
              Option{"spacing", &c.spacing, "MM", "between strands on a surface, d; 0: the median bead width"}

@@ -2,8 +2,9 @@
 
 #include "base/error.hpp"
 #include "geom/angle.hpp"
-#include "laminate/raise.hpp"
+#include "metrics/surface/map_figures.hpp"
 #include "parallel/parallel.hpp"
+#include "surface/curve/raise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,8 @@
 namespace filum::laminate {
 
 namespace {
+
+using metrics::surface::Spread;
 
 constexpr double kFinest = 1; // spacings: sides of the triangles that plies are raised on, as those of stripes
 
@@ -47,7 +50,7 @@ struct Made {
 
 Made make(const Surface& base, std::span<const Ply> plies, std::size_t k, double height, const Options& o) {
     const Ply& ply = plies[k];
-    Raised up = raised(base, height);
+    auto up = surface::curve::raised(base, height);
     surfpath::Options how;
     how.algorithm = surfpath::Algorithm::field;
     how.spacing = ply.spacing;
@@ -62,7 +65,7 @@ Made make(const Surface& base, std::span<const Ply> plies, std::size_t k, double
     Made out;
     auto plan = surfpath::plan(sheet, how);
     surfpath::finish(sheet.surface, plan, how);
-    out.laid = {std::move(sheet.surface), std::move(plan), ply.spacing, ply.height, how.follow.turn, o.reference};
+    out.laid = {std::move(sheet.surface), std::move(plan), how.follow.turn};
     out.notes.swap(out.laid.plan.notes);
     if (up.folded > 0)
         note(out.notes, "ground folds: a groove is narrower than the plies", up.folded, "mm2", up.folded_at);
@@ -71,19 +74,9 @@ Made make(const Surface& base, std::span<const Ply> plies, std::size_t k, double
     return out;
 }
 
-// The part of the area, 0 to 1, over which more than `more` beads lie, up to one more.
-double share(const PlyMap& map, std::span<const double> area, double more) {
-    double sum = 0, total = 0;
-    for (std::size_t v = 0; v < area.size(); ++v) {
-        total += area[v];
-        sum += area[v] * std::clamp(map.passes[v] - more, 0.0, 1.0);
-    }
-    return sum / total;
-}
-
 void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
     const std::string name = "ply." + std::to_string(k + 1) + ".";
-    const PlyMap& m = l.map.plies[k];
+    const auto found = metrics::surface::ply_spread(l.map, k);
     const auto fact = [&](const char* what, double value, const char* unit) {
         to.push_back({"", name + what, value, unit});
     };
@@ -93,23 +86,23 @@ void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
     const auto strokes = l.plies[k].plan.strokes.size();
     fact("cuts", strokes == 0 ? 0 : static_cast<double>(strokes - 1), "");
     fact("length", length, "mm");
-    fact("bare", 1 - share(m, l.map.area, 0), "");
-    fact("twice", share(m, l.map.area, 1), "");
-    fact("thrice", share(m, l.map.area, 2), "");
-    fact("gap", std::max(0.0, spread_of(m.clearance, l.map.area).high), "mm");
-    const Deviation angle = deviation(l.plies[k]);
-    fact("angle-median", angle.off.median, "deg");
-    fact("angle-mean", angle.off.mean, "deg");
-    fact("angle-within", angle.within, "");
+    fact("bare", found.bare, "");
+    fact("twice", found.twice, "");
+    fact("thrice", found.thrice, "");
+    fact("gap", found.gap, "mm");
+    fact("asked", geom::degrees(l.plies[k].turn), "deg");
+    fact("angle-median", found.off_median, "deg");
+    fact("angle-mean", found.off_mean, "deg");
+    fact("angle-within", found.within, "");
 }
 
-void add_facts(std::span<const Ply> plies, Laminate& l) {
+void add_facts(std::span<const Ply> plies, const Vec3& reference, Laminate& l) {
     double nominal = 0;
     for (const Ply& p : plies) nominal += p.height;
     const auto fact = [&](const char* what, double value, const char* unit) {
         l.facts.push_back({"", what, value, unit});
     };
-    const Spread t = spread_of(l.map.thickness, l.map.area), even = spread_of(l.map.even, l.map.area);
+    const Spread t = spread_of(l.map, l.map.thickness), even = spread_of(l.map, l.map.even);
     fact("plies", static_cast<double>(plies.size()), "");
     fact("thickness-nominal", nominal, "mm");
     fact("thickness-mean", t.mean, "mm");
@@ -119,7 +112,23 @@ void add_facts(std::span<const Ply> plies, Laminate& l) {
     fact("thickness-most", t.most, "mm");
     fact("even-least", even.least, "mm");
     fact("even-most", even.most, "mm");
+    fact("reference-x", reference.x, "");
+    fact("reference-y", reference.y, "");
+    fact("reference-z", reference.z, "");
     for (std::size_t k = 0; k < plies.size(); ++k) add_ply_facts(l, k, l.facts);
+}
+
+// What lies where, by the toolpath itself.
+metrics::surface::Map map(const Surface& base, std::span<const Ply> plies, const Options& o, const Laminate& l,
+                          int threads) {
+    std::vector<toolpath::Span> spans;
+    add_spans(l, plies, o, 0, spans);
+    metrics::surface::Fibres fibres;
+    for (const auto& span : spans) metrics::surface::add(fibres, span);
+    std::vector<metrics::surface::Bed> beds;
+    for (std::size_t k = 0; k < l.plies.size(); ++k)
+        beds.push_back({static_cast<std::uint32_t>(k), l.plies[k].ground, {o.reference, l.plies[k].turn}});
+    return metrics::surface::map(base, fibres, beds, threads);
 }
 
 void tell_symmetry(std::span<const Ply> plies, Laminate& l) {
@@ -145,7 +154,7 @@ Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const
         back = back || p.under;
     }
     const Surface base = surface::finer(sheet.surface, kFinest * finest).surface;
-    const Surface other = back ? turned_over(base) : Surface{};
+    const Surface other = back ? surface::curve::turned_over(base) : Surface{};
     const auto heights = below(plies);
     std::vector<Made> made(plies.size());
     parallel::for_chunks(plies.size(), 1, threads, [&](std::size_t k, std::size_t) {
@@ -160,9 +169,9 @@ Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const
         out.plies.push_back(std::move(m.laid));
         out.notes.insert(out.notes.end(), m.notes.begin(), m.notes.end());
     }
-    out.map = map(base, out.plies, threads);
+    out.map = map(base, plies, o, out, threads);
     tell_symmetry(plies, out);
-    add_facts(plies, out);
+    add_facts(plies, o.reference, out);
     return out;
 }
 
@@ -176,23 +185,6 @@ void add_spans(const Laminate& l, std::span<const Ply> plies, const Options& o, 
         surfpath::add_spans(l.plies[k].ground, l.plies[k].plan, laying, out);
         for (std::size_t i = begin; i < out.size(); ++i) out[i].tool = plies[k].tool;
     }
-}
-
-surface::Sheet sheet_of(const Laminate& l, const std::string& name) {
-    double nominal = 0;
-    for (const Laid& p : l.plies) nominal += p.height;
-    surface::Sheet out{l.map.ground.surface, {}, {}};
-    out.name = name;
-    std::vector<double> volume;
-    for (const double t : l.map.even) volume.push_back(t / nominal);
-    out.fields = {{"thickness", l.map.thickness}, {"thickness-even", l.map.even}, {"fibre-volume", std::move(volume)}};
-    for (std::size_t k = 0; k < l.map.plies.size(); ++k) {
-        const std::string ply = "ply-" + std::to_string(k + 1) + ".";
-        out.fields.push_back({ply + "passes", l.map.plies[k].passes});
-        out.fields.push_back({ply + "amount", l.map.plies[k].amount});
-        out.fields.push_back({ply + "deviation", l.map.plies[k].deviation});
-    }
-    return out;
 }
 
 } // namespace filum::laminate

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "laminate/stack.hpp"
-#include "laminate/thickness.hpp"
+#include "metrics/surface/map.hpp"
 #include "surface/sheet.hpp"
 #include "surfpath/surfpath.hpp"
 
 namespace filum::laminate {
+
+using geom::Vec3;
+using surface::Surface;
 
 struct Options {
     Vec3 reference{1, 0, 0}; // of the angles, laid onto the surface
@@ -17,20 +20,28 @@ struct Options {
     double lift = 5;           // mm: how high the tool travels
 };
 
+// A ply as it was laid.
+struct Laid {
+    Surface ground;      // what it lies on: the base's triangles, raised; turned over of a ply under it
+    surfpath::Plan plan; // on that
+    double turn = 0;     // rad, of its fibres from the reference, as seen from the side that the ground faces
+};
+
 struct Laminate {
     std::vector<Laid> plies; // in the order of laying, as given
-    Map map;
+    metrics::surface::Map map;
     Notes notes;
     Facts facts;
 };
 
-// Every ply by `field` on the surface raised by the heights of those laid before it on its side (raise.hpp).
-// Facts: "plies", "unsymmetric" and "unbalanced" (plies), "thickness-nominal", "-mean", "-least", "-low", "-high",
+// Every ply by `field` on the surface raised by the heights of those laid before it on its side (surface/curve/raise.hpp).
+// Facts, as metrics/surface/map_figures.hpp has them: "plies", "unsymmetric" and "unbalanced" (plies), "thickness-nominal", "-mean", "-least", "-low", "-high",
 // "-most" (mm, at points), "even-least", "even-most" (mm, means about a bead's width), and of every ply "ply.K.cuts",
 // "ply.K.length", "ply.K.bare", "ply.K.twice", "ply.K.thrice" (shares of the area, what is laid
 // thrice is laid twice, too), "ply.K.gap" (mm: ninety-nine
 // hundredths of the area are at most that far from a bead), "ply.K.angle-median" and "-mean" (degrees) and "-within"
-// (share of the length within 15 degrees).
+// (share of the length within 15 degrees), "ply.K.asked" (degrees from the reference, as seen from the ply's side);
+// "reference-x", "-y" and "-z".
 // Notes: those of the plans, with their ply; stacks that are not symmetric; grounds that fold or have no room.
 // Throws Error as surfpath::plan does, with the ply.
 Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const Options& options, int threads);
@@ -38,9 +49,5 @@ Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const
 // Its toolpath: a layer per ply, from `layer` and `stroke` on, behind what `out` holds.
 void add_spans(const Laminate& laminate, std::span<const Ply> plies, const Options& options, std::uint32_t layer,
                std::vector<toolpath::Span>& out);
-
-// The map as a surface with fields: "thickness", "thickness-even" (mm), "fibre-volume" (of what plies without gaps and
-// overlaps hold), and of every ply "ply-K.passes", "ply-K.amount", "ply-K.deviation" (degrees).
-surface::Sheet sheet_of(const Laminate& laminate, const std::string& name);
 
 } // namespace filum::laminate

@@ -33,9 +33,30 @@ figure() { awk -F '\t' -v key="$1" '$1 == key { print $2 }' dome.tsv; }
     done
     peek --check dome.map
     peek --text dome.map > text
-    for field in thickness thickness-even fibre-volume ply-1.passes ply-3.amount ply-2.deviation; do grep -q "$field" text; done
+    for field in thickness thickness-even fibre-volume ply-1.covered ply-3.gap ply-2.deviation; do grep -q "$field" text; done
     render dome.map --output dome.vtp
     grep -q 'Name="ply-3.deviation"' dome.vtp
+}
+
+@test "metrics maps the finished toolpath as laminate maps its plan" {
+    printf 'angle height side\n0 0.3 over\n60 0.3 over\n0 0.2 under\n' > plies.txt
+    laminate --quiet --table plies.txt --spacing 2 --min-radius 1 dome.surface --output dome.toolpath
+    metrics --surface dome.surface --map dome.vtp --format tsv dome.toolpath > dome.tsv
+    grep -q 'Name="ply-3.deviation"' dome.vtp
+    same() { awk -v a="$(figure "$1")" -v b="$(figure "$2")" -v e="$3" 'BEGIN { exit !(a != "" && b != "" && a - b < e && b - a < e) }'; }
+    same thickness.points.mean_mm said.laminate.thickness_mean 0.005
+    same thickness.even.least_mm said.laminate.even_least 0.03
+    for k in 1 2 3; do
+        same ply.$k.bare said.laminate.ply.$k.bare 0.005
+        same ply.$k.twice said.laminate.ply.$k.twice 0.005
+        same ply.$k.off_mean_deg said.laminate.ply.$k.angle_mean 0.5
+    done
+    # Without the facts of laminate, and nothing on the surface to follow, nothing is told of angles.
+    surfpath field --spacing 2 --min-radius 1 dome.surface --quiet > one.toolpath
+    metrics --surface dome.surface --map one.map --format tsv one.toolpath > dome.tsv
+    [ "$(figure ply.1.bare)" != "" ] && [ "$(figure ply.1.off_mean_deg)" = "" ]
+    peek --check one.map
+    expect 2 metrics --map x.map dome.toolpath
 }
 
 @test "plies over the surface lie over it, those under it under it" {

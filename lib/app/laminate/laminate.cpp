@@ -71,7 +71,7 @@ void run(const Options& o, const cli::Io& io) {
         Laminate made = filum::laminate::laminate(sheets[k], plies, how, io.threads);
         filum::laminate::add_spans(made, plies, how, 0, spans);
         gather(made, sheets.size() > 1 ? filum::surfpath::spoken(sheets, k) : "", found);
-        if (!o.map.empty()) maps.push_back(filum::laminate::sheet_of(made, sheets[k].name));
+        if (!o.map.empty()) maps.push_back(metrics::surface::sheet_of(made.map, sheets[k].name));
     }
     auto header = cli::header(io, stream::Payload::toolpath, {&before.header});
     header.expected = spans.size();

@@ -48,6 +48,10 @@ filum::metrics::figures::Figures curved(const Options& options, const cli::Io& i
         voids.write(wire::frame(*found.distance));
         voids.close();
     }
+    if (!options.map.empty()) {
+        auto more = mapped(options, io, sheet, ground, fibres, path);
+        found.figures.insert(found.figures.end(), more.begin(), more.end());
+    }
     filum::metrics::figures::said_before(path.notes, path.facts, found.figures);
     return std::move(found.figures);
 }

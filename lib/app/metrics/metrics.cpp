@@ -7,6 +7,7 @@ namespace filum::app::metrics {
 
 void run(const Options& options, const cli::Io& io) {
     for (const auto& [name, given] : {std::pair{"--voids", !options.voids.empty()},
+                                      {"--map", !options.map.empty()},
                                       {"--spacing", options.curved.spacing > 0},
                                       {"--step", options.curved.step > 0}})
         if (given && options.surface.empty())

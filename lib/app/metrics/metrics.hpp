@@ -10,7 +10,7 @@ namespace filum::app::metrics {
 struct Options {
     filum::metrics::planar::Options plane;   // of layers
     filum::metrics::surface::Options curved; // of paths on a surface
-    std::string surface, voids;              // files
+    std::string surface, voids, map;         // files
 };
 
 // Measures the input, and writes all tables that are asked for.  With `surface` the input is a path on it, and what

@@ -14,7 +14,7 @@ constexpr double kStill = 1e-9; // mm
 void lay(Fibres& f, const toolpath::Span& span, std::size_t i, double d) {
     const auto axis = [&](std::size_t k) { return span.normals.empty() ? Vec3{} : span.normals[k]; };
     if (!f.open) {
-        f.chains.push_back({{span.points[i]}, {0}, {axis(i)}, {}, {}, {}});
+        f.chains.push_back({{span.points[i]}, {0}, {axis(i)}, {}, {}, {}, {}});
         f.open = true;
     }
     Chain& c = f.chains.back();
@@ -24,6 +24,7 @@ void lay(Fibres& f, const toolpath::Span& span, std::size_t i, double d) {
     c.role.push_back(span.role);
     c.layer.push_back(span.layer);
     c.width.push_back((span.width_at(i) + span.width_at(i + 1)) / 2);
+    c.height.push_back((span.height_at(i) + span.height_at(i + 1)) / 2);
 }
 
 } // namespace

@@ -19,6 +19,7 @@ struct Chain {
     std::vector<toolpath::Role> role; // per stretch
     std::vector<std::uint32_t> layer; // per stretch: the ply
     std::vector<double> width;        // mm, per stretch: the mean of its ends
+    std::vector<double> height;       // likewise
 
     [[nodiscard]] double length() const { return along.back(); }
 };

@@ -32,12 +32,6 @@ bool on_rim(const Surface& s, const filum::surface::curve::Place& at) {
     return false;
 }
 
-// Whether a place of a path of that width lies past the rim that its foot is on.
-bool past_rim(const Surface& s, const filum::surface::curve::Place& foot, const Vec3& p, double width) {
-    const Vec3 way = p - foot.point, n = filum::surface::normal(s, foot.triangle);
-    return norm(way - dot(way, n) * n) > kBeside * width && on_rim(s, foot);
-}
-
 Vec3 axis_at(const Chain& c, std::size_t stretch, double t) {
     const Vec3 v = (1 - t) * c.axes[stretch] + t * c.axes[stretch + 1];
     return norm(v) > 0.5 ? v : Vec3{};
@@ -110,6 +104,11 @@ class Laying {
 
 } // namespace
 
+bool past_rim(const Surface& s, const filum::surface::curve::Place& foot, const Vec3& p, double width) {
+    const Vec3 way = p - foot.point, n = filum::surface::normal(s, foot.triangle);
+    return norm(way - dot(way, n) * n) > kBeside * width && on_rim(s, foot);
+}
+
 Ground::Ground(const Surface& s, double edge)
     : surface(s), finer(filum::surface::finer(s, edge)), normals_(filum::surface::curve::vertex_normals(s)),
       locator_(s), fine_locator_(finer.surface), farther_(2 * edge) {}
@@ -126,7 +125,6 @@ Vec3 Ground::normal(const filum::surface::curve::Place& place) const {
 
 std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double step, int threads) {
     std::vector<Sample> out;
-    std::vector<Vec3> axes;
     for (std::uint32_t k = 0; k < fibres.chains.size(); ++k) {
         const Chain& c = fibres.chains[k];
         const auto n = static_cast<std::size_t>(std::max(1.0, std::round(c.length() / step)));
@@ -140,7 +138,7 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
             s.width = c.width[stretch];
             s.hairpin = c.role[stretch] == toolpath::Role::hairpin;
             const Vec3 here = c.points[stretch + 1] - c.points[stretch];
-            axes.push_back(axis_at(c, stretch, (s.along - c.along[stretch]) / norm(here)));
+            s.axis = axis_at(c, stretch, (s.along - c.along[stretch]) / norm(here));
             s.b = i + 1 == n ? c.points.back() : point_at(c, static_cast<double>(i + 1) * length, stretch);
             const Vec3 way = s.b - s.a;
             s.tangent = norm(way) > 0.1 * length ? 1 / norm(way) * way : 1 / norm(here) * here;
@@ -150,7 +148,7 @@ std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double s
     }
     parallel::for_chunks(out.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            out[i].foot = ground.foot(out[i].at, axes[i]);
+            out[i].foot = ground.foot(out[i].at, out[i].axis);
             out[i].off = distance(out[i].at, out[i].foot.point);
             out[i].beside = past_rim(ground.surface, out[i].foot, out[i].at, out[i].width);
             out[i].normal = ground.normal(out[i].foot);

@@ -36,6 +36,9 @@ class Ground {
     double farther_; // mm
 };
 
+// Whether a place of a path of that width lies past the rim that its foot is on, by more than a twentieth of the bead.
+bool past_rim(const Surface& s, const filum::surface::curve::Place& foot, const Vec3& p, double width);
+
 // A short stretch of a chain, and the surface at its middle.
 struct Sample {
     std::uint32_t chain = 0;
@@ -47,6 +50,7 @@ struct Sample {
     bool hairpin = false;                //
     Vec3 at{}, a{}, b{};                 // its middle and its ends, on the path
     Vec3 tangent{};                      // unit, from end to end
+    Vec3 axis{};                         // where the tool comes from; (0, 0, 0) where that is not said
     Vec3 normal{};                       // unit, of the surface
     filum::surface::curve::Place foot{}; // nearest to the middle
     double off = 0;                      // mm between the middle and its foot

@@ -16,21 +16,6 @@ constexpr int kDirections = 180;
 
 bool known(const Vec3& v) { return std::isfinite(v.x + v.y + v.z) && norm(v) > 0; }
 
-// The direction at a place: those of the triangle's corners, turned towards that of the greatest weight, by weights.
-Vec3 direction(const Surface& s, const filum::surface::Field& d1, const filum::surface::curve::Place& at) {
-    const auto w = filum::surface::curve::barycentric(s, at);
-    const auto& corners = s.triangles[at.triangle];
-    const auto most = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
-    const Vec3 lead = d1.vector(corners[most]);
-    if (!known(lead)) return {};
-    Vec3 sum{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3 v = d1.vector(corners[k]);
-        if (known(v)) sum = sum + (dot(v, lead) < 0 ? -1 : 1) * std::max(0.0, w[k]) / norm(v) * v;
-    }
-    return geom::unit(sum, 1 / norm(lead) * lead);
-}
-
 double stress(const Surface& s, const filum::surface::Field* s1, const filum::surface::curve::Place& at) {
     if (s1 == nullptr) return 1;
     const auto w = filum::surface::curve::barycentric(s, at);
@@ -54,6 +39,20 @@ Vec3 at_nearest_corner(const Surface& s, const filum::surface::Field& d1, const 
 Vec3 in_plane(const Vec3& v, const Vec3& n) { return v - dot(v, n) * n; }
 
 } // namespace
+
+Vec3 direction(const Surface& s, const filum::surface::Field& d1, const filum::surface::curve::Place& at) {
+    const auto w = filum::surface::curve::barycentric(s, at);
+    const auto& corners = s.triangles[at.triangle];
+    const auto most = static_cast<std::size_t>(std::max_element(w.begin(), w.end()) - w.begin());
+    const Vec3 lead = d1.vector(corners[most]);
+    if (!known(lead)) return {};
+    Vec3 sum{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 v = d1.vector(corners[k]);
+        if (known(v)) sum = sum + (dot(v, lead) < 0 ? -1 : 1) * std::max(0.0, w[k]) / norm(v) * v;
+    }
+    return geom::unit(sum, 1 / norm(lead) * lead);
+}
 
 std::vector<LoadCase> load_cases(const filum::surface::Sheet& sheet) {
     std::vector<LoadCase> out;

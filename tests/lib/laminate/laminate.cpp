@@ -41,7 +41,7 @@ TEST(laminate, is_as_thick_as_its_beads_are_much) {
     double volume = 0, area = 0;
     for (const Laid& l : made.plies)
         for (const auto& stroke : l.plan.strokes)
-            for (const auto& piece : stroke.pieces) volume += surface::curve::length(piece.line) * l.width * l.height;
+            for (const auto& piece : stroke.pieces) volume += surface::curve::length(piece.line) * 2 * 0.25;
     for (const double a : made.map.area) area += a;
     EXPECT_NEAR(area, 480, 1e-6);
     // What hangs over the rim, and passes of a bead that are one by being near along it, are not in the map.
@@ -86,8 +86,8 @@ TEST(laminate, plies_lie_on_each_other) {
     }
     EXPECT_EQ(spans.back().layer, 1U);
     EXPECT_EQ(fact(made, "unsymmetric"), 2);
-    const auto map = sheet_of(made, "tube");
-    EXPECT_EQ(map.fields.size(), 3 + 3 * plies.size());
+    const auto map = metrics::surface::sheet_of(made.map, "tube");
+    EXPECT_EQ(map.fields.size(), 4 + 6 * plies.size());
 }
 
 TEST(laminate, is_the_same_for_any_number_of_threads) {

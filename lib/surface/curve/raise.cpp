@@ -1,34 +1,46 @@
-#include "laminate/raise.hpp"
+#include "surface/curve/raise.hpp"
 
 #include "parallel/parallel.hpp"
 #include "surface/curve/locate.hpp"
+#include "surface/curve/walk.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace filum::laminate {
+namespace filum::surface::curve {
 
 namespace {
-
-using surface::curve::Locator;
-using surface::curve::Place;
 
 constexpr int kSteps = 20;             // towards the level, at most
 constexpr int kSpreads = 30;           // rounds of spreading folds, at most
 constexpr double kOnLevel = 1e-6;      // of the distance: as near as steps go
-constexpr double kOffLevel = 0.01;     // of the distance: more is told
+constexpr double kOffLevel = 0.01;     // of the greatest distance: more is told
 constexpr std::size_t kVertices = 512; // of a piece of work
 
-// `p` moved away from, or towards, the nearest place until that is `distance` mm off, on the side that it faces.
-Vec3 on_level(const Surface& s, const Locator& near, Vec3 p, double distance) {
+// A surface, and how far off it a point above each of its places is to be.
+struct Levels {
+    const Surface& surface;
+    std::span<const double> distance; // mm, per vertex
+    Locator near;
+
+    [[nodiscard]] double at(const Place& place) const {
+        const auto w = barycentric(surface, place);
+        const auto& c = surface.triangles[place.triangle];
+        return std::max(0.0, w[0] * distance[c[0]] + w[1] * distance[c[1]] + w[2] * distance[c[2]]);
+    }
+};
+
+// `p` moved away from, or towards, the nearest place until that is as far off as asked, on the side that it faces.
+Vec3 on_level(const Levels& levels, Vec3 p) {
     for (int step = 0; step < kSteps; ++step) {
-        const Place foot = near.nearest(p);
-        const Vec3 off = p - foot.point, up = surface::normal(s, foot.triangle);
+        const Place foot = levels.near.nearest(p);
+        const double asked = levels.at(foot);
+        const Vec3 off = p - foot.point, up = surface::normal(levels.surface, foot.triangle);
         const bool above = dot(off, up) > 0;
         const double d = above ? norm(off) : -norm(off);
-        if (std::abs(d - distance) <= kOnLevel * distance) break;
-        p = above ? foot.point + distance / d * off : foot.point + distance * up;
+        if (std::abs(d - asked) <= kOnLevel * asked) break;
+        p = above ? foot.point + asked / d * off : foot.point + asked * up;
     }
     return p;
 }
@@ -46,7 +58,8 @@ std::vector<char> folds(const Surface& s, const std::vector<Vec3>& at) {
 }
 
 // Every inner corner of a fold and of its neighbours to the middle of those around it.
-bool spread(const Surface& s, const Locator& near, double distance, std::vector<Vec3>& at) {
+bool spread(const Levels& levels, std::vector<Vec3>& at) {
+    const Surface& s = levels.surface;
     const auto folded = folds(s, at);
     std::vector<char> moves(s.vertices.size(), 0);
     for (int ring = 0; ring < 2; ++ring) {
@@ -68,17 +81,20 @@ bool spread(const Surface& s, const Locator& near, double distance, std::vector<
             sum = sum + old[s.head(h)];
             ++n;
         });
-        at[v] = on_level(s, near, 1 / n * sum, distance);
+        at[v] = on_level(levels, 1 / n * sum);
     }
     return true;
 }
 
-void judge(const Surface& s, const std::vector<Vec3>& at, const Locator& near, double distance, Raised& out) {
+void judge(const Levels& levels, const std::vector<Vec3>& at, Raised& out) {
+    const Surface& s = levels.surface;
+    const double most = *std::max_element(levels.distance.begin(), levels.distance.end());
     std::vector<char> close(s.vertices.size(), 0);
     for (std::size_t v = 0; v < at.size(); ++v) {
-        const double off = distance - geom::distance(at[v], near.nearest(at[v]).point);
+        const Place foot = levels.near.nearest(at[v]);
+        const double off = levels.at(foot) - geom::distance(at[v], foot.point);
         out.worst = std::max(out.worst, std::abs(off));
-        close[v] = off > kOffLevel * distance ? 1 : 0;
+        close[v] = off > kOffLevel * most ? 1 : 0;
     }
     const auto folded = folds(s, at);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
@@ -96,21 +112,25 @@ void judge(const Surface& s, const std::vector<Vec3>& at, const Locator& near, d
 
 } // namespace
 
-Raised raised(const Surface& s, double distance) {
+Raised raised(const Surface& s, std::span<const double> distance) {
     Raised out{s, 0, 0, 0, {}, {}};
-    if (!(distance > 0)) return out;
-    const auto ways = surface::curve::vertex_normals(s);
-    const Locator near(s);
+    if (std::none_of(distance.begin(), distance.end(), [](double d) { return d > 0; })) return out;
+    const auto ways = vertex_normals(s);
+    const Levels levels{s, distance, Locator(s)};
     std::vector<Vec3> at(s.vertices.size());
     parallel::for_chunks(at.size(), kVertices, 0, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            at[v] = on_level(s, near, s.vertices[v] + distance * ways[v], distance);
+        for (std::size_t v = begin; v < end; ++v) at[v] = on_level(levels, s.vertices[v] + distance[v] * ways[v]);
     });
-    for (int round = 0; round < kSpreads && spread(s, near, distance, at); ++round) {
+    for (int round = 0; round < kSpreads && spread(levels, at); ++round) {
     }
-    judge(s, at, near, distance, out);
+    judge(levels, at, out);
     out.surface.vertices = std::move(at);
     return out;
+}
+
+Raised raised(const Surface& s, double distance) {
+    const std::vector<double> all(s.vertices.size(), distance);
+    return raised(s, all);
 }
 
 Surface turned_over(const Surface& s) {
@@ -123,4 +143,4 @@ Surface turned_over(const Surface& s) {
     return surface::assemble(s.vertices, std::move(triangles), std::move(twin));
 }
 
-} // namespace filum::laminate
+} // namespace filum::surface::curve

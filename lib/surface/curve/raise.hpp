@@ -1,13 +1,9 @@
 // The surface at a distance from another: what a ply lies on.
 #pragma once
 
-#include "base/note.hpp"
-#include "surface/surface.hpp"
+#include "surface/curve/line.hpp"
 
-namespace filum::laminate {
-
-using geom::Vec3;
-using surface::Surface;
+namespace filum::surface::curve {
 
 struct Raised {
     Surface surface;    // the same triangles, vertices moved
@@ -23,7 +19,10 @@ struct Raised {
 // Across sharp edges it is as round as triangles are small.
 Raised raised(const Surface& s, double distance);
 
+// Likewise, each place as far as `distance` has it, mm per vertex, 0 or more.  What slopes steeply lies nearer than that.
+Raised raised(const Surface& s, std::span<const double> distance);
+
 // The same surface, seen from its back: triangles and half-edges turned round, in the same order.
 Surface turned_over(const Surface& s);
 
-} // namespace filum::laminate
+} // namespace filum::surface::curve

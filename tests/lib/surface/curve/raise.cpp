@@ -1,6 +1,6 @@
-#include "laminate/raise.hpp"
+#include "surface/curve/raise.hpp"
 
-#include "../surface/grid.hpp"
+#include "../grid.hpp"
 #include "surface/curve/locate.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace filum::laminate {
+namespace filum::surface::curve {
 namespace {
 
 using geom::Vec2;
@@ -87,4 +87,4 @@ TEST(raise, turned_over_twice_is_the_same) {
 }
 
 } // namespace
-} // namespace filum::laminate
+} // namespace filum::surface::curve

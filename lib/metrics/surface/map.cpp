@@ -1,0 +1,292 @@
+#include "metrics/surface/map.hpp"
+
+#include "geom/angle.hpp"
+#include "geom/bvh.hpp"
+#include "geom/segment.hpp"
+#include "metrics/surface/ground.hpp"
+#include "metrics/surface/load.hpp"
+#include "parallel/parallel.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace filum::metrics::surface {
+
+namespace {
+
+using filum::surface::curve::Locator;
+using filum::surface::curve::Place;
+
+constexpr double kPart = 1.0 / 3;     // of a bead's width, between points
+constexpr std::size_t kPoints = 1024; // of a piece of work
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUpright = 1e-6; // of the reference's length: what is left of it on the surface says nothing
+
+// A straight stretch of a ply.
+struct Bead {
+    Vec3 a, b, normal; // its ends; where the tool comes from, (0, 0, 0) where that is not said
+    double way = 0;    // mm from the begin of the path, whose chains lie a mile apart
+    double width = 0, height = 0;
+    bool hairpin = false;
+    double off = kFar; // degrees from the asked direction; infinite in a declared turn or where nothing is asked
+};
+
+std::vector<double> areas(const Surface& s) {
+    std::vector<double> out(s.vertices.size(), 0);
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+        for (const std::uint32_t v : s.triangles[t]) out[v] += filum::surface::area(s, t) / 3;
+    return out;
+}
+
+// Points of one surface carried to another of the same vertices and triangles.
+class Carried {
+  public:
+    Carried(const Surface& base, const filum::surface::Finer& finer) : at_(finer.surface.vertices.size()) {
+        for (std::uint32_t t = 0; t < finer.parent.size(); ++t)
+            for (const std::uint32_t v : finer.surface.triangles[t]) {
+                const Place place{finer.parent[t], finer.surface.vertices[v]};
+                at_[v] = {place.triangle, base.triangles[place.triangle],
+                          filum::surface::curve::barycentric(base, place)};
+            }
+    }
+    [[nodiscard]] Vec3 point(const Surface& to, std::size_t v) const {
+        const auto& [triangle, c, w] = at_[v];
+        return w[0] * to.vertices[c[0]] + w[1] * to.vertices[c[1]] + w[2] * to.vertices[c[2]];
+    }
+    [[nodiscard]] double value(std::span<const double> of, std::size_t v) const {
+        const auto& [triangle, c, w] = at_[v];
+        return w[0] * of[c[0]] + w[1] * of[c[1]] + w[2] * of[c[2]];
+    }
+    [[nodiscard]] std::uint32_t triangle(std::size_t v) const { return at_[v].triangle; }
+
+  private:
+    struct At {
+        std::uint32_t triangle = 0;
+        mesh::Triangle corners{}; // of the base; a surface that is turned over has them in another order
+        std::array<double, 3> weight{};
+    };
+    std::vector<At> at_;
+};
+
+std::vector<Bead> beads_of(const Fibres& fibres, std::uint32_t layer) {
+    constexpr double kApart = 1e6; // mm
+    std::vector<Bead> out;
+    double begin = 0;
+    for (const Chain& c : fibres.chains) {
+        for (std::size_t i = 0; i < c.width.size(); ++i)
+            if (c.layer[i] == layer)
+                out.push_back({c.points[i], c.points[i + 1], geom::unit(c.axes[i] + c.axes[i + 1], Vec3{}),
+                               begin + c.along[i], c.width[i], c.height[i], c.role[i] == toolpath::Role::hairpin});
+        begin += c.length() + kApart;
+    }
+    return out;
+}
+
+// The direction asked for at a place with that normal; (0, 0, 0) where none is.
+Vec3 asked_at(const Bed& bed, const Place& at, const Vec3& n) {
+    if (bed.asked.field != nullptr) return direction(bed.ground, *bed.asked.field, at);
+    const Vec3& r = bed.asked.reference;
+    const Vec3 flat = r - dot(r, n) * n;
+    if (!(norm(flat) > kUpright * norm(r))) return {};
+    return std::cos(bed.asked.turn) * flat + std::sin(bed.asked.turn) * cross(n, flat);
+}
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+    const double angle = geom::angle(a, b);
+    return geom::degrees(std::min(angle, geom::kDegree * 180 - angle));
+}
+
+// Finds how far each bead is off what is asked, and gathers what counts.  `inside`: per vertex of the ground.
+void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, int threads) {
+    const Locator near(bed.ground);
+    const auto normals = filum::surface::curve::vertex_normals(bed.ground);
+    std::vector<char> counts(beads.size(), 0);
+    parallel::for_chunks(beads.size(), kPoints, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Bead& b = beads[i];
+            const Vec3 middle = 0.5 * (b.a + b.b);
+            Place foot = near.nearest(middle, b.normal);
+            if (foot.triangle == filum::surface::kNone) foot = near.nearest(middle);
+            if (b.normal == Vec3{}) b.normal = filum::surface::normal(bed.ground, foot.triangle);
+            const Vec3 n = filum::surface::curve::normal_at(bed.ground, normals, foot), way = b.b - b.a;
+            const Vec3 flat = way - dot(way, n) * n, to_follow = asked_at(bed, foot, n);
+            if (b.hairpin || !(norm(to_follow) > 0) || !(norm(flat) > 0)) continue;
+            b.off = degrees_between(flat, to_follow);
+            const auto w = filum::surface::curve::barycentric(bed.ground, foot);
+            double inside = bed.inside.empty() ? 1 : 0;
+            for (std::size_t k = 0; k < 3 && !bed.inside.empty(); ++k)
+                inside += w[k] * bed.inside[bed.ground.triangles[foot.triangle][k]];
+            counts[i] = inside > 0.5 && !past_rim(bed.ground, foot, middle, b.width) ? 1 : 0;
+        }
+    });
+    for (std::size_t i = 0; i < beads.size(); ++i)
+        if (counts[i] != 0) to.push_back({beads[i].off, distance(beads[i].a, beads[i].b)});
+}
+
+// A bead near a point: where along the path, and how much of what the point stands for lies under it.
+struct Over {
+    double way = 0, share = 0;
+};
+
+// How many beads lie over a point: places that are more than a width of way apart count each, by the greatest share.
+double passes(std::vector<Over>& found, double width) {
+    std::sort(found.begin(), found.end(), [](const Over& a, const Over& b) { return a.way < b.way; });
+    double sum = 0, most = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        most = std::max(most, found[i].share);
+        if (i + 1 < found.size() && found[i + 1].way - found[i].way <= width) continue;
+        sum += most;
+        most = 0;
+    }
+    return sum;
+}
+
+// What is seen from one point of a ply.
+void look(const std::vector<Bead>& beads, const geom::Bvh& tree, const Vec3& p, const Vec3& n, double widest,
+          std::size_t v, PlyMap& out) {
+    std::vector<Over> found;
+    double least = out.clearance[v];
+    tree.visit(geom::grown({p, p}, 1.5 * widest), [&](std::uint32_t i) {
+        const Bead& l = beads[i];
+        if (!(dot(n, l.normal) > 0)) return;
+        const double t = geom::nearest_parameter(l.a, l.b, p), d = distance(p, l.a + t * (l.b - l.a));
+        const double share = (l.width / 2 - d) / (kPart * l.width) + 0.5; // a point is as wide as to the next
+        if (share > 0) found.push_back({l.way + t * distance(l.a, l.b), std::min(1.0, share)});
+        if (!(d - l.width / 2 < least)) return;
+        least = d - l.width / 2;
+        out.deviation[v] = l.off;
+    });
+    out.clearance[v] = least;
+    out.passes[v] = passes(found, out.width);
+}
+
+PlyMap map_of(const Fibres& fibres, const Bed& bed, const Carried& carried, std::size_t points, int threads) {
+    auto beads = beads_of(fibres, bed.layer);
+    PlyMap out;
+    judge(bed, beads, out.off, threads);
+    std::vector<Weighted> widths, heights;
+    std::vector<geom::Box3> boxes;
+    double widest = 0;
+    for (const Bead& b : beads) {
+        const double length = distance(b.a, b.b);
+        widths.push_back({b.width, length});
+        heights.push_back({b.height, length});
+        boxes.push_back(geom::box_of(std::array{b.a, b.b}));
+        widest = std::max(widest, b.width);
+    }
+    out.width = beads.empty() ? 0 : quantile(widths, 0.5);
+    out.height = beads.empty() ? 0 : quantile(heights, 0.5);
+    out.inside.assign(points, 1);
+    out.passes.assign(points, 0);
+    out.deviation.assign(points, kFar);
+    out.clearance.assign(points, widest);
+    const geom::Bvh tree(boxes);
+    parallel::for_chunks(points, kPoints, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            if (!bed.inside.empty()) out.inside[v] = carried.value(bed.inside, v);
+            look(beads, tree, carried.point(bed.ground, v), filum::surface::normal(bed.ground, carried.triangle(v)),
+                 widest, v, out);
+        }
+    });
+    return out;
+}
+
+// Values averaged over what is within `reach` mm, by area.
+std::vector<double> averaged(const Surface& s, std::span<const double> area, std::span<const double> values,
+                             double reach, int threads) {
+    std::vector<geom::Box3> boxes;
+    boxes.reserve(values.size());
+    for (const Vec3& p : s.vertices) boxes.push_back({p, p});
+    const geom::Bvh tree(boxes);
+    const auto normals = filum::surface::curve::vertex_normals(s);
+    std::vector<double> out(values.size());
+    parallel::for_chunks(values.size(), kPoints, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            double sum = 0, weight = 0;
+            tree.visit(geom::grown({s.vertices[v], s.vertices[v]}, reach), [&](std::uint32_t k) {
+                if (distance(s.vertices[k], s.vertices[v]) > reach || !(dot(normals[k], normals[v]) > 0)) return;
+                sum += area[k] * values[k];
+                weight += area[k];
+            });
+            out[v] = sum / weight;
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, int threads) {
+    double narrowest = kFar;
+    for (const Chain& c : fibres.chains)
+        for (const double w : c.width) narrowest = std::min(narrowest, w);
+    Map out{filum::surface::finer(base, kPart * narrowest), {}, {}, {}, {}, {}};
+    const Surface& s = out.ground.surface;
+    const std::size_t n = s.vertices.size();
+    out.area = areas(s);
+    out.nominal.assign(n, 0);
+    out.thickness.assign(n, 0);
+    out.even.assign(n, 0);
+    const Carried carried(base, out.ground);
+    for (const Bed& bed : beds) {
+        PlyMap& now = out.plies.emplace_back(map_of(fibres, bed, carried, n, threads));
+        now.amount = averaged(s, out.area, now.passes, now.width, threads);
+        for (std::size_t v = 0; v < n; ++v) {
+            out.nominal[v] += now.height * now.inside[v];
+            out.thickness[v] += now.height * now.passes[v];
+            out.even[v] += now.height * now.amount[v];
+        }
+    }
+    return out;
+}
+
+std::vector<Weighted> weighed(std::span<const double> values, std::span<const double> area,
+                              std::span<const double> weight) {
+    std::vector<Weighted> out;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        const double w = weight.empty() ? area[v] : area[v] * weight[v];
+        if (std::isfinite(values[v]) && w > 0) out.push_back({values[v], w});
+    }
+    return out;
+}
+
+double share_beyond(const PlyMap& ply, std::span<const double> area, double more) {
+    double sum = 0, total = 0;
+    for (std::size_t v = 0; v < area.size(); ++v) {
+        total += area[v] * ply.inside[v];
+        sum += area[v] * ply.inside[v] * std::clamp(ply.passes[v] - more, 0.0, 1.0);
+    }
+    return total > 0 ? sum / total : 0;
+}
+
+filum::surface::Sheet sheet_of(const Map& map, const std::string& name) {
+    filum::surface::Sheet out{map.ground.surface, {}, {}};
+    out.name = name;
+    std::vector<double> volume;
+    for (std::size_t v = 0; v < map.even.size(); ++v)
+        volume.push_back(map.nominal[v] > 0 ? map.even[v] / map.nominal[v] : kFar);
+    out.fields = {{"thickness", map.thickness},
+                  {"thickness-even", map.even},
+                  {"thickness-nominal", map.nominal},
+                  {"fibre-volume", std::move(volume)}};
+    for (std::size_t k = 0; k < map.plies.size(); ++k) {
+        const PlyMap& ply = map.plies[k];
+        const auto field = [&](const char* what, const auto& value_of) {
+            filum::surface::Field f{"ply-" + std::to_string(k + 1) + "." + what, {}};
+            for (std::size_t v = 0; v < ply.passes.size(); ++v) f.values.push_back(value_of(v));
+            out.fields.push_back(std::move(f));
+        };
+        field("inside", [&](std::size_t v) { return ply.inside[v]; });
+        field("thickness", [&](std::size_t v) { return ply.height * ply.passes[v]; });
+        field("covered", [&](std::size_t v) { return std::min(1.0, ply.passes[v]); });
+        field("twice", [&](std::size_t v) { return std::clamp(ply.passes[v] - 1, 0.0, 1.0); });
+        field("gap", [&](std::size_t v) { return ply.clearance[v]; });
+        field("deviation", [&](std::size_t v) { return ply.deviation[v]; });
+    }
+    return out;
+}
+
+} // namespace filum::metrics::surface

@@ -1,0 +1,108 @@
+// Maps whose values are known.
+#include "metrics/surface/map.hpp"
+
+#include "metrics/surface/map_figures.hpp"
+#include "paths.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::metrics::surface {
+namespace {
+
+using paths::span;
+using paths::Vec2;
+
+Surface plate() { return surfaces::sheet(20, 20, 20, 20, 7).surface; }
+
+// Beads along x over a plate of 20 x 20 mm at these y, of one layer, `z` above it.
+std::vector<toolpath::Span> rows(const std::vector<double>& at, std::uint32_t layer, double z, double lean = 0) {
+    std::vector<toolpath::Span> out;
+    for (const double y : at) {
+        auto s = span({{0, y, z}, {20, y + 20 * lean, z}});
+        s.layer = layer;
+        s.normals = {{0, 0, 1}, {0, 0, 1}};
+        out.push_back(s);
+    }
+    return out;
+}
+
+std::vector<double> every(double from, double step, int n) {
+    std::vector<double> out;
+    for (int i = 0; i < n; ++i) out.push_back(from + i * step);
+    return out;
+}
+
+TEST(Map, CountsBeadsPointByPoint) {
+    const auto base = plate();
+    auto at = every(0.5, 1, 20);
+    at.erase(at.begin() + 10); // no bead from y = 10 to 11
+    at.push_back(5.5);         // twice from 5 to 6
+    const auto path = paths::fibres(rows(at, 0, 0));
+    const auto made = map(base, path, beds(base, path, 1), 1);
+    const auto ply = ply_spread(made, 0);
+    EXPECT_NEAR(ply.bare, 0.05, 0.002);
+    EXPECT_NEAR(ply.twice, 0.05, 0.002);
+    EXPECT_EQ(ply.thrice, 0);
+    EXPECT_NEAR(ply.gap_most, 0.5, 0.1);
+    EXPECT_NEAR(ply.gap_at.y, 10.5, 0.1);
+    EXPECT_NEAR(ply.over_most, 1, 0.01);
+    EXPECT_NEAR(ply.over_at.y, 5.5, 0.5);
+    EXPECT_NEAR(spread_of(made, made.thickness).mean, 0.2, 0.001);
+    EXPECT_TRUE(std::isnan(ply.off_median)); // nothing is asked
+}
+
+TEST(Map, TellsAnglesOfWhatIsAsked) {
+    const auto base = plate();
+    const double lean = std::tan(0.1);
+    const auto path = paths::fibres(rows(every(0.5, 1, 18), 0, 0, lean));
+    auto lies = beds(base, path, 1);
+    lies[0].asked.reference = {1, 0, 0.5}; // laid onto the plate
+    const double degree = 180 / std::numbers::pi;
+    EXPECT_NEAR(ply_spread(map(base, path, lies, 1), 0).off_median, 0.1 * degree, 1e-6);
+    lies[0].asked.turn = 0.1;
+    EXPECT_NEAR(ply_spread(map(base, path, lies, 1), 0).off_high, 0, 1e-5);
+    filum::surface::Field across{"direction", {}, 3};
+    for (std::size_t v = 0; v < base.vertices.size(); ++v)
+        across.values.insert(across.values.end(), {0, v % 2 == 0 ? 1.0 : -1.0, 0});
+    lies[0].asked = {{}, 0, &across};
+    EXPECT_NEAR(ply_spread(map(base, path, lies, 1), 0).off_mean, 90 - 0.1 * degree, 1e-6);
+}
+
+TEST(Map, FindsWhereAPlyLies) {
+    const auto base = plate();
+    auto spans = rows(every(0.5, 1, 20), 0, 0);
+    auto step = rows(every(0.5, 1, 10), 1, 0.2); // half of the plate
+    spans.insert(spans.end(), step.begin(), step.end());
+    for (const double y : every(0.5, 1, 20)) { // over both: it steps down by one ply
+        auto s = rows({y}, 2, y < 10 ? 0.4 : 0.2).front();
+        spans.push_back(s);
+    }
+    auto under = rows(every(0.5, 1, 20), 3, -0.3);
+    for (auto& s : under) s.normals = {{0, 0, -1}, {0, 0, -1}};
+    spans.insert(spans.end(), under.begin(), under.end());
+    const auto path = paths::fibres(spans);
+    auto lies = beds(base, path, 1);
+    ASSERT_EQ(lies.size(), 4U);
+    for (std::size_t v = 0; v < base.vertices.size(); ++v) {
+        const Vec3& p = base.vertices[v];
+        if (std::abs(p.y - 10) < 1.1) continue;
+        EXPECT_NEAR(lies[2].ground.vertices[v].z, p.y < 10 ? 0.4 : 0.2, 1e-9);
+        EXPECT_NEAR(lies[3].ground.vertices[v].z, -0.3, 1e-9);
+        lies[1].inside.resize(base.vertices.size(), 0);
+        lies[1].inside[v] = p.y < 10 ? 1 : 0;
+    }
+    const auto made = map(base, path, lies, 1);
+    EXPECT_LT(ply_spread(made, 1).bare, 0.03); // not where it is not to lie
+    for (std::size_t v = 0; v < made.thickness.size(); ++v) {
+        const double y = made.ground.surface.vertices[v].y;
+        if (std::abs(y - 10) < 2.1 || y < 0.2 || y > 19.8) continue;
+        EXPECT_NEAR(made.thickness[v], y < 10 ? 0.8 : 0.6, 1e-9) << y;
+        EXPECT_NEAR(made.nominal[v], y < 10 ? 0.8 : 0.6, 1e-9) << y;
+    }
+    const auto again = map(base, path, lies, 8);
+    EXPECT_EQ(again.thickness, made.thickness);
+    EXPECT_EQ(again.even, made.even);
+}
+
+} // namespace
+} // namespace filum::metrics::surface
