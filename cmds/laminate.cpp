@@ -16,9 +16,17 @@ constexpr const char* kDescription =
     "lies below it. Raised means by the true distance, so that grooves become narrower and corners round; where a "
     "groove has no room for a ply, that is noted. The toolpath has a layer per ply, the first one is 0.\n\n"
     "--plies gives the angles from the surface outwards, --symmetric adds the same in reverse. --table FILE says more "
-    "of each ply: its first line names columns, out of angle, spacing, height, tool and side (over, or under for the "
-    "surface's back), a line per ply follows; what has no column is as the options say. A stack that is not symmetric "
+    "of each ply: its first line names columns, out of angle, spacing, height, tool, side (over, or under for the "
+    "surface's back) and within, a line per ply follows; what has no column is as the options say. A stack that is not "
+    "symmetric "
     "about its middle, or has more plies of one angle than of its opposite, is noted.\n\n"
+    "A ply need not lie everywhere. Column within says where it does: 'all'; 'faces:3,4', faces of the CAD model by "
+    "number; or a file of closed curves on or near the surface, points a line as for `geodesic --source-lines`, with "
+    "the "
+    "ply to their left as seen from the side that the surface faces. Plies above step down beside its end over a "
+    "spacing, or as gently as --ramp 1:20 asks: then edges of plies that end within each other are moved apart as far "
+    "as that takes, and what cannot be is noted.\n\n"
+    "--turn-outside lays plies that end at the surface's rims over these, and turns there, as surfpath does.\n\n"
     "Plies of one direction lie beside each other by shares of a spacing, so that gaps do not lie over gaps "
     "(--stagger=false: not). What comes of it is told as facts: thickness at points (mean, least, most, the hundredth "
     "that is "
@@ -30,34 +38,46 @@ constexpr const char* kDescription =
     "-o map.vtp' is for ParaView.";
 
 cli::Spec spec(Options& o) {
-    return {.name = "laminate",
-            .synopsis = "plies at angles to a direction, one on the other",
-            .description = kDescription,
-            .in = cli::reads(stream::Payload::surface),
-            .out = cli::writes(stream::Payload::toolpath),
-            .memory = "the model and all plies",
-            .options =
-                {Option{"plies", &o.plies, "DEG,...", "angle of every ply, from the surface outwards"}.when("!table"),
-                 Option{"table", &o.table, "FILE", "the plies, a line each, instead"}.not_a_setting(),
-                 Option{"symmetric", &o.symmetric, "", "the same plies once more, in reverse, on top"},
-                 Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angles: a direction, laid onto the surface"},
-                 Option{"spacing", &o.like.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
-                 Option{"keep", &o.how.keep, "",
-                        "where directions spread, lines keep to the spacing, or to the angle; usual: the angle"}
-                     .one_of({"usual", "spacing", "angle"}),
-                 Option{"layer-height", &o.like.height, "MM", "of a ply, along the normals"}.within(0.001, 100),
-                 Option{"tool", &o.tool, "N", "of the machine, that lays the plies"}.within(0, 1e6),
-                 Option{"min-radius", &o.how.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5),
-                 Option{"strict", &o.how.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}
-                     .a_limit(),
-                 Option{"stagger", &o.how.stagger, "", "plies of one direction lie beside each other"}.a_limit(),
-                 Option{"lift", &o.how.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit(),
-                 Option{"map", &o.map, "FILE", "also the surface with thickness and angles at every point"}
-                     .not_a_setting()},
-            .examples =
-                {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
-                  "four plies on a surface, here a part without its top"}},
-            .see_also = {"geodesic", "surfpath", "metrics", "render"}};
+    return {
+        .name = "laminate",
+        .synopsis = "plies at angles to a direction, one on the other",
+        .description = kDescription,
+        .in = cli::reads(stream::Payload::surface),
+        .out = cli::writes(stream::Payload::toolpath),
+        .memory = "the model and all plies",
+        .options =
+            {Option{"plies", &o.plies, "DEG,...", "angle of every ply, from the surface outwards"}.when("!table"),
+             Option{"table", &o.table, "FILE", "the plies, a line each, instead"}.not_a_setting(),
+             Option{"symmetric", &o.symmetric, "", "the same plies once more, in reverse, on top"},
+             Option{"reference", &o.reference, "X|Y|Z|x,y,z", "of the angles: a direction, laid onto the surface"},
+             Option{"spacing", &o.like.spacing, "MM", "between neighbouring lines"}.within(0.001, 1000),
+             Option{"keep", &o.how.keep, "",
+                    "where directions spread, lines keep to the spacing, or to the angle; usual: the angle"}
+                 .one_of({"usual", "spacing", "angle"}),
+             Option{"layer-height", &o.like.height, "MM", "of a ply, along the normals"}.within(0.001, 100),
+             Option{"tool", &o.tool, "N", "of the machine, that lays the plies"}.within(0, 1e6),
+             Option{"min-radius", &o.how.least_radius, "MM", "of turns, where there is room"}.within(0, 1e5),
+             Option{"strict", &o.how.strict, "", "no path, exit 1, if a turn must be tighter than --min-radius"}
+                 .a_limit(),
+             Option{"stagger", &o.how.stagger, "", "plies of one direction lie beside each other"}.a_limit(),
+             Option{"ramp", &o.ramp, "1:N", "no steeper than that where plies end within the part"},
+             Option{"turn-outside", &o.how.turn_outside, "MM",
+                    "rows turn beyond the rims, so far at most, and are trimmed there; 0: on the part"}
+                 .zero_or_at_least(0.001)
+                 .at_most(1000),
+             Option{"trim-list", &o.trim_list, "FILE", "also where to trim: ply, stroke, mm along it, and the place"}
+                 .not_a_setting()
+                 .when("turn-outside"),
+             Option{"machine", &o.machine, "NAME|FILE", "profile that must allow that, as postproc asks of it later"}
+                 .not_a_setting()
+                 .when("turn-outside"),
+             Option{"lift", &o.how.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit(),
+             Option{"map", &o.map, "FILE", "also the surface with thickness and angles at every point"}
+                 .not_a_setting()},
+        .examples =
+            {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
+              "four plies on a surface, here a part without its top"}},
+        .see_also = {"geodesic", "surfpath", "metrics", "render"}};
 }
 
 } // namespace

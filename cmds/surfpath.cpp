@@ -87,6 +87,9 @@ std::vector<Option> outside_options(Options& o) {
                 .same_as({"choose.turn-outside"}),
             Option{"trim-list", &o.trim_list, "FILE", "also where to trim: stroke, mm along it, and the place"}
                 .not_a_setting()
+                .when("turn-outside"),
+            Option{"machine", &o.machine, "NAME|FILE", "profile that must allow that, as postproc asks of it later"}
+                .not_a_setting()
                 .when("turn-outside")};
 }
 

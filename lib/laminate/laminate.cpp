@@ -2,13 +2,17 @@
 
 #include "base/error.hpp"
 #include "geom/angle.hpp"
+#include "laminate/edges.hpp"
 #include "metrics/surface/map_figures.hpp"
 #include "parallel/parallel.hpp"
 #include "surface/curve/raise.hpp"
+#include "surface/remesh.hpp"
+#include "surfpath/outside.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace filum::laminate {
 
@@ -17,19 +21,6 @@ namespace {
 using metrics::surface::Spread;
 
 constexpr double kFinest = 1; // spacings: sides of the triangles that plies are raised on, as those of stripes
-
-std::string named(std::size_t k) { return "ply " + std::to_string(k + 1); }
-
-// What lies below each ply on its side, mm.
-std::vector<double> below(std::span<const Ply> plies) {
-    std::vector<double> out;
-    double height[2] = {0, 0};
-    for (const Ply& p : plies) {
-        out.push_back(height[p.under ? 1 : 0]);
-        height[p.under ? 1 : 0] += p.height;
-    }
-    return out;
-}
 
 // Of the plies that run like ply k, each lies another share of half a spacing beside the first.
 double shift(std::span<const Ply> plies, std::size_t k) {
@@ -48,9 +39,50 @@ struct Made {
     Notes notes;
 };
 
-Made make(const Surface& base, std::span<const Ply> plies, std::size_t k, double height, const Options& o) {
-    const Ply& ply = plies[k];
-    auto up = surface::curve::raised(base, height);
+// What all plies are made of.
+struct Job {
+    std::span<const Ply> plies;
+    const Options& options;
+    Base base;
+    Surface back; // the base turned over, if plies lie there
+    std::vector<Edge> edges;
+    std::vector<std::vector<double>> heights; // below each ply, per vertex
+    Notes notes;
+
+    Job(const surface::Sheet& sheet, std::span<const Ply> all, const Options& o) : plies(all), options(o) {
+        double finest = std::numeric_limits<double>::infinity();
+        for (const Ply& p : plies) finest = std::min(finest, p.spacing);
+        auto finer = surface::finer(sheet.surface, kFinest * finest);
+        for (const std::uint32_t t : finer.parent)
+            if (!sheet.faces.empty()) base.faces.push_back(sheet.faces[t]);
+        base.surface = std::move(finer.surface);
+        if (std::any_of(plies.begin(), plies.end(), [](const Ply& p) { return p.under; }))
+            back = surface::curve::turned_over(base.surface);
+        for (std::size_t k = 0; k < plies.size(); ++k) add_edge(k);
+        if (o.ramp > 0) make_ramps(base.surface, plies, o.ramp, edges, notes);
+        heights = heights_below(plies, edges, base.surface.vertices.size(), o.ramp);
+    }
+
+  private:
+    void add_edge(std::size_t k) {
+        for (std::size_t j = 0; j < k; ++j)
+            if (plies[j].within == plies[k].within) { // the same place
+                edges.push_back(edges[j]);
+                return;
+            }
+        const auto found = options.areas.find(plies[k].within);
+        try {
+            edges.push_back(found == options.areas.end() ? Edge{}
+                                                         : edge_of(base, found->second, plies[k].spacing / 2, notes));
+        } catch (const Error& e) {
+            throw Error(e.exit(), ply_name(k) + ": " + e.what());
+        }
+    }
+};
+
+surfpath::Options planned(const Job& job, std::size_t k) {
+    const Ply& ply = job.plies[k];
+    const Options& o = job.options;
     surfpath::Options how;
     how.algorithm = surfpath::Algorithm::field;
     how.spacing = ply.spacing;
@@ -60,18 +92,52 @@ Made make(const Surface& base, std::span<const Ply> plies, std::size_t k, double
     how.follow.turn = geom::radians(ply.under ? -ply.angle : ply.angle); // the back is seen mirrored
     how.follow.reference = o.reference;
     how.keep = o.keep;
-    how.shift = o.stagger ? shift(plies, k) : 0;
-    surface::Sheet sheet{std::move(up.surface), {}, {}};
+    how.shift = o.stagger ? shift(job.plies, k) : 0;
+    how.turn_outside = job.edges[k].empty() ? o.turn_outside : 0; // within the part nothing is trimmed
+    return how;
+}
+
+// Lays it on the sheet, and turns outside if so planned.
+surfpath::Plan lay(surface::Sheet& sheet, const surfpath::Options& how, std::uint32_t& part) {
+    auto outside = surfpath::flange(sheet, how);
+    if (outside) std::swap(sheet, outside->sheet);
+    const auto asked = outside ? surfpath::on_flange(*outside, how) : how;
+    auto plan = surfpath::plan(sheet, asked);
+    if (outside) surfpath::thread(sheet.surface, plan);
+    surfpath::finish(sheet.surface, plan, asked);
+    if (!outside) return plan;
+    part = outside->part;
+    surfpath::tell_trims(*outside, how.turn_outside, plan);
+    return plan;
+}
+
+Made make(const Job& job, std::size_t k) {
     Made out;
-    auto plan = surfpath::plan(sheet, how);
-    surfpath::finish(sheet.surface, plan, how);
-    out.laid = {std::move(sheet.surface), std::move(plan), how.follow.turn};
-    out.notes.swap(out.laid.plan.notes);
+    auto up = surface::curve::raised(job.plies[k].under ? job.back : job.base.surface, job.heights[k]);
+    out.laid.edge = job.edges[k];
+    const auto how = planned(job, k);
+    surface::Sheet sheet;
+    sheet.surface = out.laid.edge.empty() ? up.surface : surface::cut(up.surface, out.laid.edge, out.notes);
+    out.laid.plan = lay(sheet, how, out.laid.part);
+    out.laid.sheet = std::move(sheet.surface);
+    out.laid.ground = std::move(up.surface);
+    out.laid.turn = how.follow.turn;
+    auto& told = out.laid.plan.notes;
+    out.notes.insert(out.notes.end(), told.begin(), told.end());
+    told.clear();
     if (up.folded > 0)
         note(out.notes, "ground folds: a groove is narrower than the plies", up.folded, "mm2", up.folded_at);
     if (up.blocked > 0) note(out.notes, "no room for the ply", up.blocked, "mm2", up.blocked_at);
+    if (how.turn_outside < job.options.turn_outside)
+        out.notes.push_back({"", "ply ends within the part, and turns on it", 1, "plies"});
     for (Note& n : out.notes) n.layer = static_cast<std::int64_t>(k);
     return out;
+}
+
+double area_within(const metrics::surface::Map& map, std::size_t k) {
+    double sum = 0;
+    for (std::size_t v = 0; v < map.area.size(); ++v) sum += map.area[v] * map.plies[k].inside[v];
+    return sum;
 }
 
 void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
@@ -94,6 +160,9 @@ void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
     fact("angle-median", found.off_median, "deg");
     fact("angle-mean", found.off_mean, "deg");
     fact("angle-within", found.within, "");
+    for (const Fact& f : l.plies[k].plan.facts)
+        if (f.name == "trims" || f.name == "outside") fact(f.name.c_str(), f.value, f.unit.c_str());
+    if (!l.plies[k].edge.empty()) fact("area", area_within(l.map, k), "mm2");
 }
 
 void add_facts(std::span<const Ply> plies, const Vec3& reference, Laminate& l) {
@@ -127,7 +196,10 @@ metrics::surface::Map map(const Surface& base, std::span<const Ply> plies, const
     for (const auto& span : spans) metrics::surface::add(fibres, span);
     std::vector<metrics::surface::Bed> beds;
     for (std::size_t k = 0; k < l.plies.size(); ++k)
-        beds.push_back({static_cast<std::uint32_t>(k), l.plies[k].ground, {o.reference, l.plies[k].turn}});
+        beds.push_back({static_cast<std::uint32_t>(k),
+                        l.plies[k].ground,
+                        {o.reference, l.plies[k].turn, nullptr},
+                        l.plies[k].edge});
     return metrics::surface::map(base, fibres, beds, threads);
 }
 
@@ -147,29 +219,25 @@ void tell_symmetry(std::span<const Ply> plies, Laminate& l) {
 } // namespace
 
 Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const Options& o, int threads) {
-    double finest = std::numeric_limits<double>::infinity();
-    bool back = false;
-    for (const Ply& p : plies) {
-        finest = std::min(finest, p.spacing);
-        back = back || p.under;
-    }
-    const Surface base = surface::finer(sheet.surface, kFinest * finest).surface;
-    const Surface other = back ? surface::curve::turned_over(base) : Surface{};
-    const auto heights = below(plies);
+    const Job job(sheet, plies, o);
     std::vector<Made> made(plies.size());
+    std::mutex telling;
     parallel::for_chunks(plies.size(), 1, threads, [&](std::size_t k, std::size_t) {
         try {
-            made[k] = make(plies[k].under ? other : base, plies, k, heights[k], o);
+            made[k] = make(job, k);
         } catch (const Error& e) {
-            throw Error(e.exit(), named(k) + ": " + e.what());
+            throw Error(e.exit(), ply_name(k) + ": " + e.what());
         }
+        const std::lock_guard lock(telling);
+        if (o.done) o.done();
     });
     Laminate out;
+    out.notes = job.notes;
     for (Made& m : made) {
         out.plies.push_back(std::move(m.laid));
         out.notes.insert(out.notes.end(), m.notes.begin(), m.notes.end());
     }
-    out.map = map(base, plies, o, out, threads);
+    out.map = map(job.base.surface, plies, o, out, threads);
     tell_symmetry(plies, out);
     add_facts(plies, o.reference, out);
     return out;
@@ -182,7 +250,7 @@ void add_spans(const Laminate& l, std::span<const Ply> plies, const Options& o, 
         const auto begin = out.size();
         surfpath::Laying laying{
             plies[k].spacing, plies[k].height, o.lift, 0, layer + static_cast<std::uint32_t>(k), stroke};
-        surfpath::add_spans(l.plies[k].ground, l.plies[k].plan, laying, out);
+        surfpath::add_spans(l.plies[k].sheet, l.plies[k].plan, laying, out);
         for (std::size_t i = begin; i < out.size(); ++i) out[i].tool = plies[k].tool;
     }
 }

@@ -21,7 +21,7 @@ double line_angle(double degrees) {
 
 bool alike(const Ply& a, const Ply& b) {
     return std::abs(line_angle(a.angle) - line_angle(b.angle)) < kSameAngle && a.height == b.height &&
-           a.spacing == b.spacing;
+           a.spacing == b.spacing && a.within == b.within;
 }
 
 std::vector<Ply> finished(std::vector<Ply> plies, bool mirrored) {
@@ -64,6 +64,7 @@ void set(Ply& ply, std::string_view column, std::string_view word) {
         if (word != "over" && word != "under") throw Error(Exit::usage, "a side is 'over' or 'under'");
         ply.under = word == "under";
     }
+    if (column == "within") ply.within = word == "all" ? "" : word;
 }
 
 } // namespace
@@ -85,7 +86,7 @@ std::vector<Ply> plies_of(std::string_view words, const Ply& like, bool mirrored
 }
 
 std::vector<Ply> plies_of_table(std::string_view text, const std::string& file, const Ply& like, bool mirrored) {
-    static constexpr std::string_view kColumns[] = {"angle", "spacing", "height", "tool", "side"};
+    static constexpr std::string_view kColumns[] = {"angle", "spacing", "height", "tool", "side", "within"};
     std::vector<Ply> out;
     std::vector<std::string_view> columns;
     std::size_t line = 0;
@@ -103,7 +104,8 @@ std::vector<Ply> plies_of_table(std::string_view text, const std::string& file, 
             columns = words;
             for (const auto c : columns)
                 if (std::find(std::begin(kColumns), std::end(kColumns), c) == std::end(kColumns))
-                    fail("unknown column '" + std::string(c) + "'; they are angle, spacing, height, tool, side");
+                    fail("unknown column '" + std::string(c) +
+                         "'; they are angle, spacing, height, tool, side, within");
             continue;
         }
         if (words.size() != columns.size())

@@ -142,6 +142,7 @@ void read_feeds(Document& doc, Profile& p) {
 void read_limits(Document& doc, Limits& l) {
     doc.number("limits.section", l.section, above_zero(kInf));
     doc.number("limits.flow", l.flow, above_zero(kInf));
+    doc.number("limits.turn_outside", l.turn_outside, {0, kInf});
     doc.pair("limits.width", l.narrowest, l.widest, {0, kInf});
     if (l.narrowest >= l.widest) doc.fail("limits.width", "the first number must be below the second");
 }
@@ -323,6 +324,15 @@ void merge_moves(Profile& profile, const Merging& merging) {
         copy.merging = merging;
         one = std::make_shared<const Profile>(std::move(copy));
     }
+}
+
+void allow_outside(const Profile& p, double depth, const std::string& where) {
+    const double most = p.limits.turn_outside;
+    if (depth <= most) return;
+    throw Error(Exit::usage, "cannot use " + where + " " + shortest_text(depth) + " on '" + p.name +
+                                 "': the profile allows " + (most > 0 ? shortest_text(most) + " mm" : "no turns") +
+                                 " outside the part (limits.turn_outside); ask for less, or change the profile if "
+                                 "there is room");
 }
 
 const std::string& change_codes(const Profile& profile, std::uint32_t tool) {

@@ -51,6 +51,7 @@ struct Limits {
     double section = std::numeric_limits<double>::infinity();               // mm2, largest bead cross-section
     double narrowest = 0, widest = std::numeric_limits<double>::infinity(); // mm, of beads that the nozzle lays
     double flow = std::numeric_limits<double>::infinity();                  // mm3/s; feeds are lowered to keep it
+    double turn_outside = std::numeric_limits<double>::infinity();          // mm beyond a part's rims; 0: not at all
 };
 
 // Speeds of the nozzle, mm/s.
@@ -162,6 +163,10 @@ inline const Profile& of_tool(const Profile& profile, std::uint32_t tool) {
     const auto found = profile.own.find(tool);
     return found == profile.own.end() ? profile : *found->second;
 }
+
+// Throws Error(usage) if the machine does not let paths turn that far, mm, beyond the rims of a part; `where` is what
+// asks for it.
+void allow_outside(const Profile& profile, double depth, const std::string& where);
 
 // Codes when the tool takes over; "": there are none.
 const std::string& change_codes(const Profile& profile, std::uint32_t tool);

@@ -2,6 +2,7 @@
 #include "surface/remesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace filum::surface {
 
@@ -10,7 +11,7 @@ namespace {
 // Where the plane meets edges, one vertex for both triangles.
 class Cutter {
   public:
-    Cutter(const Surface& s, const std::vector<double>& side) : surface_(s), side_(side) {
+    Cutter(const Surface& s, std::span<const double> side) : surface_(s), side_(side) {
         out_.vertices = s.vertices;
         on_edge_.assign(s.twin.size(), kNone);
     }
@@ -41,24 +42,42 @@ class Cutter {
     }
 
     const Surface& surface_;
-    const std::vector<double>& side_;
+    std::span<const double> side_;
     std::vector<std::uint32_t> on_edge_, corners_;
     mesh::Mesh out_;
 };
 
-} // namespace
+constexpr double kSliver = 0.01; // of what changes along a side
 
-Surface cut(const Surface& s, const Plane& plane, Notes& notes) {
-    if (!(norm(plane.normal) > 0)) throw Error(Exit::usage, "cannot use --cut: the plane's normal has no length");
-    const auto side = sides(s, plane);
+// The lower part, by triangles; none if nothing is left.
+mesh::Mesh lower(const Surface& s, std::span<const double> side) {
     Cutter cutter(s, side);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& [a, b, c] = s.triangles[t];
         if (std::min({side[a], side[b], side[c]}) < 0) cutter.keep_lower(t);
     }
-    mesh::Mesh out = cutter.take();
+    return cutter.take();
+}
+
+} // namespace
+
+Surface cut(const Surface& s, const Plane& plane, Notes& notes) {
+    if (!(norm(plane.normal) > 0)) throw Error(Exit::usage, "cannot use --cut: the plane's normal has no length");
+    mesh::Mesh out = lower(s, sides(s, plane));
     if (out.triangles.empty())
         throw Error(Exit::usage, "cannot use --cut: nothing of the surface lies on the plane's lower side");
+    return connect(std::move(out), notes);
+}
+
+Surface cut(const Surface& s, std::span<const double> side, Notes& notes) {
+    std::vector<double> clear(side.begin(), side.end());
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const std::uint32_t v = s.tail(h), w = s.head(h);
+        for (const auto& [at, other] : {std::pair(v, w), std::pair(w, v)})
+            if (std::abs(side[at]) < kSliver * std::abs(side[at] - side[other])) clear[at] = 0;
+    }
+    mesh::Mesh out = lower(s, clear);
+    if (out.triangles.empty()) throw Error(Exit::usage, "cannot cut the surface: nothing of it is left");
     return connect(std::move(out), notes);
 }
 

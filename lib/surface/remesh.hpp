@@ -3,6 +3,8 @@
 
 #include "surface/section.hpp"
 
+#include <span>
+
 namespace filum::surface {
 
 // The surface in triangles whose sides are about `edge` mm, its vertices on the old triangles.  Rims and edges sharper
@@ -15,6 +17,11 @@ Surface remesh(const Surface& s, double edge, Notes& notes);
 // places where the neighbours are, too.
 // Throws Error(usage) if nothing is left, or the normal has no length.
 Surface cut(const Surface& s, const Plane& plane, Notes& notes);
+
+// Likewise the part where `side`, a number per vertex and linear between them, is at most 0.  Corners where it is
+// nearer to 0 than a hundredth of what it changes along a side move there, so that no sliver is cut off. Throws
+// Error(usage) if nothing is left.
+Surface cut(const Surface& s, std::span<const double> side, Notes& notes);
 
 // The part of the surface inside the closed mesh `solid`, or that outside; triangles are split along its surface.  What
 // lies on it stays either way.

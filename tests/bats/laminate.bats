@@ -75,3 +75,43 @@ figure() { awk -F '\t' -v key="$1" '$1 == key { print $2 }' dome.tsv; }
     expect 2 laminate --plies 0,x dome.surface
     expect 2 laminate --plies 0 --reference 0,0,0 dome.surface
 }
+
+@test "plies end along curves, and step down by the ramp that is asked" {
+    printf '3 3 0\n13 3 0\n13 13 0\n3 13 0\n' > square.txt
+    printf 'angle height within\n0 0.2 all\n0 0.2 square.txt\n90 0.2 square.txt\n90 0.2 all\n' > plies.txt
+    laminate --table plies.txt --spacing 1 --min-radius 0.5 --ramp 1:10 --map dome.map dome.surface -o dome.toolpath 2> said
+    grep -q 'edge of a ply moved within, for the ramp' said
+    metrics --surface dome.map --map again.map --format tsv dome.toolpath > dome.tsv
+    [ "$(figure plies)" = 4 ]
+    awk -v a="$(figure said.laminate.ply.2.area)" -v b="$(figure said.laminate.ply.3.area)" \
+        'BEGIN { exit !(a > 97 && a < 103 && b > 33 && b < 38) }'
+    awk -v a="$(figure ply.2.bare)" -v b="$(figure said.laminate.ply.2.bare)" \
+        'BEGIN { exit !(a - b < 0.02 && b - a < 0.02 && a < 0.3) }'
+    peek --text again.map | grep -q 'ply-3.edge'
+    laminate --quiet --table plies.txt --spacing 1 --min-radius 0.5 dome.surface 2> said | peek > /dev/null
+    laminate --plies 0 --ramp 1:20 --spacing 2 dome.surface 2> said > /dev/null
+    grep -q 'ramp' said
+    expect 2 laminate --plies 0 --ramp 20 dome.surface
+    complaint laminate
+    printf 'angle within\n0 faces:9\n' > plies.txt
+    expect 3 laminate --table plies.txt dome.surface
+    complaint laminate
+    printf 'angle within\n0 none.txt\n' > plies.txt
+    expect 5 laminate --table plies.txt dome.surface
+}
+
+@test "turns outside are for machines that allow them" {
+    sed 's/^\[limits\].*/[limits]\nturn_outside = 2/' "$FILUM_SOURCE/lib/machine/profiles/linuxcnc-xyzac.toml" > ./mine.toml
+    grep -q turn_outside mine.toml || printf '[limits]\nturn_outside = 2\n' >> mine.toml
+    laminate --quiet --plies 0,90 --spacing 1 --min-radius 0.5 --turn-outside 3 --trim-list trims.tsv dome.surface -o out.toolpath
+    [ "$(head -1 trims.tsv)" = "$(printf 'ply\tstroke\talong\tx\ty\tz')" ]
+    [ "$(tail -n +2 trims.tsv | cut -f 1 | sort -u | tr '\n' ' ')" = "0 1 " ]
+    expect 2 postproc --machine ./mine.toml out.toolpath
+    [[ $err == *"laminate --turn-outside 3"*"limits.turn_outside"* ]]
+    expect 2 laminate --plies 0 --turn-outside 3 --machine ./mine.toml dome.surface
+    complaint laminate
+    expect 2 surfpath field --angle 5 --turn-outside 3 --machine ./mine.toml dome.surface
+    complaint surfpath
+    surfpath field --quiet --angle 5 --min-radius 0.5 --turn-outside 2 --machine ./mine.toml dome.surface -o out.toolpath
+    postproc --machine ./mine.toml out.toolpath > /dev/null
+}

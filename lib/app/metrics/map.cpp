@@ -45,7 +45,7 @@ surface::Sheet finer(const surface::Sheet& given, double width) {
     surface::Sheet out{surface::finer(given.surface, width).surface, {}, {}};
     std::vector<surface::Field> kept;
     std::copy_if(given.fields.begin(), given.fields.end(), std::back_inserter(kept), [](const surface::Field& f) {
-        return f.name == "direction" || f.name.ends_with(".inside") || f.name.ends_with(".d1");
+        return f.name == "direction" || f.name.ends_with(".edge") || f.name.ends_with(".d1");
     });
     out.fields = surface::curve::transferred(given.surface, kept, out.surface);
     out.name = given.name;
@@ -80,8 +80,7 @@ filum::metrics::figures::Figures mapped(const Options& options, const cli::Io& i
     auto beds = filum::metrics::surface::beds(sheet.surface, fibres, io.threads);
     for (std::size_t k = 0; k < beds.size(); ++k) {
         beds[k].asked = asked(sheet, path.facts, k);
-        if (const auto* inside = field(sheet, "ply-" + std::to_string(k + 1) + ".inside", 1))
-            beds[k].inside = inside->values;
+        if (const auto* edge = field(sheet, "ply-" + std::to_string(k + 1) + ".edge", 1)) beds[k].edge = edge->values;
     }
     const auto map = filum::metrics::surface::map(sheet.surface, fibres, beds, io.threads);
     write(options.map, io, ground, path, filum::metrics::surface::sheet_of(map, sheet.name));

@@ -11,7 +11,7 @@ filum::metrics::figures::Figures curved(const Options& options, const cli::Io& i
 
 // Maps the path on the surface, writes that to `options.map`, and gives its figures.  What plies are to follow: angles
 // that `laminate` said, else the field "direction", else the pull of the first load case; the surface's fields
-// "ply-K.inside", from 1, tell where they are to lie.
+// "ply-K.edge", from 1, as the map of `laminate` has them, tell where they are to lie.
 filum::metrics::figures::Figures mapped(const Options& options, const cli::Io& io, const surface::Sheet& sheet,
                                         const cli::Whole& ground, const filum::metrics::surface::Fibres& fibres,
                                         const cli::Whole& path);

@@ -2,6 +2,7 @@
 
 #include "app/postproc/ahead.hpp"
 #include "app/postproc/thumbnails.hpp"
+#include "base/number.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "postproc/about.hpp"
@@ -66,6 +67,15 @@ std::vector<filum::postproc::Labelled> parts_on_bed(const stream::Header& header
     return out;
 }
 
+// Refuses paths that were laid farther beyond a part's rims than the machine allows.
+void check_outside(const stream::Header& header, const machine::Profile& profile) {
+    for (const stream::Run& run : header.history)
+        for (const auto& s : run.settings)
+            if (s.name == "turn-outside" && (run.program == "surfpath" || run.program == "laminate"))
+                machine::allow_outside(profile, parse_number(s.value, "turn-outside"),
+                                       "a path by " + run.program + " --turn-outside");
+}
+
 void tell_idle(const filum::postproc::FirstPass& found, const cli::Io& io) {
     if (found.waits.count < found.pauses.count())
         io.idle("pause-at", std::to_string(found.pauses.count() - found.waits.count) +
@@ -83,6 +93,7 @@ void run(const filum::postproc::Options& o, const cli::Io& io) {
     if (!profile.fibre.active()) io.idle("short", "'" + profile.name + "' has no section [fibre]");
     if (profile.format.dialect == machine::Dialect::gcode) io.idle("modules", "'" + profile.name + "' is no robot");
     stream::Reader reader(io.input, stream::Payload::toolpath);
+    check_outside(reader.header(), profile);
     stream::Sink sink(io.output, stream::Sink::Content::text);
     stream::Spool spool;
     cli::Progress progress(io, reader.header().expected);

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "geom/angle.hpp"
+#include "machine/profile.hpp"
 #include "surfpath/outside.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
@@ -55,10 +56,7 @@ std::string trim_table(std::span<const filum::surfpath::Plan> plans, std::span<c
     std::size_t strokes = 0;
     std::string out = "stroke\talong\tx\ty\tz\n";
     for (std::size_t k = 0; k < plans.size(); ++k) {
-        if (flanges[k])
-            for (const auto& t : filum::surfpath::trims(plans[k], flanges[k]->part).all)
-                out += std::to_string(strokes + t.stroke) + "\t" + fixed_text(t.way, 3) + "\t" + fixed_text(t.at.x, 3) +
-                       "\t" + fixed_text(t.at.y, 3) + "\t" + fixed_text(t.at.z, 3) + "\n";
+        if (flanges[k]) out += trim_lines(plans[k], flanges[k]->part, strokes);
         strokes += plans[k].strokes.size();
     }
     return out;
@@ -123,7 +121,18 @@ geom::Vec3 reference(const std::string& words) {
     return {xyz[0], xyz[1], xyz[2]};
 }
 
+std::string trim_lines(const filum::surfpath::Plan& plan, std::uint32_t part, std::size_t stroke,
+                       const std::string& before) {
+    std::string out;
+    for (const auto& t : filum::surfpath::trims(plan, part).all)
+        out += before + std::to_string(stroke + t.stroke) + "\t" + fixed_text(t.way, 3) + "\t" + fixed_text(t.at.x, 3) +
+               "\t" + fixed_text(t.at.y, 3) + "\t" + fixed_text(t.at.z, 3) + "\n";
+    return out;
+}
+
 void run(const Options& o, const cli::Io& io) {
+    if (!o.machine.empty())
+        machine::allow_outside(machine::load_profile(o.machine), o.plan.turn_outside, "--turn-outside");
     Options asked = o;
     asked.plan.follow = followed(o);
     std::vector<surface::Sheet> sheets;

@@ -13,6 +13,7 @@ struct Options {
     filum::surfpath::Options plan;
     filum::surfpath::Laying laying;
     std::string trim_list;               // file of where to trim; "": none
+    std::string machine;                 // profile that must allow turns outside; "": not asked
     std::string follow, reference = "X"; // of field, as users have them
     double angle_deg = 0;
     std::int64_t ply = 0;
@@ -23,6 +24,11 @@ struct Options {
 
 // "X", "Y", "Z" or three numbers, "1,0,0.5", as a direction.  Throws Error(usage).
 geom::Vec3 reference(const std::string& words);
+
+// Where a plan on a flange is to be trimmed: a line of stroke, from `stroke` on, mm along it, x, y and z per place,
+// each behind `before`.
+std::string trim_lines(const filum::surfpath::Plan& plan, std::uint32_t part, std::size_t stroke,
+                       const std::string& before = "");
 
 // Reads surfaces, plans each, and writes one toolpath.  Warns of given options that no surface's algorithm uses.
 // Throws Error as the planners do.

@@ -11,7 +11,7 @@ namespace filum::metrics::surface {
 
 namespace {
 
-constexpr double kBetween = 0.5; // of the least width, between samples: no vertex lies in a bead without one near
+constexpr double kSampled = 0.5; // of the least width, between samples: no vertex lies in a bead without one near
 constexpr double kFarthest = 20; // widths: what is farther from a vertex says nothing of how high the ply lies there
 
 // How far the nearest sample is off the base at each of its vertices, mm; the median where none is near.
@@ -51,7 +51,7 @@ std::vector<Bed> beds(const Surface& base, const Fibres& fibres, int threads) {
     if (fibres.chains.empty()) return {};
     const Ground ground(base, filum::surface::longest_edge(base));
     std::map<std::uint32_t, std::vector<Sample>> layers;
-    for (const Sample& s : samples(fibres, ground, kBetween * narrowest, threads))
+    for (const Sample& s : samples(fibres, ground, kSampled * narrowest, threads))
         if (!s.beside) layers[s.layer].push_back(s);
     std::vector<Bed> out;
     for (const auto& [layer, own] : layers) {

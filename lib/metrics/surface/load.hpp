@@ -19,8 +19,8 @@ struct LoadCase {
 // In the order of the fields.  Throws Error(bad_input) if a d1 is no field of vectors, or an s1 none of numbers.
 std::vector<LoadCase> load_cases(const filum::surface::Sheet& sheet);
 
-// The direction that a field of vectors has at a place, unit: those of the triangle's corners, turned towards that of the
-// greatest weight, by weights; (0, 0, 0) where that is not known.
+// The direction that a field of vectors has at a place, unit: those of the triangle's corners, turned towards that of
+// the greatest weight, by weights; (0, 0, 0) where that is not known.
 Vec3 direction(const Surface& s, const filum::surface::Field& d1, const filum::surface::curve::Place& at);
 
 // All are means of absolute values, so directions have no sign.  Samples where the stress is not known do not count.

@@ -22,7 +22,7 @@ using filum::surface::curve::Place;
 
 constexpr double kPart = 1.0 / 3;     // of a bead's width, between points
 constexpr std::size_t kPoints = 1024; // of a piece of work
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr double kUpright = 1e-6; // of the reference's length: what is left of it on the surface says nothing
 
 // A straight stretch of a ply.
@@ -31,7 +31,7 @@ struct Bead {
     double way = 0;    // mm from the begin of the path, whose chains lie a mile apart
     double width = 0, height = 0;
     bool hairpin = false;
-    double off = kFar; // degrees from the asked direction; infinite in a declared turn or where nothing is asked
+    double off = kEndless; // degrees from the asked direction; infinite in a declared turn or where nothing is asked
 };
 
 std::vector<double> areas(const Surface& s) {
@@ -99,7 +99,7 @@ double degrees_between(const Vec3& a, const Vec3& b) {
     return geom::degrees(std::min(angle, geom::kDegree * 180 - angle));
 }
 
-// Finds how far each bead is off what is asked, and gathers what counts.  `inside`: per vertex of the ground.
+// Finds how far each bead is off what is asked, and gathers what counts.
 void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, int threads) {
     const Locator near(bed.ground);
     const auto normals = filum::surface::curve::vertex_normals(bed.ground);
@@ -116,10 +116,10 @@ void judge(const Bed& bed, std::vector<Bead>& beads, std::vector<Weighted>& to, 
             if (b.hairpin || !(norm(to_follow) > 0) || !(norm(flat) > 0)) continue;
             b.off = degrees_between(flat, to_follow);
             const auto w = filum::surface::curve::barycentric(bed.ground, foot);
-            double inside = bed.inside.empty() ? 1 : 0;
-            for (std::size_t k = 0; k < 3 && !bed.inside.empty(); ++k)
-                inside += w[k] * bed.inside[bed.ground.triangles[foot.triangle][k]];
-            counts[i] = inside > 0.5 && !past_rim(bed.ground, foot, middle, b.width) ? 1 : 0;
+            double edge = bed.edge.empty() ? -1 : 0;
+            for (std::size_t k = 0; k < 3 && !bed.edge.empty(); ++k)
+                edge += w[k] * bed.edge[bed.ground.triangles[foot.triangle][k]];
+            counts[i] = edge < 0 && !past_rim(bed.ground, foot, middle, b.width) ? 1 : 0;
         }
     });
     for (std::size_t i = 0; i < beads.size(); ++i)
@@ -180,13 +180,17 @@ PlyMap map_of(const Fibres& fibres, const Bed& bed, const Carried& carried, std:
     out.width = beads.empty() ? 0 : quantile(widths, 0.5);
     out.height = beads.empty() ? 0 : quantile(heights, 0.5);
     out.inside.assign(points, 1);
+    if (!bed.edge.empty()) out.edge.assign(points, 0);
     out.passes.assign(points, 0);
-    out.deviation.assign(points, kFar);
+    out.deviation.assign(points, kEndless);
     out.clearance.assign(points, widest);
     const geom::Bvh tree(boxes);
     parallel::for_chunks(points, kPoints, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
-            if (!bed.inside.empty()) out.inside[v] = carried.value(bed.inside, v);
+            if (!bed.edge.empty()) {
+                out.edge[v] = carried.value(bed.edge, v);
+                out.inside[v] = std::clamp(0.5 - out.edge[v] / (kPart * out.width), 0.0, 1.0);
+            }
             look(beads, tree, carried.point(bed.ground, v), filum::surface::normal(bed.ground, carried.triangle(v)),
                  widest, v, out);
         }
@@ -220,7 +224,7 @@ std::vector<double> averaged(const Surface& s, std::span<const double> area, std
 } // namespace
 
 Map map(const Surface& base, const Fibres& fibres, std::span<const Bed> beds, int threads) {
-    double narrowest = kFar;
+    double narrowest = kEndless;
     for (const Chain& c : fibres.chains)
         for (const double w : c.width) narrowest = std::min(narrowest, w);
     Map out{filum::surface::finer(base, kPart * narrowest), {}, {}, {}, {}, {}};
@@ -267,7 +271,7 @@ filum::surface::Sheet sheet_of(const Map& map, const std::string& name) {
     out.name = name;
     std::vector<double> volume;
     for (std::size_t v = 0; v < map.even.size(); ++v)
-        volume.push_back(map.nominal[v] > 0 ? map.even[v] / map.nominal[v] : kFar);
+        volume.push_back(map.nominal[v] > 0 ? map.even[v] / map.nominal[v] : kEndless);
     out.fields = {{"thickness", map.thickness},
                   {"thickness-even", map.even},
                   {"thickness-nominal", map.nominal},
@@ -279,12 +283,12 @@ filum::surface::Sheet sheet_of(const Map& map, const std::string& name) {
             for (std::size_t v = 0; v < ply.passes.size(); ++v) f.values.push_back(value_of(v));
             out.fields.push_back(std::move(f));
         };
-        field("inside", [&](std::size_t v) { return ply.inside[v]; });
         field("thickness", [&](std::size_t v) { return ply.height * ply.passes[v]; });
         field("covered", [&](std::size_t v) { return std::min(1.0, ply.passes[v]); });
         field("twice", [&](std::size_t v) { return std::clamp(ply.passes[v] - 1, 0.0, 1.0); });
         field("gap", [&](std::size_t v) { return ply.clearance[v]; });
         field("deviation", [&](std::size_t v) { return ply.deviation[v]; });
+        if (!ply.edge.empty()) field("edge", [&](std::size_t v) { return ply.edge[v]; });
     }
     return out;
 }

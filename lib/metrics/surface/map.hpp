@@ -23,13 +23,14 @@ struct Bed {
     std::uint32_t layer = 0;
     Surface ground; // what it lies on: the base's triangles, raised; turned over of what lies under the base
     Asked asked{};
-    std::vector<double> inside{}; // per vertex of the base, 0 to 1: the ply is to lie there; empty: everywhere
+    std::vector<double> edge{}; // mm from the ply's edge per vertex of the base, below 0 where it is to lie; empty: all
 };
 
 // Of one ply, at the points of a Map.
 struct PlyMap {
     double width = 0, height = 0;  // mm: medians of its beads, by length
-    std::vector<double> inside;    // 0 to 1: the ply is to lie there
+    std::vector<double> edge;      // mm from where the ply is to end, below 0 within; empty: it is to lie everywhere
+    std::vector<double> inside;    // 0 to 1: how much of what the point stands for lies within
     std::vector<double> passes;    // beads that lie over it: 0, a gap; 2, an overlap; at edges of beads between
     std::vector<double> amount;    // material per area over the ply's own thickness, within a bead's width of the point
     std::vector<double> deviation; // degrees from the asked direction, of the nearest bead; infinite: none near, or in
@@ -64,8 +65,9 @@ std::vector<Weighted> weighed(std::span<const double> values, std::span<const do
 double share_beyond(const PlyMap& ply, std::span<const double> area, double more);
 
 // The map as a surface with fields: "thickness", "thickness-even", "thickness-nominal" (mm), "fibre-volume" (even over
-// nominal, infinite where that is 0), and of every ply "ply-K.inside", "ply-K.thickness" (mm), "ply-K.covered" and
-// "ply-K.twice" (0 to 1), "ply-K.gap" (mm from the nearest bead's edge, below 0 under one), "ply-K.deviation" (degrees).
+// nominal, infinite where that is 0), and of every ply "ply-K.thickness" (mm), "ply-K.covered" and
+// "ply-K.twice" (0 to 1), "ply-K.gap" (mm from the nearest bead's edge, below 0 under one), "ply-K.deviation" (degrees)
+// and, of those that do not lie everywhere, "ply-K.edge" (mm).
 filum::surface::Sheet sheet_of(const Map& map, const std::string& name);
 
 } // namespace filum::metrics::surface

@@ -2,6 +2,7 @@
 
 #include "base/number.hpp"
 #include "metrics/figures/meanings.hpp"
+#include "metrics/surface/place_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +15,7 @@ using metrics::figures::Figures;
 
 constexpr double kHundredth = 0.01;
 constexpr double kAlong = 15; // degrees: what is farther off turns
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-std::string place(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 double mean(const std::vector<Weighted>& all) {
     double sum = 0, total = 0;
@@ -24,7 +23,7 @@ double mean(const std::vector<Weighted>& all) {
         sum += w.value * w.weight;
         total += w.weight;
     }
-    return total > 0 ? sum / total : kNone;
+    return total > 0 ? sum / total : kUnknown;
 }
 
 // The values above 0, where the ply is to lie: how they are spread, and where the greatest is.
@@ -53,7 +52,7 @@ Above above(const Map& map, const PlyMap& ply, const std::vector<double>& values
 
 Spread spread_of(const Map& map, std::span<const double> values, std::span<const double> weight) {
     auto all = weighed(values, map.area, weight);
-    Spread out{mean(all), kNone, kNone, kNone, kNone, kNone, {}, {}};
+    Spread out{mean(all), kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, {}, {}};
     if (all.empty()) return out;
     std::size_t least = values.size(), most = values.size();
     for (std::size_t v = 0; v < values.size(); ++v) {
@@ -100,7 +99,7 @@ PlySpread ply_spread(const Map& map, std::size_t k) {
     out.off_mean = mean(off);
     out.off_median = quantile(off, 0.5);
     out.off_high = quantile(off, 1 - kHundredth);
-    out.within = total > 0 ? near / total : kNone;
+    out.within = total > 0 ? near / total : kUnknown;
     return out;
 }
 
@@ -111,7 +110,7 @@ double within_a_ply(const Map& map) {
         total += map.area[v];
         sum += std::abs(map.even[v] - map.nominal[v]) <= thickest ? map.area[v] : 0;
     }
-    return total > 0 ? sum / total : kNone;
+    return total > 0 ? sum / total : kUnknown;
 }
 
 Figures map_figures(const Map& map) {
@@ -121,6 +120,7 @@ Figures map_figures(const Map& map) {
         metrics::figures::tell(out, metrics::figures::surface_meanings(), key, std::move(value), of);
     };
     tell("thickness_nominal_mm", spread_of(map, map.nominal).mean);
+    tell("thickness_within_a_ply", within_a_ply(map));
     for (const auto& [of, values] : {std::pair("points", &map.thickness), std::pair("even", &map.even)}) {
         const Spread s = spread_of(map, *values);
         tell("thickness.*.mean_mm", s.mean, of);
@@ -128,11 +128,10 @@ Figures map_figures(const Map& map) {
         tell("thickness.*.p50_mm", s.median, of);
         tell("thickness.*.p99_mm", s.high, of);
         tell("thickness.*.least_mm", s.least, of);
-        tell("thickness.*.least_at", place(s.least_at), of);
+        tell("thickness.*.least_at", place_text(s.least_at), of);
         tell("thickness.*.greatest_mm", s.most, of);
-        tell("thickness.*.greatest_at", place(s.most_at), of);
+        tell("thickness.*.greatest_at", place_text(s.most_at), of);
     }
-    tell("thickness_within_a_ply", within_a_ply(map));
     for (std::size_t k = 0; k < map.plies.size(); ++k) {
         const PlySpread s = ply_spread(map, k);
         const std::string of = std::to_string(k + 1);
@@ -140,13 +139,13 @@ Figures map_figures(const Map& map) {
         tell("ply.*.gap_p50_mm", s.gap_median, of);
         tell("ply.*.gap_p99_mm", s.gap_high, of);
         tell("ply.*.gap_greatest_mm", s.gap_most, of);
-        if (s.gap_most > 0) tell("ply.*.gap_at", place(s.gap_at), of);
+        if (s.gap_most > 0) tell("ply.*.gap_at", place_text(s.gap_at), of);
         tell("ply.*.twice", s.twice, of);
         tell("ply.*.thrice", s.thrice, of);
         tell("ply.*.over_p50", s.over_median, of);
         tell("ply.*.over_p99", s.over_high, of);
         tell("ply.*.over_greatest", s.over_most, of);
-        if (s.over_most > 0) tell("ply.*.over_at", place(s.over_at), of);
+        if (s.over_most > 0) tell("ply.*.over_at", place_text(s.over_at), of);
         if (map.plies[k].off.empty()) continue;
         tell("ply.*.off_mean_deg", s.off_mean, of);
         tell("ply.*.off_p50_deg", s.off_median, of);

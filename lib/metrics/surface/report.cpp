@@ -5,6 +5,7 @@
 #include "metrics/figures/meanings.hpp"
 #include "metrics/surface/curvature.hpp"
 #include "metrics/surface/load.hpp"
+#include "metrics/surface/place_text.hpp"
 #include "metrics/surface/plies.hpp"
 #include "metrics/surface/strands.hpp"
 #include "metrics/surface/tight.hpp"
@@ -29,8 +30,6 @@ constexpr double kWidest = 20;       // bead widths: how far apart strands may b
 constexpr double kMostSamples = 2e7; //
 constexpr double kBeyond = 1.05;     // of the limit of curvature: what points leave uncertain
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-std::string place(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
 
 double share(double part, double all) { return all > 0 ? part / all : std::nan(""); }
 
@@ -129,8 +128,8 @@ void tight_turns(const Job& job, const Feet& feet, Figures& out) {
     tell(out, "tight_mm", t.length);
     tell(out, "tight_undeclared_mm", t.undeclared);
     tell(out, "tight_radius_least_mm", t.least);
-    if (t.count > 0) tell(out, "tight_at", place(t.tightest));
-    if (t.undeclared > 0) tell(out, "tight_undeclared_at", place(t.undeclared_at));
+    if (t.count > 0) tell(out, "tight_at", place_text(t.tightest));
+    if (t.undeclared > 0) tell(out, "tight_undeclared_at", place_text(t.undeclared_at));
 }
 
 void area(const Plies& plies, Figures& out) {
@@ -145,7 +144,7 @@ void area(const Plies& plies, Figures& out) {
     tell(out, "fill_ratio", fill);
     tell(out, "overlap", fill - coverage);
     tell(out, "void_mm", a.void_radius);
-    if (a.void_radius > 0) tell(out, "void_at", place(a.void_at));
+    if (a.void_radius > 0) tell(out, "void_at", place_text(a.void_at));
     if (a.unreached > 0) tell(out, "unreached_mm2", a.unreached);
     if (a.strip > 0) {
         tell(out, "rim_share", share(a.strip, a.surface));

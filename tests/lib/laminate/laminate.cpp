@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace filum::laminate {
@@ -87,7 +88,47 @@ TEST(laminate, plies_lie_on_each_other) {
     EXPECT_EQ(spans.back().layer, 1U);
     EXPECT_EQ(fact(made, "unsymmetric"), 2);
     const auto map = metrics::surface::sheet_of(made.map, "tube");
-    EXPECT_EQ(map.fields.size(), 4 + 6 * plies.size());
+    EXPECT_EQ(map.fields.size(), 4 + 5 * plies.size());
+}
+
+TEST(laminate, turns_outside_leave_plies_even) {
+    const auto plies = plies_of("0,90", kWide, false);
+    Options o = narrow();
+    o.turn_outside = 5;
+    const auto made = laminate(flat(), plies, o, 2), on_it = laminate(flat(), plies, narrow(), 2);
+    for (const std::string ply : {"ply.1.", "ply.2."}) {
+        EXPECT_LT(fact(made, ply + "bare"), 0.02);
+        EXPECT_LT(fact(made, ply + "twice"), 0.02);
+        EXPECT_GT(fact(made, ply + "trims"), 10);
+        EXPECT_GT(fact(made, ply + "outside"), 10);
+    }
+    EXPECT_GT(fact(made, "thickness-low"), fact(on_it, "thickness-low"));
+    EXPECT_LT(fact(made, "thickness-high"), fact(on_it, "thickness-high"));
+}
+
+TEST(laminate, plies_end_where_they_should_and_those_above_step_down) {
+    auto plies = plies_of("0,0,90", Ply{.spacing = 1, .height = 0.25}, false);
+    plies[0].within = plies[1].within = "half";
+    Options o = narrow();
+    o.areas["half"].curves = {{{-0.5, 0.1, 0}, {12, 0.1, 0}, {12, 19.9, 0}, {-0.5, 19.9, 0}}};
+    o.ramp = 8;
+    const auto made = laminate(flat(), plies, o, 2);
+    std::vector<toolpath::Span> spans;
+    add_spans(made, plies, o, 0, spans);
+    const double ends[] = {12, 10, 20};
+    for (const auto& span : spans) {
+        if (!toolpath::extrudes(span.role)) continue;
+        for (const Vec3& p : span.points) {
+            EXPECT_LT(p.x, ends[span.layer] - 0.3) << span.layer;
+            if (span.layer < 2) continue; // on the ramp of two plies, from x = 10 down to x = 14
+            const double below = 0.25 * (std::clamp((12 - p.x) / 2, 0.0, 1.0) + std::clamp((14 - p.x) / 2, 0.0, 1.0));
+            if (p.y > 2.5 && p.y < 17.5 && p.x > 2.5) {
+                EXPECT_NEAR(p.z, below, 0.03) << p.x;
+            }
+        }
+    }
+    EXPECT_LT(fact(made, "ply.2.area"), fact(made, "ply.1.area"));
+    EXPECT_LT(fact(made, "ply.2.bare"), 0.1);
 }
 
 TEST(laminate, is_the_same_for_any_number_of_threads) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -63,6 +64,20 @@ TEST(raise, of_a_sharp_ridge_is_round) {
     const auto up = raised(s, 1.2);
     EXPECT_LT(off_level(s, up.surface, 1.2), 0.001);
     EXPECT_EQ(up.folded, 0);
+}
+
+TEST(raise, as_far_as_each_place_has_it) {
+    const auto s = over([](Vec2 p) {
+        const double a = p.x / 10;
+        return Vec3{10 * std::cos(a), 10 * std::sin(a), p.y};
+    });
+    std::vector<double> distance; // a ramp of 1 in 20 along the axis
+    for (const Vec3& p : s.vertices) distance.push_back(std::clamp((p.z - 5) / 20, 0.0, 0.5));
+    const auto up = raised(s, distance);
+    for (const Vec3& p : up.surface.vertices)
+        EXPECT_NEAR(std::hypot(p.x, p.y), 10 + std::clamp((p.z - 5) / 20, 0.0, 0.5), 0.006);
+    EXPECT_EQ(up.folded, 0);
+    EXPECT_EQ(raised(s, std::vector<double>(s.vertices.size(), 0)).surface.vertices, s.vertices);
 }
 
 TEST(raise, tells_where_there_is_no_room) { // between walls a mm apart

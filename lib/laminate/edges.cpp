@@ -1,0 +1,156 @@
+#include "laminate/edges.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "geodesic/exact.hpp"
+#include "geodesic/lines.hpp"
+#include "geodesic/sides.hpp"
+#include "surface/trace.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::laminate {
+
+namespace {
+
+constexpr double kEverywhere = 1e6; // mm from the edge, on parts of the surface without one
+constexpr double kAsNear = 0.01;    // of the way that edges are to be apart: what discs and triangles leave uncertain
+
+// Distances from the lines, below 0 where `within` is below 0.
+Edge signed_distances(const Surface& s, const surface::Sources& lines, const std::vector<signed char>& within) {
+    Edge out = lines.empty() ? Edge(s.vertices.size(), kEverywhere) : geodesic::exact_distances(s, lines).distance;
+    for (std::size_t v = 0; v < out.size(); ++v) out[v] = (within[v] < 0 ? -1 : 1) * std::min(out[v], kEverywhere);
+    return out;
+}
+
+Edge edge_of_curves(const Surface& s, const Within& within, double near, Notes& notes) {
+    surface::Sources lines;
+    for (auto curve : within.curves) {
+        curve.push_back(curve.front());
+        const surface::Trace on = surface::trace(s, curve);
+        lines.segments.insert(lines.segments.end(), on.segments.begin(), on.segments.end());
+        if (on.off > near) notes.push_back({"", "boundary moved to the surface", on.off, "mm"});
+    }
+    auto sides = geodesic::sides(s, lines);
+    geodesic::check(sides, "a ply's boundary");
+    for (auto& side : sides.of) side = side > 0 ? -1 : 1; // what lies to the left is within
+    return signed_distances(s, lines, sides.of);
+}
+
+Edge edge_of_faces(const Base& base, const Within& within) {
+    const Surface& s = base.surface;
+    const auto is_within = [&](std::uint32_t t) {
+        return !base.faces.empty() &&
+               std::find(within.faces.begin(), within.faces.end(), base.faces[t]) != within.faces.end();
+    };
+    surface::Sources lines;
+    std::vector<signed char> side(s.vertices.size(), 1);
+    bool any = false;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        if (!is_within(h / 3)) continue;
+        any = true;
+        side[s.tail(h)] = -1; // those of the border are 0 mm from it
+        if (s.twin[h] != surface::kNone && !is_within(s.twin[h] / 3)) lines.segments.push_back(surface::rim_side(s, h));
+    }
+    if (!any)
+        throw Error(Exit::bad_input, "the surface has no such face; 'peek --text' shows the faces that a STEP file "
+                                     "gave it");
+    return signed_distances(s, lines, side);
+}
+
+// Whether `a` lies within `b` but for `near` mm.
+bool lies_within(const Edge& a, const Edge& b, double near) {
+    for (std::size_t v = 0; v < a.size(); ++v)
+        if (a[v] < -near && b[v] > near) return false;
+    return true;
+}
+
+double area_within(const Surface& s, const Edge& edge) {
+    double sum = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+        for (const std::uint32_t v : s.triangles[t]) sum += edge[v] < 0 ? surface::area(s, t) / 3 : 0;
+    return sum;
+}
+
+// Of two plies' edges that cross: where they come nearest to each other without being moved.
+void tell_crossing(const Surface& s, const Edge& a, const Edge& b, std::size_t ply, double apart, Notes& notes) {
+    double least = apart * (1 - kAsNear);
+    const Vec3* at = nullptr;
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
+        const std::uint32_t v = s.tail(h), w = s.head(h);
+        if ((a[v] < 0) == (a[w] < 0)) continue; // not across the edge of a
+        const double off = std::min(std::abs(b[v]), std::abs(b[w]));
+        if (!(off < least)) continue;
+        least = off;
+        at = &s.vertices[v];
+    }
+    if (at == nullptr) return;
+    Note n{"", "edge of a ply crosses that of another: steeper than the ramp", least, "mm"};
+    n.layer = static_cast<std::int64_t>(ply);
+    n.x = at->x;
+    n.y = at->y;
+    n.z = at->z;
+    notes.push_back(n);
+}
+
+} // namespace
+
+Edge edge_of(const Base& base, const Within& within, double near, Notes& notes) {
+    if (within.empty()) return {};
+    return within.faces.empty() ? edge_of_curves(base.surface, within, near, notes) : edge_of_faces(base, within);
+}
+
+std::vector<std::vector<double>> heights_below(std::span<const Ply> plies, std::span<const Edge> edges,
+                                               std::size_t vertices, double ratio) {
+    std::vector<std::vector<double>> out;
+    std::vector<double> height[2] = {std::vector<double>(vertices, 0), std::vector<double>(vertices, 0)};
+    for (std::size_t k = 0; k < plies.size(); ++k) {
+        auto& side = height[plies[k].under ? 1 : 0];
+        out.push_back(side);
+        const double run = std::max(ratio * plies[k].height, plies[k].spacing);
+        for (std::size_t v = 0; v < vertices; ++v) {
+            const double beside = edges[k].empty() ? 0 : std::clamp(edges[k][v] / run, 0.0, 1.0);
+            side[v] += plies[k].height * (1 - beside);
+        }
+    }
+    return out;
+}
+
+void make_ramps(const Surface& s, std::span<const Ply> plies, double ratio, std::vector<Edge>& edges, Notes& notes) {
+    std::vector<std::size_t> order; // the largest first; of equals the lower
+    std::vector<double> area(plies.size());
+    for (std::size_t k = 0; k < plies.size(); ++k) {
+        if (edges[k].empty()) continue;
+        area[k] = area_within(s, edges[k]);
+        order.push_back(k);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return area[a] > area[b]; });
+    const std::vector<Edge> asked = edges;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::size_t k = order[i];
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::size_t wider = order[j];
+            if (plies[wider].under != plies[k].under) continue;
+            const double apart = ratio * std::max(plies[k].height, plies[wider].height);
+            if (!lies_within(asked[k], asked[wider], plies[k].spacing)) {
+                tell_crossing(s, edges[k], edges[wider], k, apart, notes);
+                continue;
+            }
+            for (std::size_t v = 0; v < edges[k].size(); ++v)
+                edges[k][v] = std::max(edges[k][v], edges[wider][v] + apart);
+        }
+        double moved = 0;
+        for (std::size_t v = 0; v < edges[k].size(); ++v) // as far as the edge itself goes
+            if (asked[k][v] < 0) moved = std::max(moved, std::min(-asked[k][v], edges[k][v] - asked[k][v]));
+        if (!(area_within(s, edges[k]) > 0))
+            throw Error(Exit::failure, ply_name(k) + ": nothing of it is left within the ramp of those that end around "
+                                                     "it; ask for a steeper --ramp, or smaller boundaries");
+        if (!(moved > kAsNear * ratio * plies[k].height)) continue;
+        Note n{"", "edge of a ply moved within, for the ramp", moved, "mm"};
+        n.layer = static_cast<std::int64_t>(k);
+        notes.push_back(n);
+    }
+}
+
+} // namespace filum::laminate
