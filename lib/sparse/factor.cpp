@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <mutex>
 #include <suitesparse/cholmod.h>
 
 // Of GCC's OpenMP, on which CHOLMOD runs; clang's omp.h would bring a second one.
@@ -13,6 +14,13 @@ namespace filum::sparse {
 namespace {
 
 constexpr Eigen::Index kSupernodal = 150'000; // rows from which the overhead of supernodes pays
+
+// CHOLMOD stands on whatever BLAS is there, and OpenBLAS built for one thread has buffers that all callers share: two
+// that factorised at once got wrong numbers.  So one after the other.
+std::mutex& turn() {
+    static std::mutex one;
+    return one;
+}
 
 // CHOLMOD takes four threads whatever it is told, and they mostly wait: none but the calling one from here on.
 void by_one_thread() { omp_set_max_active_levels(0); }
@@ -95,6 +103,7 @@ bool Factor::factorise(const Matrix& a) {
         return state_->simple.info() == Eigen::Success;
     }
     by_one_thread();
+    const std::lock_guard lock(turn());
     cholmod_sparse m = view(a);
     cholmod_common& common = state_->workspace->common;
     cholmod_factorize(&m, state_->super, &common);
@@ -113,6 +122,7 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_common& common = state_->workspace->common;
+    const std::lock_guard lock(turn());
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->super, &right, &common);
     if (x == nullptr) throw Error(Exit::failure, "cannot solve on the surface: out of memory");
     Eigen::VectorXd out = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+#include <vector>
+
 using namespace filum::sparse;
 
 TEST(factor, both_solvers_agree) {
@@ -29,4 +32,28 @@ TEST(factor, both_solvers_agree) {
     EXPECT_LT((large.solve(b) - x).cwiseAbs().maxCoeff(), 1e-9);
     Matrix negative = -1 * a;
     EXPECT_FALSE(same.factorise(negative));
+}
+
+TEST(factor, large_ones_may_be_made_at_once) {
+    const int n = 400; // a square grid, so that supernodes are large
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int v = 0; v < n * n; ++v) {
+        entries.emplace_back(v, v, 4.1);
+        if (v % n > 0) entries.emplace_back(v, v - 1, -1.0);
+        if (v >= n) entries.emplace_back(v, v - n, -1.0);
+    }
+    Matrix a(n * n, n * n);
+    a.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::VectorXd x = Eigen::VectorXd::Ones(n * n), b = a.selfadjointView<Eigen::Lower>() * x;
+    double off[4] = {1, 1, 1, 1};
+    {
+        std::vector<std::jthread> all;
+        for (double& own : off)
+            all.emplace_back([&] {
+                Factor factor;
+                factor.analyse(a);
+                own = factor.factorise(a) ? (factor.solve(b) - x).cwiseAbs().maxCoeff() : 1;
+            });
+    }
+    for (const double own : off) EXPECT_LT(own, 1e-9);
 }
