@@ -13,7 +13,9 @@ Mesh read_stl_ascii(std::string_view bytes, const std::string& name, Notes& note
 Mesh read_obj(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_ply(std::string_view bytes, const std::string& name, Notes& notes);
 Mesh read_off(std::string_view bytes, const std::string& name, Notes& notes);
-Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes); // in mm
+
+// In mm; `bodies` gets what of it is not to be made.
+Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes, std::vector<Body>& bodies);
 
 // What `bytes` are, as far as anyone can tell, with what to do: "a GLB file (binary glTF); export it as STL".  "" if
 // nobody can.  For messages about files that no reader takes.

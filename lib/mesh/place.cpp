@@ -111,9 +111,10 @@ void move(Mesh& mesh, const Affine& map) {
         throw Error(Exit::bad_input, "cannot use the part: it reaches beyond 10000 m; check --unit and --scale");
 }
 
-Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
+Placed place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
     drop_unused_vertices(mesh);
-    Affine map = placement_map(placement, unit_mm(placement.unit, longest_side(bounds(mesh)), in_mm, notes));
+    const double unit = unit_mm(placement.unit, longest_side(bounds(mesh)), in_mm, notes);
+    const Affine map = placement_map(placement, unit);
     move(mesh, map);
     const Box3 box = bounds(mesh);
     Vec3 shift;
@@ -124,7 +125,7 @@ Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes) {
     if (placement.on_bed && !placement.keep_z) shift.z = -box.lo.z;
     const Affine on{.t = {shift.x, shift.y, shift.z}};
     if (shift != Vec3{}) move(mesh, on);
-    return then(map, on);
+    return {then(map, on), unit};
 }
 
 } // namespace filum::mesh

@@ -30,11 +30,16 @@ Box3 bounds(const Mesh& mesh); // precondition: a vertex
 
 inline constexpr double kMaxCoordinate = 1e7; // mm
 
+struct Placed {
+    Affine map;      // from the file's coordinates
+    double unit = 1; // mm, that these are in
+};
+
 // Moves `mesh` as `placement` says; `in_mm` if the file states its unit itself (then only "auto" and "mm" are allowed).
 // A map that mirrors turns the triangles round, so that outside stays outside.  Vertices without a triangle go.
-// Returns the map that did it all.
+// Returns what did it all.
 // Throws Error: usage for options that cannot be obeyed, bad_input if a coordinate ends up beyond 1e7 mm.
-Affine place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
+Placed place(Mesh& mesh, const Placement& placement, bool in_mm, Notes& notes);
 
 // Moves `mesh` by a map, as place() does.  Throws Error(bad_input) if a coordinate ends up beyond 1e7 mm.
 void move(Mesh& mesh, const Affine& map);

@@ -1,6 +1,7 @@
 #include "mesh/project.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <pugixml.hpp>
 #include <string_view>
 
@@ -8,42 +9,83 @@ namespace filum::mesh {
 
 namespace {
 
-constexpr std::string_view kPrusa[] = {"ParameterModifier", "SupportEnforcer", "SupportBlocker", "NegativeVolume"};
-constexpr std::string_view kBambu[] = {"modifier_part", "support_enforcer", "support_blocker", "negative_part"};
+using What = Body::What;
+
+struct Word {
+    std::string_view text;
+    What what;
+};
+constexpr Word kPrusa[] = {{"ParameterModifier", What::modifier},
+                           {"SupportEnforcer", What::enforcer},
+                           {"SupportBlocker", What::blocker},
+                           {"NegativeVolume", What::negative}};
+constexpr Word kBambu[] = {{"modifier_part", What::modifier},
+                           {"support_enforcer", What::enforcer},
+                           {"support_blocker", What::blocker},
+                           {"negative_part", What::negative}};
+// What slicers note of a body beside its settings.
+constexpr std::string_view kNoSetting[] = {"name", "volume_type", "modifier", "matrix"};
 
 template <std::size_t N>
-bool one_of(const std::string_view (&words)[N], std::string_view word) {
-    return std::find(std::begin(words), std::end(words), word) != std::end(words);
+std::optional<What> what_of(const Word (&words)[N], std::string_view text) {
+    const auto found = std::ranges::find(words, text, &Word::text);
+    return found == std::end(words) ? std::nullopt : std::optional(found->what);
+}
+
+// A body, with the settings that an element's metadata holds.
+Body body_of(What what, const pugi::xml_node& element) {
+    Body out;
+    out.what = what;
+    for (const auto& data : element.children("metadata")) {
+        const std::string key = data.attribute("key").value();
+        if (key.empty() || key.starts_with("source_") || std::ranges::find(kNoSetting, key) != std::end(kNoSetting))
+            continue;
+        out.settings.emplace_back(key, data.attribute("value").value());
+    }
+    return out;
 }
 
 } // namespace
 
-bool NotMade::holds(const std::string& object, std::size_t i) const {
+std::size_t Unmade::of_triangle(const std::string& object, std::size_t i) const {
     const auto found = triangles.find(object);
-    return found != triangles.end() &&
-           std::ranges::any_of(found->second, [&](const Range& r) { return r.first <= i && i <= r.second; });
+    if (found == triangles.end()) return kNone;
+    const auto at = std::ranges::find_if(found->second, [&](const Range& r) { return r.first <= i && i <= r.last; });
+    return at == found->second.end() ? kNone : at->body;
 }
 
-bool read_prusa_project(const std::string& text, NotMade& to) {
+std::size_t Unmade::of_component(const std::string& object, const std::string& component) const {
+    const auto found = components.find({object, component});
+    return found == components.end() ? kNone : found->second;
+}
+
+bool read_prusa_project(const std::string& text, Unmade& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
     for (const auto& object : xml.child("config").children("object"))
         for (const auto& volume : object.children("volume"))
-            for (const auto& data : volume.children("metadata"))
-                if (std::string_view(data.attribute("key").value()) == "volume_type" &&
-                    one_of(kPrusa, data.attribute("value").value()))
-                    to.triangles[object.attribute("id").value()].emplace_back(volume.attribute("firstid").as_ullong(),
-                                                                              volume.attribute("lastid").as_ullong());
+            for (const auto& data : volume.children("metadata")) {
+                if (std::string_view(data.attribute("key").value()) != "volume_type") continue;
+                const auto what = what_of(kPrusa, data.attribute("value").value());
+                if (!what) continue;
+                to.triangles[object.attribute("id").value()].push_back({volume.attribute("firstid").as_ullong(),
+                                                                        volume.attribute("lastid").as_ullong(),
+                                                                        to.bodies.size()});
+                to.bodies.push_back(body_of(*what, volume));
+            }
     return true;
 }
 
-bool read_bambu_project(const std::string& text, NotMade& to) {
+bool read_bambu_project(const std::string& text, Unmade& to) {
     pugi::xml_document xml;
     if (!xml.load_buffer(text.data(), text.size())) return false;
     for (const auto& object : xml.child("config").children("object"))
-        for (const auto& part : object.children("part"))
-            if (one_of(kBambu, part.attribute("subtype").value()))
-                to.components.emplace(object.attribute("id").value(), part.attribute("id").value());
+        for (const auto& part : object.children("part")) {
+            const auto what = what_of(kBambu, part.attribute("subtype").value());
+            if (!what) continue;
+            to.components.try_emplace({object.attribute("id").value(), part.attribute("id").value()}, to.bodies.size());
+            to.bodies.push_back(body_of(*what, part));
+        }
     return true;
 }
 

@@ -1,29 +1,38 @@
 // What projects of slicers, beside the models of their 3MF, say of bodies that are not to be made.
 #pragma once
 
+#include "mesh/read.hpp"
+
 #include <cstddef>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace filum::mesh {
 
-// Bodies that say where settings hold, where supports are wanted or not, or what is to be cut away.
-struct NotMade {
-    using Range = std::pair<std::size_t, std::size_t>;        // first and last
-    std::map<std::string, std::vector<Range>> triangles;      // of the mesh of an object, by its id
-    std::set<std::pair<std::string, std::string>> components; // of an object, by both ids
+// Where the bodies of a project are, which say where settings hold, where supports are wanted or not, or what is to be
+// cut away.  They are numbered in the order in which the project names them.
+struct Unmade {
+    struct Range {
+        std::size_t first = 0, last = 0; // triangles
+        std::size_t body = 0;
+    };
+    std::vector<Body> bodies;                                              // without meshes
+    std::map<std::string, std::vector<Range>> triangles;                   // of the mesh of an object, by its id
+    std::map<std::pair<std::string, std::string>, std::size_t> components; // the body, by the ids of object and part
 
-    // Whether triangle `i` of the object is of such a body.
-    [[nodiscard]] bool holds(const std::string& object, std::size_t i) const;
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+    // The body that triangle `i` of the object is of, or kNone.
+    [[nodiscard]] std::size_t of_triangle(const std::string& object, std::size_t i) const;
+    // The body that a component of an object is, or kNone.
+    [[nodiscard]] std::size_t of_component(const std::string& object, const std::string& component) const;
 };
 
 // Adds what Metadata/Slic3r_PE_model.config of PrusaSlicer and SuperSlicer says.  False if `text` is no XML.
-bool read_prusa_project(const std::string& text, NotMade& to);
+bool read_prusa_project(const std::string& text, Unmade& to);
 
 // Adds what Metadata/model_settings.config of Bambu Studio and OrcaSlicer says.  False if `text` is no XML.
-bool read_bambu_project(const std::string& text, NotMade& to);
+bool read_bambu_project(const std::string& text, Unmade& to);
 
 } // namespace filum::mesh

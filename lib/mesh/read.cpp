@@ -90,7 +90,8 @@ void leave_out_unusable(Mesh& mesh, Notes& notes) {
             if (!finite(v)) v = {};
 }
 
-Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, Notes& notes) {
+Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, File& to) {
+    Notes& notes = to.notes;
     switch (kind) {
     case Kind::stl_binary:
         return read_stl_binary(bytes, name, notes);
@@ -103,7 +104,7 @@ Mesh read_kind(Kind kind, std::string_view bytes, const std::string& name, Notes
     case Kind::off:
         return read_off(bytes, name, notes);
     case Kind::threemf:
-        return read_3mf(bytes, name, notes);
+        return read_3mf(bytes, name, notes, to.bodies);
     case Kind::step:
         throw Error(Exit::bad_input, "cannot read " + name + ": it is a STEP file, not a mesh");
     case Kind::unknown:
@@ -141,9 +142,14 @@ File read(std::string_view bytes, const std::string& name) {
     if (bytes.empty()) throw Error(Exit::truncated, "cannot read " + name + ": it is empty");
     File out;
     out.kind = recognise(bytes);
-    out.mesh = read_kind(out.kind, bytes, name, out.notes);
+    out.mesh = read_kind(out.kind, bytes, name, out);
     if (out.kind != Kind::stl_binary && out.kind != Kind::stl_ascii) weld(out.mesh);
     leave_out_unusable(out.mesh, out.notes);
+    for (Body& b : out.bodies) {
+        weld(b.mesh);
+        leave_out_unusable(b.mesh, out.notes);
+    }
+    std::erase_if(out.bodies, [](const Body& b) { return b.mesh.triangles.empty(); });
     if (out.mesh.triangles.empty())
         throw Error(Exit::bad_input, "cannot use " + name + ": it holds no triangle with an area");
     return out;

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace filum::mesh {
 
@@ -19,10 +21,29 @@ Kind recognise(std::string_view bytes);
 // Whether files of this kind say what unit they are in.
 inline bool states_unit(Kind kind) { return kind == Kind::threemf || kind == Kind::step; }
 
+// What a slicer's project holds beside what is to be made, in mm, where it puts that.
+struct Body {
+    enum class What : std::uint8_t {
+        modifier,       // other settings hold in it
+        enforcer,       // supports are wanted in it
+        blocker,        // no supports are wanted in it
+        negative,       // it is to be cut away
+        painted,        // faces of the part under which supports are wanted: no solid
+        painted_blocker // the same where none are
+    };
+    What what = What::modifier;
+    std::vector<std::pair<std::string, std::string>> settings{}; // names and values as that slicer has them
+    Mesh mesh{};
+};
+
+// How notes begin of bodies that a project has and that are left out of its mesh.
+inline constexpr std::string_view kOfProject = "body of a slicer's project";
+
 struct File {
     Mesh mesh;
     Kind kind = Kind::unknown;
-    Notes notes; // what was left out
+    Notes notes;                // what was left out
+    std::vector<Body> bodies{}; // of a 3MF; what is painted comes last
 };
 
 // The mesh in `bytes`, the whole content of a file; `name` is for messages, in quotes if it is a path.

@@ -4,9 +4,11 @@
 #include "base/error.hpp"
 #include "geom/affine.hpp"
 #include "mesh/formats.hpp"
+#include "mesh/paint.hpp"
 #include "mesh/project.hpp"
 #include "mesh/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
@@ -24,6 +26,7 @@ namespace {
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 24; // after all copies that components ask for
 constexpr std::size_t kMaxCopies = 100000;
 constexpr int kMaxDepth = 32;
+constexpr std::uint32_t kNoVertex = 0xffffffff;
 
 struct Model {
     std::string text; // parsed in place
@@ -50,8 +53,8 @@ std::string part_path(const pugi::xml_node& n) {
 
 class Archive {
   public:
-    Archive(std::string_view bytes, const std::string& name, Notes& notes)
-        : name_(name), notes_(notes), zip_(bytes, name) {}
+    Archive(std::string_view bytes, const std::string& name, Notes& notes, std::vector<Body>& bodies)
+        : name_(name), notes_(notes), bodies_(bodies), zip_(bytes, name) {}
 
     Mesh build() {
         const std::string root = root_path();
@@ -70,7 +73,7 @@ class Archive {
         if (same_.count > 0) notes_.push_back(std::move(same_));
         reserve();
         for (const Placed& p : placed_) add_mesh(p);
-        if (not_made_.count > 0) notes_.push_back(std::move(not_made_));
+        take_bodies();
         return std::move(out_);
     }
 
@@ -80,7 +83,8 @@ class Archive {
         pugi::xml_node mesh;
         double unit = 1;
         Affine place;
-        std::string object; // its id, in the root model; else empty
+        std::string object;               // its id, in the root model; else empty
+        std::size_t body = Unmade::kNone; // that it is all of
     };
 
     [[noreturn]] void bad(const std::string& why) const {
@@ -103,13 +107,13 @@ class Archive {
     }
 
     void read_project() {
-        constexpr std::pair<const char*, bool (*)(const std::string&, NotMade&)> kFiles[] = {
+        constexpr std::pair<const char*, bool (*)(const std::string&, Unmade&)> kFiles[] = {
             {"Metadata/Slic3r_PE_model.config", read_prusa_project},
             {"Metadata/model_settings.config", read_bambu_project}};
         for (const auto& [path, read] : kFiles)
             if (zip_.has(path) && !read(zip_.read(path), unmade_))
                 bad("'" + std::string(path) + "' in the archive is no XML");
-        for (const auto& [object, ranges] : unmade_.triangles) not_made_.count += ranges.size();
+        triangles_.resize(unmade_.bodies.size());
     }
 
     const Model& load(const std::string& path) {
@@ -147,7 +151,8 @@ class Archive {
         return out;
     }
 
-    void add(const std::string& path, const std::string& id, const Affine& place, int depth) {
+    void add(const std::string& path, const std::string& id, const Affine& place, int depth,
+             std::size_t body = Unmade::kNone) {
         if (depth > kMaxDepth) bad("its components are nested more than 32 deep, or in a circle");
         const Model& model = load(path);
         const auto found = model.objects.find(id);
@@ -157,16 +162,15 @@ class Archive {
             ++same_.count;
             return;
         }
-        if (const auto mesh = child(object, "mesh")) placed_.push_back({mesh, model.unit, place, depth == 0 ? id : ""});
+        if (const auto mesh = child(object, "mesh"))
+            placed_.push_back({mesh, model.unit, place, depth == 0 ? id : "", body});
         for (const auto& c : child(object, "components").children()) {
             if (!is(c, "component")) continue;
             const std::string other = part_path(c);
-            if (unmade_.components.contains({id, c.attribute("objectid").value()})) {
-                ++not_made_.count;
-                continue;
-            }
+            const std::size_t part = unmade_.of_component(id, c.attribute("objectid").value());
             if (++copies_ > kMaxCopies) bad("its components ask for more than 100000 copies");
-            add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1);
+            add(other.empty() ? path : other, c.attribute("objectid").value(), then(transform(c), place), depth + 1,
+                part == Unmade::kNone ? body : part);
         }
     }
 
@@ -198,7 +202,7 @@ class Archive {
 
     // The translation of a transform is in the model's unit as well, so scale last.
     void add_mesh(const Placed& placed) {
-        const auto& [mesh, unit, place, object] = placed;
+        const auto& [mesh, unit, place, object, all_of] = placed;
         const std::size_t first = out_.vertices.size();
         for (const auto& v : child(mesh, "vertices").children()) {
             if (!is(v, "vertex")) continue;
@@ -209,11 +213,84 @@ class Archive {
         std::size_t number_of = 0;
         for (const auto& t : child(mesh, "triangles").children()) {
             if (!is(t, "triangle")) continue;
-            if (unmade_.holds(object, number_of++)) continue;
+            const std::size_t body = all_of != Unmade::kNone ? all_of : unmade_.of_triangle(object, number_of);
+            ++number_of;
             Triangle tri{index(t, "v1", count), index(t, "v2", count), index(t, "v3", count)};
             for (auto& v : tri) v += static_cast<std::uint32_t>(first);
+            if (body == Unmade::kNone) take_paint(t, tri);
             if (turn) std::swap(tri[1], tri[2]);
-            out_.triangles.push_back(tri);
+            (body == Unmade::kNone ? out_.triangles : triangles_[body]).push_back(tri);
+        }
+    }
+
+    // What PrusaSlicer, or OrcaSlicer and Bambu Studio, paint on a triangle for supports.
+    void take_paint(const pugi::xml_node& t, const Triangle& tri) {
+        for (const auto& a : t.attributes()) {
+            const std::string_view attribute(a.name());
+            if (!attribute.ends_with(":custom_supports") && attribute != "paint_supports") continue;
+            const auto& v = out_.vertices;
+            const bool known =
+                each_painted(a.value(), {v[tri[0]], v[tri[1]], v[tri[2]]}, [&](Paint paint, auto& corners) {
+                    std::vector<Corners>* to = paint == Paint::wanted     ? &painted_
+                                               : paint == Paint::unwanted ? &painted_blocker_
+                                                                          : nullptr;
+                    if (to != nullptr) to->push_back(corners);
+                });
+            if (!known) ++unread_paint_;
+        }
+    }
+
+    // The bodies with the triangles that were found, and what is painted.
+    void take_bodies() {
+        std::vector<std::uint32_t> index(out_.vertices.size(), kNoVertex);
+        for (std::size_t b = 0; b < unmade_.bodies.size(); ++b) {
+            Body& body = unmade_.bodies[b];
+            for (Triangle& t : triangles_[b])
+                for (auto& v : t) {
+                    if (index[v] == kNoVertex) {
+                        index[v] = static_cast<std::uint32_t>(body.mesh.vertices.size());
+                        body.mesh.vertices.push_back(out_.vertices[v]);
+                        seen_.push_back(v);
+                    }
+                    v = index[v];
+                }
+            for (const std::uint32_t v : seen_) index[v] = kNoVertex;
+            seen_.clear();
+            body.mesh.triangles = std::move(triangles_[b]);
+            bodies_.push_back(std::move(body));
+        }
+        take_painted(Body::What::painted, painted_);
+        take_painted(Body::What::painted_blocker, painted_blocker_);
+        tell_bodies();
+    }
+
+    void tell_bodies() {
+        using What = Body::What;
+        const auto tell = [&](const std::string& what, std::size_t count) {
+            if (count == 0) return;
+            notes_.push_back(note(what, 0, ""));
+            notes_.back().count = count;
+        };
+        const auto count = [&](std::initializer_list<What> words) {
+            return static_cast<std::size_t>(std::ranges::count_if(
+                bodies_, [&](const Body& b) { return std::ranges::find(words, b.what) != words.end(); }));
+        };
+        const std::string body(kOfProject);
+        tell(body + " that changes settings left out; see --modifier", count({What::modifier}));
+        tell(body + " for supports left out; see --support-in and --no-support-in",
+             count({What::enforcer, What::blocker}));
+        tell(body + " that is to be cut away left out", count({What::negative}));
+        tell("painted triangle of a slicer's project that cannot be read left out", unread_paint_);
+    }
+
+    void take_painted(Body::What what, const std::vector<Corners>& painted) {
+        if (painted.empty()) return;
+        Body& body = bodies_.emplace_back();
+        body.what = what;
+        for (const Corners& c : painted) {
+            const auto first = static_cast<std::uint32_t>(body.mesh.vertices.size());
+            body.mesh.vertices.insert(body.mesh.vertices.end(), c.begin(), c.end());
+            body.mesh.triangles.push_back({first, first + 1, first + 2});
         }
     }
 
@@ -233,25 +310,25 @@ class Archive {
 
     const std::string& name_;
     Notes& notes_;
+    std::vector<Body>& bodies_;
     archive::Zip zip_;
     std::map<std::string, std::unique_ptr<Model>> models_; // by path
     std::size_t copies_ = 0;
     std::set<std::tuple<const Model*, std::string, std::array<double, 12>>> there_;
     std::vector<Placed> placed_;
     Note same_{.stage = "", .what = "copy of a body in the same place left out", .unit = "", .count = 0};
-    NotMade unmade_;
-    Note not_made_{.stage = "",
-                   .what =
-                       "body of a slicer's project that changes settings, supports or cuts left out; see --modifier",
-                   .unit = "",
-                   .count = 0};
+    Unmade unmade_;
+    std::vector<std::vector<Triangle>> triangles_; // of each unmade body
+    std::vector<std::uint32_t> seen_;              // vertices of the body at hand
+    std::vector<Corners> painted_, painted_blocker_;
+    std::size_t unread_paint_ = 0;
     Mesh out_;
 };
 
 } // namespace
 
-Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes) {
-    return Archive(bytes, name, notes).build();
+Mesh read_3mf(std::string_view bytes, const std::string& name, Notes& notes, std::vector<Body>& bodies) {
+    return Archive(bytes, name, notes, bodies).build();
 }
 
 } // namespace filum::mesh

@@ -1,8 +1,10 @@
 #include "app/modifier/modifier.hpp"
 
+#include "app/modifier/painted.hpp"
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "mesh/place.hpp"
+#include "mesh/read.hpp"
 #include "mesh/step/step.hpp"
 #include "polygon/clip.hpp"
 #include "slice/slice.hpp"
@@ -18,16 +20,95 @@ namespace {
 using filum::slice::Level;
 
 constexpr const char* kPlacement = "placement_map";
+constexpr const char* kUnit = "placement_unit";
 
 // One level for each layer that has a region.
-std::vector<Level> levels_of(const std::vector<polygon::Region>& regions, std::vector<std::uint32_t>& layer) {
-    std::vector<Level> out;
-    for (const polygon::Region& r : regions)
-        if (layer.empty() || layer.back() != r.layer) {
-            layer.push_back(r.layer);
-            out.push_back({r.z, r.height, r.z - r.height / 2});
+struct Levels {
+    std::vector<Level> level;
+    std::vector<std::uint32_t> layer;
+
+    explicit Levels(const std::vector<polygon::Region>& regions) {
+        for (const polygon::Region& r : regions)
+            if (layer.empty() || layer.back() != r.layer) {
+                layer.push_back(r.layer);
+                level.push_back({r.z, r.height, r.z - r.height / 2});
+            }
+    }
+    [[nodiscard]] std::vector<polygon::Loops> none() const {
+        return std::vector<polygon::Loops>(layer.empty() ? 0 : layer.back() + 1);
+    }
+};
+
+// The value that `slice` has told by this name; none if there is not exactly one.
+std::optional<std::string> told(const stream::Header& header, const char* name) {
+    std::optional<std::string> out;
+    for (const stream::Run& run : header.history)
+        for (const stream::Setting& s : run.settings) {
+            if (run.program != "slice" || s.name != name) continue;
+            if (out) return std::nullopt;
+            out = s.value;
         }
     return out;
+}
+
+// A file whose contents go where the part went.
+struct Placed {
+    std::string crc32c;
+    mesh::File file;
+    geom::Affine map; // of its coordinates
+
+    void move(mesh::Mesh& mesh, const std::string& path) const {
+        try {
+            mesh::move(mesh, map);
+        } catch (const Error&) {
+            throw Error(Exit::bad_input, "cannot use '" + path + "': moved as the part was, it reaches beyond 10000 m");
+        }
+    }
+};
+
+Placed load(const std::string& path, const stream::Header& header, Notes& notes) {
+    const auto map = placement_in(header);
+    if (!map)
+        throw Error(Exit::bad_input, "cannot place '" + path +
+                                         "': the stream does not say how one part was moved; bodies that change "
+                                         "settings go with a single part, as this 'slice' puts it down");
+    const mesh::Bytes bytes = mesh::load(path);
+    Placed out{stream::crc32c_text(bytes.view()), mesh::step::read(bytes.view(), mesh::spoken_name(path), {}), *map};
+    if (mesh::states_unit(out.file.kind)) { // in mm, where the map takes the unit of the part's file
+        geom::Affine to_unit;
+        for (int k = 0; k < 3; ++k) to_unit.a[k][k] = 1 / unit_in(header);
+        out.map = geom::then(to_unit, *map);
+    }
+    for (const Note& n : out.file.notes)
+        if (!n.what.starts_with(mesh::kOfProject)) notes.push_back(n); // what is left out is what is wanted here
+    return out;
+}
+
+// The outlines of a body in each layer from the first to the last.
+std::vector<polygon::Loops> outlines(mesh::Mesh mesh, const Levels& levels, int threads, Notes& notes) {
+    std::vector<polygon::Loops> out = levels.none();
+    if (out.empty() || mesh.triangles.empty()) return out;
+    const auto part = filum::slice::make_part(std::move(mesh), notes);
+    const auto sweep = filum::slice::sweep_over(part, {}, levels.level, threads);
+    for (std::size_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
+        filum::slice::Cut cut = filum::slice::cut(sweep, chunk);
+        for (polygon::Layer& l : cut.layers) out[levels.layer[l.index]] = std::move(l.contours);
+        for (Note& n : cut.notes) {
+            if (n.layer >= 0) n.layer = levels.layer[static_cast<std::size_t>(n.layer)];
+            notes.push_back(std::move(n));
+        }
+    }
+    return out;
+}
+
+void tell_if_apart(const std::vector<polygon::Loops>& outlines, const std::vector<polygon::Region>& regions,
+                   Notes& notes) {
+    const bool meets = std::ranges::any_of(regions, [&](const polygon::Region& r) {
+        const polygon::Loops& here = outlines[r.layer];
+        return !here.empty() && !polygon::intersect(here, r.loops).empty();
+    });
+    if (!meets && !regions.empty())
+        notes.push_back({.stage = "", .what = "body meets nothing of the part", .unit = ""});
 }
 
 } // namespace
@@ -40,14 +121,15 @@ stream::Setting placement_setting(const geom::Affine& map) {
     return {kPlacement, text};
 }
 
+stream::Setting unit_setting(double mm) { return {kUnit, shortest_text(mm)}; }
+
+double unit_in(const stream::Header& header) {
+    const auto text = told(header, kUnit);
+    return text ? parse_number(*text, kUnit) : 1;
+}
+
 std::optional<geom::Affine> placement_in(const stream::Header& header) {
-    std::optional<std::string> text;
-    for (const stream::Run& run : header.history)
-        for (const stream::Setting& s : run.settings) {
-            if (run.program != "slice" || s.name != kPlacement) continue;
-            if (text) return std::nullopt;
-            text = s.value;
-        }
+    const auto text = told(header, kPlacement);
     if (!text) return std::nullopt;
     std::istringstream in(*text);
     const auto number = [&] {
@@ -64,39 +146,60 @@ std::optional<geom::Affine> placement_in(const stream::Header& header) {
 
 Body body(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
           int threads, Notes& notes) {
-    const auto map = placement_in(header);
-    if (!map)
-        throw Error(Exit::bad_input, "cannot place '" + path +
-                                         "': the stream does not say how one part was moved; bodies that change "
-                                         "settings go with a single part, as this 'slice' puts it down");
-    const mesh::Bytes bytes = mesh::load(path);
-    mesh::File file = mesh::step::read(bytes.view(), mesh::spoken_name(path), {});
-    for (const Note& n : file.notes) notes.push_back(n);
-    try {
-        mesh::move(file.mesh, *map);
-    } catch (const Error&) {
-        throw Error(Exit::bad_input, "cannot use '" + path + "': moved as the part was, it reaches beyond 10000 m");
-    }
-    std::vector<std::uint32_t> layer;
-    std::vector<Level> levels = levels_of(regions, layer);
-    Body out{std::vector<polygon::Loops>(layer.empty() ? 0 : layer.back() + 1), stream::crc32c_text(bytes.view())};
-    if (levels.empty()) return out;
-    const auto part = filum::slice::make_part(std::move(file.mesh), notes);
-    const auto sweep = filum::slice::sweep_over(part, {}, std::move(levels), threads);
-    for (std::size_t chunk = 0; chunk < sweep.chunks(); ++chunk) {
-        filum::slice::Cut cut = filum::slice::cut(sweep, chunk);
-        for (polygon::Layer& l : cut.layers) out.outlines[layer[l.index]] = std::move(l.contours);
-        for (Note& n : cut.notes) {
-            if (n.layer >= 0) n.layer = layer[static_cast<std::size_t>(n.layer)];
-            notes.push_back(std::move(n));
-        }
-    }
-    const bool meets = std::ranges::any_of(regions, [&](const polygon::Region& r) {
-        const polygon::Loops& here = out.outlines[r.layer];
-        return !here.empty() && !polygon::intersect(here, r.loops).empty();
-    });
-    if (!meets) notes.push_back({.stage = "", .what = "body meets nothing of the part", .unit = ""});
+    Placed placed = load(path, header, notes);
+    placed.move(placed.file.mesh, path);
+    Body out{outlines(std::move(placed.file.mesh), Levels(regions), threads, notes), std::move(placed.crc32c)};
+    tell_if_apart(out.outlines, regions, notes);
     return out;
+}
+
+Project modifiers(const std::string& path, const stream::Header& header, const std::vector<polygon::Region>& regions,
+                  int threads, Notes& notes) {
+    Placed placed = load(path, header, notes);
+    const Levels levels(regions);
+    Project out{{}, std::move(placed.crc32c)};
+    for (mesh::Body& b : placed.file.bodies) {
+        if (b.what != mesh::Body::What::modifier) continue;
+        placed.move(b.mesh, path);
+        out.bodies.push_back({outlines(std::move(b.mesh), levels, threads, notes), std::move(b.settings)});
+        tell_if_apart(out.bodies.back().outlines, regions, notes);
+    }
+    if (!out.bodies.empty()) return out;
+    throw Error(Exit::bad_input, "cannot use '" + path +
+                                     "' as --modifier: it holds no bodies that change settings; say what holds in all "
+                                     "of it, as '" +
+                                     path + ":infill=40%'");
+}
+
+Places support_places(const std::string& path, bool wanted, const stream::Header& header,
+                      const std::vector<polygon::Region>& regions, int threads, Notes& notes) {
+    using What = mesh::Body::What;
+    Placed placed = load(path, header, notes);
+    const Levels levels(regions);
+    const What solid = wanted ? What::enforcer : What::blocker, paint = wanted ? What::painted : What::painted_blocker;
+    const auto of_supports = [](const mesh::Body& b) { return b.what != What::modifier && b.what != What::negative; };
+    Places out{{levels.none(), std::move(placed.crc32c)}, 0};
+    if (std::ranges::none_of(placed.file.bodies, of_supports)) {
+        placed.move(placed.file.mesh, path);
+        out.body.outlines = outlines(std::move(placed.file.mesh), levels, threads, notes);
+        tell_if_apart(out.body.outlines, regions, notes);
+        return out;
+    }
+    bool any = false;
+    for (mesh::Body& b : placed.file.bodies) {
+        if (b.what != solid && b.what != paint) continue;
+        any = true;
+        placed.move(b.mesh, path);
+        if (b.what == paint) out.painted += area_facing_down(b.mesh);
+        const auto more = b.what == solid ? outlines(std::move(b.mesh), levels, threads, notes)
+                                          : seen_from_below(b.mesh, levels.level, levels.layer);
+        for (std::size_t i = 0; i < more.size(); ++i)
+            if (!more[i].empty()) out.body.outlines[i] = polygon::unite(out.body.outlines[i], more[i]);
+    }
+    if (any) return out;
+    throw Error(Exit::bad_input, "cannot use '" + path + "' as " + (wanted ? "--support-in" : "--no-support-in") +
+                                     ": its bodies and what is painted are for " +
+                                     (wanted ? "--no-support-in" : "--support-in"));
 }
 
 } // namespace filum::app::modifier

@@ -16,7 +16,7 @@ using geom::Vec2;
 struct OnBed {
     std::string name;
     mesh::Box3 box;
-    geom::Affine placement{};  // from the file's coordinates
+    mesh::Placed placement{};  // from the file's coordinates
     std::vector<Vec2> outline; // its convex hull seen from above; of several things only
     std::unique_ptr<filum::slice::Part> part;
     std::vector<plate::Place> at{{}}; // where each copy stands

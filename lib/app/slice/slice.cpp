@@ -92,9 +92,10 @@ void run(const Options& o, const cli::Io& io) {
     const auto levels = prepare(parts, o, io.threads, notes);
     Job job{o, parts, levels, wanted(levels, o)};
     if (objects.empty()) { // a single part
-        geom::Affine placement = parts[0].placement;
-        placement.t[2] -= job.wanted.down;
-        self.settings.push_back(modifier::placement_setting(placement));
+        auto [map, unit] = parts[0].placement;
+        map.t[2] -= job.wanted.down;
+        self.settings.push_back(modifier::placement_setting(map));
+        if (unit != 1) self.settings.push_back(modifier::unit_setting(unit));
     }
     auto header = cli::header(self, stream::Payload::layers);
     header.history.back().objects = std::move(objects);

@@ -23,8 +23,10 @@ void run(const Options& o, const cli::Io& io) {
     cli::Io self = io;
     const auto read = [&](const std::string& option, const std::string& file, std::vector<polygon::Loops>& to) {
         if (file.empty()) return;
-        modifier::Body body = modifier::body(file, whole.header, given, io.threads, notes);
+        auto [body, painted] =
+            modifier::support_places(file, option == "support-in", whole.header, given, io.threads, notes);
         to = std::move(body.outlines);
+        if (painted > 0) facts.push_back({"", option + "-painted", painted, "mm2"});
         self.settings.push_back({option, "FILE", true}); // in the history a file has no name
         self.settings.push_back({option + "_crc32c", body.crc32c});
     };

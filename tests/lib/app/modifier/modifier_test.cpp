@@ -49,8 +49,10 @@ TEST(Modifier, PlacementComesBackAsItWas) {
     const mesh::Mesh box = shapes::box({0, 0, 3}, {1, 2, 4});
     mesh::Mesh moved = box, again = box;
     Notes notes;
-    const auto map = mesh::place(
-        moved, {.unit = "in", .scale = {1, 0.3, 1}, .rotate_deg = {10, 20, 37}, .center = {100, 50}}, false, notes);
+    const auto map =
+        mesh::place(moved, {.unit = "in", .scale = {1, 0.3, 1}, .rotate_deg = {10, 20, 37}, .center = {100, 50}}, false,
+                    notes)
+            .map;
     const auto read = placement_in(told(map));
     ASSERT_TRUE(read);
     mesh::move(again, *read);

@@ -1,0 +1,73 @@
+#include "mesh/paint.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace filum::mesh {
+
+namespace {
+
+constexpr int kMostCuts = 32; // of a triangle, its half, and so on
+
+class Painted {
+  public:
+    Painted(std::string_view text, const std::function<void(Paint, const Corners&)>& put) : text_(text), put_(put) {}
+
+    bool run(const Corners& corners) { return triangle(corners, 0) && text_.empty(); }
+
+  private:
+    std::optional<int> digit() {
+        if (text_.empty()) return std::nullopt;
+        const char c = text_.back();
+        text_.remove_suffix(1);
+        if (c >= '0' && c <= '9') return c - '0';
+        if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+        if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+        return std::nullopt;
+    }
+
+    bool triangle(const Corners& corners, int depth) {
+        const auto code = digit();
+        if (!code || depth > kMostCuts) return false;
+        const int cut = *code % 4, rest = *code / 4;
+        if (cut > 0) return rest < 3 && children(corners, cut, rest, depth);
+        int paint = rest;
+        if (rest == 3) {
+            const auto more = digit();
+            if (!more) return false;
+            paint += *more;
+        }
+        put_(paint < 3 ? static_cast<Paint>(paint) : Paint::other, corners);
+        return true;
+    }
+
+    // Of a triangle a, b, c, whose first corner is the one told: one cut side is b-c, two are a-b and c-a.
+    bool children(const Corners& corners, int cut, int first, int depth) {
+        const auto f = static_cast<std::size_t>(first);
+        const Vec3 a = corners[f], b = corners[(f + 1) % 3], c = corners[(f + 2) % 3];
+        const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+        std::vector<Corners> parts;
+        if (cut == 1)
+            parts = {{a, b, bc}, {bc, c, a}};
+        else if (cut == 2)
+            parts = {{a, ab, ca}, {ab, b, ca}, {b, c, ca}};
+        else
+            parts = {{a, ab, ca}, {ab, b, bc}, {bc, c, ca}, {ab, bc, ca}};
+        for (std::size_t k = parts.size(); k-- > 0;)
+            if (!triangle(parts[k], depth + 1)) return false;
+        return true;
+    }
+
+    using Vec3 = geom::Vec3;
+    std::string_view text_;
+    const std::function<void(Paint, const Corners&)>& put_;
+};
+
+} // namespace
+
+bool each_painted(std::string_view text, const Corners& corners,
+                  const std::function<void(Paint, const Corners&)>& put) {
+    return Painted(text, put).run(corners);
+}
+
+} // namespace filum::mesh
