@@ -149,7 +149,9 @@ std::string pipeline(const std::vector<Command>& commands, const std::vector<Sta
 }
 
 // What files of settings say that means nothing here.
-void tell_left(const std::vector<std::string>& names) {
+void tell_left(const Translated& from) {
+    for (const std::string& remark : from.remarks) std::cerr << "filum: " << remark << std::endl;
+    const auto& names = from.left;
     if (names.empty()) return;
     std::cerr << "filum: " << names.size() << " settings of --load have no meaning here:";
     for (const std::string& name : names) std::cerr << ' ' << name;
@@ -210,7 +212,7 @@ int print_part(const std::vector<std::string>& typed) {
     keep_wished(words, request, stages);
     if (!request.report.empty() && !request.report.ends_with(".html"))
         throw Error(Exit::usage, "cannot make the report '" + request.report + "': its name must end in .html");
-    if (!request.quiet) tell_left(ours.left);
+    if (!request.quiet) tell_left(ours);
     check_profiles(request, stages);
     std::vector<Command> commands = commands_of(request, stages);
     if (request.dry_run) return tell(pipeline(commands, stages));

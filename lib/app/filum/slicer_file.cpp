@@ -2,6 +2,7 @@
 
 #include "archive/zip.hpp"
 #include "base/error.hpp"
+#include "mesh/read.hpp"
 #include "wire/json.hpp"
 
 #include <cerrno>
@@ -63,6 +64,22 @@ std::vector<SlicerSetting> slicer_settings(const std::string& file) {
     throw Error(Exit::bad_input, "cannot use '" + file +
                                      "': it holds no settings of a slicer; export them as an .ini file (lines 'name = "
                                      "value'), or name a project of PrusaSlicer, OrcaSlicer or Bambu Studio (.3mf)");
+}
+
+ProjectBodies project_bodies(const std::string& file) {
+    ProjectBodies out;
+    try {
+        const mesh::Bytes bytes = mesh::load(file);
+        if (!archive::Zip::begins(bytes.view())) return out;
+        using What = mesh::Body::What;
+        for (const mesh::Body& b : mesh::read(bytes.view(), mesh::spoken_name(file)).bodies) {
+            out.modifiers = out.modifiers || b.what == What::modifier;
+            out.wanted = out.wanted || b.what == What::enforcer || b.what == What::painted;
+            out.unwanted = out.unwanted || b.what == What::blocker || b.what == What::painted_blocker;
+        }
+    } catch (const Error&) { // settings only
+    }
+    return out;
 }
 
 } // namespace filum::app::filum

@@ -15,4 +15,11 @@ struct SlicerSetting {
 // Throws Error: io for a file that cannot be read, bad_input for one without settings.
 std::vector<SlicerSetting> slicer_settings(const std::string& file);
 
+// What a file holds beside its part and its settings; nothing of one that holds no part, or is no project.
+struct ProjectBodies {
+    bool modifiers = false;                // bodies with settings of their own
+    bool wanted = false, unwanted = false; // bodies or painted faces that ask for supports, or for none
+};
+ProjectBodies project_bodies(const std::string& file);
+
 } // namespace filum::app::filum

@@ -4,12 +4,14 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "cli/other_names.hpp"
+#include "cli/other_values.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 namespace filum::app::filum {
 
@@ -30,84 +32,6 @@ std::string option_of(const std::string& name, const std::string& value) {
     std::string out = "--";
     out.append(name).append("=").append(value);
     return out;
-}
-
-bool percent(const std::string& text) { return !text.empty() && text.back() == '%'; }
-
-double number(const std::string& text, const std::string& of) {
-    return parse_number(percent(text) ? text.substr(0, text.size() - 1) : text, "--" + of);
-}
-
-// Slicers' patterns of straight lines that this program lays as rows, of waves, and of lines along the outline.
-std::string pattern(const std::string& theirs) {
-    for (const char* rows : {"rectilinear", "alignedrectilinear", "line", "lines", "grid", "zigzag", "zig-zag", "rows"})
-        if (theirs == rows) return "rows";
-    if (theirs == "concentric") return "concentric";
-    return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
-}
-
-// Strokes begin where they are least seen, or where the one before ended: few that they are, nobody lines them up.
-std::string seam(const std::string& theirs) {
-    if (theirs == "rear" || theirs == "back") return "back";
-    return theirs == "nearest" ? "nearest" : "";
-}
-
-// The option for a part that loses so many % of its size in x and y, or in z.
-std::optional<std::string> shrinkage(const std::string& option, double lost, bool in_z = false) {
-    if (!(lost > 0)) return std::nullopt;
-    const std::string text = shortest_text(lost);
-    return option + (in_z ? "=0,0," + text : "=" + text + "," + text + ",0");
-}
-
-// PrusaSlicer says what is lost, at most 10 %; OrcaSlicer what is left, by the same name.
-double lost_in_z(double value) { return value > 10 ? 100 - value : value; }
-
-// Our words for a setting; none if it says what has no meaning here.
-std::optional<std::string> translated(const OtherName& n, const std::string& value) {
-    const std::string option = "--" + std::string(n.ours), theirs(n.theirs);
-    switch (n.value) {
-    case Value::same:
-        return option + "=" + value;
-    case Value::length:
-        if (percent(value) || number(value, theirs) <= 0) return std::nullopt;
-        return option + "=" + value;
-    case Value::share:
-        return option + "=" + (percent(value) ? value : shortest_text(number(value, theirs)) + "%");
-    case Value::flag:
-        if (!value.empty() && value != "1") return std::nullopt;
-        return option;
-    case Value::steepness:
-        if (number(value, theirs) <= 0) return std::nullopt;
-        return option + "=" + shortest_text(90 - number(value, theirs));
-    case Value::pattern:
-        if (pattern(value).empty()) return std::nullopt;
-        return option + "=" + pattern(value);
-    case Value::seam:
-        if (seam(value).empty()) return std::nullopt;
-        return option + "=" + seam(value);
-    case Value::shrinks_by:
-        return shrinkage(option, number(value, theirs));
-    case Value::shrinks_to:
-        return shrinkage(option, 100 - number(value, theirs));
-    case Value::shrinks_z:
-        return shrinkage(option, lost_in_z(number(value, theirs)), true);
-    case Value::key:
-        if (percent(value)) return std::nullopt;
-        number(value, theirs);
-        return "--set=" + std::string(n.ours) + "=" + value;
-    case Value::bed_only:
-        if (value != "1") return std::nullopt;
-        return option + "=bed";
-    case Value::turn_x:
-        return option + "=" + value + ",0,0";
-    case Value::turn_y:
-        return option + "=0," + value + ",0";
-    case Value::turn_z:
-        return option + "=0,0," + value;
-    case Value::none:
-        break;
-    }
-    return std::nullopt;
 }
 
 bool has(const std::vector<Stage>& stages, std::string_view name) {
@@ -150,7 +74,7 @@ std::optional<std::string> word_for(const SlicerSetting& s, const std::vector<St
     const std::string brim = value_of("brim-type");
     if (name == "brim-width" && !brim.empty() && !brim.starts_with("outer_")) return std::nullopt;
     try {
-        return translated(*n, s.value);
+        return cli::our_word(*n, s.value);
     } catch (const Error&) { // a value of another kind
         return std::nullopt;
     }
@@ -167,8 +91,35 @@ void join_shrinkages(std::vector<std::string>& words) {
     words.erase(z);
 }
 
-// What of a file has a meaning here.
-void load(const std::string& file, const std::vector<Stage>& stages, Translated& out) {
+// Whether a file asks for supports, and if so whether only where bodies or painted faces say.
+bool supports_asked(const ValueOf& value_of) {
+    return value_of("support-material") == "1" || value_of("enable-support") == "1";
+}
+bool supports_by_hand(const ValueOf& value_of) {
+    return value_of("support-material-auto") == "0" || value_of("support-type").find("(manual)") != std::string::npos;
+}
+
+// The bodies of a project whose part is printed; of another part's they are left out.
+void load_bodies(const std::string& file, bool printed, const ValueOf& value_of, const std::vector<Stage>& stages,
+                 Translated& out) {
+    const ProjectBodies there = project_bodies(file);
+    const bool supports = supports_asked(value_of);
+    const std::tuple<bool, const char*, const char*> kinds[] = {
+        {there.modifiers, "modifier", "bodies that change settings"},
+        {there.wanted && supports, "support-in", "places for supports"},
+        {there.unwanted && supports, "no-support-in", "places without supports"}};
+    for (const auto& [any, option, name] : kinds) {
+        if (!any) continue;
+        if (printed && has(stages, option))
+            out.words.push_back(option_of(option, file));
+        else
+            out.remarks.push_back(std::string(name) + " in '" + file +
+                                  "' left out: it is not the part that is printed");
+    }
+}
+
+// What of a file has a meaning here; `printed`: it is also the part.
+void load(const std::string& file, bool printed, const std::vector<Stage>& stages, Translated& out) {
     const std::vector<SlicerSetting> all = slicer_settings(file);
     const ValueOf value_of = [&](std::string_view key) {
         const auto at =
@@ -183,12 +134,15 @@ void load(const std::string& file, const std::vector<Stage>& stages, Translated&
             out.left.push_back(s.key);
     }
     join_shrinkages(out.words);
+    if (supports_asked(value_of) && supports_by_hand(value_of)) std::erase(out.words, "--support");
+    load_bodies(file, printed, value_of, stages, out);
 }
 
 // --rotate 45, --scale 150%: our options, values of theirs.
 std::string own_value(const std::string& name, const std::string& value) {
     if (name == "rotate" && value.find(',') == std::string::npos && !value.empty()) return "0,0," + value;
-    if (name == "scale" && percent(value)) return shortest_text(number(value, name) / 100);
+    if (name == "scale" && value.ends_with('%'))
+        return shortest_text(parse_number(value.substr(0, value.size() - 1), "--scale") / 100);
     return value;
 }
 
@@ -214,7 +168,7 @@ void join_sets(std::vector<std::string>& words) {
 
 Translated translated(const std::vector<std::string>& words, const std::vector<Stage>& stages) {
     Translated out;
-    std::vector<std::string> rest;
+    std::vector<std::string> rest, files;
     std::size_t i = 0;
     for (; i < words.size() && words[i] != "--"; ++i) {
         const std::string& word = words[i];
@@ -229,12 +183,12 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
         };
         const OtherName* n = typed.empty() || has(stages, typed) ? nullptr : known(stages, typed);
         if (typed == "load") {
-            load(value(), stages, out);
+            files.push_back(value());
         } else if (typed == "set" || typed == "rotate" || typed == "scale") {
             rest.push_back(option_of(typed, own_value(typed, value())));
         } else if (n != nullptr) {
             const std::string given = n->value == Value::flag && equal == std::string::npos ? "1" : value();
-            const auto ours = translated(*n, given);
+            const auto ours = cli::our_word(*n, given);
             if (!ours)
                 throw Error(Exit::usage,
                             "cannot use '" + option_of(typed, given) + "'; here it is '" + cli::ours_of(*n) + "'");
@@ -243,6 +197,7 @@ Translated translated(const std::vector<std::string>& words, const std::vector<S
             rest.push_back(word);
         }
     }
+    for (const std::string& file : files) load(file, std::ranges::find(rest, file) != rest.end(), stages, out);
     out.words.insert(out.words.end(), rest.begin(), rest.end());
     out.words.insert(out.words.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
     join_sets(out.words);

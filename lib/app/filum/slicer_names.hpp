@@ -13,6 +13,7 @@ struct Translated {
     std::vector<std::string> words; // as `route` takes them
     // Settings of files that say something, but nothing here: "ironing", "raft_layers", ... in the file's order.
     std::vector<std::string> left;
+    std::vector<std::string> remarks; // on what else of files is left out
 };
 
 // The words with each --load FILE replaced by what of its settings has a meaning here, before all others, so that these

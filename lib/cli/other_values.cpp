@@ -1,0 +1,88 @@
+#include "cli/other_values.hpp"
+
+#include "base/number.hpp"
+
+namespace filum::cli {
+
+namespace {
+
+bool percent(const std::string& text) { return !text.empty() && text.back() == '%'; }
+
+double number(const std::string& text, const std::string& of) {
+    return parse_number(percent(text) ? text.substr(0, text.size() - 1) : text, "--" + of);
+}
+
+// Slicers' patterns of straight lines that this program lays as rows, of waves, and of lines along the outline.
+std::string pattern(const std::string& theirs) {
+    for (const char* rows : {"rectilinear", "alignedrectilinear", "line", "lines", "grid", "zigzag", "zig-zag", "rows"})
+        if (theirs == rows) return "rows";
+    if (theirs == "concentric") return "concentric";
+    return theirs == "gyroid" || theirs == "wave" ? "wave" : "";
+}
+
+// Strokes begin where they are least seen, or where the one before ended: few that they are, nobody lines them up.
+std::string seam(const std::string& theirs) {
+    if (theirs == "rear" || theirs == "back") return "back";
+    return theirs == "nearest" ? "nearest" : "";
+}
+
+// The option for a part that loses so many % of its size in x and y, or in z.
+std::optional<std::string> shrinkage(const std::string& option, double lost, bool in_z = false) {
+    if (!(lost > 0)) return std::nullopt;
+    const std::string text = shortest_text(lost);
+    return option + (in_z ? "=0,0," + text : "=" + text + "," + text + ",0");
+}
+
+// PrusaSlicer says what is lost, at most 10 %; OrcaSlicer what is left, by the same name.
+double lost_in_z(double value) { return value > 10 ? 100 - value : value; }
+
+} // namespace
+
+std::optional<std::string> our_word(const OtherName& n, const std::string& value) {
+    const std::string option = "--" + std::string(n.ours), theirs(n.theirs);
+    switch (n.value) {
+    case Value::same:
+        return option + "=" + value;
+    case Value::length:
+        if (percent(value) || number(value, theirs) <= 0) return std::nullopt;
+        return option + "=" + value;
+    case Value::share:
+        return option + "=" + (percent(value) ? value : shortest_text(number(value, theirs)) + "%");
+    case Value::flag:
+        if (!value.empty() && value != "1") return std::nullopt;
+        return option;
+    case Value::steepness:
+        if (number(value, theirs) <= 0) return std::nullopt;
+        return option + "=" + shortest_text(90 - number(value, theirs));
+    case Value::pattern:
+        if (pattern(value).empty()) return std::nullopt;
+        return option + "=" + pattern(value);
+    case Value::seam:
+        if (seam(value).empty()) return std::nullopt;
+        return option + "=" + seam(value);
+    case Value::shrinks_by:
+        return shrinkage(option, number(value, theirs));
+    case Value::shrinks_to:
+        return shrinkage(option, 100 - number(value, theirs));
+    case Value::shrinks_z:
+        return shrinkage(option, lost_in_z(number(value, theirs)), true);
+    case Value::key:
+        if (percent(value)) return std::nullopt;
+        number(value, theirs);
+        return "--set=" + std::string(n.ours) + "=" + value;
+    case Value::bed_only:
+        if (value != "1") return std::nullopt;
+        return option + "=bed";
+    case Value::turn_x:
+        return option + "=" + value + ",0,0";
+    case Value::turn_y:
+        return option + "=0," + value + ",0";
+    case Value::turn_z:
+        return option + "=0,0," + value;
+    case Value::none:
+        break;
+    }
+    return std::nullopt;
+}
+
+} // namespace filum::cli
