@@ -35,8 +35,9 @@ cli::Spec spec(Options& all) {
             "and lie on those below where the outline stays.\n\n"
             "A --modifier is a body in which other settings hold, such as a denser infill about a screw: a mesh in the "
             "coordinates of the part's file, scaled, turned and moved as 'slice' did with that. A wall lies between "
-            "what it changes and the rest. Where several overlap, the last one counts. One that meets nothing of the "
-            "part is noted.",
+            "what it changes and the rest. With fewer walls in the body, the others follow its border; with more, they "
+            "go round within it; another bead width holds for all but the outer wall. Where several overlap, the last "
+            "one counts. One that meets nothing of the part is noted.",
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::regions),
         .memory = "the whole part",
@@ -60,9 +61,11 @@ cli::Spec spec(Options& all) {
                     "skins if need be, and over air, beyond which it is a bridge"}
                  .within(0.01, 1e6)
                  .a_limit(),
-             Option{"modifier", &all.modifiers, "FILE:SETTINGS",
-                    "within the body in FILE other settings hold: infill=40%,walls=4, out of infill, infill-pattern, "
-                    "walls, top and bottom; several with ';' between"}
+             Option{
+                 "modifier", &all.modifiers, "FILE:SETTINGS",
+                 "within the body in FILE other settings hold: infill=40%,walls=4, out of infill, infill-pattern, "
+                 "walls, top, bottom and bead-width; or a slicer's project, PROJECT.3mf, whose modifiers have settings "
+                 "of their own; several with ';' between"}
                  .not_a_setting()
                  .a_limit(),
              Option{"bead-width", &o.bead_width, "MM", "width of a bead"}

@@ -72,7 +72,7 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
         return best;
     };
     std::vector<toolpath::Curve> out;
-    for (ClosedLine& line : join_rings(rings, w, region, how.wind, how.hung)) {
+    for (ClosedLine& line : join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
         if (how.round) line = rounded(with_wide_turns(line, w, room), w, how.reach, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
         if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, rings::kLeastVoid * w * w);

@@ -8,6 +8,7 @@
 #include "fill/spiral.hpp"
 #include "fill/uncross.hpp"
 #include "geom/segment_grid.hpp"
+#include "hollow/pieces.hpp"
 #include "infill/infill.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/segments.hpp"
@@ -45,12 +46,12 @@ struct Loose {
     std::vector<Feature> feature; // per loop
 };
 
-// The first `walls` lanes are walls.
-void add(Loose& to, const rings::Rings& from, std::uint32_t walls) {
+// The first `walls` lanes are walls, the first of them an outer one or as the others.
+void add(Loose& to, const rings::Rings& from, std::uint32_t walls, Feature first = Feature::outer_wall) {
     to.rings.add(from);
     for (const int lane : from.lane) {
         const bool wall = static_cast<std::uint32_t>(lane) <= walls;
-        to.feature.push_back(!wall ? Feature::solid : lane == 1 ? Feature::outer_wall : Feature::wall);
+        to.feature.push_back(!wall ? Feature::solid : lane == 1 ? first : Feature::wall);
     }
 }
 
@@ -69,12 +70,13 @@ struct Division {
     std::vector<double> direction; // rad, of each bridge
 };
 
-// Cuts bridges out of what is solid, and with them what beside them is narrower than a bead.
-void take_bridges(const Region& r, double w, Loops& solid, Division& out) {
+// Cuts bridges out of what is solid, and with them what beside them is narrower than a bead.  Walls are `depth` mm wide
+// together.
+void take_bridges(const Region& r, double depth, double w, Loops& solid, Division& out) {
     for (const Area& a : r.areas) {
         if (a.kind != AreaKind::bridge) continue;
         // rows end over the walls of the layer below
-        const Loops reach = polygon::offset(a.loops, r.walls * w, kTolerance);
+        const Loops reach = polygon::offset(a.loops, depth, kTolerance);
         const Loops over = polygon::opened(polygon::intersect(solid, reach), w, kTolerance);
         if (over.empty()) continue;
         const Loops beside = polygon::opened(polygon::subtract(solid, over), w / 2, kTolerance);
@@ -111,7 +113,7 @@ void add_rows(Loose& to, const Loops& bridge, double direction, double w, double
 // What is solid and narrower than a bead becomes sparse, then what is sparse and narrower than two becomes solid: so no
 // slivers stand where the outlines of areas run along those of the walls.  Solid parts nowhere as wide as half a bead
 // are left open.
-Division divided(const Loops& rest, const Region& r, double w) {
+Division divided(const Loops& rest, const Region& r, double depth, double w) {
     Division out;
     Loops solid = rest;
     for (const Area& a : r.areas)
@@ -121,7 +123,7 @@ Division divided(const Loops& rest, const Region& r, double w) {
         }
     Loops sparse = polygon::opened(polygon::subtract(rest, polygon::opened(solid, w / 2, kTolerance)), w, kTolerance);
     solid = polygon::subtract(rest, sparse);
-    take_bridges(r, w, solid, out);
+    take_bridges(r, depth, w, solid, out);
     for (const Loops& part : polygon::split(solid).part)
         if (!polygon::offset(part, -w / 4, kTolerance).empty()) out.solid.push_back(part);
     out.all_sparse = sparse;
@@ -137,29 +139,49 @@ bool has(const Region& r, AreaKind kind) {
     return std::any_of(r.areas.begin(), r.areas.end(), [&](const Area& a) { return a.kind == kind; });
 }
 
+// Lays what lies within walls that are `depth` mm wide together, with beads w wide.
+void add_inside(Loose& to, const Loops& rest, const Region& r, double depth, double w, double tolerance) {
+    const Division parts = divided(polygon::simplify(rest, kTolerance), r, depth, w);
+    Loops rim;
+    if (!parts.sparse.empty()) rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -depth, kTolerance);
+    std::vector<infill::Task> tasks;
+    for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
+        const Area& a = *parts.area[k];
+        tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z, a.gap, &rim}});
+    }
+    add(to, infill::loops(parts.all_sparse, tasks), w, Feature::infill);
+    for (std::size_t k = 0; k < parts.bridge.size(); ++k)
+        add_rows(to, parts.bridge[k], parts.direction[k], w, tolerance);
+    for (const Loops& part : parts.solid) add(to, rings::lanes(part, {.width = w, .tolerance = tolerance}), 0);
+}
+
+// Lays a piece within walls of `depth` mm: further ones of its own, and what they leave.
+void add_piece(Loose& to, const Piece& piece, const Region& r, double depth, double tolerance) {
+    if (piece.walls == 0) return add_inside(to, piece.where, r, depth, piece.width, tolerance);
+    const auto walls = rings::first_lanes(
+        piece.where, {.width = piece.width, .most = static_cast<int>(piece.walls), .tolerance = tolerance});
+    add(to, walls.lanes, piece.walls, Feature::wall);
+    for (const Loops& rest : walls.rest)
+        add_inside(to, rest, r, depth + piece.walls * piece.width, piece.width, tolerance);
+}
+
 // All closed curves of the region, none joined.
 Loose closed_curves(const Region& r, double w, const Try& how) {
     Loose out;
-    if (!has(r, AreaKind::sparse) && !has(r, AreaKind::bridge)) {
+    if (!has(r, AreaKind::sparse) && !has(r, AreaKind::bridge) && !has(r, AreaKind::zone)) {
         add(out, rings::lanes(r.loops, {.width = w, .tolerance = how.tolerance}), r.walls);
         return out;
     }
     const auto walls =
         rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = how.tolerance});
     add(out, walls.lanes, r.walls);
-    const Loops rim = polygon::offset(polygon::simplify(r.loops, kTolerance), -(r.walls * w), kTolerance);
-    for (const Loops& rest : walls.rest) {
-        const Division parts = divided(polygon::simplify(rest, kTolerance), r, w);
-        std::vector<infill::Task> tasks;
-        for (std::size_t k = 0; k < parts.sparse.size(); ++k) {
-            const Area& a = *parts.area[k];
-            tasks.push_back({&parts.sparse[k], {a.pattern, a.direction, a.spacing, w, r.z, a.gap, &rim}});
-        }
-        add(out, infill::loops(parts.all_sparse, tasks), w, Feature::infill);
-        for (std::size_t k = 0; k < parts.bridge.size(); ++k)
-            add_rows(out, parts.bridge[k], parts.direction[k], w, how.tolerance);
-        for (const Loops& part : parts.solid) add(out, rings::lanes(part, {.width = w, .tolerance = how.tolerance}), 0);
-    }
+    const double depth = r.walls * w;
+    for (const Loops& rest : walls.rest)
+        if (!has(r, AreaKind::zone))
+            add_inside(out, rest, r, depth, w, how.tolerance);
+        else
+            for (const Piece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))
+                add_piece(out, piece, r, depth, how.tolerance);
     return out;
 }
 
@@ -219,7 +241,8 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     toolpath::RegionPaths out;
     fill::identify(out, r);
     const std::size_t first = notes.size();
-    const auto hung = hanging(r, o.bead_width);
+    const Widths width = widths(r, o.bead_width);
+    const auto hung = hanging(r, width.widest);
     Loose loose;
     // crossings first, then curves
     constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
@@ -227,14 +250,15 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     for (const Try& t : kTries) {
         Loose parts = closed_curves(r, o.bead_width, t);
         auto curves = fill::finished(parts.rings, r.loops,
-                                     {.bead_width = o.bead_width,
+                                     {.bead_width = width.narrowest,
                                       .tolerance = t.tolerance,
                                       .wind = t.wind,
                                       .round = t.round && parts.rings.size() > fill::kFewRings,
-                                      .reach = fill::kRoundReach * o.bead_width,
-                                      .hung = hung});
-        const double left = fill::leave_tiny(curves, o.bead_width);
-        const std::pair faults{fill::crossing_pairs(curves, o.bead_width).size(), curves.size()};
+                                      .reach = fill::kRoundReach * width.narrowest,
+                                      .hung = hung,
+                                      .widest = width.widest});
+        const double left = fill::leave_tiny(curves, width.narrowest);
+        const std::pair faults{fill::crossing_pairs(curves, width.widest).size(), curves.size()};
         if (faults >= fewest) continue;
         fewest = faults;
         loose = std::move(parts);
@@ -242,8 +266,8 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
         out.unplaced = left;
         if (fewest == std::pair<std::size_t, std::size_t>{0, 1}) break;
     }
-    if (fewest.first > 0) fill::uncross(out.curves, o.bead_width, notes);
-    tell_features(r, loose, o.bead_width, out.curves);
+    if (fewest.first > 0) fill::uncross(out.curves, width.widest, notes);
+    tell_features(r, loose, width.widest, out.curves);
     fill::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;
     return out;

@@ -9,12 +9,13 @@
 namespace filum::hollow {
 
 struct Options {
-    double bead_width = 0.4; // mm
+    double bead_width = 0.4; // mm, but for zones
 };
 
-// Fills a region that has areas.  Its walls are the outer lanes of the region; what is left of it is parted into what
-// is sparse and what is solid; solid parts get lanes, sparse ones the loops of lib/infill.  All are closed curves one
-// bead apart, which are joined to one by exchanges.  Notes: curves that could not be joined.
+// Fills a region that has areas.  Its walls are the outer lanes of the region; what is left of it is cut along its
+// zones into pieces, which have further walls, along their own outlines; what these leave is parted into what is sparse
+// and what is solid; solid parts get lanes, sparse ones the loops of lib/infill.  All are closed curves one bead apart,
+// which are joined to one by exchanges.  Notes: curves that could not be joined.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
 
 } // namespace filum::hollow

@@ -34,6 +34,7 @@ enum class AreaKind : std::uint8_t {
     skin_bottom, // solid, seen from below
     bridge,      // solid, over air between what carries it; loops: the air
     sparse,      // filled in part
+    zone,        // with walls and beads of its own
 };
 
 // How a sparse area is filled.
@@ -43,7 +44,7 @@ enum class Pattern : std::uint8_t {
     concentric, // lines along the outline
 };
 
-// A part of a region that is not filled like the rest; simple, it may have several pieces.
+// A part of a region that is not filled like the rest; simple, it may have several pieces.  No two zones overlap.
 struct Area {
     AreaKind kind = AreaKind::sparse;
     Loops loops;
@@ -51,6 +52,9 @@ struct Area {
     double spacing = 0;   // mm, sparse: from line to line
     Pattern pattern = Pattern::rows;
     double gap = 0; // mm, sparse: no gap is wider, by more lines between those; 0: as the spacing says
+    // zone: rings along its outline, within those that the whole region has
+    std::uint32_t walls = 0;
+    double width = 0; // mm, zone: of its beads
 };
 
 // What a region is there for.
@@ -75,7 +79,7 @@ struct Region {
     double inradius = 0;     // mm; a circle of this radius fits into the region (a lower bound)
     Box2 box;                // of the outer loop
     std::vector<Area> areas; // set by `skins`: what is in none is solid
-    std::uint32_t walls = 0; // rings along the outline; 0: no walls are told apart, and it is solid all through
+    std::uint32_t walls = 0; // rings along the whole outline; 0: none are told apart, and it is solid all through
     RegionClass is = RegionClass::part;
     // id of a brim about it, whose beads lie beside its own: one stroke may lay both; set by `supports`
     std::int64_t brim = -1;

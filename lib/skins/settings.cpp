@@ -1,5 +1,6 @@
 // The settings of a part and of modifiers, as users write them.
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/number.hpp"
 #include "skins/skins.hpp"
 
@@ -10,17 +11,43 @@ namespace filum::skins {
 
 namespace {
 
+constexpr double kNarrowestBead = 0.01, kWidestBead = 100; // mm, as of --bead-width
+
+[[noreturn]] void refuse(const std::string& setting, const std::string& takes) {
+    throw Error(Exit::usage, "cannot use '" + setting + "' of --modifier: it takes " + takes);
+}
+
+double number(const std::string& setting, const std::string& value, const std::string& takes) {
+    try {
+        return parse_number(value, "--modifier");
+    } catch (const Error&) {
+        refuse(setting, takes);
+    }
+}
+
 // The whole number of a setting "name=value" of a modifier.
 std::int64_t whole(const std::string& setting, const std::string& value, std::int64_t least) {
-    const double n = parse_number(value, "--modifier");
-    if (n != std::floor(n) || n < static_cast<double>(least) || n > 1e6)
-        throw Error(Exit::usage, "cannot use '" + setting + "' of --modifier: it takes a whole number of at least " +
-                                     std::to_string(least));
+    const std::string takes = "a whole number of at least " + std::to_string(least);
+    const double n = number(setting, value, takes);
+    if (n != std::floor(n) || n < static_cast<double>(least) || n > 1e6) refuse(setting, takes);
     return static_cast<std::int64_t>(n);
 }
 
-// One setting; no fewer than `walls` walls.
-void set(Options& o, const std::string& setting, std::int64_t walls) {
+double width(const std::string& setting, const std::string& value) {
+    const std::string takes =
+        "mm from " + shortest_text(kNarrowestBead) + " to " + shortest_text(kWidestBead) + ", as bead-width=0.6";
+    const double out = number(setting, value, takes);
+    if (out < kNarrowestBead || out > kWidestBead) refuse(setting, takes);
+    return out;
+}
+
+std::string names() {
+    std::string out;
+    for (const std::string& name : kModifierSettings) out += (out.empty() ? "" : ", ") + name;
+    return out;
+}
+
+void set(Options& o, const std::string& setting) {
     const auto equals = std::min(setting.find('='), setting.size());
     const std::string name = setting.substr(0, equals), value = setting.substr(std::min(equals + 1, setting.size()));
     if (name == "infill")
@@ -28,15 +55,16 @@ void set(Options& o, const std::string& setting, std::int64_t walls) {
     else if (name == "infill-pattern")
         o.pattern = pattern(value);
     else if (name == "walls")
-        o.walls = whole(setting, value, walls);
+        o.walls = whole(setting, value, 1);
     else if (name == "top")
         o.top = whole(setting, value, 0);
     else if (name == "bottom")
         o.bottom = whole(setting, value, 0);
+    else if (name == "bead-width")
+        o.bead_width = width(setting, value);
     else
-        throw Error(Exit::usage, "cannot use '" + setting +
-                                     "' of --modifier: a setting is one of infill, infill-pattern, walls, top, bottom, "
-                                     "as infill=40%");
+        throw Error(Exit::usage, "cannot use '" + setting + "' of --modifier: a setting is one of " + names() +
+                                     ", as infill=40%" + did_you_mean(name, kModifierSettings));
 }
 
 } // namespace
@@ -58,10 +86,9 @@ polygon::Pattern pattern(const std::string& text) {
 }
 
 Options modified(Options o, const std::string& settings) {
-    const std::int64_t walls = o.walls;
     for (std::size_t from = 0; from < settings.size();) {
         const std::size_t comma = std::min(settings.find(',', from), settings.size());
-        set(o, settings.substr(from, comma - from), walls);
+        set(o, settings.substr(from, comma - from));
         from = comma + 1;
     }
     return o;

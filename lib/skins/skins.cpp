@@ -8,6 +8,7 @@
 #include "skins/zones.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 
 namespace filum::skins {
@@ -76,19 +77,24 @@ Loops large(const Loops& sparse, double least) {
     return out;
 }
 
-// What walls leave of a region.
-Loops within_walls(const Region& r, const Options& o) {
-    return polygon::offset(polygon::simplify(r.loops, kBeadArc), -(static_cast<double>(o.walls) * o.bead_width),
-                           kBeadArc);
+// How deep walls reach: the outer one is as wide as the part's beads, of whatever settings the others are.
+double depth(const Options& o, double outer_width) {
+    return outer_width + static_cast<double>(o.walls - 1) * o.bead_width;
 }
 
-// The sparse part of a region of which `inner` has enough above and below: what is far enough from skins, which count
-// where they reach beyond the walls by more than a hairline.  `zone` takes what is of these options.
+// What walls leave of a region.
+Loops within_walls(const Region& r, double depth) {
+    return polygon::offset(polygon::simplify(r.loops, kBeadArc), -depth, kBeadArc);
+}
+
+// The sparse part of a region of which `inner` has enough above and below, within walls of `depth` mm: what is far
+// enough from skins, which count where they reach beyond the walls by more than a hairline.  `zone` takes what is of
+// these options.
 template <class Zone>
-Loops sparse(const Region& r, const Loops& inner, const Options& o, const Zone& zone) {
+Loops sparse(const Region& r, const Loops& inner, const Options& o, double depth, const Zone& zone) {
     if (inner.empty()) return {};
     const double w = o.bead_width, hair = kHairline * w / 2, open = kNarrowest * w / 2;
-    const Loops within = within_walls(r, o);
+    const Loops within = within_walls(r, depth);
     if (within.empty()) return {};
     const Loops skin = polygon::offset(polygon::subtract(within, inner), -hair, kBeadArc);
     const Loops rest =
@@ -114,10 +120,13 @@ Loops seen(const Loops& outline, const Loops& other, const Options& o) {
     return polygon::opened(polygon::subtract(outline, other), hair, kBeadArc);
 }
 
-// Puts down walls, what is seen, and bridges of a region.
-void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o) {
+// Puts down walls, zones, what is seen, and bridges of a region.  Where nothing is sparse and all beads are alike,
+// other walls are told by nothing.
+void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, Cut& cut, bool any_sparse) {
     if (r.is != polygon::RegionClass::part) return;
-    r.walls = static_cast<std::uint32_t>(o.walls);
+    const bool zones = any_sparse || cut.mixed;
+    r.walls = zones ? cut.walls : static_cast<std::uint32_t>(o.walls);
+    if (zones) std::ranges::move(cut.zones, std::back_inserter(r.areas));
     const auto put = [&](polygon::AreaKind kind, Loops loops) {
         if (!loops.empty()) r.areas.push_back({kind, std::move(loops), 0, 0, {}});
     };
@@ -126,7 +135,7 @@ void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o) {
     const Loops nothing, &below = r.layer > 0 ? layers[r.layer - 1] : nothing;
     Loops free = seen(outline, below, o);
     if (r.layer > 0 && o.bottom > 0 && !free.empty()) {
-        const Loops within = within_walls(r, o);
+        const Loops within = within_walls(r, depth(o, o.bead_width));
         for (auto& bridge : bridges(within, below, o)) r.areas.push_back(std::move(bridge));
     }
     put(polygon::AreaKind::skin_bottom, std::move(free));
@@ -137,11 +146,11 @@ double direction_of(std::uint32_t layer) { return (layer % 2 == 0 ? 1 : 3) * std
 // Of lines that lay the share of plain areas that is asked for; of dense ones if there are no others; 0 without any.
 // Facts get names that begin with `whose`.
 double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& plain, const std::vector<Loops>& dense,
-                  const Options& o, const std::string& whose, Facts& facts) {
+                  const Options& o, double depth, const std::string& whose, Facts& facts) {
     std::vector<Loops> rims(regions.size());
     if (o.pattern == polygon::Pattern::concentric)
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-            if (!plain[i].empty() || !dense[i].empty()) rims[i] = within_walls(regions[i], o);
+            if (!plain[i].empty() || !dense[i].empty()) rims[i] = within_walls(regions[i], depth);
         });
     for (const auto* areas : {&plain, &dense}) {
         std::vector<infill::Task> tasks;
@@ -163,6 +172,7 @@ double spacing_of(const std::vector<Region>& regions, const std::vector<Loops>& 
 // What one of the settings makes sparse, per region.
 struct Sparse {
     Options how;
+    double depth;                    // mm, of its walls
     std::vector<Loops> plain, dense; // lines as the spacing says; more of them, under skins
 };
 
@@ -204,7 +214,7 @@ void take_squares(Sparse& s, const std::vector<Region>& regions, double spacing)
 
 // Puts down the areas of one of the settings.
 void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whose, Facts& facts) {
-    const double spacing = spacing_of(regions, s.plain, s.dense, s.how, whose, facts);
+    const double spacing = spacing_of(regions, s.plain, s.dense, s.how, s.depth, whose, facts);
     if (spacing == 0) return;
     take_squares(s, regions, spacing);
     for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -222,12 +232,15 @@ void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whos
 } // namespace
 
 void skins(std::vector<Region>& regions, const Options& o, std::span<const Modifier> modifiers, Facts& facts) {
-    std::vector<Sparse> settings{{o, {}, {}}};
-    for (const Modifier& m : modifiers) settings.push_back({m.how, {}, {}});
+    std::vector<Sparse> settings{{o, depth(o, o.bead_width), {}, {}}};
+    for (const Modifier& m : modifiers) settings.push_back({m.how, depth(m.how, o.bead_width), {}, {}});
     const auto solid = [](const Sparse& s) { return s.how.infill >= 1; };
-    if (regions.empty() || std::ranges::all_of(settings, solid)) return;
+    if (regions.empty() || (modifiers.empty() && solid(settings[0]))) return;
     const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
-    const Zones zones(modifiers, layers.size(), o.bead_width);
+    const Zones zones(o, modifiers, layers.size());
+    if (std::ranges::all_of(settings, solid) && !zones.widths_differ()) return;
+    std::vector<Cut> cuts(regions.size());
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { cuts[i] = zones.cut(regions[i]); });
     for (std::size_t k = 0; k < settings.size(); ++k) {
         Sparse& s = settings[k];
         s.plain.resize(regions.size());
@@ -236,12 +249,16 @@ void skins(std::vector<Region>& regions, const Options& o, std::span<const Modif
         const auto inner = inner_of(layers, s.how);
         parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
             const Region& r = regions[i];
-            s.plain[i] =
-                sparse(r, inner[r.layer], s.how, [&](const Loops& area) { return zones.of(k, r.layer, area); });
+            s.plain[i] = sparse(r, inner[r.layer], s.how, s.depth,
+                                [&](const Loops& area) { return zones.of(k, r, cuts[i], area); });
         });
     }
     part_dense(settings, regions, layers.size());
-    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { tell_solid(regions[i], layers, o); });
+    parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
+        const bool any_sparse =
+            std::ranges::any_of(settings, [&](const Sparse& s) { return !s.plain[i].empty() || !s.dense[i].empty(); });
+        tell_solid(regions[i], layers, o, cuts[i], any_sparse);
+    });
     for (std::size_t k = 0; k < settings.size(); ++k)
         put_sparse(settings[k], regions, k == 0 ? "" : "modifier-" + std::to_string(k) + "-", facts);
 }

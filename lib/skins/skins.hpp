@@ -27,12 +27,15 @@ double share(const std::string& text);
 // A body in which other settings hold than in the rest of a part.
 struct Modifier {
     std::vector<polygon::Loops> where; // its outlines in each layer of the part, from the first; none where it ends
-    Options how;                       // with no fewer walls than the part has: see `modified`
+    Options how;                       // see `modified`
 };
 
-// The settings of a modifier in a part with `options`: "infill=40%,walls=4", names as those of `skins`' options, out of
-// infill, infill-pattern, walls, top, bottom.  Error(usage) for others, for values that those refuse, and for fewer
-// walls than the part has: these are laid along the whole outline.
+// The names of a modifier's settings: those of `skins`' options.
+inline const std::vector<std::string> kModifierSettings = {"infill", "infill-pattern", "walls",
+                                                           "top",    "bottom",         "bead-width"};
+
+// The settings of a modifier in a part with `options`: "infill=40%,walls=4", out of kModifierSettings.  Error(usage)
+// for others and for values that those refuse.
 Options modified(Options options, const std::string& settings);
 
 // rows, wave or concentric; Error(usage) for others.
@@ -40,6 +43,7 @@ polygon::Pattern pattern(const std::string& text);
 
 // Sets areas and walls of all regions of a part, which come in the order of their layers; nothing if the infill is 1.
 // What a modifier makes otherwise begins a bead inside it, and ends for the rest a bead outside: a wall lies between.
+// One with other walls or beads makes zones instead: whichever side has more walls has them along the border, too.
 // Under skins lines are so near that no gap is wider than `bridge`.
 // Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
 // What spans more over air, from material to material of the layer below, is a bridge: with the direction in which it

@@ -101,19 +101,24 @@ Join join(int value, const char* what) {
 }
 
 polygon::Area area(const proto::Area& m) {
-    if (m.kind() < 0 || m.kind() > 3) bad_frame("region", "unknown kind of area");
+    if (m.kind() < 0 || m.kind() > 4) bad_frame("region", "unknown kind of area");
     if (m.pattern() < 0 || m.pattern() > 2) bad_frame("region", "unknown pattern");
     polygon::Area out{static_cast<polygon::AreaKind>(m.kind()),
                       loops(m.loops(), "region"),
                       m.direction(),
                       m.spacing(),
                       static_cast<polygon::Pattern>(m.pattern()),
-                      m.gap()};
+                      m.gap(),
+                      m.walls(),
+                      m.width()};
     if (!usable(out.direction)) bad_frame("region", "a direction is not a number");
     const bool sparse = out.kind == polygon::AreaKind::sparse;
     if (!usable(out.spacing) || out.spacing < 0 || (sparse && out.spacing == 0))
         bad_frame("region", "the spacing of an area is not positive");
     if (!usable(out.gap) || out.gap < 0) bad_frame("region", "the gap of an area is negative");
+    const bool zone = out.kind == polygon::AreaKind::zone;
+    if (!usable(out.width) || out.width < 0 || (zone && out.width == 0))
+        bad_frame("region", "the width of a zone's beads is not positive");
     return out;
 }
 
@@ -124,6 +129,8 @@ void put_area(proto::Area& m, const polygon::Area& area) {
     m.set_spacing(area.spacing);
     m.set_pattern(static_cast<proto::Pattern>(area.pattern));
     m.set_gap(area.gap);
+    m.set_walls(area.walls);
+    m.set_width(area.width);
 }
 
 } // namespace

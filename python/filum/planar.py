@@ -17,7 +17,8 @@ Retraction.__doc__ = "What happens to the material on a travel: BY_MACHINE (as t
 Feature = enum.IntEnum("Feature", planar_pb2.Feature.items())
 Feature.__doc__ = "What a bead is for, as the program of a slicer says it: OUTER_WALL, WALL, INFILL and so on; UNTOLD."
 AreaKind = enum.IntEnum("AreaKind", planar_pb2.AreaKind.items())
-AreaKind.__doc__ = "What a part of a region is: SKIN_TOP, SKIN_BOTTOM, BRIDGED are solid; SPARSE is filled in part."
+AreaKind.__doc__ = "What a part of a region is: SKIN_TOP, SKIN_BOTTOM, BRIDGED are solid; SPARSE is filled in " \
+    "part; a ZONE has walls and beads of its own."
 Pattern = enum.IntEnum("Pattern", planar_pb2.Pattern.items())
 Pattern.__doc__ = "How a sparse area is filled: ROWS, WAVE, CONCENTRIC."
 RegionClass = enum.IntEnum("RegionClass", planar_pb2.RegionClass.items())
@@ -138,6 +139,8 @@ class Area:
     spacing: mm, sparse: from line to line
     pattern: Pattern, sparse
     gap: mm, sparse: no gap is wider, by more lines between those; 0: as the spacing says
+    walls: zone: rings along its outline, within those of the region
+    width: mm, zone: of its beads
     """
 
     message = planar_pb2.Area
@@ -147,6 +150,8 @@ class Area:
     spacing: float = 0.0
     pattern: int = Pattern.ROWS
     gap: float = 0.0
+    walls: int = 0
+    width: float = 0.0
 
 
 @dataclasses.dataclass(eq=False)
@@ -164,7 +169,7 @@ class Region:
     stroke, join: set by `sequence`: number of the stroke, and how it comes here
     inradius: mm, a circle of it fits into the region (a lower bound)
     areas: list of Area, set by `skins`: what is in none is solid
-    walls: rings along the outline; 0: no walls are told apart, and it is solid all through
+    walls: rings along the whole outline; 0: none are told apart, and it is solid all through
     purpose: RegionClass
     brim: id of the brim about it that its stroke may begin with, -1 if there is none; set by `supports`
     """

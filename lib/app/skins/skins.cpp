@@ -2,8 +2,13 @@
 
 #include "app/modifier/modifier.hpp"
 #include "base/error.hpp"
+#include "cli/other_values.hpp"
 #include "cli/output.hpp"
 #include "wire/planar.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
 
 namespace filum::app::skins {
 
@@ -12,42 +17,132 @@ namespace {
 using filum::skins::Modifier;
 using polygon::Region;
 
-// FILE:SETTINGS, both as they stand; the last colon counts, as files may have one in their names.
+// FILE:SETTINGS, both as they stand; the last colon counts, as files may have one in their names.  Without settings:
+// the modifiers of a project.
 struct Asked {
     std::string file, settings;
 };
+
+bool is_project(std::string name) {
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return name.ends_with(".3mf");
+}
+
+bool is_ours(std::string_view name) {
+    return std::ranges::find(filum::skins::kModifierSettings, name) != filum::skins::kModifierSettings.end();
+}
+
+// A setting by our name, if it has that of another slicer: infill=40% of fill_density=40%.
+std::string in_our_words(const std::string& setting) {
+    const auto equals = setting.find('=');
+    const std::string name = setting.substr(0, equals);
+    const cli::OtherName* other =
+        is_ours(name) || equals == std::string::npos ? nullptr : cli::other_name(name, is_ours);
+    if (other == nullptr) return setting;
+    const auto word = cli::our_word(*other, setting.substr(equals + 1));
+    if (!word)
+        throw Error(Exit::usage,
+                    "cannot use '" + setting + "' of --modifier; here it is '" + std::string(other->ours) + "'");
+    return word->substr(2); // without "--"
+}
+
+// All of "A=1,B=2".
+std::string settings_in_our_words(const std::string& settings) {
+    std::string out;
+    for (std::size_t from = 0; from <= settings.size();) {
+        const std::size_t comma = std::min(settings.find(',', from), settings.size());
+        out += (from > 0 ? "," : "") + in_our_words(settings.substr(from, comma - from));
+        from = comma + 1;
+    }
+    return out;
+}
 
 std::vector<Asked> asked(const std::string& text) {
     std::vector<Asked> out;
     for (std::size_t from = 0; from < text.size();) {
         const std::size_t end = std::min(text.find(';', from), text.size());
         const std::string one = text.substr(from, end - from);
+        from = end + 1;
+        if (is_project(one)) {
+            out.push_back({one, ""});
+            continue;
+        }
         const std::size_t colon = one.rfind(':');
         if (colon == std::string::npos || colon == 0 || colon + 1 == one.size())
-            throw Error(Exit::usage,
-                        "cannot use '" + one + "' as --modifier: it is FILE:SETTINGS, as knob.stl:infill=40%");
-        out.push_back({one.substr(0, colon), one.substr(colon + 1)});
-        from = end + 1;
+            throw Error(Exit::usage, "cannot use '" + one +
+                                         "' as --modifier: it is FILE:SETTINGS, as knob.stl:infill=40%, or a slicer's "
+                                         "project, as knob.3mf");
+        out.push_back({one.substr(0, colon), settings_in_our_words(one.substr(colon + 1))});
     }
     return out;
 }
 
+// A setting of a project's modifier in our names; none if it, or its value, has no meaning here.
+std::optional<std::string> in_our_words(std::string key, const std::string& value, const filum::skins::Options& part) {
+    std::ranges::replace(key, '_', '-');
+    const cli::OtherName* other = cli::other_name(key, is_ours);
+    if (other == nullptr) return std::nullopt;
+    try {
+        const auto word = cli::our_word(*other, value);
+        if (!word) return std::nullopt;
+        std::string out = word->substr(2); // without "--"
+        filum::skins::modified(part, out);
+        return out;
+    } catch (const Error&) { // a value of another kind, or out of bounds
+        return std::nullopt;
+    }
+}
+
+// All of them; notes tell those that are left out, but for widths that are 0, which slicers choose themselves.
+std::string settings_of_project(const std::vector<std::pair<std::string, std::string>>& all,
+                                const filum::skins::Options& part, Notes& notes) {
+    std::string out;
+    for (const auto& [key, value] : all) {
+        if (value == "0" && key.ends_with("width")) continue;
+        if (const auto word = in_our_words(key, value, part))
+            out += (out.empty() ? "" : ",") + *word;
+        else
+            notes.push_back({.stage = "",
+                             .what = "setting '" + key + "=" + value + "' of a project's modifier left out",
+                             .unit = ""});
+    }
+    return out;
+}
+
+// Bodies in the order in which they count, and what the history says of them.
+struct Read {
+    std::vector<Modifier> modifiers;
+    std::string said, crc; // there a file has no name
+
+    void add(std::vector<polygon::Loops> where, const std::string& settings, const filum::skins::Options& part) {
+        said += (said.empty() ? "FILE:" : ";FILE:") + settings;
+        modifiers.push_back({std::move(where), filum::skins::modified(part, settings)});
+    }
+};
+
 std::vector<Modifier> read_modifiers(const std::vector<Asked>& all, const filum::skins::Options& part,
                                      const stream::Header& header, const std::vector<Region>& regions, cli::Io& self,
                                      Notes& notes) {
-    std::vector<Modifier> out;
-    std::string said, crc; // in the history a file has no name
+    Read out;
     for (const Asked& a : all) {
-        const auto how = filum::skins::modified(part, a.settings);
-        modifier::Body body = modifier::body(a.file, header, regions, self.threads, notes);
-        said += (said.empty() ? "FILE:" : ";FILE:") + a.settings;
-        crc += (crc.empty() ? "" : ",") + body.crc32c;
-        out.push_back({std::move(body.outlines), how});
+        std::string crc;
+        if (a.settings.empty()) {
+            auto project = modifier::modifiers(a.file, header, regions, self.threads, notes);
+            crc = std::move(project.crc32c);
+            for (auto& m : project.bodies)
+                if (const auto settings = settings_of_project(m.settings, part, notes); !settings.empty())
+                    out.add(std::move(m.outlines), settings, part);
+        } else {
+            auto body = modifier::body(a.file, header, regions, self.threads, notes);
+            crc = std::move(body.crc32c);
+            out.add(std::move(body.outlines), a.settings, part);
+        }
+        out.crc += (out.crc.empty() ? "" : ",") + crc;
     }
-    if (all.empty()) return out;
-    self.settings.push_back({"modifier", said, true});
-    self.settings.push_back({"modifier_crc32c", crc});
-    return out;
+    if (all.empty()) return {};
+    self.settings.push_back({"modifier", out.said, true});
+    self.settings.push_back({"modifier_crc32c", out.crc});
+    return std::move(out.modifiers);
 }
 
 } // namespace
@@ -57,6 +152,7 @@ void run(const Options& o, const cli::Io& io) {
     options.infill = filum::skins::share(o.infill);
     options.pattern = filum::skins::pattern(o.pattern);
     const auto bodies = asked(o.modifiers);
+    for (const Asked& a : bodies) filum::skins::modified(options, a.settings);
     std::vector<Region> regions;
     auto whole = cli::read_all(io.input, stream::Payload::regions,
                                [&](stream::RawFrame frame) { regions.push_back(wire::region(frame)); });

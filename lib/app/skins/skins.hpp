@@ -9,7 +9,7 @@ namespace filum::app::skins {
 struct Options {
     filum::skins::Options how;
     std::string infill = "15%", pattern = "rows"; // as users have them
-    std::string modifiers;                        // FILE:SETTINGS, several with ';' between
+    std::string modifiers;                        // FILE:SETTINGS or PROJECT.3mf, several with ';' between
 };
 
 // Throws Error as skins() does, for texts that mean nothing, and for modifiers that cannot be read or placed.

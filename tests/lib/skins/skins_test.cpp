@@ -95,7 +95,7 @@ TEST(Skins, ModifiersChangeWhatLiesWithin) {
     const Loops body = test::rectangle(-4, -4, 5, 4);
     Options o;
     o.solid_below = 0;
-    Modifier m{std::vector<Loops>(30, body), modified(o, "infill=40%,infill-pattern=wave,walls=4,top=6")};
+    Modifier m{std::vector<Loops>(30, body), modified(o, "infill=40%,infill-pattern=wave,top=6")};
     m.where[10] = {};
     auto plain = before, changed = before;
     Facts facts;
@@ -115,17 +115,88 @@ TEST(Skins, ModifiersChangeWhatLiesWithin) {
             EXPECT_LT(polygon::signed_area(off), 1e-3) << i; // a bead from the border, on either side
             EXPECT_TRUE(there || !waves) << i;
             within += waves ? polygon::signed_area(a.loops) : 0;
-            if (waves) { // four walls
-                const Loops wall =
-                    polygon::subtract(a.loops, polygon::offset(before[i].loops, -4 * o.bead_width + 0.02));
-                EXPECT_LT(polygon::signed_area(wall), 1e-3) << i;
-            }
         }
         if (!there) {
             EXPECT_NEAR(polygon::signed_area(sparse_of(changed[i])), polygon::signed_area(rest), 1e-2) << i;
         }
     }
     EXPECT_GT(within, 100);
+}
+
+// Zones of a region, and what they say together.
+Loops zones_of(const Region& r, std::size_t& walls_inside, const Loops& body) {
+    Loops all;
+    for (const auto& a : r.areas) {
+        if (a.kind != AreaKind::zone) continue;
+        EXPECT_LT(polygon::signed_area(polygon::intersect(all, a.loops)), 1e-3);
+        all = polygon::unite(all, a.loops);
+        if (!polygon::intersect(a.loops, polygon::offset(body, -0.5)).empty()) walls_inside = a.walls;
+    }
+    return all;
+}
+
+TEST(Skins, ModifiersWithOtherWallsOrBeadsMakeZones) {
+    const auto before = random_part(3, 40);
+    const Loops body = test::rectangle(-4, -4, 5, 4);
+    struct Case {
+        const char* settings;
+        std::uint32_t common, inside; // walls of regions that lie on both sides, and of the zone within
+        double width;                 // mm
+    };
+    Options o;
+    o.solid_below = 0;
+    for (const Case& c : {Case{"infill=40%,walls=1", 1, 0, 0.4},
+                          {"infill=40%,walls=4", 2, 2, 0.4},
+                          {"infill=40%,bead-width=0.6", 1, 1, 0.6},
+                          {"infill=40%,walls=3,bead-width=0.3", 1, 2, 0.3}}) {
+        const Modifier m{std::vector<Loops>(30, body), modified(o, c.settings)};
+        auto part = before;
+        Facts facts;
+        skins(part, o, std::span(&m, 1), facts);
+        const double spacing = facts.back().value;
+        std::size_t cut = 0;
+        double within = 0;
+        for (const Region& r : part) {
+            const Loops shared = r.layer < 30 ? polygon::intersect(r.loops, body) : Loops{};
+            std::size_t inside = 0;
+            const Loops zones = zones_of(r, inside, body);
+            if (polygon::opened(shared, c.width / 2).empty()) {
+                EXPECT_TRUE(zones.empty()) << c.settings;
+                EXPECT_EQ(r.walls, 2U) << c.settings;
+                continue;
+            }
+            if (zones.empty()) continue; // all of it is one kind, or solid
+            ++cut;
+            EXPECT_EQ(r.walls, c.common) << c.settings;
+            EXPECT_EQ(inside, c.inside) << c.settings;
+            const double depth = c.common * o.bead_width + c.inside * c.width;
+            for (const auto& a : r.areas) {
+                if (a.kind != AreaKind::sparse || a.spacing != spacing) continue;
+                within += polygon::signed_area(a.loops);
+                const Loops room = polygon::intersect(polygon::offset(r.loops, -depth + 0.02),
+                                                      polygon::offset(body, -(c.inside * c.width) + 0.02));
+                EXPECT_LT(polygon::signed_area(polygon::subtract(a.loops, room)), 1e-3) << c.settings;
+            }
+        }
+        EXPECT_GT(cut, 10U) << c.settings;
+        EXPECT_GT(within, 100) << c.settings;
+    }
+}
+
+TEST(Skins, ZonesInASolidPartAreThoseOfOtherBeads) {
+    const auto before = random_part(3, 20);
+    Options o;
+    o.infill = 1;
+    for (const auto& [settings, any] : {std::pair{"walls=1", false}, {"bead-width=0.6", true}}) {
+        const Modifier m{std::vector<Loops>(20, test::rectangle(-4, -4, 5, 4)), modified(o, settings)};
+        auto part = before;
+        Facts facts;
+        skins(part, o, std::span(&m, 1), facts);
+        const bool zones = std::ranges::any_of(part, [](const Region& r) {
+            return std::ranges::any_of(r.areas, [](const auto& a) { return a.kind == AreaKind::zone; });
+        });
+        EXPECT_EQ(zones, any) << settings;
+    }
 }
 
 TEST(Skins, TheLastOfSeveralModifiersCounts) {
@@ -148,10 +219,18 @@ TEST(Skins, TheLastOfSeveralModifiersCounts) {
 }
 
 TEST(Skins, SettingsOfModifiersThatMeanNothingAreRefused) {
-    for (const char* text : {"infill", "infill=0", "infill=200%", "walls=1", "walls=2.5", "top=-1", "spacing=3",
-                             "infill-pattern=stars", "=4", "infill=20%,,top=3", "top="})
+    for (const char* text :
+         {"infill", "infill=0", "infill=200%", "walls=0", "walls=2.5", "walls=two", "top=-1", "spacing=3",
+          "bead-width=0", "bead-width=x", "infill-pattern=stars", "=4", "infill=20%,,top=3", "top="})
         EXPECT_THROW(modified({}, text), Error) << text;
     EXPECT_EQ(modified({}, "top=0,bottom=9").bottom, 9);
+    EXPECT_EQ(modified({}, "walls=1,bead-width=0.6").bead_width, 0.6);
+    try {
+        modified({}, "infil=40%");
+        ADD_FAILURE();
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("did you mean 'infill'?"), std::string::npos) << e.what();
+    }
 }
 
 TEST(Skins, AreasOfARegionDoNotOverlap) {

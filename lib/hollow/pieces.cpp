@@ -1,0 +1,56 @@
+#include "hollow/pieces.hpp"
+
+#include "polygon/clip.hpp"
+
+#include <algorithm>
+
+namespace filum::hollow {
+
+using polygon::AreaKind;
+using polygon::kBeadArc;
+using polygon::Loops;
+
+namespace {
+
+// Without walls what is nowhere as wide as half a bead is left open.
+void add_parts(const Loops& where, std::uint32_t walls, double width, std::vector<Piece>& to) {
+    for (Loops& part : polygon::split(where).part)
+        if (walls > 0 || !polygon::offset(part, -width / 4, kBeadArc).empty())
+            to.push_back({std::move(part), walls, width});
+}
+
+// What of a piece is narrower than a bead because `rest` is cut there, and not by itself.
+Loops slivers(const Loops& piece, const Loops& rest, double width) {
+    const Loops cut =
+        polygon::subtract(polygon::opened(rest, width / 2, kBeadArc), polygon::opened(piece, width / 2, kBeadArc));
+    return polygon::opened(polygon::intersect(piece, cut), kBeadArc, kBeadArc); // no hairlines
+}
+
+} // namespace
+
+std::vector<Piece> pieces(const Loops& rest, const polygon::Region& region, double bead_width) {
+    std::vector<Piece> out;
+    Loops left = rest;
+    for (const polygon::Area& zone : region.areas) {
+        if (zone.kind != AreaKind::zone) continue;
+        const Loops beside = polygon::subtract(left, zone.loops);
+        Loops own = polygon::subtract(left, polygon::subtract(beside, slivers(beside, rest, bead_width)));
+        own = polygon::subtract(own, slivers(own, rest, zone.width));
+        left = polygon::subtract(left, own);
+        add_parts(own, zone.walls, zone.width, out);
+    }
+    add_parts(left, 0, bead_width, out);
+    return out;
+}
+
+Widths widths(const polygon::Region& region, double bead_width) {
+    Widths out{bead_width, bead_width};
+    for (const polygon::Area& zone : region.areas) {
+        if (zone.kind != AreaKind::zone) continue;
+        out.narrowest = std::min(out.narrowest, zone.width);
+        out.widest = std::max(out.widest, zone.width);
+    }
+    return out;
+}
+
+} // namespace filum::hollow
