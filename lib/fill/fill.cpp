@@ -5,7 +5,6 @@
 #include "fill/contour.hpp"
 #include "fill/identify.hpp"
 #include "fill/rectilinear.hpp"
-#include "fill/ringed_zigzag.hpp"
 #include "fill/scaffold.hpp"
 #include "fill/single_lane.hpp"
 #include "fill/spiral.hpp"
@@ -66,15 +65,13 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
         return std::move(s.curves);
     }
     if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)});
-    if (o.pattern == "zigzag") return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o)}, notes, &unplaced);
     if (o.pattern == "rectilinear")
         return rectilinear(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 0)}, notes);
-    if (o.pattern == "spiral+zigzag" || o.pattern == "contour+zigzag") {
-        const bool linked = o.pattern == "spiral+zigzag";
-        return ringed_zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 2), .linked = linked},
-                             notes, &unplaced);
-    }
-    throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
+    if (o.pattern != "zigzag" && o.pattern != "spiral+zigzag" && o.pattern != "contour+zigzag")
+        throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
+    const int outer = o.pattern == "zigzag" ? 0 : rings(o, 2);
+    const bool linked = o.pattern != "contour+zigzag";
+    return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = outer, .linked = linked}, notes, &unplaced);
 }
 
 // Lays walls whose lanes would be narrower than the least width in two passes, one on the other.

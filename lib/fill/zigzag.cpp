@@ -5,27 +5,65 @@
 #include "fill/cycle.hpp"
 #include "fill/maze.hpp"
 #include "fill/rows.hpp"
-#include "fill/spiral.hpp"
 #include "fill/uncross.hpp"
+#include "polygon/clip.hpp"
 #include "rings/lanes.hpp"
+
+#include <optional>
+#include <utility>
 
 namespace filum::fill {
 
+namespace {
+
+using polygon::Loops;
+
+// From the best way to the last resort.
+struct Try {
+    double share; // of the tolerance
+    double row;   // height wanted of two rows, bead widths
+};
+constexpr Try kTries[] = {{kShares[0], 2}, {kShares[1], 2}, {kShares[1], 2.12}, {kShares[1], 1.9}};
+
+struct Attempt {
+    std::vector<toolpath::Curve> curves;
+    std::size_t crossings = 0; // of the curves' segments
+    double unplaced = 0;       // mm2 that no bead reaches
+};
+
+// In a frame where the rows are level.
+Attempt attempt(const Loops& region, const ZigzagOptions& o, const Try& how) {
+    const double w = o.bead_width, tolerance = how.share * tolerance_for(w);
+    rings::FirstLanes outer{{}, {region}};
+    if (o.rings > 0) outer = rings::first_lanes(region, {.width = w, .most = o.rings, .tolerance = tolerance});
+    rings::Rings core;
+    for (const Loops& part : outer.rest)
+        core.add(rings::lanes(maze(part, w, how.row * w), {.width = w, .tolerance = tolerance}));
+    const double laid = rings::laid_area(outer.lanes) + rings::laid_area(core);
+    Attempt out{{}, 0, std::max(0.0, polygon::signed_area(region) - laid)};
+    if (!o.linked) out.curves = rings::curves_of(std::exchange(outer.lanes, {}));
+    outer.lanes.add(core);
+    for (auto& curve : closed_curves(join_rings(outer.lanes, w, region))) out.curves.push_back(std::move(curve));
+    out.crossings = crossing_pairs(out.curves, w).size();
+    return out;
+}
+
+} // namespace
+
 std::vector<toolpath::Curve> zigzag(const Loops& region, const ZigzagOptions& o, Notes& notes, double* unplaced) {
-    const double w = o.bead_width, whole = polygon::signed_area(region);
-    const Loops area = rotated(region, -o.angle);
-    Attempt best = best_rows(true, [&](const RowSetting& s) {
-        const Loops corridor = maze(area, w, s.row * w);
-        const auto lanes = rings::lanes(corridor, {.width = w, .tolerance = s.share * tolerance_for(w)});
-        Attempt out{closed_curves(join_rings(lanes, w, area)), 0, std::max(0.0, whole - rings::laid_area(lanes))};
-        out.crossings = crossing_pairs(out.curves, w).size();
-        return out;
-    });
-    for (auto& curve : best.curves) rotate(curve.points, o.angle);
-    if (best.crossings > 0) uncross(best.curves, w, notes);
-    note_unjoined(best.curves, notes);
-    if (unplaced != nullptr) *unplaced = best.unplaced;
-    return std::move(best.curves);
+    const Loops level = rotated(region, -o.angle);
+    const auto faults = [](const Attempt& a) { return std::pair{a.crossings, a.curves.size()}; };
+    std::optional<Attempt> best;
+    for (const Try& how : kTries) {
+        Attempt now = attempt(level, o, how);
+        if (!best || (!now.curves.empty() && faults(now) < faults(*best))) best = std::move(now);
+        if (best->crossings == 0 && (best->curves.size() == 1 || !o.linked)) break;
+    }
+    for (auto& curve : best->curves) rotate(curve.points, o.angle);
+    if (best->crossings > 0) uncross(best->curves, o.bead_width, notes);
+    if (o.linked) note_unjoined(best->curves, notes);
+    if (unplaced != nullptr) *unplaced = best->unplaced;
+    return std::move(best->curves);
 }
 
 } // namespace filum::fill

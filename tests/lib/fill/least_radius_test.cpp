@@ -10,6 +10,8 @@
 namespace filum::fill {
 namespace {
 
+using geom::Vec2;
+using polygon::Loops;
 using test::disc;
 using test::kWidth;
 using test::random_region;
