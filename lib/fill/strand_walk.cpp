@@ -1,6 +1,6 @@
 #include "fill/strand_walk.hpp"
 
-#include "fill/none.hpp"
+#include "base/none.hpp"
 
 #include <algorithm>
 #include <limits>

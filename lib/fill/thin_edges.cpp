@@ -21,7 +21,7 @@ constexpr double kHairline = 0.015; // bead widths: tips of a smaller half-thick
 // shortened until what they reach beyond the disc at their foot is worth following.
 class ThinAxis {
   public:
-    ThinAxis(const rings::Axis& axis, double width) : axis_(axis), width_(width) {
+    ThinAxis(const polygon::MedialAxis& axis, double width) : axis_(axis), width_(width) {
         const std::size_t n = axis.nodes();
         degree_.assign(n, 0);
         reach_.resize(n);
@@ -104,7 +104,7 @@ class ThinAxis {
     // A dead end that does not lie in a fat part.
     [[nodiscard]] bool leaf(std::uint32_t v) const { return degree_[v] == 1 && axis_.radius[v] < kThinWall * width_; }
 
-    const rings::Axis& axis_;
+    const polygon::MedialAxis& axis_;
     double width_;
     double hairline_ = 0; // mm
     std::vector<std::uint32_t> alive_;
@@ -116,11 +116,11 @@ class ThinAxis {
 
 } // namespace
 
-rings::Axis axis_for(const polygon::Loops& area, double width) {
-    return rings::medial_axis(rings::sites_of(area, kFine * width), kFine * width, rings::kWallSlope);
+polygon::MedialAxis axis_for(const polygon::Loops& area, double width) {
+    return polygon::medial_axis(polygon::sites_of(area, kFine * width), kFine * width, rings::kWallSlope);
 }
 
-rings::Axis split_at(const rings::Axis& axis, double radius) {
+polygon::MedialAxis split_at(const polygon::MedialAxis& axis, double radius) {
     std::vector<double> cuts;
     std::vector<std::uint32_t> start{0};
     for (std::uint32_t k = 0; k < axis.half_edges() / 2; ++k) {
@@ -128,9 +128,11 @@ rings::Axis split_at(const rings::Axis& axis, double radius) {
         if ((a < radius && b > radius) || (a > radius && b < radius)) cuts.push_back((radius - a) / (b - a));
         start.push_back(static_cast<std::uint32_t>(cuts.size()));
     }
-    return rings::refined(axis, cuts, start);
+    return polygon::refined(axis, cuts, start);
 }
 
-std::vector<std::uint32_t> thin_edges(const rings::Axis& axis, double width) { return ThinAxis(axis, width).edges(); }
+std::vector<std::uint32_t> thin_edges(const polygon::MedialAxis& axis, double width) {
+    return ThinAxis(axis, width).edges();
+}
 
 } // namespace filum::fill

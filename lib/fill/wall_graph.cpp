@@ -1,6 +1,6 @@
 #include "fill/wall_graph.hpp"
 
-#include "fill/none.hpp"
+#include "base/none.hpp"
 #include "fill/thin_edges.hpp"
 #include "polygon/clip.hpp"
 
@@ -20,7 +20,7 @@ constexpr double kMostTaper = 0.025;           // bead widths, of the half-thick
 constexpr std::size_t kExact = 14;             // odd nodes that are matched exactly
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-bool all_thin(const rings::Axis& axis, const std::vector<std::uint32_t>& edges, double width) {
+bool all_thin(const polygon::MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
     double all = 0, thick = 0;
     for (const auto k : edges) {
         const auto a = axis.from[2 * k], b = axis.to(2 * k);
@@ -88,7 +88,7 @@ void narrow_at_nodes(WallGraph& g) {
 // Follows the axis from node to node.
 class Tracer {
   public:
-    Tracer(const rings::Axis& axis, const std::vector<std::uint32_t>& edges)
+    Tracer(const polygon::MedialAxis& axis, const std::vector<std::uint32_t>& edges)
         : axis_(axis), at_(axis.nodes()), node_(axis.nodes(), kNone), done_(axis.half_edges() / 2, 1) {
         for (const auto k : edges) {
             at_[axis.from[2 * k]].push_back(k);
@@ -141,7 +141,7 @@ class Tracer {
         out_.walls.push_back(std::move(w));
     }
 
-    const rings::Axis& axis_;
+    const polygon::MedialAxis& axis_;
     std::vector<std::vector<std::uint32_t>> at_;
     std::vector<std::uint32_t> node_;
     std::vector<char> done_;
@@ -274,7 +274,7 @@ void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& 
 
 std::optional<WallGraph> wall_graph(const Loops& area, double width) {
     if (!polygon::offset(area, -kMost * width).empty()) return std::nullopt;
-    const rings::Axis axis = axis_for(area, width);
+    const polygon::MedialAxis axis = axis_for(area, width);
     if (axis.nodes() == 0) return std::nullopt;
     const auto edges = thin_edges(axis, kPrune * width);
     if (!all_thin(axis, edges, width)) return std::nullopt;
@@ -287,7 +287,7 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width) {
 
 WallGraph thin_walls(const Loops& area, double width) {
     const double least = width / 2 * (1 + 1e-9);
-    const rings::Axis axis = split_at(axis_for(area, width), width / 2);
+    const polygon::MedialAxis axis = split_at(axis_for(area, width), width / 2);
     if (axis.nodes() == 0) return {};
     auto edges = thin_edges(axis, width);
     std::erase_if(edges,

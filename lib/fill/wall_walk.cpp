@@ -1,7 +1,7 @@
 #include "fill/wall_walk.hpp"
+#include "base/none.hpp"
 #include "fill/crossings.hpp"
 
-#include "fill/none.hpp"
 #include "fill/spiral.hpp"
 #include "fill/splices.hpp"
 #include "geom/segment.hpp"

@@ -1,5 +1,6 @@
 #include "infill/links.hpp"
 
+#include "base/none.hpp"
 #include "geom/disjoint_sets.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/clip.hpp"
@@ -30,8 +31,6 @@ Loops together(const Loops& cells, const Loops& room) {
     out.add(room);
     return out;
 }
-
-constexpr std::uint32_t kNone = 0xffffffff;
 
 struct Link {
     Segment way;

@@ -34,7 +34,7 @@ struct Relief {
     std::vector<char> dead_end;         // per node: all ways down from it lead to corners
 };
 
-Relief relief(const Axis& axis) {
+Relief relief(const MedialAxis& axis) {
     Relief out;
     out.falling.resize(axis.nodes());
     std::iota(out.falling.begin(), out.falling.end(), 0U);
@@ -96,7 +96,7 @@ class Profiles {
     }
 
   private:
-    [[nodiscard]] const Axis& axis() const { return walls_.axis; }
+    [[nodiscard]] const MedialAxis& axis() const { return walls_.axis; }
 
     void of_wall(std::uint32_t i) {
         const double f = quickened(walls_.lanes[i]);
@@ -190,7 +190,7 @@ class Profiles {
 
 } // namespace
 
-Beading beading(const Axis& axis, double width, double least_void) {
+Beading beading(const MedialAxis& axis, double width, double least_void) {
     WallLaneOptions o;
     o.width = width;
     o.sharing = kSharing;

@@ -1,17 +1,21 @@
 // How wide the lanes of beads are everywhere: one function over the medial axis.
 #pragma once
 
-#include "rings/axis.hpp"
+#include "polygon/medial_axis.hpp"
 
 #include <algorithm>
 
 namespace filum::rings {
 
+using geom::Vec2;
+using polygon::Loops;
+using polygon::MedialAxis;
+
 // The lane coordinate f of a point: 0 on the outline, k where lane k ends and lane k + 1 begins.  On a ray it grows
 // with the depth d by the profile of the axis node that the ray leads to: d = width * f up to f = full, then at `inner`
 // mm per lane up to f = top.
 struct Beading {
-    Axis axis;
+    MedialAxis axis;
     double width = 0; // mm
     // per node
     std::vector<double> lanes; // f at the node
@@ -44,6 +48,6 @@ inline constexpr double kWallSlope = 0.5;
 
 // The beading of a region with beads `width` mm wide where nothing asks for another width.  Lanes end in corners and
 // tips where the rest that no bead reaches is at most `least_void` mm2, or they would be too narrow.
-Beading beading(const Axis& axis, double width, double least_void);
+Beading beading(const MedialAxis& axis, double width, double least_void);
 
 } // namespace filum::rings

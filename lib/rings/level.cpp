@@ -25,7 +25,7 @@ class LevelLine {
 
     // From ray to ray along the outline; where the level lies beyond the axis, over to the other side of that.
     void loop(std::uint32_t first) {
-        const Axis& axis = b_->axis;
+        const MedialAxis& axis = b_->axis;
         for (std::uint32_t h = first; !seen_[h];) {
             seen_[h] = 1;
             out_.points.push_back(on_ray(h));

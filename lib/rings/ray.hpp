@@ -16,7 +16,7 @@ struct Ray {
     Vec2 foot, top;
 
     Ray(const Beading& beading, std::uint32_t h, double share) : b(&beading), t(share) {
-        const Axis& axis = beading.axis;
+        const MedialAxis& axis = beading.axis;
         i = axis.from[h];
         j = axis.to(h);
         foot = t == 0 ? axis.foot[h] : geom::lerp(axis.foot[h], axis.last_foot(h), t);
@@ -42,7 +42,7 @@ inline std::optional<double> share_at(const Beading& b, std::uint32_t h, double 
 // If h is seen from a vertex of the outline: put(point) for points strictly between p and q on the arc about it, so
 // many that chords are off by at most `tolerance` mm.
 template <class Put>
-void each_on_arc(const Axis& axis, std::uint32_t h, Vec2 p, Vec2 q, double tolerance, Put&& put) {
+void each_on_arc(const MedialAxis& axis, std::uint32_t h, Vec2 p, Vec2 q, double tolerance, Put&& put) {
     constexpr double kSameFoot = 1e-6; // mm
     const Vec2 foot = axis.foot[h];
     if (geom::norm2(axis.last_foot(h) - foot) > kSameFoot * kSameFoot) return;

@@ -34,7 +34,7 @@ class Walk {
     }
 
   private:
-    [[nodiscard]] const Axis& axis() const { return b_->axis; }
+    [[nodiscard]] const MedialAxis& axis() const { return b_->axis; }
     [[nodiscard]] bool laid(std::uint32_t h) const { return lanes_[h] >= lane_; }
 
     void ring(std::uint32_t h0) {

@@ -11,7 +11,8 @@ namespace {
 // Walls with at least so many lanes (sign 1; with at most so many: -1), level by level, in connected stretches.
 class Levels {
   public:
-    Levels(const Axis& axis, const std::vector<char>& wall, std::vector<int>& lanes, const WallLaneOptions& o, int sign)
+    Levels(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int>& lanes, const WallLaneOptions& o,
+           int sign)
         : axis_(&axis), wall_(&wall), lanes_(&lanes), o_(&o), sign_(sign), root_(lanes.size()), length_(lanes.size()),
           radius_(lanes.size()), in_(lanes.size(), 0), members_(lanes.size()) {
         std::iota(root_.begin(), root_.end(), 0U);
@@ -86,7 +87,7 @@ class Levels {
         lowered.insert(lowered.end(), members.begin(), members.end());
     }
 
-    const Axis* axis_;
+    const MedialAxis* axis_;
     const std::vector<char>* wall_;
     std::vector<int>* lanes_;
     const WallLaneOptions* o_;
@@ -99,7 +100,7 @@ class Levels {
 
 } // namespace
 
-std::vector<int> without_short_changes(const Axis& axis, const std::vector<char>& wall, std::vector<int> lanes,
+std::vector<int> without_short_changes(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int> lanes,
                                        const WallLaneOptions& options) {
     for (const int sign : {1, -1}) Levels(axis, wall, lanes, options, sign).run();
     return lanes;

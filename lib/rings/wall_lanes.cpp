@@ -42,14 +42,14 @@ std::vector<T> spread(const std::vector<T>& of_piece, const std::vector<std::uin
     return out;
 }
 
-std::vector<char> walls(const Axis& axis, double slope) {
+std::vector<char> walls(const MedialAxis& axis, double slope) {
     std::vector<char> out(axis.half_edges() / 2);
     for (std::uint32_t e = 0; e < out.size(); ++e) out[e] = axis.slope(2 * e) <= slope * (1 + 1e-9) ? 1 : 0;
     return out;
 }
 
 // Where walls pass a radius at which their number of lanes changes.
-Cuts changes(const Axis& axis, const std::vector<char>& wall, double width) {
+Cuts changes(const MedialAxis& axis, const std::vector<char>& wall, double width) {
     Cuts out;
     for (std::uint32_t e = 0; e < wall.size(); ++e) {
         const double a = axis.radius[axis.from[2 * e]] / width, b = axis.radius[axis.to(2 * e)] / width;
@@ -61,7 +61,7 @@ Cuts changes(const Axis& axis, const std::vector<char>& wall, double width) {
     return out;
 }
 
-std::vector<int> lanes_of_pieces(const Axis& axis, const std::vector<char>& wall, double width) {
+std::vector<int> lanes_of_pieces(const MedialAxis& axis, const std::vector<char>& wall, double width) {
     std::vector<int> out(wall.size(), 0);
     for (std::uint32_t e = 0; e < wall.size(); ++e)
         if (wall[e]) out[e] = lanes_at((axis.radius[axis.from[2 * e]] + axis.radius[axis.to(2 * e)]) / 2 / width);
@@ -69,7 +69,7 @@ std::vector<int> lanes_of_pieces(const Axis& axis, const std::vector<char>& wall
 }
 
 // What an envelope falls by along a piece: by one in half a ramp, and across corners by one in half a width.
-double fall(const Axis& axis, std::uint32_t h, bool wall, const WallLaneOptions& o) {
+double fall(const MedialAxis& axis, std::uint32_t h, bool wall, const WallLaneOptions& o) {
     const double along = 2 * axis.length(h) / o.ramp;
     if (wall) return along;
     return std::max(along, 2 * std::abs(axis.radius[axis.from[h]] - axis.radius[axis.to(h)]) / o.width);
@@ -85,7 +85,7 @@ struct Visit {
 
 // Raises `value` (kUnset where nothing is told) to the least function above it that falls no faster.  Off the walls it
 // is followed only until it has fallen by one: the numbers of walls alike in thickness differ by no more.
-void raise(const Axis& axis, const std::vector<char>& wall, const WallLaneOptions& o,
+void raise(const MedialAxis& axis, const std::vector<char>& wall, const WallLaneOptions& o,
            const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
     std::priority_queue<Visit> queue;
     std::vector<double> fallen(value.size(), 0); // since the last wall
@@ -142,7 +142,7 @@ struct Ramp {
 };
 
 // How far up corners each node is from the nearest wall below it, mm; infinite where there is none.
-std::vector<double> above_walls(const Axis& axis, const std::vector<char>& wall, const std::vector<char>& set) {
+std::vector<double> above_walls(const MedialAxis& axis, const std::vector<char>& wall, const std::vector<char>& set) {
     std::vector<std::uint32_t> rising; // half-edges of corners, by the radius that they begin at
     for (std::uint32_t h = 0; h < axis.half_edges(); ++h)
         if (!wall[h / 2] && axis.radius[axis.from[h]] < axis.radius[axis.to(h)]) rising.push_back(h);
@@ -158,7 +158,8 @@ std::vector<double> above_walls(const Axis& axis, const std::vector<char>& wall,
 }
 
 // Nodes on a corner for where its profile goes over into that of the wall which it rises out of.
-void add_blend_cuts(const Axis& axis, std::uint32_t e, const std::vector<double>& above, double blend, Cuts& out) {
+void add_blend_cuts(const MedialAxis& axis, std::uint32_t e, const std::vector<double>& above, double blend,
+                    Cuts& out) {
     constexpr int kSteps = 4;
     const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
     const bool rises = axis.radius[a] < axis.radius[b];
@@ -171,10 +172,10 @@ void add_blend_cuts(const Axis& axis, std::uint32_t e, const std::vector<double>
 
 } // namespace
 
-WallLanes wall_lanes(const Axis& given, const WallLaneOptions& o) {
+WallLanes wall_lanes(const MedialAxis& given, const WallLaneOptions& o) {
     std::vector<char> wall = walls(given, o.slope);
     const Cuts changing = changes(given, wall, o.width);
-    const Axis axis = refined(given, changing.at, changing.start);
+    const MedialAxis axis = refined(given, changing.at, changing.start);
     wall = spread(wall, changing.start);
     const auto lanes = without_short_changes(axis, wall, lanes_of_pieces(axis, wall, o.width), o);
 

@@ -1,13 +1,15 @@
 // How many lanes lie on each side of a wall's middle, and where that number changes.
 #pragma once
 
-#include "rings/axis.hpp"
+#include "polygon/medial_axis.hpp"
 
 namespace filum::rings {
 
+using polygon::MedialAxis;
+
 // On walls (pieces of the axis whose radius changes slowly) and at the tops (where it is largest) of a region.
 struct WallLanes {
-    Axis axis;                 // with nodes where the number of lanes changes
+    MedialAxis axis;           // with nodes where the number of lanes changes
     std::vector<char> wall;    // per piece
     std::vector<char> set;     // per node: whether `lanes` is told: it lies on a wall, or is a top
     std::vector<double> lanes; // per node: a whole number, between two of them where one goes over into the other
@@ -26,6 +28,6 @@ struct WallLaneOptions {
 // N lanes where the radius R is w sqrt(N (N - 1)) to w sqrt(N (N + 1)), so that lanes are wider and narrower than w by
 // the same factor; at least one.  A change of N that is taken back within the length of a ramp is not made.  In ramps
 // the number is the mean of the least function above N and the greatest below it that change by one in half a ramp.
-WallLanes wall_lanes(const Axis& axis, const WallLaneOptions& options);
+WallLanes wall_lanes(const MedialAxis& axis, const WallLaneOptions& options);
 
 } // namespace filum::rings

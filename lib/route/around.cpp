@@ -1,5 +1,7 @@
 #include "route/around.hpp"
 
+#include "base/none.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +13,6 @@ namespace filum::route {
 namespace {
 
 constexpr double kPlaces = 3000, kLeast = 0.5; // of the grid; mm between two
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 enum class Occupancy : std::uint8_t { unknown, free, blocked };
 
 // Columns across from start to goal, rows aside.

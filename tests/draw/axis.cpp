@@ -2,10 +2,10 @@
 //   axis    the medial axis of the slice's largest region: walls thick, corners thin
 //   levels  its strips between whole lane coordinates
 #include "polygon/clip.hpp"
+#include "polygon/sites.hpp"
 #include "rings/beading.hpp"
 #include "rings/lanes.hpp"
 #include "rings/level.hpp"
-#include "rings/sites.hpp"
 
 #include <cstdio>
 #include <cstdlib>

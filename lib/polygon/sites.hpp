@@ -2,18 +2,15 @@
 #pragma once
 
 #include "polygon/loops.hpp"
+#include "polygon/simple.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace filum::rings {
+namespace filum::polygon {
 
-using geom::Vec2;
-using polygon::Loops;
-
-inline constexpr double kSitesPerMm = 1e4; // sites lie on a grid of 0.1 um, that of polygon/clip.hpp
-
-// Segment i runs from vertex i to vertex next[i], solid on its left; coordinates in grid units from `origin`.
+// Segment i runs from vertex i to vertex next[i], solid on its left; coordinates in grid units (simple.hpp) from
+// `origin`.
 struct Sites {
     Vec2 origin; // mm
     std::vector<std::int32_t> x, y;
@@ -30,4 +27,4 @@ struct Sites {
 // Throws Error(failure) for a region wider than 100 m.
 Sites sites_of(const Loops& region, double tolerance);
 
-} // namespace filum::rings
+} // namespace filum::polygon

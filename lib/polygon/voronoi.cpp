@@ -1,4 +1,4 @@
-#include "rings/voronoi.hpp"
+#include "polygon/voronoi.hpp"
 
 #include "base/error.hpp"
 
@@ -57,7 +57,7 @@ class boost::polygon::detail::robust_fpt<long double> {
     long double value_ = 0, error_ = 0;
 };
 
-namespace filum::rings {
+namespace filum::polygon {
 
 namespace {
 
@@ -151,7 +151,7 @@ Diagram voronoi(const Sites& sites) {
         const auto& e = made.edges()[i];
         if (number(made.edges(), e.twin()) != (i ^ 1U))
             throw Error(Exit::failure, "internal error: the edges of a Voronoi diagram are not in pairs");
-        out.from.push_back(e.vertex0() != nullptr ? number(made.vertices(), e.vertex0()) : kNoVertex);
+        out.from.push_back(e.vertex0() != nullptr ? number(made.vertices(), e.vertex0()) : kNone);
         out.prev.push_back(number(made.edges(), e.prev()));
         out.cell.push_back(number(made.cells(), e.cell()));
         out.between_sites.push_back(e.is_primary() ? 1 : 0);
@@ -166,4 +166,4 @@ Diagram voronoi(const Sites& sites) {
     return out;
 }
 
-} // namespace filum::rings
+} // namespace filum::polygon

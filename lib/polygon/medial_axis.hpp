@@ -1,18 +1,18 @@
 // The medial axis of a region, seen from its outline (Boost.Polygon's Voronoi diagram of segments).
 #pragma once
 
-#include "rings/sites.hpp"
+#include "polygon/sites.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace filum::rings {
+namespace filum::polygon {
 
 // Every point of a region lies on a ray: from the nearest point of the outline, its foot, to where the inside is
 // equally far from another part of the outline, which is the medial axis.  The axis is cut into straight pieces between
 // nodes. Piece e has two sides, the half-edges 2e and 2e + 1 (h and h ^ 1), each seen from the stretch of outline that
 // it belongs to and directed along it, solid on the left.  Following `next` goes once round a contour of the region.
-struct Axis {
+struct MedialAxis {
     // per node
     std::vector<Vec2> node;     // mm
     std::vector<double> radius; // mm, to the outline; 0 at a convex corner
@@ -34,11 +34,11 @@ struct Axis {
 // The axis of the region inside `sites`.  Curved pieces are cut so that positions and radii between nodes are linear to
 // `tolerance` mm, that radii rise or fall along each piece, and where their slope passes `slope`.
 // Empty for no sites.  Throws Error(failure) if the diagram is not sound.
-Axis medial_axis(const Sites& sites, double tolerance, double slope);
+MedialAxis medial_axis(const Sites& sites, double tolerance, double slope);
 
 // The axis with nodes added: on piece e at cuts[start[e]] .. cuts[start[e + 1]], ascending shares in (0, 1) of its
 // length from its first side's first node.  Nodes there were keep their numbers; the j-th cut becomes node
 // axis.nodes() + j.
-Axis refined(const Axis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start);
+MedialAxis refined(const MedialAxis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start);
 
-} // namespace filum::rings
+} // namespace filum::polygon

@@ -1,4 +1,4 @@
-#include "rings/voronoi.hpp"
+#include "polygon/voronoi.hpp"
 
 #include "../fill/pattern_check.hpp"
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-namespace filum::rings {
+namespace filum::polygon {
 namespace {
 
 using test::Loops;
@@ -17,7 +17,7 @@ constexpr double kSame = 1e-3;
 
 std::vector<Vec2> sorted(std::vector<Vec2> vertices, const Loops& region) {
     const auto box = polygon::bounds(region);
-    const double far = 4 * kSitesPerMm * std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
+    const double far = 4 * kGridPerMm * std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
     // those far off are of no use to anybody
     std::erase_if(vertices, [&](Vec2 p) { return std::abs(p.x) > far || std::abs(p.y) > far; });
     std::sort(vertices.begin(), vertices.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -93,4 +93,4 @@ TEST(Voronoi, IsThatOfBoostForNoise) {
 }
 
 } // namespace
-} // namespace filum::rings
+} // namespace filum::polygon

@@ -1,4 +1,4 @@
-#include "rings/sites.hpp"
+#include "polygon/sites.hpp"
 
 #include "base/error.hpp"
 #include "polygon/clip.hpp"
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace filum::rings {
+namespace filum::polygon {
 
 namespace {
 
@@ -28,7 +28,7 @@ std::vector<GridPoint> on_grid(std::span<const Vec2> loop, Vec2 origin) {
         if (out.empty() || out.back() != p) out.push_back(p);
     };
     for (const Vec2 p : loop)
-        put({std::llround((p.x - origin.x) * kSitesPerMm), std::llround((p.y - origin.y) * kSitesPerMm)});
+        put({std::llround((p.x - origin.x) * kGridPerMm), std::llround((p.y - origin.y) * kGridPerMm)});
     std::size_t first = 0;
     for (bool again = true; again && out.size() > first + 2;) {
         again = true;
@@ -62,10 +62,10 @@ Sites on_grid(const Loops& loops, Vec2 origin) {
 
 // A point of the grid left of the area and below it, as far off as the area is wide.
 Vec2 beside(const Loops& area) {
-    const auto box = polygon::bounds(area);
+    const auto box = bounds(area);
     const double size = std::max(box.hi.x - box.lo.x, box.hi.y - box.lo.y);
     if (size > kWidestRegion) throw Error(Exit::failure, "cannot fill a region wider than 100 m");
-    const auto snapped = [](double v) { return std::round(v * kSitesPerMm) / kSitesPerMm; };
+    const auto snapped = [](double v) { return std::round(v * kGridPerMm) / kGridPerMm; };
     return {snapped(box.lo.x - size), snapped(box.lo.y - size)};
 }
 
@@ -74,16 +74,16 @@ Vec2 beside(const Loops& area) {
 Sites sites_of(const Loops& region, double tolerance) {
     if (region.empty()) return {};
     for (const double share : {1.0, 0.25}) {
-        const Loops fewer = polygon::simplify(region, share * tolerance);
-        if (fewer.size() == region.size() && polygon::is_simple(fewer)) return on_grid(fewer, beside(region));
+        const Loops fewer = simplify(region, share * tolerance);
+        if (fewer.size() == region.size() && is_simple(fewer)) return on_grid(fewer, beside(region));
     }
-    if (polygon::is_simple(region)) return on_grid(region, beside(region));
+    if (is_simple(region)) return on_grid(region, beside(region));
     Loops grown;
     for (double by = kGrowBy; by < 1; by *= 4) {
-        grown = polygon::offset(region, by, by);
-        if (polygon::is_simple(grown)) break;
+        grown = offset(region, by, by);
+        if (is_simple(grown)) break;
     }
     return grown.empty() ? Sites{} : on_grid(grown, beside(grown));
 }
 
-} // namespace filum::rings
+} // namespace filum::polygon

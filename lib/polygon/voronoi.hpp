@@ -1,17 +1,16 @@
-// The Voronoi diagram of a region's outline.  Private to lib/rings.
+// The Voronoi diagram of a region's outline.  Private to lib/polygon.
 #pragma once
 
-#include "rings/sites.hpp"
+#include "base/none.hpp"
+#include "polygon/sites.hpp"
 
 #include <cstdint>
 #include <vector>
 
-namespace filum::rings {
-
-inline constexpr std::uint32_t kNoVertex = 0xffffffff;
+namespace filum::polygon {
 
 // Cells of the sites' segments and of their vertices, parted by edges.  Edge e runs along the border of its cell, which
-// lies on its left, from vertex `from`[e] to that of its twin e ^ 1; kNoVertex where it runs on for ever.
+// lies on its left, from vertex `from`[e] to that of its twin e ^ 1; kNone where it runs on for ever.
 struct Diagram {
     std::vector<Vec2> vertex; // grid units, as Sites::at
     // per edge
@@ -33,4 +32,4 @@ struct Diagram {
 // Error(failure) if Boost's diagram has edges without twins.
 Diagram voronoi(const Sites& sites);
 
-} // namespace filum::rings
+} // namespace filum::polygon

@@ -1,11 +1,11 @@
-// The number of no node, end, ring or sample.  Private to lib/fill.
+// The number of nothing: of no node, end, ring or sample.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 
-namespace filum::fill {
+namespace filum {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-} // namespace filum::fill
+} // namespace filum

@@ -1,36 +1,35 @@
-#include "rings/axis.hpp"
+#include "polygon/medial_axis.hpp"
 
 #include "base/error.hpp"
 #include "geom/segment.hpp"
-#include "rings/voronoi.hpp"
+#include "polygon/voronoi.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace filum::rings {
+namespace filum::polygon {
 
 namespace {
 
-constexpr std::uint32_t kNoNode = 0xffffffff;
 constexpr double kNoHeight = 1e-2; // grid units: a focus nearer to its line makes no parabola
 
-// The vertex of the outline that a cell belongs to, kNoNode for a segment's.
+// The vertex of the outline that a cell belongs to, kNone for a segment's.
 std::uint32_t vertex_of(const Sites& sites, const Diagram& d, std::uint32_t cell) {
-    if (d.part[cell] == Diagram::Part::segment) return kNoNode;
+    if (d.part[cell] == Diagram::Part::segment) return kNone;
     return d.part[cell] == Diagram::Part::first_end ? d.segment[cell] : sites.next[d.segment[cell]];
 }
 
 // The point of the cell's part of the outline nearest to p, grid units.
 Vec2 foot_in(const Sites& sites, const Diagram& d, std::uint32_t cell, Vec2 p) {
     const std::uint32_t v = vertex_of(sites, d, cell), i = d.segment[cell];
-    return v != kNoNode ? sites.at(v) : geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
+    return v != kNone ? sites.at(v) : geom::nearest_point(sites.at(i), sites.at(sites.next[i]), p);
 }
 
 // Whether an edge lies inside: left of its cell's segment, or about a vertex that points inwards.
 bool is_inside(const Sites& sites, const Diagram& d, std::uint32_t e) {
-    if (!d.between_sites[e] || d.from[e] == kNoVertex || d.to(e) == kNoVertex) return false;
+    if (!d.between_sites[e] || d.from[e] == kNone || d.to(e) == kNone) return false;
     const std::uint32_t v = vertex_of(sites, d, d.cell[e]), i = d.segment[d.cell[e]];
-    if (v != kNoNode) return geom::orient(sites.at(sites.prev[v]), sites.at(v), sites.at(sites.next[v])) < 0;
+    if (v != kNone) return geom::orient(sites.at(sites.prev[v]), sites.at(v), sites.at(sites.next[v])) < 0;
     const Vec2 a = sites.at(i), b = sites.at(sites.next[i]);
     const double from = geom::orient(a, b, d.vertex[d.from[e]]), to = geom::orient(a, b, d.vertex[d.to(e)]);
     return std::abs(from) > std::abs(to) ? from > 0 : to > 0;
@@ -59,14 +58,14 @@ Curved curve_of(const Sites& sites, const Diagram& d, std::uint32_t e) {
     const std::uint32_t cell = d.cell[e], other = d.cell[e ^ 1];
     const std::uint32_t p = vertex_of(sites, d, cell), q = vertex_of(sites, d, other);
     Curved out;
-    if (p != kNoNode && q != kNoNode) {
+    if (p != kNone && q != kNone) {
         const Vec2 across = sites.at(q) - sites.at(p);
         out.origin = geom::lerp(sites.at(p), sites.at(q), 0.5);
         out.h = geom::norm(across) / 2;
         out.along = (1 / std::max(1.0, 2 * out.h)) * geom::left_of(across);
-    } else if (p != kNoNode || q != kNoNode) {
-        const std::size_t i = d.segment[p != kNoNode ? other : cell];
-        const Vec2 focus = sites.at(p != kNoNode ? p : q), begin = sites.at(i);
+    } else if (p != kNone || q != kNone) {
+        const std::size_t i = d.segment[p != kNone ? other : cell];
+        const Vec2 focus = sites.at(p != kNone ? p : q), begin = sites.at(i);
         const Vec2 along = sites.at(sites.next[i]) - begin;
         out.along = (1 / geom::norm(along)) * along;
         out.h = cross(out.along, focus - begin);
@@ -108,20 +107,20 @@ std::vector<double> places(const Curved& c, double tolerance, double slope) {
 class Builder {
   public:
     Builder(const Sites& sites, double tolerance, double slope)
-        : sites_(&sites), d_(voronoi(sites)), tolerance_(tolerance * kSitesPerMm), slope_(slope) {}
+        : sites_(&sites), d_(voronoi(sites)), tolerance_(tolerance * kGridPerMm), slope_(slope) {}
 
-    Axis run() {
+    MedialAxis run() {
         find_inside();
-        node_.assign(d_.vertex.size(), kNoNode);
-        first_.assign(d_.edges(), kNoNode);
-        last_.assign(d_.edges(), kNoNode);
+        node_.assign(d_.vertex.size(), kNone);
+        first_.assign(d_.edges(), kNone);
+        last_.assign(d_.edges(), kNone);
         for (std::uint32_t e = 0; e < d_.edges(); e += 2)
             if (inside_[e]) add(e);
         for (std::uint32_t e = 0; e < d_.edges(); ++e)
             if (inside_[e]) out_.next[last_[e]] = first_[following(e)];
-        for (Vec2& p : out_.node) p = sites_->origin + (1 / kSitesPerMm) * p;
-        for (Vec2& p : out_.foot) p = sites_->origin + (1 / kSitesPerMm) * p;
-        for (double& r : out_.radius) r /= kSitesPerMm;
+        for (Vec2& p : out_.node) p = sites_->origin + (1 / kGridPerMm) * p;
+        for (Vec2& p : out_.foot) p = sites_->origin + (1 / kGridPerMm) * p;
+        for (double& r : out_.radius) r /= kGridPerMm;
         return std::move(out_);
     }
 
@@ -143,7 +142,7 @@ class Builder {
     }
     std::uint32_t node_of(std::uint32_t vertex, std::uint32_t cell) {
         std::uint32_t& known = node_[vertex];
-        if (known != kNoNode) return known;
+        if (known != kNone) return known;
         constexpr double kOnOutline = 1e-3; // grid units
         const Vec2 p = d_.vertex[vertex];
         const double r = geom::distance(p, foot(cell, p));
@@ -188,24 +187,24 @@ class Builder {
     std::vector<char> inside_;                // per edge of the diagram
     std::vector<std::uint32_t> first_, last_; // per edge inside: half-edges
     std::vector<std::uint32_t> node_;         // per vertex of the diagram
-    Axis out_;
+    MedialAxis out_;
 };
 
 } // namespace
 
-double Axis::slope(std::uint32_t h) const {
+double MedialAxis::slope(std::uint32_t h) const {
     const double l = length(h), rise = std::abs(radius[from[h]] - radius[to(h)]);
     return l > 0 ? std::min(1.0, rise / l) : 0.0;
 }
 
-Axis medial_axis(const Sites& sites, double tolerance, double slope) {
+MedialAxis medial_axis(const Sites& sites, double tolerance, double slope) {
     if (sites.size() == 0) return {};
     return Builder(sites, tolerance, slope).run();
 }
 
-Axis refined(const Axis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start) {
+MedialAxis refined(const MedialAxis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start) {
     if (cuts.empty()) return axis;
-    Axis out;
+    MedialAxis out;
     out.node = axis.node;
     out.radius = axis.radius;
     const std::uint32_t pieces = axis.half_edges() / 2;
@@ -234,4 +233,4 @@ Axis refined(const Axis& axis, const std::vector<double>& cuts, const std::vecto
     return out;
 }
 
-} // namespace filum::rings
+} // namespace filum::polygon
