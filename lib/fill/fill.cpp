@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "fill/contour.hpp"
 #include "fill/identify.hpp"
 #include "fill/rectilinear.hpp"
 #include "fill/scaffold.hpp"
@@ -11,6 +10,7 @@
 #include "fill/wall_walk.hpp"
 #include "fill/zigzag.hpp"
 #include "geom/angle.hpp"
+#include "geom/polyline.hpp"
 
 #include <algorithm>
 
@@ -81,8 +81,7 @@ void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, 
     const double w = o.bead_width, least = o.min_width > 0 ? o.min_width : w / 4;
     out.stacked = stack_lanes(out.curves[0], thin_walls(r.loops, w), w, least);
     double length = 0;
-    for (const auto& line : out.stacked)
-        for (std::size_t i = 0; i + 1 < line.size(); ++i) length += geom::distance(line[i], line[i + 1]);
+    for (const auto& line : out.stacked) length += geom::length(line);
     for (std::size_t i = first; i < notes.size(); ++i) // those are not narrow any more
         if (notes[i].what == "bead below the least width") notes[i].amount -= std::min(notes[i].amount, 2 * length);
     const auto from = notes.begin() + static_cast<std::ptrdiff_t>(first);

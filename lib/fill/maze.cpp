@@ -1,12 +1,13 @@
 #include "fill/maze.hpp"
 
 #include "fill/rows.hpp"
+#include "geom/disjoint_sets.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/segments.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace filum::fill {
@@ -55,7 +56,7 @@ std::vector<Stretch> clipped(const std::vector<Stretch>& a, const std::vector<St
 class Maze {
   public:
     Maze(const Loops& region, double width, double row)
-        : region_(region), width_(width), y_(cuts(region, row, kRowGive)), outline_(edges(region)),
+        : region_(region), width_(width), y_(cuts(region, row, kRowGive)), outline_(polygon::segments(region)),
           grid_(outline_, 2 * width) {}
 
     Loops build() {
@@ -67,14 +68,6 @@ class Maze {
     }
 
   private:
-    static std::vector<geom::Segment> edges(const Loops& loops) {
-        std::vector<geom::Segment> out;
-        for (std::size_t i = 0; i < loops.size(); ++i)
-            for (std::size_t k = 0; k < loops[i].size(); ++k)
-                out.push_back({loops[i][k], loops[i][(k + 1) % loops[i].size()]});
-        return out;
-    }
-
     // Cuts the region into rows; borders are where a row's upper side meets the lower side of one in the next strip.
     void find_borders() {
         const auto box = polygon::bounds(region_);
@@ -148,27 +141,15 @@ class Maze {
         return out;
     }
 
-    std::uint32_t root(std::uint32_t i) {
-        while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];
-        return i;
-    }
-    bool unite(std::uint32_t a, std::uint32_t b) {
-        a = root(a);
-        b = root(b);
-        leader_[std::max(a, b)] = std::min(a, b);
-        return a != b;
-    }
-
     // A spanning tree of the rows: first what is open anyhow, then doors, wide borders before narrow ones.
     void open_doors() {
-        leader_.resize(cells_);
-        std::iota(leader_.begin(), leader_.end(), 0U);
+        geom::DisjointSets rows(cells_);
         for (const Border& b : borders_)
-            if (b.walls.size() != 1 || b.walls[0].from > b.from || b.walls[0].to < b.to) unite(b.below, b.above);
+            if (b.walls.size() != 1 || b.walls[0].from > b.from || b.walls[0].to < b.to) rows.unite(b.below, b.above);
         for (const bool narrow : {false, true})
             for (Border& b : borders_) {
-                if (root(b.below) == root(b.above) || (b.to - b.from >= kOpen * width_) == narrow) continue;
-                unite(b.below, b.above);
+                if (rows.root(b.below) == rows.root(b.above) || (b.to - b.from >= kOpen * width_) == narrow) continue;
+                rows.unite(b.below, b.above);
                 b.walls = door(b);
             }
     }
@@ -215,7 +196,6 @@ class Maze {
     geom::SegmentGrid grid_;
     std::size_t cells_ = 0;
     std::vector<Border> borders_;
-    std::vector<std::uint32_t> leader_;
 };
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "fill/cycle.hpp"
 #include "fill/finish.hpp"
 #include "fill/least_radius.hpp"
-#include "fill/uncross.hpp"
 #include "rings/lanes.hpp"
 
 namespace filum::fill {
@@ -106,6 +105,16 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
     if (out.crossings > 0) out.crossings = uncross(out.curves, o.bead_width, notes);
     out.unplaced += out.open.amount;
     report(out, o, notes);
+    return out;
+}
+
+std::vector<toolpath::Curve> contour(const polygon::Loops& region, const ContourOptions& o) {
+    std::vector<toolpath::Curve> out;
+    for (const double share : kShares) {
+        out = rings::curves_of(rings::lanes(
+            region, {.width = o.bead_width, .most = o.rings, .tolerance = share * tolerance_for(o.bead_width)}));
+        if (crossing_pairs(out, o.bead_width).empty()) break;
+    }
     return out;
 }
 

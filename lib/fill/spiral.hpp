@@ -34,4 +34,14 @@ struct Spiral {
 // corners of the outline that point inwards.
 Spiral spiral(const polygon::Loops& region, const SpiralOptions& options, Notes& notes);
 
+struct ContourOptions {
+    double bead_width = 0.4; // mm
+    int rings = 0;           // at most this many, from the outline inwards; 0: until the region is full
+};
+
+// Contour-parallel fill (the 2019 paper's Cp): closed rings of one connected region (outer loop, then holes), in the
+// order of depth, each point with its width: the spiral's before they are joined.  They are checked for crossings, and
+// laid finer if there are any.
+std::vector<toolpath::Curve> contour(const polygon::Loops& region, const ContourOptions& options);
+
 } // namespace filum::fill

@@ -16,12 +16,11 @@ namespace {
 using geom::Segment;
 using toolpath::Curve;
 
-constexpr double kPlaceStep = 1.0 / 4;   // bead widths between the places that are tried
-constexpr double kFarthest = 8;          // bead widths: the longest link
-constexpr double kNextTo = 1.5;          // bead widths: an end so near to a ring can lead on to it
-constexpr std::size_t kPlacesTried = 64; // places, nearest first
-constexpr double kStraight = 0.9;        // a window must be as straight: chord / length
-constexpr double kTouch = 1e-4;          // of a link's length, at either end, where it may touch
+constexpr double kPlaceStep = 1.0 / 4; // bead widths between the places that are tried
+constexpr double kFarthest = 8;        // bead widths: the longest link
+constexpr double kNextTo = 1.5;        // bead widths: an end so near to a ring can lead on to it
+constexpr double kStraight = 0.9;      // a window must be as straight: chord / length
+constexpr double kTouch = 1e-4;        // of a link's length, at either end, where it may touch
 
 void add_segments(const Curve& c, std::vector<Segment>& to) {
     for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
@@ -91,11 +90,10 @@ std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::ve
                   [&](std::uint32_t i) { d = std::min(d, geom::point_segment_distance(edges[i].a, edges[i].b, p)); });
         if (d < reach) places.emplace_back(std::round(d * 1e3), along);
     }
-    const auto count = std::min(kPlacesTried, places.size());
-    std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), places.end());
+    std::sort(places.begin(), places.end());
     const geom::SegmentGrid grid(all, w);
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto v = detour(curve, sums, ring, ring_sums, places[k].second, w);
+    for (const auto& place : places) {
+        const auto v = detour(curve, sums, ring, ring_sums, place.second, w);
         if (v && is_free(v->out.point, v->enter.point, grid, all) &&
             is_free(v->leave.point, v->back.point, grid, all) &&
             !geom::cross_properly(v->out.point, v->enter.point, v->leave.point, v->back.point))

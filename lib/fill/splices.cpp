@@ -1,5 +1,7 @@
 #include "fill/splices.hpp"
 
+#include "geom/polyline.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,9 +22,7 @@ void append_piece(const BeadLine& piece, bool backwards, BeadLine& line) {
 }
 
 double length(const BeadLine& line) {
-    double sum = geom::distance(line.points.back(), line.points.front());
-    for (std::size_t i = 0; i + 1 < line.points.size(); ++i) sum += geom::distance(line.points[i], line.points[i + 1]);
-    return sum;
+    return geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "fill/strands.hpp"
 
+#include "geom/polyline.hpp"
 #include "geom/segment.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ Arc arc_between(std::span<const Vec2> loop, const OnLoop& a, const OnLoop& b) {
     for (double k = std::floor(a.at) + 1; k < end; k += 1)
         out.line.push_back(loop[static_cast<std::size_t>(k) % loop.size()]);
     out.line.push_back(b.point);
-    for (std::size_t i = 0; i + 1 < out.line.size(); ++i) out.length += geom::distance(out.line[i], out.line[i + 1]);
+    out.length = geom::length(out.line);
     return out;
 }
 

@@ -17,7 +17,6 @@ constexpr double kUnusual = 0.2;               // share of the length that may b
 constexpr double kPrune = 1.25;                // thin_edges must take all of this as thin
 constexpr double kLeastRadius = 0.03;          // bead widths: the least half-thickness of a wall
 constexpr double kMostTaper = 0.025;           // bead widths, of the half-thickness along one segment
-constexpr std::size_t kExact = 14;             // odd nodes that are matched exactly
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 bool all_thin(const polygon::MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
@@ -177,39 +176,8 @@ Ways ways(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at,
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// The pairs of 0 .. n - 1 (n even) with the least sum of cost, two left over at no cost.  Tie: the first found.
-Pairs match_exactly(std::size_t n, const std::vector<std::vector<double>>& cost) {
-    const std::size_t all = n + 2, full = (std::size_t{1} << all) - 1; // two more that pair at no cost
-    const auto c = [&](std::size_t i, std::size_t j) {
-        return i >= n || j >= n ? (i >= n && j >= n ? kFar : 0) : cost[i][j];
-    };
-    std::vector<double> best(full + 1, kFar);
-    std::vector<std::size_t> mate(full + 1, 0);
-    best[0] = 0;
-    for (std::size_t set = 0; set < full; ++set) {
-        if (best[set] == kFar) continue;
-        std::size_t i = 0;
-        while ((set >> i & 1U) != 0) ++i;
-        for (std::size_t j = i + 1; j < all; ++j) {
-            if ((set >> j & 1U) != 0) continue;
-            const std::size_t next = set | std::size_t{1} << i | std::size_t{1} << j;
-            if (const double d = best[set] + c(i, j); d < best[next]) {
-                best[next] = d;
-                mate[next] = i * all + j;
-            }
-        }
-    }
-    Pairs out;
-    for (std::size_t set = full; set != 0;) {
-        const std::size_t i = mate[set] / all, j = mate[set] % all;
-        if (i < n && j < n) out.emplace_back(i, j);
-        set &= ~(std::size_t{1} << i | std::size_t{1} << j);
-    }
-    return out;
-}
-
 // All of 0 .. n - 1 (n even) in pairs: the nearest two first, then two pairs exchange partners while that helps.
-Pairs match_greedily(std::size_t n, const std::vector<std::vector<double>>& cost) {
+Pairs matched(std::size_t n, const std::vector<std::vector<double>>& cost) {
     std::vector<char> taken(n, 0);
     Pairs all, out;
     for (std::size_t i = 0; i < n; ++i)
@@ -316,15 +284,13 @@ std::vector<int> passes_of_walls(const WallGraph& g) {
         cost.emplace_back();
         for (const auto u : odd) cost.back().push_back(from.back().length[u]);
     }
-    const bool exact = odd.size() <= kExact;
-    const auto pairs = exact ? match_exactly(odd.size(), cost) : match_greedily(odd.size(), cost);
-    for (const auto& [i, j] : pairs)
+    for (const auto& [i, j] : matched(odd.size(), cost))
         for (std::uint32_t v = odd[j]; v != odd[i];) {
             const std::uint32_t k = from[i].by[v];
             out[k] = 3 - out[k];
             v = other_end(g.walls[k], v);
         }
-    if (!exact) open_up(g, at, odd, out);
+    open_up(g, at, odd, out);
     return out;
 }
 

@@ -35,8 +35,8 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width);
 WallGraph thin_walls(const Loops& area, double width);
 
 // How often each wall must be passed at least, once or twice, so that one trail passes all of them and nothing else: in
-// sum the shortest, in a tree and where up to 14 nodes have an odd number of walls; short where more have.  All walls
-// twice but the longest path, if the graph is a tree; all once, if it is a ring.  (A minimum T-join.)
+// sum the shortest in a tree, short in others: a T-join by pairs of near nodes that exchange partners while that helps.
+// All walls twice but the longest path, if the graph is a tree; all once, if it is a ring.
 std::vector<int> passes_of_walls(const WallGraph& graph);
 
 } // namespace filum::fill

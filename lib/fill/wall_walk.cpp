@@ -2,8 +2,8 @@
 #include "base/none.hpp"
 #include "fill/crossings.hpp"
 
-#include "fill/spiral.hpp"
 #include "fill/splices.hpp"
+#include "geom/polyline.hpp"
 #include "geom/segment.hpp"
 
 #include <algorithm>
@@ -156,9 +156,7 @@ Vec2 unit(Vec2 v) {
 
 // Cuts `by` mm off the start, at most a third of the line.
 void trim(BeadLine& l, double by) {
-    double all = 0;
-    for (std::size_t i = 0; i + 1 < l.points.size(); ++i) all += geom::distance(l.points[i], l.points[i + 1]);
-    by = std::min(by, all / 3);
+    by = std::min(by, geom::length(l.points) / 3);
     while (l.points.size() > 2 && geom::distance(l.points[0], l.points[1]) <= by) {
         by -= geom::distance(l.points[0], l.points[1]);
         l.points.erase(l.points.begin());

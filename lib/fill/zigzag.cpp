@@ -5,7 +5,6 @@
 #include "fill/cycle.hpp"
 #include "fill/maze.hpp"
 #include "fill/rows.hpp"
-#include "fill/uncross.hpp"
 #include "polygon/clip.hpp"
 #include "rings/lanes.hpp"
 

@@ -6,7 +6,6 @@
 #include "fill/identify.hpp"
 #include "fill/rows.hpp"
 #include "fill/spiral.hpp"
-#include "fill/uncross.hpp"
 #include "geom/segment_grid.hpp"
 #include "hollow/pieces.hpp"
 #include "infill/infill.hpp"

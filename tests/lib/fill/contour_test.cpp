@@ -1,4 +1,4 @@
-#include "fill/contour.hpp"
+#include "fill/spiral.hpp"
 
 #include "pattern_check.hpp"
 

@@ -1,4 +1,4 @@
-#include "fill/uncross.hpp"
+#include "fill/crossings.hpp"
 
 #include "pattern_check.hpp"
 

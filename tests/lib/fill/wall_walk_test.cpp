@@ -73,7 +73,7 @@ TEST(WallWalk, WhatCanBeDrawnInOneLineIs) {
 }
 
 TEST(WallWalk, OfATreeOnlyTheLongestPathIsSingle) {
-    for (const int ribs : {1, 3, 5, 9}) { // more odd nodes than are matched exactly, at last
+    for (const int ribs : {1, 3, 5, 9}) {
         const auto g = wall_graph(fishbone(ribs), 0.4).value();
         const WallWalk w = wall_walk(g);
         ASSERT_EQ(w.curves.size(), 1U);
