@@ -61,6 +61,109 @@ value() { awk -v name="$1" '$1 == "fact" && $3 == name { print $4 }'; }
     [[ $output == *"a single part"* ]]
 }
 
+# A project of PrusaSlicer on standard output: a block of 40 x 24 x 4 mm on z = 0 and in it a body of 14 x 24 mm, whose
+# settings are KEY=VALUE; PAINT on the lower face of the block.
+project_3mf() { # PAINT KEY=VALUE...
+    python3 -c '
+import io, sys, zipfile
+def box(x0, y0, x1, y1, z0, z1):
+    return [(x, y, z) for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
+faces = [(0,2,1),(0,3,2),(4,5,6),(4,6,7),(0,1,5),(0,5,4),(1,2,6),(1,6,5),(2,3,7),(2,7,6),(3,0,4),(3,4,7)]
+paint, settings = sys.argv[1], [w.split("=", 1) for w in sys.argv[2:]]
+points = box(0, 0, 40, 24, 5, 9) + box(4, -1, 18, 25, 4, 10) + box(0, 0, 5, 24, 0, 5)
+rows = []
+for first, color in ((0, paint), (16, ""), (8, "")):
+    for k, t in enumerate(faces):
+        on = " slic3rpe:custom_supports=\"%s\"" % color if color and k < 2 else ""
+        rows.append("<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"%s/>" % (*(v + first for v in t), on))
+model = ("<model unit=\"millimeter\" xmlns:slic3rpe=\"p\"><resources><object id=\"1\"><mesh><vertices>" +
+         "".join("<vertex x=\"%g\" y=\"%g\" z=\"%g\"/>" % p for p in points) + "</vertices><triangles>" +
+         "".join(rows) + "</triangles></mesh></object></resources><build><item objectid=\"1\"/></build></model>")
+meta = "".join("<metadata type=\"volume\" key=\"%s\" value=\"%s\"/>" % tuple(w)
+               for w in [("volume_type", "ParameterModifier")] + settings)
+out = io.BytesIO()
+with zipfile.ZipFile(out, "w") as z:
+    z.writestr("_rels/.rels", "<Relationships><Relationship Target=\"/3D/3dmodel.model\" Id=\"r\" "
+               "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>")
+    z.writestr("3D/3dmodel.model", model)
+    z.writestr("Metadata/Slic3r_PE_model.config",
+               "<config><object id=\"1\"><volume firstid=\"24\" lastid=\"35\">%s</volume></object></config>" % meta)
+    z.writestr("Metadata/Slic3r_PE.config", "; fill_density = 15%\n; perimeters = 3\n; support_material = 1\n"
+               "; support_material_auto = 0\n")
+sys.stdout.buffer.write(out.getvalue())' "$@"
+}
+
+strokes_of() { metrics --format tsv "$1" | awk '$1 == "strokes" || $2 == "strokes" { print $NF; exit }'; }
+
+@test "fewer walls and other beads in a body: told in zones, one stroke, more material of wider beads" {
+    block() { # X0 X1
+        printf 'OFF\n8 12 0\n'
+        for z in -1 2; do printf '%s %s %s\n' "$1" -1 $z "$2" -1 $z "$2" 10 $z "$1" 10 $z; done
+        printf '3 %s %s %s\n' 0 2 1 0 3 2 4 5 6 4 6 7 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7
+    }
+    block 1 4 > few.off
+    block 5 8 > wide.off
+    slice --scale 4 part.stl | regions -o four.regions
+    skins --walls 3 --solid-below 0 --modifier 'few.off:walls=1;wide.off:bead-width=0.8' four.regions -o zones.regions
+    peek --text zones.regions | grep 'area kind zone' > zones
+    [[ $(wc -l < zones) -gt 0 ]]
+    sequence zones.regions | fill | link3d --quiet -o zones.toolpath
+    [[ $(strokes_of zones.toolpath) == 1 ]]
+    for threads in 1 2 8; do skins --threads $threads --walls 3 --solid-below 0 \
+        --modifier 'few.off:walls=1;wide.off:bead-width=0.8' four.regions | sequence | fill --threads $threads | cksum; done |
+        sort -u > sums
+    [[ $(wc -l < sums) == 1 ]]
+    # beads as wide as asked, and of infill the share asked, in what the outer wall leaves of the body
+    skins --bridge 9 --modifier 'wide.off:walls=1,bead-width=0.5,infill=40%' four.regions | sequence | fill | link3d --quiet |
+        peek --text > dense.text
+    awk '/^span/ { inside = / feature infill / }
+         /^ / { if (inside && p && $1 > 20 && $1 < 32 && x > 20 && x < 32) {
+                    l = sqrt(($1 - x) ^ 2 + ($2 - y) ^ 2); sum += l; wide += l * $4 }
+                x = $1; y = $2; p = inside }
+         END { share = sum * 0.5 / (12 * 12 * 35.2); print share, wide / sum
+               if (share < 0.392 || share > 0.408 || wide / sum < 0.495 || wide / sum > 0.505) exit 1 }' dense.text
+}
+
+@test "settings of modifiers: other slicers' names work, wrong ones say what to type" {
+    skins --modifier part.stl:fill_density=40%,perimeters=3 large.regions -o theirs.regions
+    skins --modifier part.stl:infill=40%,walls=3 large.regions -o ours.regions
+    cmp theirs.regions ours.regions
+    run skins --modifier part.stl:infil=40% large.regions -o no
+    [[ $status == 2 && $output == *"did you mean 'infill'?"* ]]
+    run skins --modifier part.stl:fill_pattern=honeycomb large.regions -o no
+    [[ $status == 2 && $output == *"here it is 'infill-pattern'"* ]]
+    run skins --modifier part.stl large.regions -o no
+    [[ $status == 2 && $output == *"FILE:SETTINGS"* ]]
+    [[ ! -e no ]]
+}
+
+@test "a project's modifiers, enforcers and paint" {
+    project_3mf 4 name=knob fill_density=40% perimeters=1 extrusion_width=0 fuzzy_skin=all > project.3mf
+    project_3mf '' name=knob fuzzy_skin=all > idle.3mf
+    slice project.3mf 2> said | regions --quiet -o p.regions
+    [[ $(< said) == *'that changes settings left out'* ]]
+    skins --walls 3 --modifier project.3mf p.regions -o p.skins 2> said
+    [[ $(< said) == *"setting 'fuzzy_skin=all' of a project's modifier left out"* && $(< said) != *extrusion_width* ]]
+    [[ -n $(peek p.skins | value modifier-1-infill-spacing) ]]
+    peek --text p.skins | grep -q 'area kind zone'
+    # paint, in two of twelve triangles, looks down over 35 x 24 mm of air
+    supports --support-in project.3mf p.skins -o p.supports
+    [[ $(peek p.supports | value support-in-painted) == 960* ]]
+    peek --text p.supports | grep -q 'purpose carrier'
+    run supports --no-support-in project.3mf --support p.skins -o no
+    [[ $status == 3 && $output == *'--support-in'* ]]
+    run skins --modifier part.3mf p.regions -o no
+    [[ $status == 5 ]]
+    # all of it by --load, where it is the part as well
+    filum print project.3mf --dry-run --load project.3mf > line 2> said
+    [[ $(< line) == *"--modifier=project.3mf"*"--support-in=project.3mf"* ]]
+    [[ $(< line) != *'--support '* && $(< line) != *'--no-support-in'* ]]
+    filum print part.stl --dry-run --load project.3mf > line 2> said
+    [[ $(< line) != *modifier* && $(< said) == *"bodies that change settings in 'project.3mf' left out"* ]]
+    filum print project.3mf --load project.3mf -q -o project.gcode
+    [[ $(tail -n 1 project.gcode) == *"end of program"* ]]
+}
+
 @test "concentric lines lie at one place in all layers, and make one stroke with the walls" {
     skins --infill-pattern concentric large.regions | sequence | fill > rings.paths
     [[ $(peek rings.paths | value infill-share) =~ ^1[45] ]]

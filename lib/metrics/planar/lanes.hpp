@@ -1,12 +1,15 @@
 // Beads as rows cut them: sets of intervals with exact ends.
 #pragma once
 
+#include "geom/vec.hpp"
 #include "metrics/planar/cover.hpp"
 
 #include <span>
 #include <vector>
 
 namespace filum::metrics::planar {
+
+using geom::Vec2;
 
 struct Interval {
     double lo = 0, hi = 0;
