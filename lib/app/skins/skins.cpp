@@ -93,6 +93,12 @@ std::optional<std::string> in_our_words(std::string key, const std::string& valu
     }
 }
 
+void tell_left_out(const std::string& key, const std::string& value, Notes& notes) {
+    std::string what = "setting '";
+    what.append(key).append("=").append(value).append("' of a project's modifier left out");
+    notes.push_back({.stage = "", .what = std::move(what), .unit = ""});
+}
+
 // All of them; notes tell those that are left out, but for widths that are 0, which slicers choose themselves.
 std::string settings_of_project(const std::vector<std::pair<std::string, std::string>>& all,
                                 const filum::skins::Options& part, Notes& notes) {
@@ -102,9 +108,7 @@ std::string settings_of_project(const std::vector<std::pair<std::string, std::st
         if (const auto word = in_our_words(key, value, part))
             out += (out.empty() ? "" : ",") + *word;
         else
-            notes.push_back({.stage = "",
-                             .what = "setting '" + key + "=" + value + "' of a project's modifier left out",
-                             .unit = ""});
+            tell_left_out(key, value, notes);
     }
     return out;
 }

@@ -41,7 +41,8 @@ polygon::Region good_region() {
     r.loops = square(10);
     r.below = {{1, 50, 2}, {2, 25, 0}};
     r.areas = {{polygon::AreaKind::sparse, square(5), 0.5, 3, polygon::Pattern::wave, 1.5},
-               {polygon::AreaKind::skin_top, square(2), 0, 0, {}}};
+               {polygon::AreaKind::skin_top, square(2), 0, 0, {}},
+               {polygon::AreaKind::zone, square(3), 0, 0, {}, 0, 2, 0.6}};
     r.walls = 2;
     return r;
 }
@@ -88,13 +89,16 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_EQ(r.join, Join::beside);
     ASSERT_EQ(r.below.size(), 2U);
     EXPECT_EQ(r.below[1].area, 25);
-    ASSERT_EQ(r.areas.size(), 2U);
+    ASSERT_EQ(r.areas.size(), 3U);
     EXPECT_EQ(r.areas[0].kind, polygon::AreaKind::sparse);
     EXPECT_EQ(r.areas[0].loops.points, square(5).points);
     EXPECT_EQ(r.areas[0].direction, 0.5);
     EXPECT_EQ(r.areas[0].spacing, 3);
     EXPECT_EQ(r.areas[0].pattern, polygon::Pattern::wave);
     EXPECT_EQ(r.areas[1].kind, polygon::AreaKind::skin_top);
+    EXPECT_EQ(r.areas[2].kind, polygon::AreaKind::zone);
+    EXPECT_EQ(r.areas[2].walls, 2U);
+    EXPECT_EQ(r.areas[2].width, 0.6);
     EXPECT_EQ(r.walls, 2U);
     const auto p = paths(frame(good_paths()));
     ASSERT_EQ(p.curves.size(), 2U);
@@ -162,6 +166,7 @@ TEST(planar, broken_regions_are_refused) {
                [](M& m) { m.mutable_areas(1)->set_spacing(-1); }, [](M& m) { m.mutable_areas(0)->set_direction(kNan); },
                [](M& m) { m.mutable_areas(0)->set_kind(static_cast<proto::AreaKind>(9)); },
                [](M& m) { m.mutable_areas(0)->set_pattern(static_cast<proto::Pattern>(9)); },
+               [](M& m) { m.mutable_areas(2)->set_width(0); }, [](M& m) { m.mutable_areas(0)->set_width(kNan); },
                [](M& m) { m.mutable_areas(0)->mutable_loops()->set_x(0, kNan); }});
 }
 
