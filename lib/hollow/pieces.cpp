@@ -1,6 +1,7 @@
 #include "hollow/pieces.hpp"
 
 #include "polygon/clip.hpp"
+#include "rings/lanes.hpp"
 
 #include <algorithm>
 
@@ -12,11 +13,14 @@ using polygon::Loops;
 
 namespace {
 
-// Without walls what is nowhere as wide as half a bead is left open.
+// Parts no larger than what the edge of a bead flows over are left open; without walls those nowhere as wide as half a
+// bead, too.
 void add_parts(const Loops& where, std::uint32_t walls, double width, std::vector<Piece>& to) {
-    for (Loops& part : polygon::split(where).part)
+    for (Loops& part : polygon::split(where).part) {
+        if (polygon::signed_area(part) <= rings::kLeastVoid * width * width) continue;
         if (walls > 0 || !polygon::offset(part, -width / 4, kBeadArc).empty())
             to.push_back({std::move(part), walls, width});
+    }
 }
 
 // What of a piece is narrower than a bead because `rest` is cut there, and not by itself.
