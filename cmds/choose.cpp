@@ -4,6 +4,7 @@
 // memory: the patches, and windows of distance of one candidate per thread
 #include "choose/choose.hpp"
 #include "cli/command.hpp"
+#include "cli/progress.hpp"
 #include "stream/sink.hpp"
 #include "surfpath/patches.hpp"
 #include "wire/surface.hpp"
@@ -97,9 +98,14 @@ void run(const Options& o, const cli::Io& io) {
     std::string report = choose::head(), without;
     std::vector<stream::RawFrame> frames;
     double area = 0, sum = 0;
+    constexpr double kParts = 100; // of a surface, in progress
+    cli::Progress progress(io, static_cast<std::uint64_t>(kParts) * sheets.size());
     for (std::size_t k = 0; k < sheets.size(); ++k) {
         const std::string name = surfpath::spoken(sheets, k);
         Notes own;
+        how.far = [&](double share) {
+            progress.reach(static_cast<std::uint64_t>(kParts * (static_cast<double>(k) + share)));
+        };
         const auto choice = choose::choose(sheets[k], how, io.threads, own);
         const bool several = sheets.size() > 1;
         for (Note& note : own) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <numeric>
 
 namespace filum::choose {
@@ -68,9 +69,32 @@ Criteria lay(const Ground& ground, const Candidate& candidate) {
     return measure(fibres, ground.sheet, plan.spacing, ground.stable);
 }
 
+// What part of the work a round is, about: estimates, on the rough patch, as asked.
+struct Round {
+    double from, to;
+};
+constexpr Round kEstimating{0, 0.05}, kTrying{0.05, 0.3}, kLaying{0.3, 1};
+
+// Counts the trials of a round that are done.
+class Far {
+  public:
+    Far(const Options& o, const Round& round, std::size_t trials) : tell_(o.far), round_(round), trials_(trials) {}
+    void step() {
+        const std::lock_guard lock(one_);
+        const double share = static_cast<double>(++done_) / static_cast<double>(trials_);
+        if (tell_) tell_(round_.from + share * (round_.to - round_.from));
+    }
+
+  private:
+    const std::function<void(double)>& tell_;
+    Round round_;
+    std::size_t trials_, done_ = 0;
+    std::mutex one_;
+};
+
 // Does `work` for the trials of these numbers; what it throws is why they failed.
 template <class Work>
-void each(std::vector<Trial>& trials, const std::vector<std::size_t>& which, int threads, const Work& work) {
+void each(std::vector<Trial>& trials, const std::vector<std::size_t>& which, Far& far, int threads, const Work& work) {
     parallel::for_chunks(which.size(), 1, threads, [&](std::size_t k, std::size_t) {
         Trial& trial = trials[which[k]];
         try {
@@ -78,6 +102,7 @@ void each(std::vector<Trial>& trials, const std::vector<std::size_t>& which, int
         } catch (const std::exception& e) {
             trial.failed = e.what();
         }
+        far.step();
     });
 }
 
@@ -109,7 +134,8 @@ void finals(std::vector<Trial>& trials, std::vector<std::size_t> left, const Gro
         if (trials[i].candidate.seed.kind == Seed::Kind::given) now.push_back(i);
     for (std::size_t next = 0, found = 0; found == 0 && (next < left.size() || !now.empty()); now.clear()) {
         for (std::int64_t k = 0; k < o.finals && next < left.size(); ++k) now.push_back(left[next++]);
-        each(trials, now, threads, [&](Trial& t) {
+        Far far(o, kLaying, now.size());
+        each(trials, now, far, threads, [&](Trial& t) {
             t.found = lay(ground, t.candidate);
             t.score = score(*t.found, o.weights, o.plan.cut_length);
         });
@@ -136,11 +162,13 @@ Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     const Ground small = o.by_hand ? Ground{} : rough(sheet, o, out.area);
     std::vector<std::size_t> all(out.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    each(out.trials, all, threads, [&](Trial& t) {
+    Far estimated(o, kEstimating, all.size());
+    each(out.trials, all, estimated, threads, [&](Trial& t) {
         if (t.candidate.seed.kind != Seed::Kind::given) t.estimate = estimate(small.sheet, small.pull, t.candidate);
     });
     const auto some = promising(out.trials);
-    each(out.trials, some, threads, [&](Trial& t) {
+    Far tried(o, kTrying, some.size());
+    each(out.trials, some, tried, threads, [&](Trial& t) {
         t.rough = lay(small, t.candidate);
         t.rough_score = score(*t.rough, o.weights, o.plan.cut_length);
     });

@@ -7,15 +7,17 @@
 #include "choose/score.hpp"
 #include "surfpath/surfpath.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace filum::choose {
 
 struct Options {
-    surfpath::Options plan;  // spacing, least radius and so on; its algorithm counts only
-    bool by_hand = false;    // here: it is laid from the sheet's sources, and nothing else is tried
-    Weights weights;         //
-    std::int64_t finals = 3; // how many candidates are laid as asked
+    surfpath::Options plan;            // spacing, least radius and so on; its algorithm counts only
+    bool by_hand = false;              // here: it is laid from the sheet's sources, and nothing else is tried
+    Weights weights;                   //
+    std::int64_t finals = 3;           // how many candidates are laid as asked
+    std::function<void(double)> far{}; // called with the share that is done, 0 to 1; from any thread, one at a time
 };
 
 struct Trial {

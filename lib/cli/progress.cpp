@@ -69,9 +69,11 @@ Progress::~Progress() {
     far_.expected = 0;
 }
 
-void Progress::step() {
-    far_.done = ++done_;
-    if (told_ < 0 || (done_ % kOften != 0 && done_ != expected_)) return;
+void Progress::reach(std::uint64_t done) {
+    const std::uint64_t before = done_;
+    if (done <= before) return;
+    far_.done = done_ = done;
+    if (told_ < 0 || (done_ / kOften == before / kOften && done_ != expected_)) return;
     put(told_, program_ + " " + std::to_string(done_) + " " + std::to_string(expected_) + "\n");
 }
 

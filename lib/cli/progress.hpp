@@ -21,7 +21,8 @@ class Progress {
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    void step();
+    void step() { reach(done_ + 1); }
+    void reach(std::uint64_t done); // what is done in all; never less than before
 
   private:
     std::string program_;

@@ -22,12 +22,17 @@ using metrics::surface::Spread;
 
 constexpr double kFinest = 1; // spacings: sides of the triangles that plies are raised on, as those of stripes
 
-// Of the plies that run like ply k, each lies another share of half a spacing beside the first.
+// How many of the plies run like ply k.
+auto running_like(std::span<const Ply> plies, const Ply& ply) {
+    return std::count_if(plies.begin(), plies.end(),
+                         [&](const Ply& p) { return std::fmod(std::abs(p.angle - ply.angle), 180) == 0; });
+}
+
+auto before(std::span<const Ply> plies, std::size_t k) { return running_like(plies.first(k), plies[k]); }
+
+// Of the plies that run like ply k, each lies another share of a spacing beside the first.
 double shift(std::span<const Ply> plies, std::size_t k) {
-    const auto like = [&](const Ply& p) { return std::fmod(std::abs(p.angle - plies[k].angle), 180) == 0; };
-    const auto n = std::count_if(plies.begin(), plies.end(), like);
-    const auto before = std::count_if(plies.begin(), plies.begin() + static_cast<std::ptrdiff_t>(k), like);
-    return static_cast<double>(before) / static_cast<double>(n);
+    return static_cast<double>(before(plies, k)) / static_cast<double>(running_like(plies, plies[k]));
 }
 
 void note(Notes& notes, const std::string& what, double amount, const char* unit, const Vec3& at) {
@@ -93,6 +98,7 @@ surfpath::Options planned(const Job& job, std::size_t k) {
     how.follow.reference = o.reference;
     how.keep = o.keep;
     how.shift = o.stagger ? shift(job.plies, k) : 0;
+    how.backwards = o.stagger && before(job.plies, k) % 2 == 1;
     how.turn_outside = job.edges[k].empty() ? o.turn_outside : 0; // within the part nothing is trimmed
     return how;
 }
@@ -166,8 +172,10 @@ void add_ply_facts(const Laminate& l, std::size_t k, Facts& to) {
 }
 
 void add_facts(std::span<const Ply> plies, const Vec3& reference, Laminate& l) {
-    double nominal = 0;
+    double nominal = 0; // to the last digit where all plies lie everywhere
     for (const Ply& p : plies) nominal += p.height;
+    if (std::any_of(l.plies.begin(), l.plies.end(), [](const Laid& p) { return !p.edge.empty(); }))
+        nominal = spread_of(l.map, l.map.nominal).mean;
     const auto fact = [&](const char* what, double value, const char* unit) {
         l.facts.push_back({"", what, value, unit});
     };

@@ -87,6 +87,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         for (Line& l : in_turn(std::move(all))) out.strokes.push_back({{{std::move(l), false}}});
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
+        if (o.backwards) std::reverse(all.begin(), all.end());
         std::vector<Raw> raw;
         raw.reserve(all.size());
         for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});

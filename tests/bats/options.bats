@@ -55,6 +55,9 @@ make_more_inputs() {
     geodesic round.off --output round.surface
     printf '1 1 0\n14 1 0\n' > lines.txt
     printf 'angle side\n30 over\n30 under\n' > plies.txt
+    printf '9 0 0\n0 9 0\n-9 0 0\n0 -9 0\n' > diamond.txt
+    printf 'angle within\n0 diamond.txt\n0 diamond.txt\n' > steps.txt
+    sed 's/^\[limits\].*/[limits]\nturn_outside = 1/' "$FILUM_SOURCE/lib/machine/profiles/linuxcnc-xyzac.toml" > tight.toml
 }
 
 # without_triangles N: an OFF file without its last ones.

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
+#include "cli/progress.hpp"
 #include "geom/angle.hpp"
 #include "machine/profile.hpp"
 #include "surfpath/outside.hpp"
@@ -9,6 +10,7 @@
 #include "wire/surface.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <optional>
 
 namespace filum::app::surfpath {
@@ -143,8 +145,14 @@ void run(const Options& o, const cli::Io& io) {
     if (std::all_of(sheets.begin(), sheets.end(), [](const auto& sheet) { return sheet.surface.rims.empty(); }))
         for (const char* option : {"turn-outside", "trim-list"}) io.idle(option, "no surface has a rim");
     const auto outside = flanges(o, algorithms, sheets);
+    std::optional<cli::Progress> progress; // one surface alone has no parts that could be counted
+    if (sheets.size() > 1) progress.emplace(io, sheets.size());
+    std::mutex telling;
     auto patches = filum::surfpath::each_patch(sheets, algorithms, io.threads, [&](std::size_t k) {
-        return lay(sheets[k], outside[k] ? &*outside[k] : nullptr, asked, *algorithms[k]);
+        auto plan = lay(sheets[k], outside[k] ? &*outside[k] : nullptr, asked, *algorithms[k]);
+        const std::lock_guard lock(telling);
+        if (progress) progress->step();
+        return plan;
     });
     filum::surfpath::Laying laying = o.laying;
     laying.width = o.plan.spacing;

@@ -106,6 +106,14 @@ TEST(laminate, turns_outside_leave_plies_even) {
     EXPECT_LT(fact(made, "thickness-high"), fact(on_it, "thickness-high"));
 }
 
+TEST(laminate, plies_of_one_direction_turn_in_other_places) {
+    const auto plies = plies_of("30,30", Ply{.spacing = 1}, false);
+    Options apart, alike;
+    alike.stagger = false;
+    EXPECT_LT(fact(laminate(flat(), plies, apart, 2), "even-most"),
+              fact(laminate(flat(), plies, alike, 2), "even-most"));
+}
+
 TEST(laminate, plies_end_where_they_should_and_those_above_step_down) {
     auto plies = plies_of("0,0,90", Ply{.spacing = 1, .height = 0.25}, false);
     plies[0].within = plies[1].within = "half";
