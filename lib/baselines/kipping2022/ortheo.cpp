@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "baselines/kipping2022/path.hpp"
 #include "baselines/kipping2022/seed.hpp"
+#include "geom/point_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "baselines/kipping2022/path.hpp"
+#include "geom/point_tree.hpp"
 
 #include <algorithm>
 
