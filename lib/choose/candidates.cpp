@@ -149,11 +149,7 @@ std::vector<Candidate> candidates(const Sheet& sheet, const std::vector<Vec3>& p
     std::vector<Candidate> out;
     add_given(sheet, out);
     if (!pull.empty()) out.push_back({Algorithm::field, {Seed::Kind::stress, {}, {}, {}}});
-    if (!s.rims.empty()) {
-        out.push_back({Algorithm::geo_contour, {}});
-        out.push_back({Algorithm::geo_fiso, {}});
-        out.push_back({Algorithm::hybrid, {}});
-    }
+    for (const Algorithm a : {Algorithm::geo_contour, Algorithm::geo_fiso, Algorithm::hybrid}) out.push_back({a, {}});
     const auto spots = places(sheet, f.centre);
     const auto through = [](Seed::Kind kind, const Vec3& p) { return Seed{kind, {}, p, {}}; };
     for (const Vec3& p : spots) out.push_back({Algorithm::geo_spiral, through(Seed::Kind::point, p)});

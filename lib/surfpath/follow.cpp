@@ -1,6 +1,5 @@
 #include "surfpath/follow.hpp"
 
-#include "base/error.hpp"
 #include "surface/curve/ease.hpp"
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/rings.hpp"
@@ -75,7 +74,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     field::Striping striping{o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven};
     std::vector<field::Complex> like;
     if (o.follow.only(&field::Sources::rings)) {
-        like = field::phase(field::rings(s, cells), directions.along, o.spacing);
+        like = field::phase(field::rings(sheet, cells), directions.along, o.spacing);
         striping.like = like;
     }
     auto all = field::lines(s, field::stripes(s, cells, directions.along, striping));
@@ -107,9 +106,6 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
 }
 
 Plan hybrid(const surface::Sheet& sheet, const Options& options) {
-    if (sheet.surface.rims.empty())
-        throw Error(Exit::bad_input, "cannot lay rings along the rims of a closed surface: it has none; cut it open by "
-                                     "geodesic --cut, or take field");
     Options o = options;
     o.follow = {.rings = 1};
     o.keep = Keep::spacing;

@@ -18,8 +18,8 @@ bool keeps_angle(const Options& options);
 // Throws Error(bad_input) if there is nothing to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 
-// Rings about all rims, and lines between them where they meet: follow() along the lines of equal distance from the
-// rims.  Throws Error(bad_input) if the surface has none.
+// Rings about all rims, and the sources of components without one, and lines between them where they meet: follow()
+// along the lines of equal distance from these.
 Plan hybrid(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::surfpath

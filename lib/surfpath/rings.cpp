@@ -43,9 +43,6 @@ surface::Sources all_sources(const surface::Sheet& sheet) {
     std::sort(have.begin(), have.end(), less);
     for (const surface::Segment& side : surface::rim_sources(s).segments)
         if (!std::binary_search(have.begin(), have.end(), side, less)) out.segments.push_back(side);
-    if (out.empty())
-        throw Error(Exit::bad_input, "cannot lay rings on a closed surface without a source; run geodesic --source "
-                                     "vertex:ID (or another) first");
     return out;
 }
 

@@ -13,6 +13,7 @@
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
 #include "surfpath/ground.hpp"
+#include "surfpath/opened.hpp"
 #include "surfpath/ortheo.hpp"
 
 #include <algorithm>
@@ -51,6 +52,12 @@ Plan lines(const surface::Sheet& sheet, const Options& options) {
     throw std::logic_error("no such algorithm");
 }
 
+// Whether its lines begin at rims and sources.
+bool has_rings(const Options& o) {
+    return o.algorithm == Algorithm::geo_fiso || o.algorithm == Algorithm::geo_contour ||
+           o.algorithm == Algorithm::hybrid || (o.algorithm == Algorithm::field && o.follow.rings > 0);
+}
+
 // What field may follow.
 std::vector<surface::Field> directions(const surface::Sheet& sheet) {
     std::vector<surface::Field> out;
@@ -73,7 +80,14 @@ Plan plan(const surface::Sheet& sheet, const Options& options) {
     on_small.beyond.clear();
     if (!options.beyond.empty())
         for (const std::uint32_t t : small.parent) on_small.beyond.push_back(options.beyond[t]);
+    Notes opened;
+    if (has_rings(options)) {
+        const surface::Sources seam = seams(small.sheet, opened);
+        auto& to = small.sheet.sources.segments;
+        to.insert(to.end(), seam.segments.begin(), seam.segments.end());
+    }
     Plan out = lines(small.sheet, on_small);
+    out.notes.insert(out.notes.end(), opened.begin(), opened.end());
     back(out, small);
     keep_to_surface(sheet.surface, out);
     return out;

@@ -38,7 +38,8 @@ struct Options {
     std::uint32_t part = surface::kNone; // triangles, the first ones, that are to be covered
 };
 
-// Strokes on the surface of `sheet`, along the field "distance" or from its sources.
+// Strokes on the surface of `sheet`, along the field "distance" or from its sources.  Rings on components that have
+// neither a rim nor a source begin at a seam (opened.hpp), told in a note.
 // Throws Error(usage) for options that cannot be followed, Error(bad_input) if the sheet lacks what the algorithm
 // needs: "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
 Plan plan(const surface::Sheet& sheet, const Options& options);

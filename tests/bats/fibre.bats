@@ -147,7 +147,7 @@ setup() {
     [ "$status" -eq 2 ] && [[ $output == *"cannot use --reference '0,0,0'"* ]]
 }
 
-@test "hybrid lays rings around holes and along rims as one stroke, covers more than whole rings, and needs a rim" {
+@test "hybrid lays rings around holes and along rims as one stroke, covers more than whole rings, and opens closed ones" {
     gzip -dc "$FILUM_SOURCE/examples/surfaces/plate-nine-holes.off.gz" | geodesic --source boundary > plate.surface
     figure() { metrics --surface plate.surface --format tsv "$1.toolpath" | awk -v key="$2" '$1 == key { print $2 }'; }
     surfpath --quiet hybrid plate.surface > hybrid.toolpath
@@ -158,8 +158,9 @@ setup() {
     surfpath --quiet field --follow rings=1 plate.surface > same.toolpath
     [ "$(figure same fibre_mm)" = "$(figure hybrid fibre_mm)" ]
     gzip -dc "$FILUM_SOURCE/examples/surfaces/pipe-tee.off.gz" | geodesic > tee.surface
-    run surfpath hybrid tee.surface -o none
-    [ "$status" -eq 3 ] && [[ $output == *"a closed surface: it has none"* ]]
+    run surfpath hybrid tee.surface -o tee.toolpath
+    [ "$status" -eq 0 ] && [[ $output == *"closed surface opened along a seam: 1 case, "*" mm at "* ]]
+    [ "$(metrics --surface tee.surface --format tsv tee.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
     run surfpath hybrid --method kipping2022 plate.surface -o none
     [ "$status" -eq 2 ] && [[ $output == *"cannot lay hybrid as Kipping et al. 2022 did"* ]]
 }

@@ -97,7 +97,7 @@ Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o)
     if (o.angle > 0) add_angle(cells, o, out);
     if (o.rim > 0) add_rims(sheet.surface, cells, o.rim, out);
     if (o.rings > 0) {
-        const Rings found = rings(sheet.surface, cells);
+        const Rings found = rings(sheet, cells);
         for (std::size_t v = 0; v < n; ++v) out.z[v] += o.rings * found.z[v];
     }
     for (std::size_t v = 0; v < n; ++v) {

@@ -7,12 +7,31 @@
 
 namespace filum::surfpath::field {
 
-Rings rings(const Surface& s, const Cells& cells) {
+namespace {
+
+// All rims, and the sources of components that have none.
+surface::Sources begins(const surface::Sheet& sheet) {
+    const Surface& s = sheet.surface;
+    std::vector<char> rimmed(s.components, 0);
+    for (const auto& rim : s.rims) rimmed[rim.component] = 1;
+    surface::Sources out = surface::rim_sources(s);
+    for (const auto& g : sheet.sources.segments)
+        if (rimmed[s.component[g.triangle]] == 0) out.segments.push_back(g);
+    for (const std::uint32_t v : sheet.sources.vertices)
+        if (rimmed[s.component[s.outgoing[v] / 3]] == 0) out.vertices.push_back(v);
+    return out;
+}
+
+} // namespace
+
+Rings rings(const surface::Sheet& sheet, const Cells& cells) {
+    const Surface& s = sheet.surface;
     const std::size_t n = s.vertices.size();
     Rings out{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Complex>(n),
               std::vector<Vec3>(n)};
-    if (s.rims.empty()) return out;
-    out.distance = geodesic::exact_distances(s, surface::rim_sources(s)).distance;
+    const surface::Sources begin = begins(sheet);
+    if (begin.empty()) return out;
+    out.distance = geodesic::exact_distances(s, begin).distance;
     std::vector<double> area(n, 0);
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];

@@ -1,4 +1,5 @@
-// The lines of equal distance from the rims, as directions and as stripes.
+// The lines of equal distance from the rims, as directions and as stripes; on components without a rim, from the
+// sources of the sheet.
 #pragma once
 
 #include "surfpath/field/directions.hpp"
@@ -13,7 +14,7 @@ struct Rings {
     std::vector<Vec3> along; // likewise, with the rim to the right; of any size
 };
 
-Rings rings(const Surface& s, const Cells& cells);
+Rings rings(const surface::Sheet& sheet, const Cells& cells);
 
 // The phase by which stripes along `along` are these rings, half a spacing from the rims and one apart; 0 where there
 // is no rim.

@@ -2,7 +2,6 @@
 #include "surfpath/follow.hpp"
 
 #include "../surface/grid.hpp"
-#include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/rows.hpp"
@@ -147,13 +146,6 @@ TEST(hybrid, rings_that_meet_are_one_stroke) {
         EXPECT_EQ(p.strokes.size(), 1U) << aside;
         EXPECT_GT(covered(sheet.surface, p), 0.95) << aside;
     }
-}
-
-TEST(hybrid, needs_a_rim) {
-    mesh::Mesh closed; // a tetrahedron
-    closed.vertices = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}, {0, 0, 20}};
-    closed.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-    EXPECT_THROW(plan(sheet_of(closed), {.algorithm = Algorithm::hybrid}), Error);
 }
 
 // A loop that comes nearer to a hole than half a spacing follows the inset there, and stays a loop.

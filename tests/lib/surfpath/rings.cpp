@@ -1,6 +1,5 @@
 // Paths of rings on surfaces whose answers are known: one stroke that meets itself piece by piece, stays on the
 // surface, turns no tighter than it says, and covers what it can.
-#include "base/error.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
@@ -174,15 +173,6 @@ TEST(geo_contour, rings_through_vertices_are_whole) {
     double length = 0;
     for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
     EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
-}
-
-TEST(geo_contour, asks_for_a_source_on_a_closed_surface) {
-    mesh::Mesh m;
-    m.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
-    m.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    Notes notes;
-    const surface::Sheet s{surface::connect(std::move(m), notes), {}, {}};
-    EXPECT_THROW(geo_contour(s, {.algorithm = Algorithm::geo_contour}), Error);
 }
 
 } // namespace

@@ -1,0 +1,194 @@
+#include "surfpath/opened.hpp"
+
+#include "geom/disjoint_sets.hpp"
+#include "surface/curve/line.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace filum::surfpath {
+
+namespace {
+
+using geom::Vec3;
+using surface::kNone;
+using surface::Surface;
+using surface::curve::Line;
+
+constexpr std::size_t kRoots = 8; // points that loops are looked for through, as far from each other as may be
+constexpr int kRounds = 2000;     // of straightening, at most
+constexpr double kAtRest = 1e-3;  // of a mean edge: a line that moves by less in a round is straight
+
+// The vertices of a component, and how many handles that has.
+struct Closed {
+    std::vector<std::uint32_t> vertices;
+    std::size_t handles = 0;
+};
+
+// Those components that have neither a rim nor a source.
+std::vector<Closed> closed_components(const surface::Sheet& sheet) {
+    const Surface& s = sheet.surface;
+    std::vector<char> open(s.components, 0);
+    for (const auto& rim : s.rims) open[rim.component] = 1;
+    for (const auto& g : sheet.sources.segments) open[s.component[g.triangle]] = 1;
+    for (const std::uint32_t v : sheet.sources.vertices) open[s.component[s.outgoing[v] / 3]] = 1;
+    std::vector<std::vector<std::uint32_t>> vertices(s.components);
+    std::vector<std::size_t> triangles(s.components, 0);
+    for (const std::uint32_t c : s.component) ++triangles[c];
+    for (std::uint32_t v = 0; v < s.vertices.size(); ++v) vertices[s.component[s.outgoing[v] / 3]].push_back(v);
+    std::vector<Closed> out;
+    for (std::uint32_t c = 0; c < s.components; ++c) {
+        if (open[c] != 0) continue;
+        // Of a closed surface edges are three halves of the triangles; vertices - edges + triangles = 2 - 2 handles.
+        const std::size_t handles = (2 + triangles[c] / 2 - vertices[c].size()) / 2;
+        out.push_back({std::move(vertices[c]), handles});
+    }
+    return out;
+}
+
+// Shortest ways along edges from the nearest of some roots.
+struct Ways {
+    std::vector<double> length;        // per vertex, mm
+    std::vector<std::uint32_t> before; // per vertex: the half-edge that leads there; kNone at roots and beyond reach
+};
+
+Ways ways(const Surface& s, const std::vector<std::uint32_t>& roots) {
+    Ways out{std::vector<double>(s.vertices.size(), std::numeric_limits<double>::infinity()),
+             std::vector<std::uint32_t>(s.vertices.size(), kNone)};
+    using Item = std::tuple<double, std::uint32_t>;
+    std::priority_queue<Item, std::vector<Item>, std::greater<>> front;
+    for (const std::uint32_t v : roots) {
+        out.length[v] = 0;
+        front.emplace(0.0, v);
+    }
+    while (!front.empty()) {
+        const auto [length, v] = front.top();
+        front.pop();
+        if (length > out.length[v]) continue;
+        surface::each_outgoing(s, v, [&](std::uint32_t h) {
+            const double on = length + surface::side_length(s, h);
+            if (!(on < out.length[s.head(h)])) return;
+            out.length[s.head(h)] = on;
+            out.before[s.head(h)] = h;
+            front.emplace(on, s.head(h));
+        });
+    }
+    return out;
+}
+
+std::uint32_t farthest(const Closed& c, const Ways& w) {
+    return *std::max_element(c.vertices.begin(), c.vertices.end(),
+                             [&](std::uint32_t a, std::uint32_t b) { return w.length[a] < w.length[b]; });
+}
+
+// The vertices from the root to `v`.
+std::vector<std::uint32_t> way_to(const Surface& s, const Ways& w, std::uint32_t v) {
+    std::vector<std::uint32_t> out{v};
+    while (w.before[out.back()] != kNone) out.push_back(s.tail(w.before[out.back()]));
+    std::reverse(out.begin(), out.end());
+    return out;
+}
+
+Line through(const Surface& s, const std::vector<std::uint32_t>& vertices, bool closed) {
+    Line out{{}, closed};
+    for (const std::uint32_t v : vertices) out.places.push_back({s.outgoing[v] / 3, s.vertices[v]});
+    return out;
+}
+
+struct Loop {
+    double length = std::numeric_limits<double>::infinity(); // mm, along edges
+    std::vector<std::uint32_t> vertices;
+};
+
+// A loop through a vertex that does not divide the surface, of the shortest ones: a shortest way out, one edge, and a
+// shortest way back.  Of edges that no such way takes, as many as may be are crossed by a tree of all triangles, those
+// of long loops first; each of the others makes a loop that does not divide the surface, as triangles on both its
+// sides hang together across the tree (Erickson, Whittlesey 2005).
+Loop loop(const Surface& s, std::uint32_t root, std::uint32_t component) {
+    const Ways w = ways(s, {root});
+    std::vector<std::tuple<double, std::uint32_t>> edges; // by how long their loops are
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
+        if (s.component[h / 3] == component && h < s.twin[h] && w.before[s.head(h)] != h &&
+            w.before[s.tail(h)] != s.twin[h])
+            edges.emplace_back(w.length[s.tail(h)] + surface::side_length(s, h) + w.length[s.head(h)], h);
+    std::sort(edges.begin(), edges.end(), std::greater<>());
+    geom::DisjointSets triangles(s.triangles.size());
+    Loop out;
+    std::uint32_t last = kNone;
+    for (const auto& [length, h] : edges)
+        if (!triangles.unite(h / 3, s.twin[h] / 3)) {
+            out.length = length;
+            last = h;
+        }
+    if (last == kNone) return out;
+    out.vertices = way_to(s, w, s.tail(last));
+    auto back = way_to(s, w, s.head(last));
+    std::size_t common = 0; // both begin at the root
+    while (common + 1 < std::min(back.size(), out.vertices.size()) && back[common + 1] == out.vertices[common + 1])
+        ++common;
+    out.vertices.erase(out.vertices.begin(), out.vertices.begin() + static_cast<std::ptrdiff_t>(common));
+    out.vertices.insert(out.vertices.end(), back.rbegin(), back.rend() - static_cast<std::ptrdiff_t>(common + 1));
+    return out;
+}
+
+// Pulls the line straight on the surface, ends of an open one stay: every second point in turn goes to the middle of
+// its neighbours.
+Line straightened(const Surface& s, Line line) {
+    const std::size_t n = line.size(), first = line.closed ? 0 : 1, last = line.closed ? n : n - 1;
+    const double rest = kAtRest * surface::mean_edge(s);
+    double moved = 2 * rest;
+    for (int round = 0; round < kRounds && moved > rest; ++round) {
+        moved = 0;
+        for (std::size_t odd = 0; odd < 2; ++odd)
+            for (std::size_t i = first + odd; i < last; i += 2) {
+                const Vec3 middle = 0.5 * (line[(i + n - 1) % n] + line[(i + 1) % n]);
+                const auto to = surface::curve::step(s, line.places[i], middle - line[i]);
+                moved = std::max(moved, distance(to.point, line[i]));
+                line.places[i] = to;
+            }
+    }
+    return line;
+}
+
+void add(const Surface& s, const Line& straight, surface::Sources& to, Notes& notes) {
+    const Line line = surface::curve::threaded(s, straight);
+    const std::size_t n = line.size();
+    for (std::size_t i = 0; i + (line.closed ? 0 : 1) < n; ++i) {
+        const auto& from = line.places[i];
+        if (surface::curve::lies_in(s, from.triangle, line[(i + 1) % n]))
+            to.segments.push_back({from.triangle, from.point, line[(i + 1) % n]});
+    }
+    const Vec3 at = line[n / 2];
+    notes.push_back(
+        {"", "closed surface opened along a seam", surface::curve::length(line), "mm", 1, -1, at.x, at.y, at.z});
+}
+
+} // namespace
+
+surface::Sources seams(const surface::Sheet& sheet, Notes& notes) {
+    const Surface& s = sheet.surface;
+    surface::Sources out;
+    for (const Closed& c : closed_components(sheet)) {
+        const std::uint32_t one = farthest(c, ways(s, {c.vertices[0]}));
+        if (c.handles == 0) {
+            const Ways w = ways(s, {one});
+            add(s, straightened(s, through(s, way_to(s, w, farthest(c, w)), false)), out, notes);
+            continue;
+        }
+        std::vector<std::uint32_t> roots{one};
+        Loop best;
+        for (std::size_t k = 0; k < kRoots; ++k) {
+            Loop found = loop(s, roots.back(), s.component[s.outgoing[one] / 3]);
+            if (found.length < best.length) best = std::move(found);
+            roots.push_back(farthest(c, ways(s, roots)));
+        }
+        add(s, straightened(s, through(s, best.vertices, true)), out, notes);
+    }
+    return out;
+}
+
+} // namespace filum::surfpath
