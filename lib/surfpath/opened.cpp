@@ -66,7 +66,8 @@ Ways ways(const Surface& s, const std::vector<std::uint32_t>& roots) {
         front.emplace(0.0, v);
     }
     while (!front.empty()) {
-        const auto [length, v] = front.top();
+        const double length = std::get<0>(front.top());
+        const std::uint32_t v = std::get<1>(front.top());
         front.pop();
         if (length > out.length[v]) continue;
         surface::each_outgoing(s, v, [&](std::uint32_t h) {

@@ -5,6 +5,7 @@
 #include "cli/progress.hpp"
 #include "geom/angle.hpp"
 #include "machine/profile.hpp"
+#include "surfpath/least_strokes.hpp"
 #include "surfpath/outside.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
@@ -35,6 +36,7 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
                                     : filum::surfpath::plan(sheet, asked);
     if (flange) filum::surfpath::thread(sheet.surface, out);
     filum::surfpath::finish(sheet.surface, out, asked);
+    filum::surfpath::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr}, out);
     if (flange) filum::surfpath::tell_trims(*flange, o.plan.turn_outside, out);
     return out;
 }

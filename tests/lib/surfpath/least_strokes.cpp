@@ -1,0 +1,73 @@
+// Bounds on strokes, where it is plain how few there can be.
+#include "surfpath/least_strokes.hpp"
+
+#include "../surface/grid.hpp"
+#include "surfpath/surfpath.hpp"
+
+#include "plans.hpp"
+
+#include <gtest/gtest.h>
+
+namespace filum::surfpath {
+namespace {
+
+Surface of(const mesh::Mesh& mesh) {
+    Notes notes;
+    return surface::connect(mesh, notes);
+}
+
+// A bar of 81 x `wide` mm with five teeth, each `wide` mm wide and `tooth` mm long.
+mesh::Mesh comb(double tooth, double wide) {
+    const double high = tooth + wide;
+    return surface::pierced_grid(
+        81, high, 162, static_cast<int>(2 * high),
+        [](geom::Vec2 p) {
+            return Vec3{p.x - 40, p.y - 40, 0};
+        },
+        [=](geom::Vec2 p) { return p.y > wide && std::fmod(p.x, 20) > wide; });
+}
+
+std::size_t least(const mesh::Mesh& mesh, double cut_length = 50) {
+    const Surface s = of(mesh);
+    return least_strokes(s, std::vector<char>(s.components, 1), {1, cut_length});
+}
+
+TEST(least_strokes, of_what_leaves_room_to_come_back_is_one) {
+    EXPECT_EQ(least(surface::grid(60, 40, 60, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; })), 1U);
+    EXPECT_EQ(least(surface::grid(200, 1.5, 200, 2, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; })), 1U);
+    EXPECT_EQ(least(comb(70, 2)), 1U); // in and out beside each other
+}
+
+TEST(least_strokes, two_for_four_narrow_teeth_three_for_five_and_one_where_the_way_back_is_cheap) {
+    EXPECT_EQ(least(comb(70, 1)), 3U);
+    EXPECT_EQ(least(comb(40, 1)), 1U); // twice 40 mm is less than what a tooth holds, and 50
+    EXPECT_EQ(least(comb(40, 1), 20), 3U);
+    EXPECT_EQ(least(comb(70, 1), 100), 1U);
+}
+
+TEST(least_strokes, each_component_takes_one_if_anything_is_laid_there) {
+    auto mesh = surface::grid(10, 10, 10, 10, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; });
+    const auto other = surface::grid(10, 10, 10, 10, [](geom::Vec2 p) { return Vec3{p.x + 20, p.y, 0}; });
+    const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (auto t : other.triangles) mesh.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    const Surface s = of(mesh);
+    ASSERT_EQ(s.components, 2U);
+    EXPECT_EQ(least_strokes(s, std::vector<char>{1, 1}, {}), 2U);
+    EXPECT_EQ(least_strokes(s, std::vector<char>{0, 1}, {}), 1U);
+}
+
+// What is laid keeps to it.
+TEST(least_strokes, are_no_more_than_hybrid_takes) {
+    for (const double tooth : {20.0, 70.0}) {
+        const surface::Sheet sheet{of(comb(tooth, 1)), {}, {}};
+        const Options o{.algorithm = Algorithm::hybrid, .least_radius = 0.5};
+        Plan p = plan(sheet, o);
+        tell_least_cuts(sheet.surface, {o.spacing, o.cut_length}, p);
+        EXPECT_EQ(fact(p, "cuts-bound"), tooth > 50 ? 2 : 0);
+        EXPECT_GT(static_cast<double>(p.strokes.size()), fact(p, "cuts-bound")) << tooth;
+    }
+}
+
+} // namespace
+} // namespace filum::surfpath
