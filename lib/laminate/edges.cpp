@@ -5,9 +5,12 @@
 #include "geodesic/exact.hpp"
 #include "geodesic/lines.hpp"
 #include "geodesic/sides.hpp"
+#include "geom/bvh.hpp"
+#include "geom/segment.hpp"
 #include "surface/trace.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace filum::laminate {
@@ -15,12 +18,78 @@ namespace filum::laminate {
 namespace {
 
 constexpr double kEverywhere = 1e6; // mm from the edge, on parts of the surface without one
+constexpr double kOnEdge = 1e-7;    // of a side: what is no farther from it runs along it, as geodesic has it
 constexpr double kAsNear = 0.01;    // of the way that edges are to be apart: what discs and triangles leave uncertain
 
 // Distances from the lines, below 0 where `within` is below 0.
 Edge signed_distances(const Surface& s, const surface::Sources& lines, const std::vector<signed char>& within) {
     Edge out = lines.empty() ? Edge(s.vertices.size(), kEverywhere) : geodesic::exact_distances(s, lines).distance;
     for (std::size_t v = 0; v < out.size(); ++v) out[v] = (within[v] < 0 ? -1 : 1) * std::min(out[v], kEverywhere);
+    return out;
+}
+
+// Tells what is nearer than `near` mm to a rim.
+class Rims {
+  public:
+    Rims(const Surface& s, double near) : sides_(surface::rim_sources(s).segments), near_(near), tree_(boxes()) {}
+
+    [[nodiscard]] bool beside(const Vec3& p) const {
+        bool found = false;
+        tree_.near(p, near_, [&](std::uint32_t i) {
+            const double t = geom::nearest_parameter(sides_[i].a, sides_[i].b, p);
+            const double off = distance(p, sides_[i].a + t * (sides_[i].b - sides_[i].a));
+            found = found || off < near_;
+            return std::min(off, near_);
+        });
+        return found;
+    }
+
+  private:
+    [[nodiscard]] std::vector<geom::Box3> boxes() const {
+        std::vector<geom::Box3> out;
+        for (const auto& side : sides_) out.push_back(geom::box_of(std::array{side.a, side.b}));
+        return out;
+    }
+
+    std::vector<surface::Segment> sides_;
+    double near_;
+    geom::Bvh tree_;
+};
+
+// What runs along an edge of the surface, in both of its triangles: so that each side knows of it.
+void add_twins(const Surface& s, surface::Sources& lines) {
+    const std::size_t n = lines.segments.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const surface::Segment line = lines.segments[i];
+        for (std::uint32_t h = 3 * line.triangle; h < 3 * line.triangle + 3; ++h) {
+            const double off =
+                std::max(surface::distance_to_side(s, h, line.a), surface::distance_to_side(s, h, line.b));
+            if (s.twin[h] != surface::kNone && off <= kOnEdge * surface::side_length(s, h))
+                lines.segments.push_back({s.twin[h] / 3, line.a, line.b});
+        }
+    }
+}
+
+// Below 0 what lies to the left.  Vertices of a rim along which lines run are where those beside them within are.
+std::vector<signed char> sides_of(const Surface& s, const surface::Sources& lines) {
+    const auto sides = geodesic::sides(s, lines);
+    geodesic::check(sides, "a ply's boundary");
+    std::vector<signed char> out(s.vertices.size(), 0);
+    for (std::uint32_t v = 0; v < out.size(); ++v)
+        if (!s.on_rim(v)) out[v] = static_cast<signed char>(-sides.of[v]);
+    for (int round = 0; round < 2; ++round) { // a corner of a rim may have no neighbour but on rims
+        const auto known = out;
+        for (std::uint32_t v = 0; v < out.size(); ++v) {
+            if (known[v] != 0) continue;
+            signed char beside = 0;
+            surface::each_outgoing(s, v, [&](std::uint32_t h) {
+                if (beside >= 0 && known[s.head(h)] != 0) beside = known[s.head(h)];
+            });
+            out[v] = beside;
+        }
+    }
+    for (std::uint32_t v = 0; v < out.size(); ++v)
+        if (out[v] == 0) out[v] = sides.of[v] > 0 ? -1 : 1;
     return out;
 }
 
@@ -32,10 +101,11 @@ Edge edge_of_curves(const Surface& s, const Within& within, double near, Notes& 
         lines.segments.insert(lines.segments.end(), on.segments.begin(), on.segments.end());
         if (on.off > near) notes.push_back({"", "boundary moved to the surface", on.off, "mm"});
     }
-    auto sides = geodesic::sides(s, lines);
-    geodesic::check(sides, "a ply's boundary");
-    for (auto& side : sides.of) side = side > 0 ? -1 : 1; // what lies to the left is within
-    return signed_distances(s, lines, sides.of);
+    add_twins(s, lines);
+    const auto side = sides_of(s, lines);
+    const Rims rims(s, near);
+    std::erase_if(lines.segments, [&](const surface::Segment& l) { return rims.beside(0.5 * (l.a + l.b)); });
+    return signed_distances(s, lines, side);
 }
 
 Edge edge_of_faces(const Base& base, const Within& within) {

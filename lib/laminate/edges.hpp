@@ -20,7 +20,8 @@ struct Base {
 using Edge = std::vector<double>;
 
 // The edge of what `within` says.  Curves are drawn onto the surface and closed; the ply lies to their left, seen from
-// the side that the surface faces.  Notes curves that lie farther off the surface than `near` mm.
+// the side that the surface faces.  Where they run nearer than `near` mm to a rim, that is the ply's end, and no edge.
+// Notes curves that lie farther off the surface than that.
 // Throws Error(bad_input) if curves end at a rim or do not part the surface, and if there are no such faces.
 Edge edge_of(const Base& base, const Within& within, double near, Notes& notes);
 

@@ -5,6 +5,7 @@
 #include "laminate/edges.hpp"
 #include "metrics/surface/map_figures.hpp"
 #include "parallel/parallel.hpp"
+#include "surface/curve/locate.hpp"
 #include "surface/curve/raise.hpp"
 #include "surface/remesh.hpp"
 #include "surfpath/outside.hpp"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 namespace filum::laminate {
 
@@ -99,43 +101,77 @@ surfpath::Options planned(const Job& job, std::size_t k) {
     how.keep = o.keep;
     how.shift = o.stagger ? shift(job.plies, k) : 0;
     how.backwards = o.stagger && before(job.plies, k) % 2 == 1;
-    how.turn_outside = job.edges[k].empty() ? o.turn_outside : 0; // within the part nothing is trimmed
+    how.turn_outside = o.turn_outside;
     return how;
 }
 
-// Lays it on the sheet, and turns outside if so planned.
-surfpath::Plan lay(surface::Sheet& sheet, const surfpath::Options& how, std::uint32_t& part) {
-    auto outside = surfpath::flange(sheet, how);
-    if (outside) std::swap(sheet, outside->sheet);
+constexpr const char* kEdge = "edge"; // the field that carries a ply's edge onto a flange
+
+// Cuts what lies beyond the ply's edge off a flange's sheet; none if no part of the flange is left.
+std::optional<surfpath::Flange> cut_off(surfpath::Flange whole, Notes& notes) {
+    const Surface& s = whole.sheet.surface;
+    Surface left = surface::cut(s, whole.sheet.fields.front().values, notes);
+    const surface::curve::Locator near(s);
+    surfpath::Flange out;
+    out.least = whole.least;
+    out.least_at = whole.least_at;
+    for (std::uint32_t t = 0; t < left.triangles.size(); ++t) { // in their order: those of the part first
+        const auto& [a, b, c] = left.triangles[t];
+        const auto at = near.nearest(1.0 / 3 * (left.vertices[a] + left.vertices[b] + left.vertices[c])).triangle;
+        out.part += at < whole.part ? 1 : 0;
+        out.far.push_back(whole.far[at]);
+    }
+    if (out.part == left.triangles.size()) return std::nullopt;
+    out.sheet.surface = std::move(left);
+    return out;
+}
+
+// What the ply is laid on: its ground as far as the ply lies there, and a flange at the ground's rims if so planned.
+std::optional<surfpath::Flange> flange(const Surface& ground, const Edge& edge, const surfpath::Options& how,
+                                       Notes& notes) {
+    surface::Sheet sheet{ground, {}, {}};
+    if (!edge.empty()) sheet.fields = {{kEdge, edge}};
+    auto out = surfpath::flange(sheet, how);
+    if (out && !edge.empty()) out = cut_off(std::move(*out), notes);
+    return out;
+}
+
+// Lays the ply on its ground.
+void lay(const surfpath::Options& how, Made& out) {
+    Laid& to = out.laid;
+    const auto outside = flange(to.ground, to.edge, how, out.notes);
+    surface::Sheet sheet;
+    if (outside)
+        sheet = outside->sheet;
+    else
+        sheet.surface = to.edge.empty() ? to.ground : surface::cut(to.ground, to.edge, out.notes);
     const auto asked = outside ? surfpath::on_flange(*outside, how) : how;
-    auto plan = surfpath::plan(sheet, asked);
-    if (outside) surfpath::thread(sheet.surface, plan);
-    surfpath::finish(sheet.surface, plan, asked);
-    if (!outside) return plan;
-    part = outside->part;
-    surfpath::tell_trims(*outside, how.turn_outside, plan);
-    return plan;
+    to.plan = surfpath::plan(sheet, asked);
+    if (outside) surfpath::thread(sheet.surface, to.plan);
+    surfpath::finish(sheet.surface, to.plan, asked);
+    if (outside) {
+        to.part = outside->part;
+        surfpath::tell_trims(*outside, how.turn_outside, to.plan);
+    }
+    to.sheet = std::move(sheet.surface);
+    if (how.turn_outside > 0 && !to.edge.empty())
+        out.notes.push_back({"", "ply ends within the part, and turns on it there", 1, "plies"});
 }
 
 Made make(const Job& job, std::size_t k) {
     Made out;
     auto up = surface::curve::raised(job.plies[k].under ? job.back : job.base.surface, job.heights[k]);
-    out.laid.edge = job.edges[k];
     const auto how = planned(job, k);
-    surface::Sheet sheet;
-    sheet.surface = out.laid.edge.empty() ? up.surface : surface::cut(up.surface, out.laid.edge, out.notes);
-    out.laid.plan = lay(sheet, how, out.laid.part);
-    out.laid.sheet = std::move(sheet.surface);
+    out.laid.edge = job.edges[k];
     out.laid.ground = std::move(up.surface);
     out.laid.turn = how.follow.turn;
+    lay(how, out);
     auto& told = out.laid.plan.notes;
     out.notes.insert(out.notes.end(), told.begin(), told.end());
     told.clear();
     if (up.folded > 0)
         note(out.notes, "ground folds: a groove is narrower than the plies", up.folded, "mm2", up.folded_at);
     if (up.blocked > 0) note(out.notes, "no room for the ply", up.blocked, "mm2", up.blocked_at);
-    if (how.turn_outside < job.options.turn_outside)
-        out.notes.push_back({"", "ply ends within the part, and turns on it", 1, "plies"});
     for (Note& n : out.notes) n.layer = static_cast<std::int64_t>(k);
     return out;
 }

@@ -57,6 +57,22 @@ TEST(edges, of_curves_are_to_their_left) {
     EXPECT_TRUE(edge_of(base, {}, 0.5, notes).empty());
 }
 
+TEST(edges, along_rims_are_none) {
+    const Base base = plate();
+    Notes notes;
+    Within within; // the left half, drawn a little beyond the rims of it
+    within.curves = {{{-20.1, -20.1, 0}, {4, -20.1, 0}, {4, 20.1, 0}, {-20.1, 20.1, 0}}};
+    const Edge edge = edge_of(base, within, 0.5, notes);
+    for (std::size_t v = 0; v < edge.size(); ++v) {
+        const Vec3& p = base.surface.vertices[v];
+        if (std::abs(p.x - 4) < 1e-9) continue;
+        if (std::abs(p.y) < 19.1) {
+            EXPECT_NEAR(edge[v], p.x - 4, 0.02);
+        }
+        EXPECT_EQ(edge[v] < 0, p.x < 4) << p.x << " " << p.y << " " << edge[v];
+    }
+}
+
 TEST(edges, of_faces_are_their_borders) {
     const Base base = plate();
     Notes notes;

@@ -106,12 +106,37 @@ TEST(laminate, turns_outside_leave_plies_even) {
     EXPECT_LT(fact(made, "thickness-high"), fact(on_it, "thickness-high"));
 }
 
-TEST(laminate, plies_of_one_direction_turn_in_other_places) {
-    const auto plies = plies_of("30,30", Ply{.spacing = 1}, false);
-    Options apart, alike;
+// How far from each other the paths of two plies begin.
+double begins_apart(const Laminate& l) {
+    const auto at = [&](std::size_t k) { return l.plies[k].plan.strokes.front().pieces.front().line[0]; };
+    return distance(at(0), at(1));
+}
+
+TEST(laminate, every_second_ply_of_a_direction_begins_at_the_other_end) {
+    const auto plies = plies_of("30,30", kWide, false);
+    Options apart = narrow(), alike = narrow();
     alike.stagger = false;
-    EXPECT_LT(fact(laminate(flat(), plies, apart, 2), "even-most"),
-              fact(laminate(flat(), plies, alike, 2), "even-most"));
+    EXPECT_GT(begins_apart(laminate(flat(), plies, apart, 2)), 10);
+    EXPECT_LT(begins_apart(laminate(flat(), plies, alike, 2)), 1);
+}
+
+TEST(laminate, plies_that_end_at_a_rim_and_within_turn_outside_at_the_rim_only) {
+    auto plies = plies_of("0", kWide, false);
+    plies[0].within = "half";
+    Options o = narrow();
+    o.turn_outside = 5;
+    o.areas["half"].curves = {{{0, 0, 0}, {12, 0, 0}, {12, 20, 0}, {0, 20, 0}}};
+    const auto made = laminate(flat(), plies, o, 1);
+    double left = 0, right = 0;
+    for (const auto& stroke : made.plies[0].plan.strokes)
+        for (const auto& piece : stroke.pieces)
+            for (const auto& p : piece.line.places) {
+                left = std::min(left, p.point.x);
+                right = std::max(right, p.point.x);
+            }
+    EXPECT_LT(left, -2);
+    EXPECT_NEAR(right, 11, 0.5);
+    EXPECT_GT(fact(made, "ply.1.trims"), 10);
 }
 
 TEST(laminate, plies_end_where_they_should_and_those_above_step_down) {
