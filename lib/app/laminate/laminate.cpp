@@ -135,6 +135,7 @@ void run(const Options& o, const cli::Io& io) {
     auto header = cli::header(io, stream::Payload::toolpath, {&before.header});
     header.expected = spans.size();
     std::vector<stream::RawFrame> frames;
+    frames.reserve(spans.size());
     for (const auto& span : spans) frames.push_back(wire::frame(span));
     cli::write_all(io, header, before, found.notes, found.facts, frames);
     if (!o.trim_list.empty()) cli::write_text(o.trim_list, trims);
