@@ -27,6 +27,8 @@ filum::surface::curve::Place nearest(const filum::surface::curve::Locator& locat
 
 bool on_rim(const Surface& s, const filum::surface::curve::Place& at) {
     const auto w = filum::surface::curve::barycentric(s, at);
+    for (std::uint32_t k = 0; k < 3; ++k) // on a corner, whose triangle may have no side on the rim that it is on
+        if (w[k] > 1 - 2 * kOnRim && s.on_rim(s.triangles[at.triangle][k])) return true;
     for (std::uint32_t k = 0; k < 3; ++k)
         if (w[k] < kOnRim && s.twin[3 * at.triangle + (k + 1) % 3] == filum::surface::curve::kNone) return true;
     return false;

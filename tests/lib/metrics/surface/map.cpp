@@ -68,6 +68,19 @@ TEST(Map, TellsAnglesOfWhatIsAsked) {
     EXPECT_NEAR(ply_spread(map(base, path, lies, 1), 0).off_mean, 90 - 0.1 * degree, 1e-6);
 }
 
+TEST(Map, IsNotRaisedToWhatLiesBesideARim) {
+    // The first triangle at the corner (20, 20) has no side on the rim; the path passes outside of that corner.
+    const Surface base = surfaces::make({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {12, 8, 0}, {8, 12, 0}},
+                                        {{4, 2, 5}, {1, 2, 4}, {5, 2, 3}, {0, 1, 4}, {0, 4, 5}, {0, 5, 3}});
+    auto spans = rows(every(0.5, 1, 20), 0, 0);
+    auto out = span({{20, 20, 0}, {24, 24, 0}, {23, 25, 0}, {20, 20, 0}});
+    out.normals.assign(4, {0, 0, 1});
+    spans.push_back(out);
+    for (const auto& bed : beds(base, paths::fibres(spans), 1))
+        for (std::size_t v = 0; v < base.vertices.size(); ++v)
+            EXPECT_LT(distance(bed.ground.vertices[v], base.vertices[v]), 0.06) << v;
+}
+
 TEST(Map, FindsWhereAPlyLies) {
     const auto base = square();
     auto spans = rows(every(0.5, 1, 20), 0, 0);
