@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace filum::fill {
@@ -11,22 +12,18 @@ namespace {
 
 // All in bead widths unless said otherwise.
 constexpr double kBend = std::numbers::pi / 3;    // rad
-constexpr double kChord = 0.8;                    // half the chord that tells a ring's direction
 constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
-constexpr double kParallel = 0.85;                // cosine between neighbouring lanes, at least
-constexpr double kWindowMargin = 0.5;             // of ring between windows
 constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
 constexpr double kLean = 0.6;                     // the first of them by so much
-constexpr double kWidestGap = 1.4;                // gap that a bend is widened for
 constexpr double kApart = 0.65; // links are at least; so the lanes that turn do so this far behind the line
 
 struct Direction {
     Vec2 along, left; // unit
 };
 
-// Of the ring at s; nothing where it bends too much to tell.
+// Of the ring at s, by a chord of a bead; nothing where it bends too much to tell.
 std::optional<Direction> direction(const RingGraph& graph, std::uint32_t ring, double s, double width) {
-    const double half = std::min(kChord * width, graph.length(ring) / 8);
+    const double half = std::min(width / 2, graph.length(ring) / 8);
     const Vec2 chord = graph.at(ring, s + half) - graph.at(ring, s - half);
     const double l = geom::norm(chord);
     if (l < 1.9 * half) return std::nullopt;
@@ -43,7 +40,7 @@ std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& 
     const auto there = direction(graph, hit->ring, hit->s, width);
     if (!there) return std::nullopt;
     const double cosine = dot(there->along, from.forward), sense = cosine > 0 ? 1 : -1;
-    if (std::abs(cosine) < kParallel) return std::nullopt;
+    if (std::abs(cosine) < std::cos(kBend)) return std::nullopt;
     const Vec2 inward = dot(there->left, from.inward) > 0 ? there->left : -1.0 * there->left;
     return Lanes::Lane{*hit, inward, sense * there->along, sense};
 }
@@ -89,16 +86,12 @@ class Making {
     [[nodiscard]] Vec2 end(std::size_t k) const { return graph_->at(lane(k).at.ring, second_[k]); }
 
     [[nodiscard]] bool has_room(std::size_t k) const {
-        const double margin = kWindowMargin * width_;
-        return room_->free(lane(k).at.ring, std::min(first_[k], second_[k]) - margin,
-                           std::max(first_[k], second_[k]) + margin);
+        return room_->free(lane(k).at.ring, std::min(first_[k], second_[k]), std::max(first_[k], second_[k]));
     }
     // Lane k as it bends over to lane k - 2.
     [[nodiscard]] geom::Segment bend(std::size_t k) const { return {begin(k), end(k - 2)}; }
     [[nodiscard]] bool bend_fits(std::size_t k) const {
         const auto b = bend(k);
-        const double straight = 2 * width_ / std::sin(kBend), l = geom::distance(b.a, b.b);
-        if (l < 0.6 * straight || l > 1.5 * straight) return false;
         return clear(b, [&](const Place& at) {
             return at.ring == lane(k - 1).at.ring && within(at.s, k - 1, first_[k - 1], second_[k - 1]);
         });
@@ -188,7 +181,7 @@ class Making {
     // A bend as wide as its neighbours leave it room.
     [[nodiscard]] BeadLine bead(const Line& before, const Line& own, const Line& after) const {
         const auto gap = [&](const Line& other, Vec2 p) {
-            double best = kWidestGap * width_;
+            double best = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i + 1 < other.size(); ++i)
                 best = std::min(best, geom::point_segment_distance(other[i], other[i + 1], p));
             return best;
@@ -210,9 +203,7 @@ class Making {
             double gone = std::fmod(lane(k).sense * (second[k] - first[k]), l);
             if (gone < 0) gone += l;
             const double s0 = lane(k).sense > 0 ? first[k] : second[k];
-            if (gone < 0.2 * width_ || gone > 5 * width_) return std::nullopt;
-            if (!room_->free(ring, s0 - kWindowMargin * width_, s0 + gone + kWindowMargin * width_))
-                return std::nullopt;
+            if (!room_->free(ring, s0, s0 + gone)) return std::nullopt;
             out.windows.push_back({ring, s0, s0 + gone});
         }
         const auto rim = [&](std::size_t k, bool behind) {

@@ -10,8 +10,7 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kAgain = 2;  // a stretch of boundary passed before counts as this much longer
-constexpr double kStrand = 4; // so does a strand
+constexpr double kStrand = 4; // a strand passed before counts as this much longer
 
 class Walker {
   public:
@@ -68,7 +67,7 @@ class Walker {
                 continue;
             }
             for (const std::uint32_t a : g_.arcs_at[node]) {
-                const double c = cost + g_.arcs[a].length * (passed_[a] > 0 ? kAgain : 1);
+                const double c = cost + g_.arcs[a].length;
                 const bool against = g_.arcs_at[node][1] != a;
                 reach(against ? g_.arcs[a].from : g_.arcs[a].to, c, {a, false, against});
             }

@@ -20,10 +20,10 @@ struct StrandWalk {
 };
 
 // Lays every strand once, from `graph.start` if there is one.  From the end of a strand the walk goes along the
-// boundary to the nearest end of a strand not laid yet: mostly the next turn of a meander.  A stretch that was passed
-// before counts as longer.  Where the boundary does not lead to what is left, the walk passes a strand again; where
-// nothing leads there, a new trail begins.  Of several such walks, which begin at other corners and prefer to go up or
-// down, the one with the least `along` + `again` is taken.  Tie: the first.
+// boundary to the nearest end of a strand not laid yet: mostly the next turn of a meander.  Where the
+// boundary does not lead to what is left, the walk passes a strand again; where nothing leads there, a new trail
+// begins. Of several such walks, which begin at other corners and prefer to go up or down, the one with the least
+// `along` + `again` is taken.  Tie: the first.
 //
 // No walk can do without passing again, in general: every loop holds an even number of strand ends, so only turns that
 // pair them up alternately pass nothing twice, and these are one trail only where the area is monotone across the
