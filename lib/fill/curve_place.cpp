@@ -43,8 +43,8 @@ double width_at(const Curve& c, const CurvePlace& p) {
     return a + p.t * (b - a);
 }
 
-void add_point(Curve& to, Vec2 p, double width, double least) {
-    if (!to.points.empty() && geom::distance(to.points.back(), p) < least) return;
+void add_point(Curve& to, Vec2 p, double width) {
+    if (!to.points.empty() && geom::distance(to.points.back(), p) < kSamePoint) return;
     to.points.push_back(p);
     to.width.push_back(width);
 }

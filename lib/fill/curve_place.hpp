@@ -7,7 +7,7 @@
 
 namespace filum::fill {
 
-inline constexpr double kSamePoint = 1e-6; // mm; points nearer than this are one
+inline constexpr double kSamePoint = 5e-4; // mm; points nearer than half of what a machine is told are one
 
 // Between points i and i + 1 of a curve; the last segment of a closed one leads back to its first point.
 struct CurvePlace {
@@ -30,7 +30,7 @@ CurvePlace nearest_place(const toolpath::Curve& curve, const std::vector<double>
 // mm, of the bead there.
 double width_at(const toolpath::Curve& curve, const CurvePlace& place);
 
-// Adds a point unless it is nearer than `least` mm to the last one.
-void add_point(toolpath::Curve& to, geom::Vec2 p, double width, double least);
+// Adds a point unless it is the same as the last one.
+void add_point(toolpath::Curve& to, geom::Vec2 p, double width);
 
 } // namespace filum::fill

@@ -17,13 +17,11 @@ using polygon::Loops;
 
 namespace {
 
-constexpr double kRowGive = 0.2;      // how much higher or lower than wanted a row may be
-constexpr double kSlit = 0.0005;      // mm, half a wall's thickness: no more than separates two areas
-constexpr double kRoomBeside = 1.3;   // bead widths beside a wall below which it is left out
-constexpr double kOpen = 2.0;         // bead widths that an opening needs
-constexpr double kDoor = 0.95;        // share of kOpen that a door's narrowest place keeps clear
-constexpr double kWidestDoor = 4.0;   // bead widths along the wall that a door may take
-constexpr double kShortestWall = 1.0; // bead widths; shorter walls are left out
+constexpr double kRowGive = 0.2;    // how much higher or lower than wanted a row may be
+constexpr double kSlit = 0.0005;    // mm, half a wall's thickness: no more than separates two areas
+constexpr double kRoomBeside = 1.3; // bead widths beside a wall below which it is left out
+constexpr double kOpen = 2.0;       // bead widths that an opening needs
+constexpr double kDoor = 0.95;      // share of kOpen that a door's narrowest place keeps clear
 
 // Where two rows meet.
 struct Border {
@@ -120,7 +118,7 @@ class Maze {
         }
     }
 
-    // Openings too narrow for two beads are closed; then walls too short to guide any are dropped.
+    // Openings too narrow for two beads are closed; then walls shorter than a bead, which guide none, are dropped.
     [[nodiscard]] std::vector<Stretch> without_gaps(const std::vector<Stretch>& walls, const Border& b) const {
         std::vector<Stretch> out;
         if (walls.empty()) return out;
@@ -135,9 +133,7 @@ class Maze {
         }
         if (b.to - to < kOpen * width_) to = b.to;
         out.push_back({from, to});
-        std::erase_if(out, [&](const Stretch& s) {
-            return s.to - s.from < kShortestWall * width_ && s.from > b.from && s.to < b.to;
-        });
+        std::erase_if(out, [&](const Stretch& s) { return s.to - s.from < width_ && s.from > b.from && s.to < b.to; });
         return out;
     }
 
@@ -165,8 +161,8 @@ class Maze {
     // The first place from `end` towards `other` where two beads pass between the wall's tip and the outline.
     [[nodiscard]] std::optional<double> clear_from(double end, double other, double y) const {
         const double way = other > end ? 1 : -1, least = kDoor * kOpen * width_;
-        for (double along = least; along <= kWidestDoor * width_; along += width_ / 8) {
-            if (along + kShortestWall * width_ > std::abs(other - end)) break;
+        for (double along = least; along <= 2 * kOpen * width_; along += width_ / 8) {
+            if (along + width_ > std::abs(other - end)) break;
             const Vec2 tip{end + way * along, y};
             bool free = true;
             grid_.near({tip.x - least, tip.y - least}, {tip.x + least, tip.y + least}, [&](std::uint32_t i) {

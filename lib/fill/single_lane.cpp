@@ -16,7 +16,6 @@ using toolpath::Curve;
 constexpr double kThickMargin = 0.5; // bead widths, from thicker parts
 constexpr double kShort = 3;         // bead widths: shorter walls stay as they are
 constexpr double kNear = 0.2;        // bead widths, of a lane from where it should be
-constexpr double kNearest = 5e-4;    // mm; a point nearer to the one before is left out
 constexpr double kStray = 0.15;      // share of its length by which a lane may be longer or shorter than the wall
 
 // The closed curve, with the way to each place on it.
@@ -35,15 +34,15 @@ struct Measured {
 // From one place on to another.
 void follow(const Measured& m, const CurvePlace& from, const CurvePlace& to, Curve& out) {
     const std::size_t n = m.curve.points.size();
-    add_point(out, from.point, m.width(from), kNearest);
+    add_point(out, from.point, m.width(from));
     double left = m.ahead(from, to);
     for (std::size_t i = from.i, k = 0; k <= n; ++k, i = (i + 1) % n) {
         const double step = m.sums[i + 1] - (k == 0 ? from.along : m.sums[i]);
         if (step >= left) break;
         left -= step;
-        add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n), kNearest);
+        add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n));
     }
-    add_point(out, to.point, m.width(to), kNearest);
+    add_point(out, to.point, m.width(to));
 }
 
 // The wall without `first` mm at its start and `last` mm at its end.
@@ -101,9 +100,9 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     Curve out;
     out.closed = both;
     follow(m, b0, a0, out);
-    for (std::size_t i = 0; i < w.line.size(); ++i) add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i], kNearest);
+    for (std::size_t i = 0; i < w.line.size(); ++i) add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
     if (!tip) follow(m, a1, b1, out);
-    for (std::size_t i = w.line.size(); both && i-- > 0;) add_point(out, w.line[i], w.radius[i], kNearest);
+    for (std::size_t i = w.line.size(); both && i-- > 0;) add_point(out, w.line[i], w.radius[i]);
     return out;
 }
 

@@ -58,20 +58,19 @@ bool is_free(geom::Vec2 a, geom::Vec2 b, const geom::SegmentGrid& grid, const st
 
 Curve spliced(const Curve& curve, const Curve& ring, const Detour& v) {
     Curve out;
-    for (std::size_t i = 0; i <= v.out.i; ++i) add_point(out, curve.points[i], curve.width_at(i), kSamePoint);
-    add_point(out, v.out.point, width_at(curve, v.out), kSamePoint);
-    add_point(out, v.enter.point, width_at(ring, v.enter), kSamePoint);
+    for (std::size_t i = 0; i <= v.out.i; ++i) add_point(out, curve.points[i], curve.width_at(i));
+    add_point(out, v.out.point, width_at(curve, v.out));
+    add_point(out, v.enter.point, width_at(ring, v.enter));
     const std::size_t n = ring.points.size();
     const std::size_t from = v.against ? v.enter.i : v.enter.i + 1;
     const std::size_t to = v.against ? v.leave.i + 1 : v.leave.i;
     for (std::size_t i = from % n, k = 0; k <= n; ++k, i = v.against ? (i + n - 1) % n : (i + 1) % n) {
-        add_point(out, ring.points[i], ring.width_at(i), kSamePoint);
+        add_point(out, ring.points[i], ring.width_at(i));
         if (i == to % n) break;
     }
-    add_point(out, v.leave.point, width_at(ring, v.leave), kSamePoint);
-    add_point(out, v.back.point, width_at(curve, v.back), kSamePoint);
-    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i)
-        add_point(out, curve.points[i], curve.width_at(i), kSamePoint);
+    add_point(out, v.leave.point, width_at(ring, v.leave));
+    add_point(out, v.back.point, width_at(curve, v.back));
+    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i) add_point(out, curve.points[i], curve.width_at(i));
     return out;
 }
 
@@ -111,17 +110,16 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
     if (!is_free(end, at.point, geom::SegmentGrid(all, w), all)) return std::nullopt;
     Curve out{false, curve.points, {}};
     for (std::size_t i = 0; i < curve.points.size(); ++i) out.width.push_back(curve.width_at(i));
-    add_point(out, at.point, width_at(ring, at), kSamePoint);
+    add_point(out, at.point, width_at(ring, at));
     const std::size_t n = ring.points.size();
-    for (std::size_t k = 1; k <= n; ++k)
-        add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n), kSamePoint);
+    for (std::size_t k = 1; k <= n; ++k) add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n));
     const double gap = sums.back() - w / 4; // two round ends fill it
     const CurvePlace last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
     while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4) {
         out.points.pop_back();
         out.width.pop_back();
     }
-    add_point(out, last.point, width_at(ring, last), kSamePoint);
+    add_point(out, last.point, width_at(ring, last));
     return out;
 }
 

@@ -2,17 +2,16 @@
 
 #include "fill/crossings.hpp"
 #include "fill/curve_place.hpp"
+#include "polygon/clip.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace filum::fill {
 
 namespace {
 
-constexpr double kRoundStep = std::numbers::pi / 24; // rad between the points of a rounded corner
-constexpr double kTaperLength = 1.0 / 8;             // bead widths, from one width to another
+constexpr double kTaperLength = 1.0 / 8; // bead widths, from one width to another
 
 struct Leg {
     std::vector<Vec2> line;
@@ -64,7 +63,9 @@ void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
     const double turn = std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
     const double pull = turn > 1e-6 && turn < 3.1 ? 4.0 / 3 * std::tan(turn / 4) / std::tan(turn / 2) : 0;
     const Vec2 p = a + pull * u, q = b - pull * v;
-    const int n = std::max(1, static_cast<int>(std::ceil(turn / kRoundStep)));
+    const double radius = geom::norm(u) / std::max(1e-9, std::tan(turn / 2));
+    const double step = 2 * std::acos(std::max(0.0, 1 - polygon::kBeadArc / radius)); // chords are off by no more
+    const int n = std::max(1, static_cast<int>(std::ceil(turn / step)));
     for (int i = 1; i <= n; ++i) {
         const double t = static_cast<double>(i) / n, s = 1 - t;
         to.push_back(s * s * s * a + 3 * s * s * t * p + 3 * s * t * t * q + t * t * t * b);

@@ -17,7 +17,6 @@ constexpr double kUnusual = 0.2;               // share of the length that may b
 constexpr double kPrune = 1.25;                // thin_edges must take all of this as thin
 constexpr double kLeastRadius = 0.03;          // bead widths: the least half-thickness of a wall
 constexpr double kMostTaper = 0.025;           // bead widths, of the half-thickness along one segment
-constexpr double kFar = std::numeric_limits<double>::infinity();
 
 bool all_thin(const polygon::MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
     double all = 0, thick = 0;
@@ -154,7 +153,8 @@ struct Ways {
 };
 
 Ways ways(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& at, std::uint32_t from) {
-    Ways out{std::vector<double>(g.node.size(), kFar), std::vector<std::uint32_t>(g.node.size(), kNone)};
+    Ways out{std::vector<double>(g.node.size(), std::numeric_limits<double>::infinity()),
+             std::vector<std::uint32_t>(g.node.size(), kNone)};
     using Item = std::pair<double, std::uint32_t>;
     std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
     out.length[from] = 0;

@@ -19,8 +19,6 @@ constexpr double kAppear = 1.0 / 16; // of a ramp: in this stretch a lane goes f
 constexpr double kBlend = 2;         // widths: over this length a corner's profile goes over into a thinner wall's
 constexpr double kParallel = 1e-9;   // slope of a wall that has no tip
 
-constexpr double kNone = -1; // of `last`: no lane
-
 // Radius of the disc that touches both sides of a corner and leaves a tip of `area` beyond it.
 double tip_radius(double slope, double area) {
     const double a = std::asin(std::max(slope, kParallel));
@@ -177,7 +175,7 @@ class Profiles {
             out_.last[i] = out_.top[i] - kLeastLane;
             if (!walls_.set[i]) out_.last[i] = std::min(out_.last[i], out_.lanes[i] - out_.reach[up / 2]);
             if (!relief_.dead_end[i] || axis().radius[u] <= axis().radius[i]) continue;
-            if (axis().radius[i] < out_.tip[up / 2]) out_.last[i] = kNone;
+            if (axis().radius[i] < out_.tip[up / 2]) out_.last[i] = -1; // no lane
             if (!walls_.set[i] || out_.last[u] < 0) out_.last[i] = std::min(out_.last[i], out_.last[u]);
         }
     }
