@@ -11,7 +11,7 @@ using polygon::AreaKind;
 using polygon::Loops;
 using toolpath::Feature;
 
-constexpr double kWidth = 0.4;
+constexpr double kPartWidth = 0.4;
 
 struct Zone {
     Loops where;
@@ -30,14 +30,14 @@ void add_sparse(polygon::Region& r, const Loops& where, double spacing) {
     if (!where.empty()) r.areas.push_back({AreaKind::sparse, where, 0.7, spacing, polygon::Pattern::rows});
 }
 
-struct Case {
+struct Zoned {
     polygon::Region region;
     unsigned seed;
 };
 
 // Random regions, cut by a disc into what has other walls (even seeds) or other beads (odd ones).
-std::vector<Case> random_cases(unsigned seeds) {
-    std::vector<Case> out;
+std::vector<Zoned> random_zoned(unsigned seeds) {
+    std::vector<Zoned> out;
     for (unsigned seed = 0, n = trials(static_cast<int>(seeds)); seed < n; ++seed)
         for (Loops loops : test::random_regions(seed)) {
             for (auto& p : loops.points) p = 2.0 * p;
@@ -49,14 +49,15 @@ std::vector<Case> random_cases(unsigned seeds) {
             const Loops disc = test::disc({4.0 - seed % 9, 3.0 - seed % 7}, 5 + seed % 4);
             const Loops in = polygon::intersect(loops, disc), beside = polygon::subtract(loops, disc);
             const bool mixed = seed % 2 == 1;
-            const double other = mixed ? (seed % 4 == 1 ? 0.6 : 0.3) : kWidth;
+            const double other = mixed ? (seed % 4 == 1 ? 0.6 : 0.3) : kPartWidth;
             r.walls = 1;
-            const Zone inner{in, mixed ? seed % 3 : 0, other}, outer{beside, (mixed ? 0 : 1) + seed / 2 % 3, kWidth};
+            const Zone inner{in, mixed ? seed % 3 : 0, other},
+                outer{beside, (mixed ? 0 : 1) + seed / 2 % 3, kPartWidth};
             r.loops = std::move(loops);
             for (const Zone* z : {&inner, &outer}) {
                 if (z->where.empty()) continue;
-                if (z->walls > 0 || z->width != kWidth) add_zone(r, *z);
-                const Loops within = polygon::offset(r.loops, -(kWidth + z->walls * z->width));
+                if (z->walls > 0 || z->width != kPartWidth) add_zone(r, *z);
+                const Loops within = polygon::offset(r.loops, -(kPartWidth + z->walls * z->width));
                 if (seed % 5 != 0) // else solid
                     add_sparse(r, polygon::intersect(within, polygon::offset(z->where, -(z->walls * z->width))),
                                1.5 + 0.2 * (seed % 10));
@@ -70,13 +71,13 @@ std::vector<Case> random_cases(unsigned seeds) {
 
 TEST(HollowZones, OneClosedCurveThatDoesNotCrossItself) {
     std::size_t more = 0, all = 0;
-    for (const Case& c : random_cases(60)) {
+    for (const Zoned& c : random_zoned(60)) {
         Notes notes;
-        const auto paths = fill(c.region, {.bead_width = kWidth}, notes);
+        const auto paths = fill(c.region, {.bead_width = kPartWidth}, notes);
         ++all;
         ASSERT_FALSE(paths.curves.empty()) << c.seed;
         for (const auto& curve : paths.curves) EXPECT_TRUE(curve.closed);
-        EXPECT_EQ(fill::crossing_pairs(paths.curves, kWidth).size(), 0U) << c.seed;
+        EXPECT_EQ(fill::crossing_pairs(paths.curves, kPartWidth).size(), 0U) << c.seed;
         EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
         EXPECT_LT(test::farthest_outside(c.region.loops, paths.curves), 0.12) << c.seed;
         more += paths.curves.size() > 1 ? 1 : 0;
@@ -86,9 +87,9 @@ TEST(HollowZones, OneClosedCurveThatDoesNotCrossItself) {
 
 TEST(HollowZones, WhatIsSolidIsCovered) {
     double uncovered = 0, twice = 0, all = 0;
-    for (const Case& c : random_cases(20)) {
+    for (const Zoned& c : random_zoned(20)) {
         Notes notes;
-        const auto paths = fill(c.region, {.bead_width = kWidth}, notes);
+        const auto paths = fill(c.region, {.bead_width = kPartWidth}, notes);
         Loops solid = c.region.loops;
         for (const auto& a : c.region.areas)
             if (a.kind == AreaKind::sparse) solid = polygon::subtract(solid, a.loops);
@@ -113,14 +114,14 @@ TEST(HollowZones, WallsAreAsManyAsTheZoneSays) {
         r.walls = static_cast<std::uint32_t>(fewest);
         for (const auto& [where, walls] : {std::pair{left, walls_left}, {right, walls_right}}) {
             const int more = walls - fewest;
-            if (more > 0) add_zone(r, {where, static_cast<std::uint32_t>(more), kWidth});
+            if (more > 0) add_zone(r, {where, static_cast<std::uint32_t>(more), kPartWidth});
             add_sparse(r,
-                       polygon::intersect(polygon::offset(r.loops, -(walls * kWidth)),
-                                          polygon::offset(where, -(more * kWidth))),
+                       polygon::intersect(polygon::offset(r.loops, -(walls * kPartWidth)),
+                                          polygon::offset(where, -(more * kPartWidth))),
                        3);
         }
         Notes notes;
-        const auto paths = fill(r, {.bead_width = kWidth}, notes);
+        const auto paths = fill(r, {.bead_width = kPartWidth}, notes);
         ASSERT_EQ(paths.curves.size(), 1U);
         const auto& c = paths.curves[0];
         // how often lines across the lower edge meet walls: the median of some, as a joint may lie on one
@@ -153,9 +154,9 @@ TEST(HollowZones, BeadsAreAsWideAsTheZoneSays) {
         const Loops left = test::rectangle(0, 0, 20, 20), right = test::rectangle(20, 0, 40, 20);
         r.walls = 1;
         add_zone(r, {left, 2, other});
-        add_zone(r, {right, 2, kWidth});
+        add_zone(r, {right, 2, kPartWidth});
         Notes notes;
-        const auto paths = fill(r, {.bead_width = kWidth}, notes);
+        const auto paths = fill(r, {.bead_width = kPartWidth}, notes);
         ASSERT_EQ(paths.curves.size(), 1U);
         double wrong = 0, all = 0;
         const auto& c = paths.curves[0];
@@ -163,7 +164,7 @@ TEST(HollowZones, BeadsAreAsWideAsTheZoneSays) {
             const geom::Vec2 a = c.points[i], b = c.points[(i + 1) % c.points.size()];
             // the outer wall is the same everywhere
             const double length = geom::distance(a, b);
-            const double expected = a.x < 20 && c.feature[i] != Feature::outer_wall ? other : kWidth;
+            const double expected = a.x < 20 && c.feature[i] != Feature::outer_wall ? other : kPartWidth;
             all += length;
             wrong += std::abs(c.width_at(i) - expected) > 0.3 * expected ? length : 0;
         }

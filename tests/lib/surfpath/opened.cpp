@@ -78,7 +78,7 @@ mesh::Mesh ball(double radius) {
     return out;
 }
 
-surface::Sheet sheet_of(mesh::Mesh mesh) {
+surface::Sheet closed_sheet(mesh::Mesh mesh) {
     Notes notes;
     return {surface::connect(std::move(mesh), notes), {}, {}};
 }
@@ -91,7 +91,7 @@ double opened(const Notes& notes) {
 
 TEST(seams, of_a_ball_lead_half_round_it) {
     Notes notes;
-    const auto lines = source_lines(seams(sheet_of(ball(10)), notes));
+    const auto lines = source_lines(seams(closed_sheet(ball(10)), notes));
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_FALSE(lines[0].closed);
     EXPECT_NEAR(surface::curve::length(lines[0]), 10 * pi, 1);
@@ -101,7 +101,7 @@ TEST(seams, of_a_ball_lead_half_round_it) {
 TEST(seams, of_a_torus_go_round_it_the_short_way_and_do_not_divide_it) {
     for (const auto& [large, small] : {std::pair{20.0, 5.0}, std::pair{12.0, 9.0}}) {
         Notes notes;
-        const auto sheet = sheet_of(torus(large, small));
+        const auto sheet = closed_sheet(torus(large, small));
         const auto seam = seams(sheet, notes);
         const auto lines = source_lines(seam);
         ASSERT_EQ(lines.size(), 1U);
@@ -118,7 +118,7 @@ TEST(seams, are_only_where_nothing_else_says_where_lines_begin) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Vec3 p : {Vec3{100, 0, 0}, Vec3{110, 0, 0}, Vec3{100, 10, 0}}) mesh.vertices.push_back(p);
     mesh.triangles.push_back({first, first + 1, first + 2});
-    auto sheet = sheet_of(std::move(mesh));
+    auto sheet = closed_sheet(std::move(mesh));
     Notes notes;
     for (const auto& g : seams(sheet, notes).segments) EXPECT_EQ(sheet.surface.component[g.triangle], 0U);
     EXPECT_EQ(notes.size(), 1U);
@@ -140,7 +140,7 @@ TEST(opened, closed_surfaces_of_all_kinds_are_one_stroke_of_rings) {
         cases.push_back({torus(12, 5), Algorithm::hybrid, 0.95});
     }
     for (const Case& c : cases) {
-        const auto sheet = sheet_of(c.mesh);
+        const auto sheet = closed_sheet(c.mesh);
         const Plan p = plan(sheet, {.algorithm = c.algorithm});
         EXPECT_EQ(p.strokes.size(), 1U) << name(c.algorithm);
         EXPECT_GT(covered(sheet.surface, p), c.least) << name(c.algorithm);
