@@ -4,6 +4,7 @@
 #include "fill/rounding.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
+#include "rings/fewer_points.hpp"
 #include "rings/lanes.hpp"
 
 #include <algorithm>

@@ -11,6 +11,7 @@ namespace {
 constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
 constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
 constexpr double kAcuteReach = 2.6; // about those
+constexpr double kInnerReach = 2;   // about other corners of inner lanes, which lie in those of the lanes around them
 constexpr double kOuter = 0.75; // bead widths from the outline: nearer, acute corners are worth more than their room
 constexpr double kShortestRounded = 60; // a shorter line stays as it is
 constexpr double kWiden = 1.7;          // times the width, at most
@@ -107,7 +108,7 @@ class Rounding {
         if (ratio >= kTurned) return 0;
         const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
         const double reach = reach_ * std::min(1.0, 2 * line_->width[vertex] / width_); // narrow lanes are near
-        return ratio < kAcute && !outer ? kAcuteReach * reach : reach;
+        return outer ? reach : (ratio < kAcute ? kAcuteReach : kInnerReach) * reach;
     }
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
@@ -153,7 +154,7 @@ class Rounding {
     }
 
     void smooth(const RoundedStretch& part) {
-        const int n = std::max(2, static_cast<int>(std::ceil(kPoints * (part.end - part.begin) / (2 * reach_))));
+        const int n = std::max(2, static_cast<int>(std::lround(kPoints * (part.end - part.begin) / (2 * reach_))));
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
             const double reach = std::max(1e-6, part.reach(s));

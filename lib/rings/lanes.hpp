@@ -37,10 +37,4 @@ std::vector<toolpath::Curve> curves_of(const Rings& rings);
 // What the beads of rings lay, mm2.
 double laid_area(const Rings& rings);
 
-// The closed bead with few points, taken greedily from the first, such that its edges are off by at most `tolerance`
-// mm, and an eighth of its width (which is off by a 16th), and by as much to one side as to the other.  Where its width
-// changes over a longer way, points divide that: a machine lays each segment with one width, and no more than
-// `least_void` mm2 aside by that.
-toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void);
-
 } // namespace filum::rings

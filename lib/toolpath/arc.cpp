@@ -19,13 +19,13 @@ struct Round {
 
 // The circle through both ends whose greatest distance from the points between, and from the middles of the pieces, is
 // about the least there is.  Its centre is t left of the middle between the ends; each point bounds t.
-std::optional<Round> circle(const Line& line, const Place& from, std::uint32_t to, double most) {
-    const Vec2 a = from.q, b = line.points[to].xy(), middle = 0.5 * (a + b);
+std::optional<Round> circle(const Line& line, std::uint32_t from, std::uint32_t to, double most) {
+    const Vec2 a = line.points[from].xy(), b = line.points[to].xy(), middle = 0.5 * (a + b);
     const double half = geom::distance(a, b) / 2;
     if (!(half > 0)) return std::nullopt;
     const Vec2 left = geom::left_of((0.5 / half) * (b - a));
     double highest = 0, t = 0;
-    for (std::uint32_t k = from.i + 1; k < to; ++k) {
+    for (std::uint32_t k = from + 1; k < to; ++k) {
         const Vec2 p = line.points[k].xy() - middle;
         if (const double v = dot(p, left); std::abs(v) > std::abs(highest)) {
             highest = v;
@@ -43,7 +43,7 @@ std::optional<Round> circle(const Line& line, const Place& from, std::uint32_t t
         low = std::max(low, std::min(one, other));
         high = std::min(high, std::max(one, other));
     };
-    for (std::uint32_t k = from.i + 1; k < to; ++k) {
+    for (std::uint32_t k = from + 1; k < to; ++k) {
         const Vec2 p = line.points[k].xy();
         bound(p);
         if (k + 1 < to) bound(geom::lerp(p, line.points[k + 1].xy(), 0.5));
@@ -62,13 +62,11 @@ std::optional<Round> circle(const Line& line, const Place& from, std::uint32_t t
 
 // The farthest between the arc and the line, each point abreast of the arc's at its own angle; nothing if it is more
 // than `most`, or if the line goes back.
-std::optional<double> distance_of(const Line& line, const Place& from, std::uint32_t to, const Round& r, double most) {
+std::optional<double> distance_of(const Line& line, std::uint32_t from, std::uint32_t to, const Round& r, double most) {
     const double turn = r.sweep > 0 ? 1 : -1;
-    const Vec2 begin = line.points[from.i].xy();
-    Vec2 before = geom::lerp(begin, line.points[from.i + 1].xy(), from.t) - r.centre;
+    Vec2 before = line.points[from].xy() - r.centre, direction = before;
     double worst = std::abs(norm(before) - r.radius), swept = 0;
-    Vec2 direction = from.q - r.centre;
-    for (std::uint32_t k = from.i + 1; k <= to; ++k) {
+    for (std::uint32_t k = from + 1; k <= to; ++k) {
         const Vec2 p = line.points[k].xy() - r.centre;
         const double by = turn * std::atan2(geom::cross(direction, p), dot(direction, p));
         if (by < 0) return std::nullopt;
@@ -86,17 +84,17 @@ std::optional<double> distance_of(const Line& line, const Place& from, std::uint
 
 } // namespace
 
-Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
+Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
               double& off) {
     // Centre and ends are rounded apart.
     const double most = t.path - t.grid;
-    Arc out{from.i, {}, 0};
+    Arc out{from, {}, 0};
     double worst = 0;
     const auto fits = [&](std::uint32_t to) {
         Section section(line, from, t.section);
-        for (std::uint32_t k = from.i + 1; k <= to; ++k) section.take(k);
+        for (std::uint32_t k = from + 1; k <= to; ++k) section.take(k);
         if (!section.suits()) return false;
-        const double may = most * full_share(line, from, line.at[to] - length_at(line, from));
+        const double may = most * full_share(line, from, line.at[to] - line.at[from]);
         const auto round = circle(line, from, to, may);
         const auto d = round ? distance_of(line, from, to, *round, may) : std::nullopt;
         if (!d) return false;
@@ -109,7 +107,7 @@ Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uin
     constexpr std::uint32_t tried = 4;
     std::uint32_t good = least + 1;
     while (good <= last && good < least + 1 + tried && !fits(good)) ++good;
-    if (out.to == from.i) return out;
+    if (out.to == from) return out;
     (void)farthest(good, last, fits);
     off = std::max(off, worst);
     return out;

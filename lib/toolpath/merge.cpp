@@ -51,7 +51,7 @@ bool level(const Line& l, std::uint32_t i) { return std::abs(l.points[i + 1].z -
 std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, const Tolerance& t, double& off) {
     double worst = 0;
     const auto fits = [&](std::uint32_t to) {
-        Section section(l, {i, 0, {}}, t.section);
+        Section section(l, i, t.section);
         const Vec3 way = l.points[to] - l.points[i];
         const double length = norm(way);
         if (!(length > 0)) return false;
@@ -74,57 +74,45 @@ std::uint32_t spatial_reach(const Line& l, std::uint32_t i, std::uint32_t last, 
     return out;
 }
 
-// Moves, and the point of the line at or before which each begins.
+// Moves, and the point of the line where each begins.
 struct Course {
     std::vector<Move> moves;
     std::vector<std::uint32_t> begins;
     double off = 0;
 };
 
-double mean(const Line& l, const std::vector<double>& values, const Place& from, const Place& to) {
-    const std::uint32_t last = to.t > 0 ? to.i + 1 : to.i;
+double mean(const Line& l, const std::vector<double>& values, std::uint32_t from, std::uint32_t to) {
     double sum = 0;
-    for (std::uint32_t k = from.i; k < last; ++k) sum += l.step(k) * (values[k] + values[k + 1]) / 2;
-    const double length = l.at[last] - l.at[from.i];
-    return length > 0 ? sum / length : values[from.i];
+    for (std::uint32_t k = from; k < to; ++k) sum += l.step(k) * (values[k] + values[k + 1]) / 2;
+    const double length = l.at[to] - l.at[from];
+    return length > 0 ? sum / length : values[from];
 }
 
-void put(Course& out, const Line& l, const Place& from, const Place& to, double z, const Arc& arc) {
+void put(Course& out, const Line& l, std::uint32_t from, std::uint32_t to, const Arc& arc = {}) {
     Move m;
-    m.to = {to.q.x, to.q.y, z};
-    const Vec3 begin = out.moves.empty() ? l.points.front() : out.moves.back().to;
+    m.to = l.points[to];
     m.centre = arc.centre;
     m.sweep = arc.sweep;
-    m.length = arc.sweep != 0 ? std::abs(arc.sweep) * geom::distance(from.q, arc.centre) : distance(begin, m.to);
-    m.volume = volume_at(l, to) - volume_at(l, from);
+    m.length = arc.sweep != 0 ? std::abs(arc.sweep) * geom::distance(l.points[from].xy(), arc.centre)
+                              : distance(l.points[from], m.to);
+    m.volume = l.volume[to] - l.volume[from];
     m.width = mean(l, l.width, from, to);
     m.height = mean(l, l.height, from, to);
-    m.first = l.source[from.i];
+    m.first = l.source[from];
     out.moves.push_back(m);
-    out.begins.push_back(from.i);
-}
-
-// An arc from here that saves a move, if there is one: two straight ones or more come no farther.
-Arc better_arc(const Line& l, const Place& from, const Place& straight, std::uint32_t last, const Tolerance& t,
-               double& off) {
-    if (straight.i >= last) return {from.i, {}, 0};
-    return arc_reach(l, from, std::max(straight.i, from.i + 1), last, t, off);
+    out.begins.push_back(from);
 }
 
 void level_moves(Course& out, const Line& l, std::uint32_t first, std::uint32_t last, const Tolerance& t) {
-    Place at{first, 0, l.points[first].xy()};
-    const double z = l.points[first].z;
-    while (at.i < last) {
+    for (std::uint32_t at = first; at < last;) {
         double off = 0, round = 0;
-        Place to = straight_reach(l, at, last, t, off);
-        Arc arc{at.i, {}, 0};
-        if (t.arcs) arc = better_arc(l, at, to, last, t, round);
-        if (arc.to > at.i) {
-            to = {arc.to, 0, l.points[arc.to].xy()};
-            off = round;
-        }
-        put(out, l, at, to, to.t > 0 ? z : l.points[to.i].z, arc.to > at.i ? arc : Arc{});
-        out.off = std::max(out.off, off);
+        std::uint32_t to = straight_reach(l, at, last, t, off);
+        // An arc that saves a move, if there is one: two straight ones or more come no farther.
+        const Arc arc = t.arcs && to < last ? arc_reach(l, at, to, last, t, round) : Arc{at, {}, 0};
+        const bool bent = arc.to > at;
+        if (bent) to = arc.to;
+        put(out, l, at, to, bent ? arc : Arc{});
+        out.off = std::max(out.off, bent ? round : off);
         at = to;
     }
 }
@@ -159,13 +147,13 @@ Course course(const Line& l, const Tolerance& t, const std::vector<std::uint8_t>
         const bool flat = level(l, i), kept = !(t.path > 0) || given[i] != 0;
         while (!kept && last + 1 < n && level(l, last) == flat && given[last] == 0) ++last;
         if (kept) {
-            put(out, l, {i, 0, l.points[i].xy()}, {i + 1, 0, l.points[i + 1].xy()}, l.points[i + 1].z, {});
+            put(out, l, i, i + 1);
         } else if (flat) {
             level_moves(out, l, i, last, t);
         } else {
             for (std::uint32_t k = i, to = 0; k < last; k = to) {
                 to = spatial_reach(l, k, last, t, out.off);
-                put(out, l, {k, 0, l.points[k].xy()}, {to, 0, l.points[to].xy()}, l.points[to].z, {});
+                put(out, l, k, to);
             }
         }
         i = last;

@@ -42,12 +42,13 @@ struct Merged {
 
 // The moves that lay `span`: the Fréchet distance between the line as given and as moved is at most tolerance.path; up
 // to three times kLeastMove more where points are nearer to each other than that.
-// Their ends need not be points of the span.  Greedy: from each end the farthest place that one move reaches; level
-// stretches by ordered stabbing of the discs around the points (Guibas, Hershberger, Mitchell, Snoeyink 1993) with the
-// ray that turns the most to where the line goes on, and arcs through one end and the best centre (Chebyshev); others
-// by points alone.  No two moves cross each other, or one of `others`, where the line as given does not: there it
-// stays as given.  So does all of a span that is no fill: others do not know where else it would be.
-// Volumes add up to the span's.  Ties: the later place, a straight move before an arc.
+// They end at points of the span: where it turns fast, ends beside it would make few and sharp corners of many slight
+// ones, which a machine slows down for, and moves of beads side by side would open gaps.  Greedy: from each end the
+// farthest point that one move reaches; level stretches by ordered stabbing of the discs around the points (Guibas,
+// Hershberger, Mitchell, Snoeyink 1993), arcs with the best centre (Chebyshev); others by points alone.  No two moves
+// cross each other, or one of `others`, where the line as given does not: there it stays as given.  So does all of a
+// span that is no fill: others do not know where else it would be.
+// Volumes add up to the span's.  Ties: the later point, a straight move before an arc.
 Merged merge(const Span& span, const Tolerance& tolerance, std::span<const geom::Segment> others = {});
 
 // Points of a line that straight moves between them need, ascending, the first and the last among them; greedy.  In

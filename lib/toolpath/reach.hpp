@@ -19,61 +19,46 @@ struct Line {
     [[nodiscard]] double step(std::uint32_t i) const { return at[i + 1] - at[i]; }
 };
 
-// `q` lies abreast of the place that is `t` of the way from point i to the next: within the tolerance of it.
-struct Place {
-    std::uint32_t i = 0;
-    double t = 0;
-    Vec2 q;
-    [[nodiscard]] bool beyond(const Place& other) const { return i > other.i || (i == other.i && t > other.t); }
-};
-
-double length_at(const Line& line, const Place& place); // mm along the line
-double volume_at(const Line& line, const Place& place); // mm3 laid as far as that, with widths that change evenly
-
 // A move of up to three bead widths may be off by all of the tolerance, one of `length` mm by this share of it: as the
 // gap that it opens to its neighbours has no larger area.
-double full_share(const Line& line, const Place& from, double length);
+double full_share(const Line& line, std::uint32_t from, double length);
 
 // Which mean sections suit all that one move would lay.
 class Section {
   public:
-    Section(const Line& line, const Place& from, double share);
+    Section(const Line& line, std::uint32_t from, double share);
     void take(std::uint32_t k);     // the piece that ends at point k
     [[nodiscard]] bool any() const; // of the sections taken so far some mean may suit all
-    [[nodiscard]] bool suits() const { return suits(volume_, length_); }
-    [[nodiscard]] bool suits_at(const Place& place) const; // on the piece behind the last that was taken
+    [[nodiscard]] bool suits() const;
 
   private:
-    [[nodiscard]] bool suits(double volume, double length) const;
     void piece(double a, double b, double width, double length);
     const Line* line_;
-    Place from_;
-    double share_, begun_length_, begun_volume_;
+    std::uint32_t from_;
+    double share_;
     double low_ = 0, high_ = std::numeric_limits<double>::infinity();         // of the mean, mm2: at each point
     double sum_low_ = 0, sum_high_ = std::numeric_limits<double>::infinity(); // of what is laid so far
     double volume_ = 0, length_ = 0;
 };
 
-// The farthest place that a straight move in the plane of the level piece [from.i, last] reaches from `from`; `last`
-// itself only exactly.  Never `from`.  `off` becomes the distance of move and line.
-// Where arcs are wanted, too, moves end at points of the line: an arc that begins at the edge of the tolerance has
-// little of it.
-Place straight_reach(const Line& line, const Place& from, std::uint32_t last, const Tolerance& t, double& off);
+// The farthest point that a straight move in the plane of the level piece [from, last] reaches from point `from`; never
+// `from`.  `off` becomes the distance of move and line.
+std::uint32_t straight_reach(const Line& line, std::uint32_t from, std::uint32_t last, const Tolerance& t, double& off);
 
-// An arc from a place to a point.
+// An arc from one point to another.
 struct Arc {
-    std::uint32_t to = 0; // a point; no arc: from.i
+    std::uint32_t to = 0; // no arc: from
     Vec2 centre;
     double sweep = 0; // rad
 };
 
 // The farthest point that an arc reaches from `from`, beyond `least` if any.
-Arc arc_reach(const Line& line, const Place& from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
+Arc arc_reach(const Line& line, std::uint32_t from, std::uint32_t least, std::uint32_t last, const Tolerance& t,
               double& off);
 
 // Moves that cross each other or one of `others`, with ends rounded to whole multiples of `grid` mm (0: as they are),
 // where what they lay did not, as segments [first, last] of `line`; `begins` of each move, ascending: the point of the
-// line at or before which it begins.
+// line where it begins.
 struct Tangle {
     std::uint32_t first = 0, last = 0;
 };

@@ -2,8 +2,10 @@
 
 #include "../fill/pattern_check.hpp"
 #include "../trials.hpp"
+#include "geom/angle.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/simple.hpp"
+#include "rings/fewer_points.hpp"
 
 #include <numbers>
 #include <random>
@@ -189,12 +191,45 @@ TEST(FewerPoints, LeaveAsMuchOnEitherSideAndStayNear) {
         circle.width.push_back(kWidth);
     }
     const Curve few = with_fewer_points(circle, 0.01, 0.016);
-    EXPECT_LT(few.points.size(), 100U);
+    EXPECT_LT(few.points.size(), 55U); // chords of 4 sqrt(0.01 * 10): 50
     double area = 0;
     for (std::size_t i = 0; i < few.points.size(); ++i)
         area += cross(few.points[i], few.points[(i + 1) % few.points.size()]) / 2;
     EXPECT_NEAR(area, std::numbers::pi * 100, 0.02); // chords alone would lose 0.4
-    for (const Vec2 p : few.points) EXPECT_NEAR(geom::norm(p), 10, 0.01);
+    for (const Vec2 p : few.points) EXPECT_NEAR(geom::norm(p), 10, 0.0134);
+}
+
+TEST(FewerPoints, TurnEvenly) {
+    // A plate with round corners: whatever the first point is, no corner is left with one sharp turn and slight ones.
+    for (int first = 0; first < 40; ++first) {
+        Curve plate{true, {}, {}};
+        for (int i = 0; i < 160; ++i) {
+            const int at = (i + first) % 160;
+            const double a = 2 * std::numbers::pi * at / 160;
+            const Vec2 corner{at < 40 || at >= 120 ? 5.0 : -5.0, at < 80 ? 5.0 : -5.0};
+            plate.points.push_back(corner + Vec2{0.3 * std::cos(a), 0.3 * std::sin(a)});
+            plate.width.push_back(kWidth);
+        }
+        const Curve few = with_fewer_points(plate, 0.005, 0.016);
+        double sharpest = 0;
+        const std::size_t n = few.points.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec2 u = few.points[i] - few.points[(i + n - 1) % n], v = few.points[(i + 1) % n] - few.points[i];
+            sharpest = std::max(sharpest, std::abs(std::atan2(cross(u, v), dot(u, v))));
+        }
+        EXPECT_LT(n, 20U) << first;
+        EXPECT_LT(sharpest, geom::radians(42)) << first;
+    }
+}
+
+TEST(FewerPoints, KeepWhatIsLaid) {
+    for (unsigned seed = 0; seed < 20; ++seed)
+        for (const Loops& region : test::random_regions(seed)) {
+            const Rings all = lanes(region, {.width = kWidth, .tolerance = 0.0025});
+            const Rings few = with_fewer_points(all, 0.01, 0.016);
+            EXPECT_LE(few.points.size(), all.points.size());
+            EXPECT_NEAR(laid_area(few) / laid_area(all), 1, 0.01) << seed;
+        }
 }
 
 TEST(FewerPoints, DivideALongChangeOfWidth) {

@@ -94,7 +94,7 @@ TEST(Merge, NoMoveIsShorterThanAMicrometre) {
     }
 }
 
-// A circle within d needs chords of four times the root of d R when their ends are free; wide beads, as a move that is
+// A circle within d needs chords of the root of 8 d R when their ends are on it; wide beads, as a move that is
 // longer than three of them may not use all of it.
 TEST(Merge, ACircleTakesAsFewStraightMovesAsItsBandAllows) {
     Tolerance t;
@@ -103,9 +103,21 @@ TEST(Merge, ACircleTakesAsFewStraightMovesAsItsBandAllows) {
         Span s = circle(radius, 2000);
         s.width = {4};
         const auto m = merge(s, t);
-        const double best = 2 * std::numbers::pi * radius / (4 * std::sqrt(t.path * radius));
+        const double best = 2 * std::numbers::pi * radius / std::sqrt(8 * t.path * radius);
         EXPECT_LE(static_cast<double>(m.moves.size()), 1.06 * best + 2) << radius;
         EXPECT_GE(static_cast<double>(m.moves.size()), best - 1) << radius;
+    }
+}
+
+// Beads side by side lie as they were told, on average: moves bend where the line does.
+TEST(Merge, MovesEndAtPointsOfTheLine) {
+    std::mt19937 random(5);
+    for (int k = 0; k < trials(200); ++k) {
+        const Span s = lines::random_line(random);
+        Tolerance t;
+        t.path = 0.02;
+        for (const Move& move : merge(s, t).moves)
+            ASSERT_NE(std::find(s.points.begin(), s.points.end(), move.to), s.points.end()) << k;
     }
 }
 
@@ -124,11 +136,11 @@ TEST(Merge, NothingCrossesWhatOthersLay) {
     const Span s = circle(5, 500);
     Tolerance t;
     t.path = 0.01;
-    // from outside as near as it gets
+    // from inside as near as it gets
     std::vector<geom::Segment> others;
     for (int k = 0; k < 50; ++k) {
-        const double a = 2 * std::numbers::pi * k / 50, r = 5.0005;
-        others.push_back({{r * std::cos(a), r * std::sin(a)}, {6 * std::cos(a), 6 * std::sin(a)}});
+        const double a = 2 * std::numbers::pi * (k + 0.5) / 50, r = 4.9985;
+        others.push_back({{r * std::cos(a), r * std::sin(a)}, {4 * std::cos(a), 4 * std::sin(a)}});
     }
     const auto count = [&](const Merged& m) {
         int out = 0;

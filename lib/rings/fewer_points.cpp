@@ -1,0 +1,171 @@
+#include "rings/fewer_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace filum::rings {
+
+namespace {
+
+// Of what an evenly bent line is off its chord, two thirds are on one side of a chord that is moved to the mean.
+constexpr double kBalanced = 1.5;
+constexpr int kSweeps = 2; // to even the turns out; more change less than a hundredth of them
+
+// A closed bead.
+struct Bead {
+    std::span<const Vec2> points;
+    std::span<const double> width;
+
+    [[nodiscard]] std::size_t size() const { return points.size(); }
+};
+
+class Thinning {
+  public:
+    Thinning(Bead bead, double tolerance, double least_void)
+        : bead_(bead), off_(kBalanced * tolerance), least_(least_void) {}
+
+    // Adds the points that stay, moved such that beads side by side stay so on average.
+    void run(std::vector<Vec2>& points, std::vector<double>& width) const {
+        std::vector<std::size_t> kept;
+        for (std::size_t a = 0; a < bead_.size(); a = farthest(a)) kept.push_back(a);
+        if (kept.size() < 3) kept = {0, bead_.size() / 3, 2 * bead_.size() / 3}; // no line there and back
+        for (int sweep = 0; sweep < kSweeps; ++sweep) even_out(kept);
+        const std::size_t n = kept.size();
+        std::vector<Chord> chords;
+        for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : bead_.size()));
+        std::vector<Vec2> moved;
+        std::vector<double> wide;
+        for (std::size_t k = 0; k < n; ++k) {
+            const Chord &before = chords[(k + n - 1) % n], &after = chords[k];
+            moved.push_back(vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], before.aside, after.aside));
+            const double l = before.length + after.length;
+            const double wider = l > 0 ? (before.length * before.wider + after.length * after.wider) / l : 0;
+            wide.push_back(bead_.width[kept[k]] + wider);
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            points.push_back(moved[k]);
+            width.push_back(wide[k]);
+            divide(moved[k], moved[(k + 1) % n], wide[k], wide[(k + 1) % n], points, width);
+        }
+    }
+
+  private:
+    // What the bead is beside a chord: means.
+    struct Chord {
+        double length = 0; // mm
+        double aside = 0;  // mm, to the left
+        double wider = 0;  // mm
+    };
+
+    // A point that the chord from a may run to; beyond it there is none near by.
+    [[nodiscard]] std::size_t farthest(std::size_t a) const {
+        std::size_t step = 1;
+        while (a + 2 * step <= bead_.size() && within(a, a + 2 * step)) step *= 2;
+        std::size_t lo = a + step, hi = std::min(a + 2 * step, bead_.size() + 1); // hi is too far
+        while (hi - lo > 1) {
+            const std::size_t middle = lo + (hi - lo) / 2;
+            (within(a, middle) ? lo : hi) = middle;
+        }
+        return lo;
+    }
+    // Whether the chord from a to b is near enough to the line between, and its width to the bead's.
+    [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
+        const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
+        const double wa = bead_.width[a], wb = bead_.width[b % bead_.size()], l2 = geom::norm2(q - p);
+        double laid_aside = 0; // mm2
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const double off = std::min(off_, bead_.width[i] / 8);
+            const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
+            if (geom::norm2(geom::lerp(p, q, t) - bead_.points[i]) > off * off) return false;
+            const double wider = std::abs(bead_.width[i] - std::lerp(wa, wb, t));
+            if (wider > std::min(2 * off_, bead_.width[i] / 16)) return false;
+            laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
+            if (laid_aside > least_) return false;
+        }
+        return true;
+    }
+
+    // Grows with the square of the turn at q.
+    static double bend(Vec2 p, Vec2 q, Vec2 r) {
+        const Vec2 u = q - p, v = r - q;
+        const double l = std::sqrt(geom::norm2(u) * geom::norm2(v));
+        return l > 0 ? 1 - dot(u, v) / l : 0;
+    }
+    // Moves every point between its neighbours to where the turns are the most even, as chords may run: a machine slows
+    // down for the sharpest.  Ties: as it was, then the earlier.
+    void even_out(std::vector<std::size_t>& kept) const {
+        const std::size_t n = kept.size();
+        if (n < 5) return;
+        const auto at = [&](std::size_t k) { return bead_.points[kept[k % n]]; };
+        for (std::size_t k = 1; k + 1 < n; ++k) {
+            const Vec2 h = at(k + n - 2), a = at(k - 1), c = at(k + 1), d = at(k + 2);
+            const auto bends = [&](Vec2 b) { return bend(h, a, b) + bend(a, b, c) + bend(b, c, d); };
+            constexpr double kLess = 1 - 1e-9; // for rounding
+            double least = kLess * bends(at(k));
+            for (std::size_t i = kept[k - 1] + 1, end = kept[k + 1]; i < end; ++i) {
+                const double now = bends(bead_.points[i]);
+                if (now >= least || !within(kept[k - 1], i) || !within(i, end)) continue;
+                least = kLess * now;
+                kept[k] = i;
+            }
+        }
+    }
+
+    [[nodiscard]] Chord chord(std::size_t a, std::size_t b) const {
+        const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
+        Chord out;
+        double area = 0, laid = 0;
+        for (std::size_t i = a; i < b; ++i) {
+            const std::size_t j = (i + 1) % bead_.size();
+            const double l = geom::distance(bead_.points[i], bead_.points[j]);
+            area += cross(bead_.points[i] - p, bead_.points[j] - p);
+            laid += l * (bead_.width[i] + bead_.width[j]) / 2;
+            out.length += l;
+        }
+        const double l = geom::distance(p, q);
+        if (l > 0) out.aside = std::clamp(-area / 2 / l, -off_, off_);
+        if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % bead_.size()]) / 2;
+        return out;
+    }
+    // The point at i for chords from h and to j that are moved aside.
+    [[nodiscard]] Vec2 vertex(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
+        const Vec2 p = bead_.points[i], along = bead_.points[j] - bead_.points[h];
+        const double l = geom::norm(along);
+        return l > 0 ? p + ((before + after) / 2 / l) * geom::left_of(along) : p;
+    }
+    // Points between a and b where a machine that lays the whole way with one width would lay more than `least_` aside.
+    void divide(Vec2 a, Vec2 b, double wa, double wb, std::vector<Vec2>& points, std::vector<double>& width) const {
+        const int parts = static_cast<int>(std::ceil(std::sqrt(std::abs(wb - wa) * geom::distance(a, b) / 8 / least_)));
+        for (int k = 1; k < parts; ++k) {
+            const double t = static_cast<double>(k) / parts;
+            points.push_back(geom::lerp(a, b, t));
+            width.push_back(std::lerp(wa, wb, t));
+        }
+    }
+
+    Bead bead_;
+    double off_, least_;
+};
+
+} // namespace
+
+toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void) {
+    toolpath::Curve out{bead.closed, {}, {}};
+    Thinning({bead.points, bead.width}, tolerance, least_void).run(out.points, out.width);
+    return out;
+}
+
+Rings with_fewer_points(const Rings& all, double tolerance, double least_void) {
+    Rings out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t first = all.start[i], n = all.start[i + 1] - first;
+        Thinning({{all.points.data() + first, n}, {all.width.data() + first, n}}, tolerance, least_void)
+            .run(out.points, out.width);
+        out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
+        out.lane.push_back(all.lane[i]);
+    }
+    return out;
+}
+
+} // namespace filum::rings
