@@ -23,7 +23,7 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double flows = kLeastVoid * width * width, least = std::min(flows, kLeastShare * area);
     const double fine = o.tolerance / 4;
     const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
-    FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine, least), {}};
+    FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine / 2, least), {}};
     for (double& w : out.lanes.width) w /= 1 - kOverlap;
     if (o.most > 0) out.rest = polygon::split(beyond(b, o.most, fine)).part;
     std::erase_if(out.rest, [&](const Loops& part) { return polygon::signed_area(part) <= flows; });
