@@ -28,9 +28,9 @@ using polygon::Loops;
 using polygon::Region;
 using toolpath::Feature;
 
-constexpr double kTolerance = 0.01;      // mm: what a bead's edges may be off
+constexpr double kTolerance = 0.01;       // mm: what a bead's edges may be off
 constexpr double kFine = kTolerance / 16; // where the curve would cross itself
-constexpr double kStripGive = 0.25;      // of a strip's height: rows are from three to five quarters of a bead wide
+constexpr double kStripGive = 0.25;       // of a strip's height: rows are from three to five quarters of a bead wide
 
 // A way to join, from the best to the safest.
 struct Try {

@@ -14,8 +14,8 @@ struct Piece {
 
 // `rest`, which walls left of the region, along the outlines of its zones; all of it if there are none.  The pieces
 // lie side by side: what of a zone is narrower than its beads, because it is cut off there, belongs to what is beside
-// it, and the other way round.  Parts no larger than what the edge of a bead flows over are left open, and so is what is
-// in no zone and nowhere as wide as half a bead.  Order: the zones', then what is in none, each part in the order of
+// it, and the other way round.  Parts no larger than what the edge of a bead flows over are left open, and so is what
+// is in no zone and nowhere as wide as half a bead.  Order: the zones', then what is in none, each part in the order of
 // polygon::split.
 std::vector<Piece> pieces(const polygon::Loops& rest, const polygon::Region& region, double bead_width);
 

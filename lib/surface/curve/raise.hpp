@@ -19,7 +19,8 @@ struct Raised {
 // Across sharp edges it is as round as triangles are small.
 Raised raised(const Surface& s, double distance);
 
-// Likewise, each place as far as `distance` has it, mm per vertex, 0 or more.  What slopes steeply lies nearer than that.
+// Likewise, each place as far as `distance` has it, mm per vertex, 0 or more.  What slopes steeply lies nearer than
+// that.
 Raised raised(const Surface& s, std::span<const double> distance);
 
 // The same surface, seen from its back: triangles and half-edges turned round, in the same order.
