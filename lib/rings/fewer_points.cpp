@@ -10,6 +10,9 @@ namespace {
 
 // Of what an evenly bent line is off its chord, two thirds are on one side of a chord that is moved to the mean.
 constexpr double kBalanced = 1.5;
+// A chord of up to so many bead widths may be off by all of that, a longer one by less: the gap that it opens to the
+// bead beside has no larger area.
+constexpr double kFullLength = 3;
 constexpr int kSweeps = 2; // to even the turns out; more change less than a hundredth of them
 
 // A closed bead.
@@ -22,15 +25,16 @@ struct Bead {
 
 class Thinning {
   public:
-    Thinning(Bead bead, double tolerance, double least_void)
-        : bead_(bead), off_(kBalanced * tolerance), least_(least_void) {}
+    // `even`: turns are to be even.
+    Thinning(Bead bead, double tolerance, double least_void, bool even)
+        : bead_(bead), off_(kBalanced * tolerance), least_(least_void), sweeps_(even ? kSweeps : 0) {}
 
     // Adds the points that stay, moved such that beads side by side stay so on average.
     void run(std::vector<Vec2>& points, std::vector<double>& width) const {
         std::vector<std::size_t> kept;
         for (std::size_t a = 0; a < bead_.size(); a = farthest(a)) kept.push_back(a);
         if (kept.size() < 3) kept = {0, bead_.size() / 3, 2 * bead_.size() / 3}; // no line there and back
-        for (int sweep = 0; sweep < kSweeps; ++sweep) even_out(kept);
+        for (int sweep = 0; sweep < sweeps_; ++sweep) even_out(kept);
         const std::size_t n = kept.size();
         std::vector<Chord> chords;
         for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : bead_.size()));
@@ -73,9 +77,10 @@ class Thinning {
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
         const double wa = bead_.width[a], wb = bead_.width[b % bead_.size()], l2 = geom::norm2(q - p);
+        const double full = off_ * kFullLength * wa / std::max(std::sqrt(l2), kFullLength * wa);
         double laid_aside = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
-            const double off = std::min(off_, bead_.width[i] / 8);
+            const double off = std::min(full, bead_.width[i] / 8);
             const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
             if (geom::norm2(geom::lerp(p, q, t) - bead_.points[i]) > off * off) return false;
             const double wider = std::abs(bead_.width[i] - std::lerp(wa, wb, t));
@@ -146,13 +151,14 @@ class Thinning {
 
     Bead bead_;
     double off_, least_;
+    int sweeps_;
 };
 
 } // namespace
 
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void) {
     toolpath::Curve out{bead.closed, {}, {}};
-    Thinning({bead.points, bead.width}, tolerance, least_void).run(out.points, out.width);
+    Thinning({bead.points, bead.width}, tolerance, least_void, true).run(out.points, out.width);
     return out;
 }
 
@@ -160,7 +166,7 @@ Rings with_fewer_points(const Rings& all, double tolerance, double least_void) {
     Rings out;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::size_t first = all.start[i], n = all.start[i + 1] - first;
-        Thinning({{all.points.data() + first, n}, {all.width.data() + first, n}}, tolerance, least_void)
+        Thinning({{all.points.data() + first, n}, {all.width.data() + first, n}}, tolerance, least_void, false)
             .run(out.points, out.width);
         out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
         out.lane.push_back(all.lane[i]);
