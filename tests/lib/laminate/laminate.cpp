@@ -12,7 +12,7 @@ namespace {
 
 using geom::Vec2;
 
-constexpr Ply kWide{.spacing = 2}; // fewer lines, less to do
+const Ply kWide{.spacing = 2}; // fewer lines, less to do
 
 Options narrow() { // turns, so that lines are more than turns
     Options out;
