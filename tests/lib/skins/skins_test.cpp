@@ -279,7 +279,7 @@ TEST(Skins, MoreRowsBeginOnRows) {
             }
         }
     }
-    EXPECT_GT(inside, 50U);
+    EXPECT_GT(inside, kSanitized ? 0U : 50U);
 }
 
 TEST(Skins, SmallSparsePartsAreSolid) {
