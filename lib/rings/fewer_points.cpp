@@ -1,5 +1,7 @@
 #include "rings/fewer_points.hpp"
 
+#include "toolpath/merge.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -10,9 +12,6 @@ namespace {
 
 // Of what an evenly bent line is off its chord, two thirds are on one side of a chord that is moved to the mean.
 constexpr double kBalanced = 1.5;
-// A chord of up to so many bead widths may be off by all of that, a longer one by less: the gap that it opens to the
-// bead beside has no larger area.
-constexpr double kFullLength = 3;
 constexpr int kSweeps = 2; // to even the turns out; more change less than a hundredth of them
 
 // A closed bead.
@@ -77,7 +76,7 @@ class Thinning {
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
         const double wa = bead_.width[a], wb = bead_.width[b % bead_.size()], l2 = geom::norm2(q - p);
-        const double full = off_ * kFullLength * wa / std::max(std::sqrt(l2), kFullLength * wa);
+        const double full = off_ * toolpath::full_share(wa, std::sqrt(l2));
         double laid_aside = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
             const double off = std::min(full, bead_.width[i] / 8);

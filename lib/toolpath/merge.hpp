@@ -40,6 +40,10 @@ struct Merged {
     double off = 0;          // mm, the farthest between both lines (Fréchet distance, from above, but for that)
 };
 
+// A chord of up to three bead widths may be off by all of the tolerance, one of `length` mm by this share of it: the
+// gap that it opens to its neighbours has no larger area.
+double full_share(double width, double length);
+
 // The moves that lay `span`: the Fréchet distance between the line as given and as moved is at most tolerance.path; up
 // to three times kLeastMove more where points are nearer to each other than that.
 // They end at points of the span: where it turns fast, ends beside it would make few and sharp corners of many slight

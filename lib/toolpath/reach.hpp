@@ -19,8 +19,7 @@ struct Line {
     [[nodiscard]] double step(std::uint32_t i) const { return at[i + 1] - at[i]; }
 };
 
-// A move of up to three bead widths may be off by all of the tolerance, one of `length` mm by this share of it: as the
-// gap that it opens to its neighbours has no larger area.
+// As of merge.hpp, of a move from point `from`.
 double full_share(const Line& line, std::uint32_t from, double length);
 
 // Which mean sections suit all that one move would lay.
