@@ -1,7 +1,9 @@
 # Every library is a Debian package; scripts/setup lists them.
 find_program(CCACHE ccache)
 if(CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+    # Paths in objects are relative, so that clones and worktrees share them.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=true
+                                    ${CCACHE})
 endif()
 
 find_package(Threads REQUIRED)
