@@ -62,7 +62,7 @@ void tidy(toolpath::Curve& line) {
 } // namespace
 
 std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how) {
-    const double w = how.bead_width;
+    const double w = how.bead_width, least = rings::least_void(w, polygon::signed_area(region));
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
     const auto room = [&](geom::Vec2 p) {
@@ -74,9 +74,9 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
     };
     std::vector<toolpath::Curve> out;
     for (ClosedLine& line : join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
-        if (how.round) line = rounded(with_wide_turns(line, w, room), w, how.reach, room);
+        if (how.corners != Corners::sharp) line = rounded(line, w, {how.reach, how.corners == Corners::rounded}, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
-        if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, rings::kLeastVoid * w * w);
+        if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least);
         tidy(curve);
         out.push_back(std::move(curve));
     }

@@ -11,18 +11,23 @@
 
 namespace filum::fill {
 
-inline constexpr double kRoundReach = 0.4;  // bead widths of path on each side that corners are rounded within
-inline constexpr std::size_t kFewRings = 4; // no more are left with the corners of their region
+inline constexpr double kRoundReach = 0.4; // bead widths of path on each side that corners are rounded within
+
+enum class Corners {
+    sharp,
+    rounded_inside, // but for those of beads along the outline
+    rounded,
+};
 
 struct Finish {
     double bead_width = 0.4; // mm, where widths differ the narrowest
     double tolerance = 0.01; // mm: what the edges of beads may be off
     bool wind = true;        // stacks of rings as double spirals
-    bool round = true;       // corners
-    double reach = 0.16;     // mm of path on each side that they are rounded within
-    bool thin_out = true;    // leave out the points that are not needed
-    Hanging hung{};          // as of join_rings
-    double widest = 0;       // mm, of beads; 0: all are alike
+    Corners corners = Corners::rounded;
+    double reach = 0.16;  // mm of path on each side that they are rounded within
+    bool thin_out = true; // leave out the points that are not needed
+    Hanging hung{};       // as of join_rings
+    double widest = 0;    // mm, of beads; 0: all are alike
 };
 
 // The rings of a region as closed curves, one if they can be joined, the longest first; points in whole micrometres,

@@ -18,11 +18,6 @@ constexpr double kWiden = 1.7;          // times the width, at most
 constexpr double kSpill = 0.03;         // bead widths that a widened bead may reach over the outline
 constexpr int kPoints = 6;              // per corner
 
-// Of widened turns, in bead widths.
-constexpr double kNarrowTurn = 0.8, kWideTurn = 1.2;    // across, before and after: then it is not sharp when rounded
-constexpr double kFullWidth = 0.45, kFormerWidth = 1.5; // so far behind the turn it is as wide, and as it was
-constexpr double kCorner = 0.8;                         // rad, each of the two corners of a turn
-
 // A closed line by arc length, to be asked for ascending places.
 class Course {
   public:
@@ -80,8 +75,8 @@ struct RoundedStretch {
 
 class Rounding {
   public:
-    Rounding(const BeadLine& line, double width, double reach, const std::function<double(Vec2)>& room)
-        : line_(&line), course_(line), width_(width), reach_(reach), room_(&room) {}
+    Rounding(const BeadLine& line, double width, const Reach& reach, const std::function<double(Vec2)>& room)
+        : line_(&line), course_(line), width_(width), reach_(reach.mm), outline_(reach.at_outline), room_(&room) {}
 
     BeadLine run() {
         find_corners();
@@ -108,7 +103,8 @@ class Rounding {
         if (ratio >= kTurned) return 0;
         const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
         const double reach = reach_ * std::min(1.0, 2 * line_->width[vertex] / width_); // narrow lanes are near
-        return outer ? reach : (ratio < kAcute ? kAcuteReach : kInnerReach) * reach;
+        if (outer) return outline_ ? reach : 0;
+        return (ratio < kAcute ? kAcuteReach : kInnerReach) * reach;
     }
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
@@ -169,105 +165,19 @@ class Rounding {
     const BeadLine* line_;
     Course course_;
     double width_, reach_;
+    bool outline_;
     const std::function<double(Vec2)>* room_;
     std::vector<RoundedStretch> parts_;
     BeadLine out_;
 };
 
-// Two corners of a line that turn it back.
-struct Turn {
-    double middle, across; // mm: arc length of the middle, and from corner to corner
-};
-
-class Widening {
-  public:
-    Widening(const BeadLine& line, double width, const std::function<double(Vec2)>& room)
-        : line_(&line), course_(line), width_(width), room_(&room) {}
-
-    BeadLine run() {
-        const auto turns = find();
-        if (turns.empty()) return *line_;
-        std::size_t next = 0;
-        for (const Turn& t : turns) {
-            const double reach = t.across / 2 + kFormerWidth * width_;
-            for (; course_.s(next) < t.middle - reach; ++next) out_.add(line_->points[next], line_->width[next]);
-            widen(t, reach);
-            while (next < line_->points.size() && course_.s(next) <= t.middle + reach) ++next;
-        }
-        for (; next < line_->points.size(); ++next) out_.add(line_->points[next], line_->width[next]);
-        return std::move(out_);
-    }
-
-  private:
-    [[nodiscard]] double turning(std::size_t i) const { // rad, signed
-        const std::size_t n = line_->points.size();
-        const Vec2 p = line_->points[i], u = p - line_->points[(i + n - 1) % n], v = line_->points[(i + 1) % n] - p;
-        return std::atan2(geom::cross(u, v), dot(u, v));
-    }
-
-    // Ascending, and so far apart that none is widened where another is.
-    [[nodiscard]] std::vector<Turn> find() const {
-        std::vector<Turn> out;
-        const std::size_t n = line_->points.size();
-        const double most = kWideTurn * width_, margin = most / 2 + kFormerWidth * width_;
-        double taken = 0;
-        for (std::size_t i = 1; i + 1 < n; ++i) {
-            const Vec2 u = line_->points[i] - line_->points[i - 1], v = line_->points[i + 1] - line_->points[i];
-            if (dot(u, v) > 0 && std::abs(geom::cross(u, v)) < 0.5 * dot(u, v)) continue; // surely no corner
-            const double first = turning(i);
-            if (std::abs(first) < kCorner) continue;
-            std::size_t j = i + 1;
-            while (j + 1 < n && std::abs(turning(j)) < kCorner && course_.s(j) - course_.s(i) < most) ++j;
-            const double across = geom::distance(line_->points[i], line_->points[j]);
-            if (j + 1 >= n || first * turning(j) < 0 || across < kNarrowTurn * width_ || across > most) continue;
-            const Turn t{(course_.s(i) + course_.s(j)) / 2, across};
-            const Vec2 in = line_->points[i] - course_.at(course_.s(i) - width_).point;
-            const Vec2 out_again = course_.at(course_.s(j) + width_).point - line_->points[j];
-            if (dot(in, out_again) > -0.8 * geom::norm(in) * geom::norm(out_again)) continue;
-            if (t.middle - margin < taken || t.middle + margin > course_.length()) continue;
-            taken = t.middle + margin;
-            out.push_back(t);
-        }
-        return out;
-    }
-
-    // Both lanes moved apart, by the same on either side where both have room, most at the turn.
-    void widen(const Turn& t, double reach) {
-        const double most = kWideTurn * width_ / t.across - 1;
-        const int n = static_cast<int>(std::ceil(reach / (0.2 * width_)));
-        for (int k = -n; k <= n; ++k) {
-            const double u = reach * k / n, beyond = std::max(0.0, std::abs(u) - t.across / 2) / width_;
-            const double x = std::clamp((kFormerWidth - beyond) / (kFormerWidth - kFullWidth), 0.0, 1.0);
-            const auto own = course_.at(t.middle + u), other = course_.at(t.middle - u);
-            const Vec2 by = most * x * x * (3 - 2 * x) * 0.5 * (own.point - other.point);
-            const bool free = has_room(own, own.point + by), free_there = has_room(other, other.point - by);
-            const double share = free ? (free_there ? 1 : 2) : 0;
-            out_.add(own.point + share * by, own.width);
-        }
-    }
-    [[nodiscard]] bool has_room(const Course::At& from, Vec2 to) const {
-        const double room = (*room_)(to);
-        return room >= 0.48 * from.width || room >= (*room_)(from.point);
-    }
-
-    const BeadLine* line_;
-    Course course_;
-    double width_;
-    const std::function<double(Vec2)>* room_;
-    BeadLine out_;
-};
-
 } // namespace
 
-BeadLine with_wide_turns(const BeadLine& line, double width, const std::function<double(Vec2)>& room) {
-    return line.points.size() < 4 ? line : Widening(line, width, room).run();
-}
-
-BeadLine rounded(const BeadLine& line, double width, double reach, const std::function<double(Vec2)>& room) {
+BeadLine rounded(const BeadLine& line, double width, const Reach& reach, const std::function<double(Vec2)>& room) {
     double length = 0;
     for (std::size_t i = 0; i < line.points.size(); ++i)
         length += geom::distance(line.points[i], line.points[(i + 1) % line.points.size()]);
-    return length < kShortestRounded * reach ? line : Rounding(line, width, reach, room).run();
+    return length < kShortestRounded * reach.mm ? line : Rounding(line, width, reach, room).run();
 }
 
 } // namespace filum::fill

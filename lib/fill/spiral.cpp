@@ -14,6 +14,7 @@ namespace {
 using polygon::Loops;
 
 constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
+constexpr std::size_t kFewRings = 4;   // no more are left with the corners of their region
 constexpr double kRoundMost = 0.7;     // bead widths: as kRoundReach where a least radius asks for more
 
 constexpr double kGrid = 1e-3; // mm
@@ -32,7 +33,8 @@ Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, 
     Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
     const rings::Rings all = rings_of(region, o, tolerance, out);
     const double reach = std::clamp(0.75 * o.min_radius, kRoundReach * w, kRoundMost * w);
-    out.curves = finished(all, region, {w, tolerance, wind, round && all.size() > kFewRings, reach, o.min_radius <= 0});
+    const Corners corners = round && all.size() > kFewRings ? Corners::rounded : Corners::sharp;
+    out.curves = finished(all, region, {w, tolerance, wind, corners, reach, o.min_radius <= 0});
     out.unplaced += leave_tiny(out.curves, w);
     return out;
 }

@@ -35,9 +35,13 @@ constexpr double kStripGive = 0.25;       // of a strip's height: rows are from 
 // A way to join, from the best to the safest.
 struct Try {
     double tolerance; // mm
-    bool wind, round;
+    bool wind;
+    fill::Corners corners; // outer walls keep theirs: what is seen is as sharp as its bead
 };
-constexpr Try kTries[] = {{kTolerance, true, true}, {kFine, true, true}, {kFine, true, false}, {kFine, false, false}};
+constexpr Try kTries[] = {{kTolerance, true, fill::Corners::rounded_inside},
+                          {kFine, true, fill::Corners::rounded_inside},
+                          {kFine, true, fill::Corners::sharp},
+                          {kFine, false, fill::Corners::sharp}};
 
 // Closed curves, each of one feature.
 struct Loose {
@@ -252,7 +256,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
                                      {.bead_width = width.narrowest,
                                       .tolerance = t.tolerance,
                                       .wind = t.wind,
-                                      .round = t.round && parts.rings.size() > fill::kFewRings,
+                                      .corners = t.corners,
                                       .reach = fill::kRoundReach * width.narrowest,
                                       .hung = hung,
                                       .widest = width.widest});

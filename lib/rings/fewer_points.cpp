@@ -41,10 +41,10 @@ class Thinning {
         std::vector<double> wide;
         for (std::size_t k = 0; k < n; ++k) {
             const Chord &before = chords[(k + n - 1) % n], &after = chords[k];
-            moved.push_back(vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], before.aside, after.aside));
-            const double l = before.length + after.length;
-            const double wider = l > 0 ? (before.length * before.wider + after.length * after.wider) / l : 0;
-            wide.push_back(bead_.width[kept[k]] + wider);
+            const double l = before.length + after.length, share = l > 0 ? before.length / l : 0.5; // long ones stay
+            const double aside = std::lerp(after.aside, before.aside, share);
+            moved.push_back(vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], aside));
+            wide.push_back(bead_.width[kept[k]] + std::lerp(after.wider, before.wider, share));
         }
         for (std::size_t k = 0; k < n; ++k) {
             points.push_back(moved[k]);
@@ -79,11 +79,11 @@ class Thinning {
         const double full = off_ * toolpath::full_share(wa, std::sqrt(l2));
         double laid_aside = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
-            const double off = std::min(full, bead_.width[i] / 8);
+            const double eighth = bead_.width[i] / 8, off = std::min(full, eighth);
             const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
             if (geom::norm2(geom::lerp(p, q, t) - bead_.points[i]) > off * off) return false;
             const double wider = std::abs(bead_.width[i] - std::lerp(wa, wb, t));
-            if (wider > std::min(2 * off_, bead_.width[i] / 16)) return false;
+            if (wider > eighth) return false;
             laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
             if (laid_aside > least_) return false;
         }
@@ -132,11 +132,11 @@ class Thinning {
         if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % bead_.size()]) / 2;
         return out;
     }
-    // The point at i for chords from h and to j that are moved aside.
-    [[nodiscard]] Vec2 vertex(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
+    // The point at i, between chords from h and to j, moved aside by so much.
+    [[nodiscard]] Vec2 vertex(std::size_t h, std::size_t i, std::size_t j, double aside) const {
         const Vec2 p = bead_.points[i], along = bead_.points[j] - bead_.points[h];
         const double l = geom::norm(along);
-        return l > 0 ? p + ((before + after) / 2 / l) * geom::left_of(along) : p;
+        return l > 0 ? p + (aside / l) * geom::left_of(along) : p;
     }
     // Points between a and b where a machine that lays the whole way with one width would lay more than `least_` aside.
     void divide(Vec2 a, Vec2 b, double wa, double wb, std::vector<Vec2>& points, std::vector<double>& width) const {

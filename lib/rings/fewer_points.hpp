@@ -11,7 +11,7 @@ namespace filum::rings {
 // less, as the gap that they open has no larger area); then its ends are moved along the line to where the turns are
 // even, and it is moved aside so that it has as much of the line on its left as on its right.  So an even bend is off
 // by the tolerance at the points and by half of it between them; nothing by more than one and a half. Widths are off by
-// at most a 16th, by as much below as above, and on no chord by more than `least_void` mm2 in all. Where the width
+// at most an eighth, by as much below as above, and on no chord by more than `least_void` mm2 in all. Where the width
 // changes over a longer way, points divide that: a machine lays each segment with one width, and no more than
 // `least_void` aside by that.
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void);

@@ -18,9 +18,11 @@ constexpr double kOverlap = 1.0 / 512;
 
 } // namespace
 
+double least_void(double width, double area) { return std::min(kLeastVoid * width * width, kLeastShare * area); }
+
 FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double area = polygon::signed_area(region), width = o.width * (1 - kOverlap);
-    const double flows = kLeastVoid * width * width, least = std::min(flows, kLeastShare * area);
+    const double flows = kLeastVoid * width * width, least = least_void(width, area);
     const double fine = o.tolerance / 4;
     const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
     FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine / 2, least), {}};

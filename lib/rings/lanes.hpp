@@ -9,6 +9,10 @@ namespace filum::rings {
 // What the edge of a bead flows over, of its width squared: smaller voids are not worth a detour.
 inline constexpr double kLeastVoid = 0.1;
 
+// The smallest void that counts in a region of `area` mm2, mm2: what the edge of a bead of `width` flows over, or the
+// 2000th part of the region where that is less.
+double least_void(double width, double area);
+
 struct LaneOptions {
     double width = 0.4;      // mm, of a bead where nothing asks for another
     int most = 0;            // lanes from the outline; 0: until the region is full

@@ -122,7 +122,7 @@ double sharpest(const std::vector<Vec2>& points) { // rad, at any vertex
 }
 
 TEST(Rounded, TurnsCornersIntoArcsOfTheSameMaterial) {
-    const BeadLine line = square(10), round = rounded(line, kWidth, 0.4 * kWidth, anywhere);
+    const BeadLine line = square(10), round = rounded(line, kWidth, {0.4 * kWidth}, anywhere);
     EXPECT_LT(sharpest(round.points), 0.4);
     EXPECT_NEAR(laid({{true, round.points, round.width}}), laid({{true, line.points, line.width}}), 1e-2);
     EXPECT_LT(length_of({true, round.points, round.width}), 40 - 4 * 0.1 * kWidth);
@@ -136,7 +136,7 @@ TEST(Rounded, TurnsCornersIntoArcsOfTheSameMaterial) {
 
 TEST(Rounded, KeepsBeadsInsideTheOutline) {
     const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
-    const BeadLine round = rounded(square(10), kWidth, 0.4 * kWidth, room);
+    const BeadLine round = rounded(square(10), kWidth, {0.4 * kWidth}, room);
     for (std::size_t i = 0; i < round.points.size(); ++i)
         EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
 }
@@ -147,41 +147,23 @@ TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or n
     shifted.width.push_back(kWidth);
     shifted.points.erase(shifted.points.begin() + 1);
     shifted.points.push_back({0, 0});
-    const double a = length_of({true, rounded(shifted, kWidth, 0.16, anywhere).points, {kWidth}});
-    const double b = length_of({true, rounded(square(10), kWidth, 0.16, anywhere).points, {kWidth}});
+    const double a = length_of({true, rounded(shifted, kWidth, {0.16}, anywhere).points, {kWidth}});
+    const double b = length_of({true, rounded(square(10), kWidth, {0.16}, anywhere).points, {kWidth}});
     EXPECT_NEAR(a, b, 1e-9);
 }
 
 TEST(Rounded, LeavesStraightLinesAndSpecksAlone) {
-    EXPECT_EQ(rounded(square(0.5), kWidth, 0.16, anywhere).points, square(0.5).points);
+    EXPECT_EQ(rounded(square(0.5), kWidth, {0.16}, anywhere).points, square(0.5).points);
     BeadLine circle;
     const Loops outline = disc({0, 0}, 5, 200);
     for (const Vec2 p : outline[0]) circle.add(p, kWidth);
-    EXPECT_EQ(rounded(circle, kWidth, 0.16, anywhere).points, circle.points);
+    EXPECT_EQ(rounded(circle, kWidth, {0.16}, anywhere).points, circle.points);
 }
 
-BeadLine hairpin() { // two lanes of 8 mm, a width apart, closed at both ends
-    BeadLine out;
-    for (const Vec2 p : {Vec2{4, 0}, Vec2{8, 0}, Vec2{8, kWidth}, Vec2{0, kWidth}, Vec2{0, 0}}) out.add(p, kWidth);
-    return out;
-}
-
-TEST(WideTurns, MoveTheLanesApartAtTheTurnOnly) {
-    const BeadLine wide = with_wide_turns(hairpin(), kWidth, anywhere);
-    const auto box = polygon::bounds(wide.points);
-    EXPECT_NEAR(box.hi.y - box.lo.y, 1.2 * kWidth, 0.03 * kWidth);
-    for (const Vec2 p : wide.points)
-        if (p.x > 1 && p.x < 7) {
-            EXPECT_TRUE(p.y == 0 || p.y == kWidth) << p.x << p.y;
-        }
-}
-
-TEST(WideTurns, MoveOnlyTheLaneThatHasRoom) {
-    const auto room = [](Vec2 p) { return p.y + kWidth / 2; }; // an outline below
-    const BeadLine wide = with_wide_turns(hairpin(), kWidth, room);
-    const auto box = polygon::bounds(wide.points);
-    EXPECT_GE(box.lo.y, -0.03 * kWidth);
-    EXPECT_NEAR(box.hi.y, 1.2 * kWidth, 0.03 * kWidth);
+TEST(Rounded, KeepsCornersAlongTheOutlineWhereAsked) {
+    const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
+    EXPECT_EQ(rounded(square(10), kWidth, {0.16, false}, room).points, square(10).points);
+    EXPECT_LT(sharpest(rounded(square(10), kWidth, {0.16, false}, anywhere).points), 0.4); // an inner bead
 }
 
 } // namespace
