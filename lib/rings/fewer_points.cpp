@@ -42,8 +42,7 @@ class Thinning {
         for (std::size_t k = 0; k < n; ++k) {
             const Chord &before = chords[(k + n - 1) % n], &after = chords[k];
             const double l = before.length + after.length, share = l > 0 ? before.length / l : 0.5; // long ones stay
-            const double aside = std::lerp(after.aside, before.aside, share);
-            moved.push_back(vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], aside));
+            moved.push_back(vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], before.aside, after.aside));
             wide.push_back(bead_.width[kept[k]] + std::lerp(after.wider, before.wider, share));
         }
         for (std::size_t k = 0; k < n; ++k) {
@@ -132,11 +131,19 @@ class Thinning {
         if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % bead_.size()]) / 2;
         return out;
     }
-    // The point at i, between chords from h and to j, moved aside by so much.
-    [[nodiscard]] Vec2 vertex(std::size_t h, std::size_t i, std::size_t j, double aside) const {
-        const Vec2 p = bead_.points[i], along = bead_.points[j] - bead_.points[h];
-        const double l = geom::norm(along);
-        return l > 0 ? p + (aside / l) * geom::left_of(along) : p;
+    // The point at i, between chords from h and to j, moved to where both are as far aside as they are to be: by least
+    // squares, the longer counts for more, and so steadied that chords that hardly bend share what they differ by.
+    [[nodiscard]] Vec2 vertex(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
+        constexpr double kSteady = 0.01;
+        const Vec2 p = bead_.points[i], u = p - bead_.points[h], v = bead_.points[j] - p;
+        const double lu = geom::norm(u), lv = geom::norm(v), steady = kSteady * (lu + lv);
+        if (lu == 0 || lv == 0) return p;
+        const Vec2 n = (1 / lu) * geom::left_of(u), m = (1 / lv) * geom::left_of(v);
+        const Vec2 r = (lu * before) * n + (lv * after) * m;
+        const double xx = lu * n.x * n.x + lv * m.x * m.x + steady, yy = lu * n.y * n.y + lv * m.y * m.y + steady;
+        const double xy = lu * n.x * n.y + lv * m.x * m.y;
+        const Vec2 by = (1 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
+        return p + std::min(1.0, off_ / std::max(off_, geom::norm(by))) * by;
     }
     // Points between a and b where a machine that lays the whole way with one width would lay more than `least_` aside.
     void divide(Vec2 a, Vec2 b, double wa, double wb, std::vector<Vec2>& points, std::vector<double>& width) const {
