@@ -120,8 +120,34 @@ Loops seen(const Loops& outline, const Loops& other, const Options& o) {
     return polygon::opened(polygon::subtract(outline, other), hair, kBeadArc);
 }
 
+// What modifiers ask for that a region does not get, each once.
+Notes ignored(const Region& r, const Cut& cut, double width, bool any_sparse) {
+    Notes out;
+    const auto put = [&](const Loops& where, const char* what) {
+        out.push_back({"", what, 1, "regions", 1, r.layer, where.points[0].x, where.points[0].y});
+    };
+    const auto other = std::ranges::find_if(cut.zones, [&](const auto& zone) { return zone.width != width; });
+    if (other != cut.zones.end())
+        put(other->loops, "outer wall as wide as the part's beads within a modifier");
+    else if (!cut.zones.empty() && !any_sparse)
+        put(cut.zones[0].loops, "other number of walls without effect, all of the region is solid");
+    return out;
+}
+
+// The same of all regions; nothing is sparse: `any_sparse` empty.
+Notes ignored(const std::vector<Region>& regions, const std::vector<Cut>& cuts, double width,
+              const std::vector<char>& any_sparse) {
+    Notes out;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (regions[i].is != polygon::RegionClass::part) continue;
+        const bool sparse = !any_sparse.empty() && any_sparse[i] != 0;
+        std::ranges::move(ignored(regions[i], cuts[i], width, sparse), std::back_inserter(out));
+    }
+    return out;
+}
+
 // Puts down walls, zones, what is seen, and bridges of a region.  Where nothing is sparse and all beads are alike,
-// other walls are told by nothing.
+// other walls do nothing.
 void tell_solid(Region& r, const std::vector<Loops>& layers, const Options& o, Cut& cut, bool any_sparse) {
     if (r.is != polygon::RegionClass::part) return;
     const bool zones = any_sparse || cut.mixed;
@@ -231,16 +257,16 @@ void put_sparse(Sparse& s, std::vector<Region>& regions, const std::string& whos
 
 } // namespace
 
-void skins(std::vector<Region>& regions, const Options& o, std::span<const Modifier> modifiers, Facts& facts) {
+Notes skins(std::vector<Region>& regions, const Options& o, std::span<const Modifier> modifiers, Facts& facts) {
     std::vector<Sparse> settings{{o, depth(o, o.bead_width), {}, {}}};
     for (const Modifier& m : modifiers) settings.push_back({m.how, depth(m.how, o.bead_width), {}, {}});
     const auto solid = [](const Sparse& s) { return s.how.infill >= 1; };
-    if (regions.empty() || (modifiers.empty() && solid(settings[0]))) return;
+    if (regions.empty() || (modifiers.empty() && solid(settings[0]))) return {};
     const auto layers = coarse(polygon::materials(regions, polygon::RegionClass::part));
     const Zones zones(o, modifiers, layers.size());
-    if (std::ranges::all_of(settings, solid) && !zones.widths_differ()) return;
     std::vector<Cut> cuts(regions.size());
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) { cuts[i] = zones.cut(regions[i]); });
+    if (std::ranges::all_of(settings, solid) && !zones.widths_differ()) return ignored(regions, cuts, o.bead_width, {});
     for (std::size_t k = 0; k < settings.size(); ++k) {
         Sparse& s = settings[k];
         s.plain.resize(regions.size());
@@ -254,13 +280,17 @@ void skins(std::vector<Region>& regions, const Options& o, std::span<const Modif
         });
     }
     part_dense(settings, regions, layers.size());
+    std::vector<char> any_sparse(regions.size());
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        any_sparse[i] = static_cast<char>(
+            std::ranges::any_of(settings, [&](const Sparse& s) { return !s.plain[i].empty() || !s.dense[i].empty(); }));
+    Notes notes = ignored(regions, cuts, o.bead_width, any_sparse);
     parallel::for_chunks(regions.size(), 1, 0, [&](std::size_t i, std::size_t) {
-        const bool any_sparse =
-            std::ranges::any_of(settings, [&](const Sparse& s) { return !s.plain[i].empty() || !s.dense[i].empty(); });
-        tell_solid(regions[i], layers, o, cuts[i], any_sparse);
+        tell_solid(regions[i], layers, o, cuts[i], any_sparse[i] != 0);
     });
     for (std::size_t k = 0; k < settings.size(); ++k)
         put_sparse(settings[k], regions, k == 0 ? "" : "modifier-" + std::to_string(k) + "-", facts);
+    return notes;
 }
 
 } // namespace filum::skins

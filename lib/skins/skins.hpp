@@ -48,7 +48,8 @@ polygon::Pattern pattern(const std::string& text);
 // Sparse is what has `top` layers of material above it and `bottom` layers below, is no wall, and has room for a line.
 // What spans more over air, from material to material of the layer below, is a bridge: with the direction in which it
 // is the shortest.
-void skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
-           Facts& facts);
+// Returns what modifiers ask for in vain: other walls where all of a region is solid, other beads for its outer wall.
+Notes skins(std::vector<polygon::Region>& regions, const Options& options, std::span<const Modifier> modifiers,
+            Facts& facts);
 
 } // namespace filum::skins

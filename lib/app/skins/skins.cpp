@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <optional>
 
 namespace filum::app::skins {
@@ -164,7 +165,7 @@ void run(const Options& o, const cli::Io& io) {
     Notes notes;
     const auto modifiers = read_modifiers(bodies, options, whole.header, regions, self, notes);
     Facts facts;
-    filum::skins::skins(regions, options, modifiers, facts);
+    std::ranges::move(filum::skins::skins(regions, options, modifiers, facts), std::back_inserter(notes));
     whole.header.expected = regions.size();
     cli::Output output(io, cli::header(self, stream::Payload::regions, {&whole.header}));
     output.pass_on(whole);
