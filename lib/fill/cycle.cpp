@@ -224,8 +224,11 @@ class Joiner {
         const double s0 = c.s - half, s1 = c.s + half;
         if (2 * half > 0.45 * graph_.length(c.ring)) return false;
         const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
-        const auto p = graph_.hit(a0, c.across, c.other, kNeighbourReach * width_);
-        const auto q = graph_.hit(a1, c.across, c.other, kNeighbourReach * width_);
+        const auto opposite = [&](Vec2 a) {
+            return graph_.first_hit(a, c.across, 0, kNeighbourReach * width_,
+                                    [&](std::uint32_t ring) { return ring == c.other; });
+        };
+        const auto p = opposite(a0), q = opposite(a1);
         if (!p || !q) return false;
         const double l = graph_.length(c.other);
         double ahead = std::fmod(q->s - p->s, l); // from p forward to q
