@@ -142,35 +142,6 @@ struct Ramp {
     }
 };
 
-// How far up corners each node is from the nearest wall below it, mm; infinite where there is none.
-std::vector<double> above_walls(const MedialAxis& axis, const std::vector<char>& wall, const std::vector<char>& set) {
-    std::vector<std::uint32_t> rising; // half-edges of corners, by the radius that they begin at
-    for (std::uint32_t h = 0; h < axis.half_edges(); ++h)
-        if (!wall[h / 2] && axis.radius[axis.from[h]] < axis.radius[axis.to(h)]) rising.push_back(h);
-    std::stable_sort(rising.begin(), rising.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return axis.radius[axis.from[a]] < axis.radius[axis.from[b]];
-    });
-    std::vector<double> out(axis.nodes(), std::numeric_limits<double>::infinity());
-    for (std::uint32_t i = 0; i < axis.nodes(); ++i)
-        if (set[i]) out[i] = 0;
-    for (const std::uint32_t h : rising)
-        out[axis.to(h)] = std::min(out[axis.to(h)], out[axis.from[h]] + axis.length(h));
-    return out;
-}
-
-// Nodes on a corner for where its profile goes over into that of the wall which it rises out of.
-void add_blend_cuts(const MedialAxis& axis, std::uint32_t e, const std::vector<double>& above, double blend,
-                    Cuts& out) {
-    constexpr int kSteps = 4;
-    const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
-    const bool rises = axis.radius[a] < axis.radius[b];
-    const double below = above[rises ? a : b];
-    for (int k = 1; k <= kSteps && below < blend; ++k) {
-        const double t = (k * blend / kSteps - below) / axis.length(2 * e);
-        out.add(rises ? t : 1 - t);
-    }
-}
-
 } // namespace
 
 WallLanes wall_lanes(const MedialAxis& given, double width) {
@@ -202,7 +173,6 @@ WallLanes wall_lanes(const MedialAxis& given, double width) {
     raise(axis, wall, width, half_at, upper);
     raise(axis, wall, width, half_at, lower);
 
-    const auto above = above_walls(axis, wall, out.set);
     Cuts ramps;
     for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.lanes.push_back(out.set[i] ? (upper[i] - lower[i]) / 2 : 0);
     std::vector<double> of_cuts;
@@ -214,7 +184,6 @@ WallLanes wall_lanes(const MedialAxis& given, double width) {
                         {upper[a], upper[b]},
                         {-lower[a], -lower[b]}};
         if (wall[e] && !ramp.level()) ramp.add_cuts(ramps);
-        if (!wall[e]) add_blend_cuts(axis, e, above, 2 * width, ramps);
         ramps.close();
         for (std::size_t k = ramps.start[e]; k < ramps.start[e + 1]; ++k) {
             of_cuts.push_back(wall[e] ? ramp.lanes(ramps.at[k]) : 0);
