@@ -20,7 +20,9 @@ constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
 constexpr double kLink = 0.25;
 constexpr double kHairLink = 0.05;    // the same where parts only touch
 constexpr double kMostSamples = 1024; // of a ring, where links are looked for
-constexpr double kLinkEnd = 0.2;      // share of a link's length on which it becomes as wide as its rings
+// Share of a link's length on which it becomes as wide as its rings: hardly any.  Two links, half a bead apart and half
+// a bead wide, lay as much as the two windows gave up; what they are wider at their ends lies twice.
+constexpr double kLinkEnd = 0.02;
 
 // Two rings facing each other at one place.
 struct Candidate {
