@@ -13,7 +13,6 @@ namespace filum::fill {
 namespace {
 
 constexpr double kRoundingMargin = 1.05; // for what rounding takes off an arc
-constexpr double kArm = 1;               // radii squared: what is larger is more than a corner
 
 bool sliver(const Loops& piece, double tolerance) {
     return polygon::signed_area(piece) < 1.5 * tolerance * polygon::perimeter(piece[0]);
@@ -26,7 +25,7 @@ Loops rounded_off(const Loops& part, double radius, double tolerance) {
     Loops corners;
     bool arms = false;
     for (const Loops& piece : polygon::split(polygon::subtract(part, open)).part) {
-        const bool arm = polygon::signed_area(piece) > kArm * radius * radius;
+        const bool arm = polygon::signed_area(piece) > radius * radius; // more than a corner
         arms = arms || arm;
         if (arm || sliver(piece, tolerance)) continue;
         for (std::size_t i = 0; i < piece.size(); ++i) corners.add(piece[i]);

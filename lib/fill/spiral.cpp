@@ -6,6 +6,7 @@
 #include "fill/finish.hpp"
 #include "fill/least_radius.hpp"
 #include "rings/lanes.hpp"
+#include "toolpath/merge.hpp"
 
 namespace filum::fill {
 
@@ -17,15 +18,14 @@ constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones clos
 constexpr std::size_t kFewRings = 4;   // no more are left with the corners of their region
 constexpr double kRoundMost = 0.7;     // bead widths: as kRoundReach where a least radius asks for more
 
-constexpr double kGrid = 1e-3; // mm
-
 // The rings of the region; with corners of the radius that is asked for, if any.
 rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
     const double w = o.bead_width, r = o.min_radius;
     const double fine = r > 0 ? std::min(tolerance, w * w / (128 * r)) : tolerance; // vertices turn, too
     rings::Rings all = rings::lanes(region, {.width = w, .tolerance = fine});
     out.unplaced = std::max(0.0, polygon::signed_area(region) - rings::laid_area(all));
-    return r > 0 ? with_round_corners(all, w, fine, drawn_radius(r, w / 2, kGrid + fine), out.open) : all;
+    return r > 0 ? with_round_corners(all, w, fine, drawn_radius(r, w / 2, toolpath::kLeastMove + fine), out.open)
+                 : all;
 }
 
 Spiral spiral_by(const Loops& region, const SpiralOptions& o, const Attempt& how) {

@@ -3,6 +3,7 @@
 #include "base/none.hpp"
 #include "fill/thin_edges.hpp"
 #include "polygon/clip.hpp"
+#include "rings/beading.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,8 +14,7 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kLeastRadius = 0.03; // bead widths: the least half-thickness of a wall
-constexpr double kMostTaper = 0.025;  // bead widths, of the half-thickness along one segment
+constexpr double kMostTaper = 0.025; // bead widths, of the half-thickness along one segment
 
 // Where walls meet there is more room than any one of them needs: up to a disc's radius from the node a bead is no
 // wider than where the disc ends.
@@ -52,7 +52,7 @@ void split_tapers(WallGraph& g, double width) {
 // Where tips taper to nothing a bead still has some width.
 void widen_tips(WallGraph& g, double width) {
     for (Wall& w : g.walls)
-        for (double& r : w.radius) r = std::max(r, kLeastRadius * width);
+        for (double& r : w.radius) r = std::max(r, rings::kNarrowest / 2 * width);
 }
 
 void narrow_at_nodes(WallGraph& g) {

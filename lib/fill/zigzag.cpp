@@ -4,8 +4,8 @@
 #include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
 #include "fill/maze.hpp"
-#include "fill/rows.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/stretches.hpp"
 #include "rings/lanes.hpp"
 
 #include <optional>
@@ -50,7 +50,7 @@ Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
 } // namespace
 
 std::vector<toolpath::Curve> zigzag(const Loops& region, const ZigzagOptions& o, Notes& notes, double* unplaced) {
-    const Loops level = rotated(region, -o.angle);
+    const Loops level = polygon::rotated(region, -o.angle);
     const auto faults = [](const Laid& a) { return std::pair{a.crossings, a.curves.size()}; };
     std::optional<Laid> best;
     for (const Try& how : kTries) {
@@ -58,7 +58,7 @@ std::vector<toolpath::Curve> zigzag(const Loops& region, const ZigzagOptions& o,
         if (!best || (!now.curves.empty() && faults(now) < faults(*best))) best = std::move(now);
         if (best->crossings == 0 && (best->curves.size() == 1 || !o.linked)) break;
     }
-    for (auto& curve : best->curves) rotate(curve.points, o.angle);
+    for (auto& curve : best->curves) polygon::rotate(curve.points, o.angle);
     if (best->crossings > 0) uncross(best->curves, o.bead_width, notes);
     if (o.linked) note_unjoined(best->curves, notes);
     if (unplaced != nullptr) *unplaced = best->unplaced;

@@ -5,13 +5,14 @@
 #include "fill/cycle.hpp"
 #include "fill/finish.hpp"
 #include "fill/identify.hpp"
-#include "fill/rows.hpp"
 #include "fill/spiral.hpp"
 #include "geom/segment_grid.hpp"
 #include "hollow/pieces.hpp"
 #include "infill/infill.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/segments.hpp"
+#include "polygon/stretches.hpp"
+#include "polygon/strips.hpp"
 #include "rings/lanes.hpp"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ void take_bridges(const Region& r, double depth, double w, Loops& solid, Divisio
 // A ring in each of the strips two beads high that run along the bridge: rows that turn where it is carried.
 void add_rows(Loose& to, const Loops& bridge, double direction, double w, double tolerance) {
     const Loops level = polygon::rotated(bridge, -direction);
-    const auto cuts = fill::cuts(level, 2 * w, kStripGive);
+    const auto cuts = polygon::strip_bounds(level, 2 * w, kStripGive);
     const auto box = polygon::bounds(level);
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         Loops frame;
