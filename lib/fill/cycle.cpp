@@ -18,12 +18,11 @@ constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
 // square of that.
 constexpr double kLink = 0.25;
-constexpr double kSmallLink = 0.17;         // the same where there is no room for that
-constexpr double kHairLink = 0.05;          // and where parts only touch
-constexpr double kMostSamples = 1024;       // of a ring, where links are looked for
-constexpr double kNarrowLink = 0.5;         // bead widths
-constexpr double kLinkEnd = 0.2;            // share of a link's length on which it becomes as wide as its rings
-constexpr double kShortestSegment = 0.0125; // bead widths: shorter segments could cross their neighbours once rounded
+constexpr double kHairLink = 0.05;    // the same where parts only touch
+constexpr double kMostSamples = 1024; // of a ring, where links are looked for
+// Share of a link's length on which it becomes as wide as its rings: hardly any.  Two links, half a bead apart and half
+// a bead wide, lay as much as the two windows gave up; what they are wider at their ends lies twice.
+constexpr double kLinkEnd = 0.02;
 
 // Two rings facing each other at one place.
 struct Candidate {
@@ -55,21 +54,6 @@ struct Bridge {
     }
 };
 
-// The line without segments shorter than `least`, but never with fewer than three points.
-ClosedLine without_short_segments(const ClosedLine& line, double least) {
-    ClosedLine out;
-    for (std::size_t i = 0; i < line.points.size(); ++i) {
-        if (!out.points.empty() && geom::distance(out.points.back(), line.points[i]) < least) continue;
-        out.points.push_back(line.points[i]);
-        out.width.push_back(line.width[i]);
-    }
-    while (out.points.size() > 1 && geom::distance(out.points.front(), out.points.back()) < least) {
-        out.points.pop_back();
-        out.width.pop_back();
-    }
-    return out.points.size() < 3 ? line : out;
-}
-
 class Joiner {
   public:
     Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
@@ -87,17 +71,17 @@ class Joiner {
     std::vector<ClosedLine> run(bool spirals) {
         if (spirals) wind();
         // few samples first: most rings face their neighbours all the way round
-        for (const double samples : {8.0, 64.0, kMostSamples}) {
+        for (const double samples : {8.0, kMostSamples}) {
             if (groups_.sets() <= 1) break;
-            link(samples, {kLink, kSmallLink});
+            link(samples, {kLink});
         }
         for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_)
-            link(kMostSamples, {kLink, kSmallLink});
+            link(kMostSamples, {kLink});
         if (groups_.sets() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
             stay_inside_ = false;
-            link(kMostSamples, {kLink, kSmallLink, kHairLink});
+            link(kMostSamples, {kLink, kHairLink});
         }
-        return trace();
+        return splices_.trace();
     }
 
   private:
@@ -208,9 +192,7 @@ class Joiner {
             if (groups_.sets() <= 1) return;
             if (groups_.root(c.ring) == groups_.root(c.other)) continue;
             Bridge b;
-            // half of a bead wide, or as wide as their rings
-            const double least = half < kLink ? 0 : std::min(c.bead / 2, kNarrowLink * width_ / 2);
-            const double window = std::max(half * c.bead, least);
+            const double window = half * c.bead;
             if (!make(c, window, b) || !fits(b, window)) continue;
             splices_.add(b.splice(2 * window));
             for (const int k : {0, 1}) links_.push_back(b.link(k));
@@ -224,8 +206,11 @@ class Joiner {
         const double s0 = c.s - half, s1 = c.s + half;
         if (2 * half > 0.45 * graph_.length(c.ring)) return false;
         const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
-        const auto p = graph_.hit(a0, c.across, c.other, kNeighbourReach * width_);
-        const auto q = graph_.hit(a1, c.across, c.other, kNeighbourReach * width_);
+        const auto opposite = [&](Vec2 a) {
+            return graph_.first_hit(a, c.across, 0, kNeighbourReach * width_,
+                                    [&](std::uint32_t ring) { return ring == c.other; });
+        };
+        const auto p = opposite(a0), q = opposite(a1);
         if (!p || !q) return false;
         const double l = graph_.length(c.other);
         double ahead = std::fmod(q->s - p->s, l); // from p forward to q
@@ -259,12 +244,6 @@ class Joiner {
             if (!clear(l)) return false;
         }
         return true;
-    }
-
-    [[nodiscard]] std::vector<ClosedLine> trace() const {
-        auto out = splices_.trace();
-        for (ClosedLine& line : out) line = without_short_segments(line, kShortestSegment * width_);
-        return out;
     }
 
     RingGraph graph_;

@@ -35,7 +35,7 @@ std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& 
     const double aslant = kBend / 2;
     const Vec2 d = side * (std::cos(aslant) * from.inward + std::sin(aslant) * from.forward);
     const double least = kNearLane * width / std::cos(aslant), most = kFarLane * width / std::cos(aslant);
-    const auto hit = graph.first_hit(from.at.point, d, least / 4, most);
+    const auto hit = graph.first_hit(from.at.point, d, least / 4, most, [](std::uint32_t) { return true; });
     if (!hit || hit->distance < least) return std::nullopt;
     const auto there = direction(graph, hit->ring, hit->s, width);
     if (!there) return std::nullopt;
@@ -113,7 +113,8 @@ class Making {
     // The place on lane `k` straight across from the place s on lane `from`.
     [[nodiscard]] std::optional<double> facing(std::size_t from, double s, std::size_t k) const {
         const Vec2 p = graph_->at(lane(from).at.ring, s), d = (k > from ? 1.0 : -1.0) * lane(from).inward;
-        const auto hit = graph_->hit(p, d, lane(k).at.ring, kFarLane * width_);
+        const auto hit =
+            graph_->first_hit(p, d, 0, kFarLane * width_, [&](std::uint32_t ring) { return ring == lane(k).at.ring; });
         if (!hit || hit->distance < kNearLane * width_) return std::nullopt;
         return hit->s;
     }

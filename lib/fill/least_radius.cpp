@@ -3,6 +3,7 @@
 #include "fill/ring_graph.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
+#include "toolpath/radius.hpp"
 
 #include <cmath>
 #include <limits>
@@ -12,20 +13,6 @@ namespace filum::fill {
 namespace {
 
 constexpr double kRoundingMargin = 1.05; // for what rounding takes off an arc
-constexpr double kArm = 1;               // radii squared: what is larger is more than a corner
-
-// The point `s` along the curve from vertex i, forwards (step 1) or backwards.
-Vec2 along(const std::vector<Vec2>& points, std::size_t i, bool forwards, double s) {
-    const std::size_t n = points.size();
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t next = forwards ? (i + 1 == n ? 0 : i + 1) : (i == 0 ? n - 1 : i - 1);
-        const double l = geom::distance(points[i], points[next]);
-        if (l >= s && l > 0) return geom::lerp(points[i], points[next], s / l);
-        s -= l;
-        i = next;
-    }
-    return points[i];
-}
 
 bool sliver(const Loops& piece, double tolerance) {
     return polygon::signed_area(piece) < 1.5 * tolerance * polygon::perimeter(piece[0]);
@@ -38,7 +25,7 @@ Loops rounded_off(const Loops& part, double radius, double tolerance) {
     Loops corners;
     bool arms = false;
     for (const Loops& piece : polygon::split(polygon::subtract(part, open)).part) {
-        const bool arm = polygon::signed_area(piece) > kArm * radius * radius;
+        const bool arm = polygon::signed_area(piece) > radius * radius; // more than a corner
         arms = arms || arm;
         if (arm || sliver(piece, tolerance)) continue;
         for (std::size_t i = 0; i < piece.size(); ++i) corners.add(piece[i]);
@@ -115,19 +102,6 @@ double drawn_radius(double radius, double scale, double off) {
     return radius / (1 - std::min(0.5, 2 * off * radius / (scale * scale)));
 }
 
-double radius_at(const toolpath::Curve& curve, std::size_t i, double scale) {
-    const auto& p = curve.points;
-    const std::size_t n = p.size();
-    const Vec2 u = p[i] - p[(i + n - 1) % n], v = p[(i + 1) % n] - p[i];
-    const double straight = std::numeric_limits<double>::infinity();
-    if (std::abs(geom::cross(u, v)) < 1e-6 * geom::norm(u) * geom::norm(v) && dot(u, v) > 0) return straight;
-    const Vec2 a = along(p, i, false, scale), b = p[i], c = along(p, i, true, scale);
-    const double twice_area = std::abs(geom::orient(a, b, c));
-    if (twice_area <= 1e-9 * geom::norm2(c - a) && dot(b - a, c - b) > 0) return straight;
-    if (twice_area == 0) return 0; // straight back
-    return geom::distance(a, b) * geom::distance(b, c) * geom::distance(c, a) / (2 * twice_area);
-}
-
 Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, double radius) {
     Note out{"", "turn tighter than the least radius", 0, "turns", 0};
     double tightest = radius;
@@ -135,7 +109,7 @@ Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, doubl
         double since = std::numeric_limits<double>::infinity(); // the last tight vertex
         for (std::size_t i = 0; i < c.points.size(); ++i) {
             if (i > 0) since += geom::distance(c.points[i - 1], c.points[i]);
-            const double r = radius_at(c, i, scale);
+            const double r = toolpath::radius_at(c.points, true, i, scale);
             if (r >= radius) continue;
             if (since > 2 * scale) {
                 ++out.count;

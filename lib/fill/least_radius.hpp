@@ -18,12 +18,8 @@ rings::Rings with_round_corners(const rings::Rings& lanes, double width, double 
 // The radius with which an arc must be drawn to measure `radius` by points `scale` apart that are `off` mm off it.
 double drawn_radius(double radius, double scale, double off);
 
-// Radius, mm, of the circle through vertex i and the points of the closed curve `scale` before and after it along the
-// curve; infinite where it runs straight.  As `metrics` measures it.
-double radius_at(const toolpath::Curve& curve, std::size_t i, double scale);
-
-// Places where a curve turns tighter than `radius`, counted once for all vertices nearer than 2 `scale` along it; the
-// place is the tightest.
+// Places where a closed curve turns tighter than `radius` (toolpath::radius_at, as `metrics` has it), counted once for
+// all vertices nearer than 2 `scale` along it; the place is the tightest.
 Note tight_turns(const std::vector<toolpath::Curve>& curves, double scale, double radius);
 
 } // namespace filum::fill

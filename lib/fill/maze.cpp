@@ -1,10 +1,11 @@
 #include "fill/maze.hpp"
 
-#include "fill/rows.hpp"
 #include "geom/disjoint_sets.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/segments.hpp"
+#include "polygon/stretches.hpp"
+#include "polygon/strips.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ struct Border {
     std::size_t line;
     double from, to;
     std::uint32_t below, above; // cells
-    std::vector<Stretch> walls;
+    std::vector<polygon::LevelStretch> walls;
 };
 
 // One row's level edge along a cut.
@@ -38,10 +39,11 @@ struct Side {
 };
 
 // The parts of [from, to] that lie in a stretch.
-std::vector<Stretch> clipped(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
-    std::vector<Stretch> out;
+std::vector<polygon::LevelStretch> clipped(const std::vector<polygon::LevelStretch>& a,
+                                           const std::vector<polygon::LevelStretch>& b) {
+    std::vector<polygon::LevelStretch> out;
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-        const Stretch s{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
+        const polygon::LevelStretch s{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
         if (s.from < s.to) out.push_back(s);
         if (a[i].to < b[j].to)
             ++i;
@@ -54,8 +56,8 @@ std::vector<Stretch> clipped(const std::vector<Stretch>& a, const std::vector<St
 class Maze {
   public:
     Maze(const Loops& region, double width, double row)
-        : region_(region), width_(width), y_(cuts(region, row, kRowGive)), outline_(polygon::segments(region)),
-          grid_(outline_, 2 * width) {}
+        : region_(region), width_(width), y_(polygon::strip_bounds(region, row, kRowGive)),
+          outline_(polygon::segments(region)), grid_(outline_, 2 * width) {}
 
     Loops build() {
         if (y_.size() <= 2) return region_;
@@ -105,26 +107,27 @@ class Maze {
 
     // Walls along the borders, but for long stretches beside which the region is thin.
     void find_walls() {
-        std::vector<std::vector<std::vector<Stretch>>> clear;
+        std::vector<std::vector<std::vector<polygon::LevelStretch>>> clear;
         for (const double by : {-kRoomBeside, -kRoomBeside / 2, kRoomBeside / 2, kRoomBeside}) {
             std::vector<double> y = y_;
             for (double& v : y) v += by * width_;
-            clear.push_back(scan(region_, y));
+            clear.push_back(polygon::scan(region_, y));
         }
         for (Border& b : borders_) {
-            std::vector<Stretch> walls{{b.from, b.to}};
+            std::vector<polygon::LevelStretch> walls{{b.from, b.to}};
             for (const auto& c : clear) walls = clipped(walls, c[b.line]);
             b.walls = without_gaps(walls, b);
         }
     }
 
     // Openings too narrow for two beads are closed; then walls shorter than a bead, which guide none, are dropped.
-    [[nodiscard]] std::vector<Stretch> without_gaps(const std::vector<Stretch>& walls, const Border& b) const {
-        std::vector<Stretch> out;
+    [[nodiscard]] std::vector<polygon::LevelStretch> without_gaps(const std::vector<polygon::LevelStretch>& walls,
+                                                                  const Border& b) const {
+        std::vector<polygon::LevelStretch> out;
         if (walls.empty()) return out;
         double from = walls.front().from - b.from < kOpen * width_ ? b.from : walls.front().from;
         double to = from;
-        for (const Stretch& s : walls) {
+        for (const polygon::LevelStretch& s : walls) {
             if (s.from - to >= kOpen * width_ && to > from) {
                 out.push_back({from, to});
                 from = s.from;
@@ -133,7 +136,9 @@ class Maze {
         }
         if (b.to - to < kOpen * width_) to = b.to;
         out.push_back({from, to});
-        std::erase_if(out, [&](const Stretch& s) { return s.to - s.from < width_ && s.from > b.from && s.to < b.to; });
+        std::erase_if(out, [&](const polygon::LevelStretch& s) {
+            return s.to - s.from < width_ && s.from > b.from && s.to < b.to;
+        });
         return out;
     }
 
@@ -151,7 +156,7 @@ class Maze {
     }
 
     // What is left of a closed border's wall once it has a door.
-    [[nodiscard]] std::vector<Stretch> door(const Border& b) const {
+    [[nodiscard]] std::vector<polygon::LevelStretch> door(const Border& b) const {
         const double y = y_[b.line];
         if (const auto x = clear_from(b.from, b.to, y)) return {{*x, b.to}};
         if (const auto x = clear_from(b.to, b.from, y)) return {{b.from, *x}};
@@ -176,7 +181,7 @@ class Maze {
     [[nodiscard]] Loops walled() const {
         Loops slits;
         for (const Border& b : borders_)
-            for (const Stretch& s : b.walls) {
+            for (const polygon::LevelStretch& s : b.walls) {
                 const double y = y_[b.line], lo = y - kSlit, hi = y + kSlit;
                 // into the outline, lest a thread of area is left there
                 const double l = s.from - (s.from == b.from ? 4 * kSlit : 0), r = s.to + (s.to == b.to ? 4 * kSlit : 0);

@@ -1,8 +1,9 @@
 #include "fill/rectilinear.hpp"
 
 #include "fill/inset.hpp"
-#include "fill/rows.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/stretches.hpp"
+#include "polygon/strips.hpp"
 #include "rings/lanes.hpp"
 
 #include <algorithm>
@@ -47,16 +48,16 @@ void lay_lines(std::vector<std::vector<Line>>& rows, std::vector<toolpath::Curve
 
 // The lines of one connected part, in the frame where they run along x.
 void fill_with_lines(const Loops& part, double bead_width, std::vector<toolpath::Curve>& out) {
-    const auto strips = cuts(part, bead_width, kLineGive);
+    const auto strips = polygon::strip_bounds(part, bead_width, kLineGive);
     std::vector<double> y, pitch;
     for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
         y.push_back((strips[i] + strips[i + 1]) / 2);
         pitch.push_back(strips[i + 1] - strips[i]);
     }
-    const auto stretches = scan(inset(part, kInset * bead_width), y);
+    const auto stretches = polygon::scan(inset(part, kInset * bead_width), y);
     std::vector<std::vector<Line>> rows(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
-        for (const Stretch s : stretches[i])
+        for (const polygon::LevelStretch s : stretches[i])
             if (s.to - s.from > (kTrim + kShortestLine) * bead_width)
                 rows[i].push_back({y[i], s.from + kTrim * bead_width / 2, s.to - kTrim * bead_width / 2, pitch[i]});
     lay_lines(rows, out);
@@ -75,8 +76,8 @@ std::vector<toolpath::Curve> rectilinear(const Loops& region, const RectilinearO
         note_unplaced(region, inset(inset(region, o.bead_width / 2), -o.bead_width / 2), o.bead_width, notes);
     }
     const std::size_t first = out.size();
-    for (const Loops& part : core) fill_with_lines(rotated(part, -o.angle), o.bead_width, out);
-    for (std::size_t i = first; i < out.size(); ++i) rotate(out[i].points, o.angle);
+    for (const Loops& part : core) fill_with_lines(polygon::rotated(part, -o.angle), o.bead_width, out);
+    for (std::size_t i = first; i < out.size(); ++i) polygon::rotate(out[i].points, o.angle);
     return out;
 }
 

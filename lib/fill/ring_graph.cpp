@@ -65,34 +65,6 @@ Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
     return {ring_of_[segment], s_[segment] + t * geom::distance(seg.a, seg.b), q, geom::distance(p, q)};
 }
 
-std::optional<Place> RingGraph::hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const {
-    std::optional<Place> best;
-    const Vec2 q = p + reach * d;
-    grid_.near(
-        {std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)}, [&](std::uint32_t i) {
-            if (ring_of_[i] != ring) return;
-            const auto& seg = segments_[i];
-            const auto at = geom::ray_parameters(p, d, seg.a, seg.b);
-            if (!at || at->t > reach || (best && at->t >= best->distance)) return;
-            best = Place{ring, s_[i] + at->u * geom::distance(seg.a, seg.b), geom::lerp(seg.a, seg.b, at->u), at->t};
-        });
-    return best;
-}
-
-std::optional<Place> RingGraph::first_hit(Vec2 p, Vec2 d, double from, double reach) const {
-    std::optional<Place> best;
-    const Vec2 q = p + reach * d;
-    grid_.near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)},
-               [&](std::uint32_t i) {
-                   const auto& seg = segments_[i];
-                   const auto at = geom::ray_parameters(p, d, seg.a, seg.b);
-                   if (!at || at->t < from || at->t > reach || (best && at->t >= best->distance)) return;
-                   best = Place{ring_of_[i], s_[i] + at->u * geom::distance(seg.a, seg.b),
-                                geom::lerp(seg.a, seg.b, at->u), at->t};
-               });
-    return best;
-}
-
 double RingGraph::turning(std::uint32_t ring, double s0, double s1) const {
     const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
     const double s = wrapped(ring, s0), end = s + (s1 - s0);

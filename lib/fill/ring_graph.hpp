@@ -48,11 +48,22 @@ class RingGraph {
         return place_on(*found, p);
     }
 
-    // Where the ray from p along d (unit) first meets `ring`, within `reach`.
-    [[nodiscard]] std::optional<Place> hit(Vec2 p, Vec2 d, std::uint32_t ring, double reach) const;
-
-    // The first place on any ring that the ray from p along d (unit) meets at least `from` and at most `reach` away.
-    [[nodiscard]] std::optional<Place> first_hit(Vec2 p, Vec2 d, double from, double reach) const;
+    // The first place that the ray from p along d (unit) meets at least `from` and at most `reach` away, on a ring for
+    // which use(ring) holds.
+    template <class Use>
+    [[nodiscard]] std::optional<Place> first_hit(Vec2 p, Vec2 d, double from, double reach, Use&& use) const {
+        std::optional<Place> best;
+        const Vec2 q = p + reach * d;
+        grid_.near({std::min(p.x, q.x), std::min(p.y, q.y)}, {std::max(p.x, q.x), std::max(p.y, q.y)},
+                   [&](std::uint32_t i) {
+                       if (!use(ring_of_[i])) return;
+                       const auto& [a, b] = segments_[i];
+                       const auto at = geom::ray_parameters(p, d, a, b);
+                       if (!at || at->t < from || at->t > reach || (best && at->t >= best->distance)) return;
+                       best = Place{ring_of_[i], s_[i] + at->u * geom::distance(a, b), geom::lerp(a, b, at->u), at->t};
+                   });
+        return best;
+    }
 
     // True if the open segment p-q crosses any ring.
     [[nodiscard]] bool crosses(Vec2 p, Vec2 q) const {

@@ -1,11 +1,11 @@
 #include "fill/scaffold.hpp"
 
 #include "fill/inset.hpp"
-#include "fill/rows.hpp"
 #include "fill/splice.hpp"
 #include "fill/strand_bead.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/stretches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,11 +59,11 @@ double distance_to(const Loops& part, Vec2 p) {
 
 std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, const ScaffoldOptions& o, Notes& notes) {
     const double w = o.bead_width;
-    const Loops first = inset(region, w / 2), area = rotated(inset(region, (o.rings + 0.5) * w), -o.angle);
-    const Loops turned = rotated(frame, -o.angle);
+    const Loops first = inset(region, w / 2), area = polygon::rotated(inset(region, (o.rings + 0.5) * w), -o.angle);
+    const Loops turned = polygon::rotated(frame, -o.angle);
     std::vector<Vec2> at;
     if (o.from) at.push_back(*o.from);
-    rotate(at, -o.angle);
+    polygon::rotate(at, -o.angle);
     std::vector<toolpath::Curve> out;
     double again = 0;
     // the part next to the nozzle first, then always the next one
@@ -77,7 +77,7 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
         if (!out.empty()) at = {out.back().points.back()};
         parts.erase(next);
     }
-    for (auto& curve : out) rotate(curve.points, o.angle);
+    for (auto& curve : out) polygon::rotate(curve.points, o.angle);
     if (o.rings > 0) splice_rings(region, w, o.rings, out, notes);
     if (again > 0) {
         const Vec2 p = out.front().points.front();

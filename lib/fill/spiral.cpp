@@ -6,6 +6,7 @@
 #include "fill/finish.hpp"
 #include "fill/least_radius.hpp"
 #include "rings/lanes.hpp"
+#include "toolpath/merge.hpp"
 
 namespace filum::fill {
 
@@ -17,24 +18,23 @@ constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones clos
 constexpr std::size_t kFewRings = 4;   // no more are left with the corners of their region
 constexpr double kRoundMost = 0.7;     // bead widths: as kRoundReach where a least radius asks for more
 
-constexpr double kGrid = 1e-3; // mm
-
 // The rings of the region; with corners of the radius that is asked for, if any.
 rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
     const double w = o.bead_width, r = o.min_radius;
     const double fine = r > 0 ? std::min(tolerance, w * w / (128 * r)) : tolerance; // vertices turn, too
     rings::Rings all = rings::lanes(region, {.width = w, .tolerance = fine});
     out.unplaced = std::max(0.0, polygon::signed_area(region) - rings::laid_area(all));
-    return r > 0 ? with_round_corners(all, w, fine, drawn_radius(r, w / 2, kGrid + fine), out.open) : all;
+    return r > 0 ? with_round_corners(all, w, fine, drawn_radius(r, w / 2, toolpath::kLeastMove + fine), out.open)
+                 : all;
 }
 
-Spiral spiral_by(const Loops& region, const SpiralOptions& o, double tolerance, bool wind, bool round) {
-    const double w = o.bead_width;
+Spiral spiral_by(const Loops& region, const SpiralOptions& o, const Attempt& how) {
+    const double w = o.bead_width, tolerance = how.share * tolerance_for(w);
     Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
     const rings::Rings all = rings_of(region, o, tolerance, out);
     const double reach = std::clamp(0.75 * o.min_radius, kRoundReach * w, kRoundMost * w);
-    const Corners corners = round && all.size() > kFewRings ? Corners::rounded : Corners::sharp;
-    out.curves = finished(all, region, {w, tolerance, wind, corners, reach, o.min_radius <= 0});
+    const Corners corners = how.round && all.size() > kFewRings ? Corners::rounded : Corners::sharp;
+    out.curves = finished(all, region, {w, tolerance, how.wind, corners, reach, o.min_radius <= 0});
     out.unplaced += leave_tiny(out.curves, w);
     return out;
 }
@@ -78,15 +78,9 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
 
 // The first of several ways to fill the region, from the best to the safest, whose curves do not cross themselves.
 Spiral certified(const Loops& region, const SpiralOptions& o) {
-    struct Try {
-        double share; // of the tolerance
-        bool wind, round;
-    };
-    const auto [whole, finer] = kShares;
     Spiral out;
-    for (const Try t :
-         {Try{whole, true, true}, Try{finer, true, true}, Try{finer, true, false}, Try{finer, false, false}}) {
-        out = spiral_by(region, o, t.share * tolerance_for(o.bead_width), t.wind, t.round);
+    for (const Attempt& how : kAttempts) {
+        out = spiral_by(region, o, how);
         out.crossings = crossing_pairs(out.curves, o.bead_width).size();
         if (out.crossings == 0) break;
     }

@@ -3,32 +3,18 @@
 #include "base/none.hpp"
 #include "fill/thin_edges.hpp"
 #include "polygon/clip.hpp"
+#include "rings/beading.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 #include <queue>
 
 namespace filum::fill {
 
 namespace {
 
-constexpr double kMost = 0.75, kUsual = 0.625; // bead widths: half-thickness anywhere, and of most of the length
-constexpr double kUnusual = 0.2;               // share of the length that may be thicker than usual
-constexpr double kPrune = 1.25;                // thin_edges must take all of this as thin
-constexpr double kLeastRadius = 0.03;          // bead widths: the least half-thickness of a wall
-constexpr double kMostTaper = 0.025;           // bead widths, of the half-thickness along one segment
-
-bool all_thin(const polygon::MedialAxis& axis, const std::vector<std::uint32_t>& edges, double width) {
-    double all = 0, thick = 0;
-    for (const auto k : edges) {
-        const auto a = axis.from[2 * k], b = axis.to(2 * k);
-        const double l = geom::distance(axis.node[a], axis.node[b]), r = std::max(axis.radius[a], axis.radius[b]);
-        if (r > kMost * width) return false;
-        all += l;
-        thick += r > kUsual * width ? l : 0;
-    }
-    return all > 0 && thick <= kUnusual * all;
-}
+constexpr double kMostTaper = 0.025; // bead widths, of the half-thickness along one segment
 
 // Where walls meet there is more room than any one of them needs: up to a disc's radius from the node a bead is no
 // wider than where the disc ends.
@@ -66,7 +52,7 @@ void split_tapers(WallGraph& g, double width) {
 // Where tips taper to nothing a bead still has some width.
 void widen_tips(WallGraph& g, double width) {
     for (Wall& w : g.walls)
-        for (double& r : w.radius) r = std::max(r, kLeastRadius * width);
+        for (double& r : w.radius) r = std::max(r, rings::kNarrowest / 2 * width);
 }
 
 void narrow_at_nodes(WallGraph& g) {
@@ -241,11 +227,12 @@ void open_up(const WallGraph& g, const std::vector<std::vector<std::uint32_t>>& 
 } // namespace
 
 std::optional<WallGraph> wall_graph(const Loops& area, double width) {
-    if (!polygon::offset(area, -kMost * width).empty()) return std::nullopt;
+    // thinner than this, one bead is nearer to its usual width than two beside each other, by the factor
+    const double most = width / std::numbers::sqrt2;
+    if (!polygon::offset(area, -most).empty()) return std::nullopt;
     const polygon::MedialAxis axis = axis_for(area, width);
-    if (axis.nodes() == 0) return std::nullopt;
-    const auto edges = thin_edges(axis, kPrune * width);
-    if (!all_thin(axis, edges, width)) return std::nullopt;
+    const auto edges = thin_edges(axis, width, 2 * most); // all but twigs: the offset may be off by its arcs
+    if (edges.empty()) return std::nullopt;
     WallGraph out = Tracer(axis, edges).run();
     split_tapers(out, width);
     narrow_at_nodes(out);
@@ -254,13 +241,8 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width) {
 }
 
 WallGraph thin_walls(const Loops& area, double width) {
-    const double least = width / 2 * (1 + 1e-9);
     const polygon::MedialAxis axis = split_at(axis_for(area, width), width / 2);
-    if (axis.nodes() == 0) return {};
-    auto edges = thin_edges(axis, width);
-    std::erase_if(edges,
-                  [&](auto k) { return std::max(axis.radius[axis.from[2 * k]], axis.radius[axis.to(2 * k)]) > least; });
-    WallGraph out = Tracer(axis, edges).run();
+    WallGraph out = Tracer(axis, thin_edges(axis, width, width / 2)).run();
     split_tapers(out, width);
     widen_tips(out, width);
     return out;

@@ -25,8 +25,8 @@ struct WallGraph {
     std::vector<Wall> walls;
 };
 
-// The medial axis of `area` without the twigs to its corners (thin_edges), if all of the area is thin: walls of at most
-// 1.25 `width` on four fifths of their length, 1.5 anywhere; else nothing.  Nodes are where walls meet or end; a ring
+// The medial axis of `area` without the twigs to its corners (thin_edges), if no wall is thicker than sqrt(2)
+// `width`, where two beads would come as near to that as one; else nothing.  Nodes are where walls meet or end; a ring
 // without any has one, at the axis' first vertex.  Connected if the area is.
 std::optional<WallGraph> wall_graph(const Loops& area, double width);
 

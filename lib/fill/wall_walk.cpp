@@ -3,13 +3,13 @@
 #include "fill/crossings.hpp"
 
 #include "fill/splices.hpp"
+#include "geom/disjoint_sets.hpp"
 #include "geom/polyline.hpp"
 #include "geom/segment.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <numeric>
 #include <tuple>
 
 namespace filum::fill {
@@ -37,8 +37,7 @@ class Circuit {
             at_[g.walls[tracks_[t].wall].b].push_back(2 * t + 1);
         }
         partner_.assign(2 * tracks_.size(), kNone);
-        circuit_.resize(tracks_.size());
-        std::iota(circuit_.begin(), circuit_.end(), 0U);
+        circuits_ = geom::DisjointSets(tracks_.size());
     }
 
     // The ends in the order in which they are entered, of each circuit; the open one first.
@@ -94,9 +93,7 @@ class Circuit {
     void connect(std::uint32_t e, std::uint32_t f) {
         partner_[e] = f;
         partner_[f] = e;
-        const auto from = circuit_[e / 2], to = circuit_[f / 2];
-        if (from == to) return;
-        std::replace(circuit_.begin(), circuit_.end(), from, to);
+        circuits_.unite(e / 2, f / 2);
     }
 
     // Whether the pairs (a, b) and (c, d), places around a node, cross.
@@ -122,7 +119,7 @@ class Circuit {
         for (std::size_t a = 0; a < n; ++a)
             for (std::size_t c = 0; c < n; ++c) {
                 const std::size_t b = mate[a], d = mate[c];
-                if (b == n || b < a || circuit_[ends[a] / 2] == circuit_[ends[c] / 2]) continue;
+                if (b == n || b < a || circuits_.root(ends[a] / 2) == circuits_.root(ends[c] / 2)) continue;
                 if (d == n) { // the curve goes on into the circuit, and ends where that came back
                     for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, a}}) {
                         if (!free(p, c, {a, b, c})) continue;
@@ -146,7 +143,7 @@ class Circuit {
     std::vector<Track> tracks_;
     std::vector<std::vector<std::uint32_t>> at_; // per node: ends, in their order around it
     std::vector<std::uint32_t> partner_;         // per end: what follows it, kNone: the curve begins or ends there
-    std::vector<std::uint32_t> circuit_;         // per track
+    geom::DisjointSets circuits_;                // of tracks
 };
 
 Vec2 unit(Vec2 v) {

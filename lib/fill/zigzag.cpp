@@ -4,8 +4,8 @@
 #include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
 #include "fill/maze.hpp"
-#include "fill/rows.hpp"
 #include "polygon/clip.hpp"
+#include "polygon/stretches.hpp"
 #include "rings/lanes.hpp"
 
 #include <optional>
@@ -24,14 +24,14 @@ struct Try {
 };
 constexpr Try kTries[] = {{kShares[0], 2}, {kShares[1], 2}, {kShares[1], 2.12}, {kShares[1], 1.9}};
 
-struct Attempt {
+struct Laid {
     std::vector<toolpath::Curve> curves;
     std::size_t crossings = 0; // of the curves' segments
     double unplaced = 0;       // mm2 that no bead reaches
 };
 
 // In a frame where the rows are level.
-Attempt attempt(const Loops& region, const ZigzagOptions& o, const Try& how) {
+Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
     const double w = o.bead_width, tolerance = how.share * tolerance_for(w);
     rings::FirstLanes outer{{}, {region}};
     if (o.rings > 0) outer = rings::first_lanes(region, {.width = w, .most = o.rings, .tolerance = tolerance});
@@ -39,7 +39,7 @@ Attempt attempt(const Loops& region, const ZigzagOptions& o, const Try& how) {
     for (const Loops& part : outer.rest)
         core.add(rings::lanes(maze(part, w, how.row * w), {.width = w, .tolerance = tolerance}));
     const double laid = rings::laid_area(outer.lanes) + rings::laid_area(core);
-    Attempt out{{}, 0, std::max(0.0, polygon::signed_area(region) - laid)};
+    Laid out{{}, 0, std::max(0.0, polygon::signed_area(region) - laid)};
     if (!o.linked) out.curves = rings::curves_of(std::exchange(outer.lanes, {}));
     outer.lanes.add(core);
     for (auto& curve : closed_curves(join_rings(outer.lanes, w, region))) out.curves.push_back(std::move(curve));
@@ -50,15 +50,15 @@ Attempt attempt(const Loops& region, const ZigzagOptions& o, const Try& how) {
 } // namespace
 
 std::vector<toolpath::Curve> zigzag(const Loops& region, const ZigzagOptions& o, Notes& notes, double* unplaced) {
-    const Loops level = rotated(region, -o.angle);
-    const auto faults = [](const Attempt& a) { return std::pair{a.crossings, a.curves.size()}; };
-    std::optional<Attempt> best;
+    const Loops level = polygon::rotated(region, -o.angle);
+    const auto faults = [](const Laid& a) { return std::pair{a.crossings, a.curves.size()}; };
+    std::optional<Laid> best;
     for (const Try& how : kTries) {
-        Attempt now = attempt(level, o, how);
+        Laid now = lay_rows(level, o, how);
         if (!best || (!now.curves.empty() && faults(now) < faults(*best))) best = std::move(now);
         if (best->crossings == 0 && (best->curves.size() == 1 || !o.linked)) break;
     }
-    for (auto& curve : best->curves) rotate(curve.points, o.angle);
+    for (auto& curve : best->curves) polygon::rotate(curve.points, o.angle);
     if (best->crossings > 0) uncross(best->curves, o.bead_width, notes);
     if (o.linked) note_unjoined(best->curves, notes);
     if (unplaced != nullptr) *unplaced = best->unplaced;

@@ -1,5 +1,7 @@
 #include "geom/segment_grid.hpp"
 
+#include "base/none.hpp"
+
 namespace filum::geom {
 
 template <class F>
@@ -35,11 +37,23 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
 
     // how many, then where the next cell begins; each item put in moves that to where its own cell begins
     start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (const Segment& s : segments) cells_of(s, margin, [&](std::size_t c) { ++start_[c]; });
+    std::vector<std::uint32_t> only(segments.size()); // the cell of a segment that lies in one; most do
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        std::uint32_t cells = 0;
+        cells_of(segments[i], margin, [&](std::size_t c) {
+            ++start_[c];
+            only[i] = cells++ == 0 ? static_cast<std::uint32_t>(c) : kNone;
+        });
+    }
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     item_.resize(start_.back());
-    for (auto i = static_cast<std::uint32_t>(segments.size()); i-- > 0;)
-        cells_of(segments[i], margin, [&](std::size_t c) { item_[--start_[c]] = i; });
+    for (auto i = static_cast<std::uint32_t>(segments.size()); i-- > 0;) {
+        const auto put = [&](std::size_t c) { item_[--start_[c]] = i; };
+        if (only[i] != kNone)
+            put(only[i]);
+        else
+            cells_of(segments[i], margin, put);
+    }
 }
 
 } // namespace filum::geom

@@ -1,16 +1,18 @@
 #include "hollow/hollow.hpp"
 
+#include "fill/attempt.hpp"
 #include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
 #include "fill/finish.hpp"
 #include "fill/identify.hpp"
-#include "fill/rows.hpp"
 #include "fill/spiral.hpp"
 #include "geom/segment_grid.hpp"
 #include "hollow/pieces.hpp"
 #include "infill/infill.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/segments.hpp"
+#include "polygon/stretches.hpp"
+#include "polygon/strips.hpp"
 #include "rings/lanes.hpp"
 
 #include <algorithm>
@@ -28,20 +30,8 @@ using polygon::Loops;
 using polygon::Region;
 using toolpath::Feature;
 
-constexpr double kTolerance = 0.01;       // mm: what a bead's edges may be off
-constexpr double kFine = kTolerance / 16; // where the curve would cross itself
-constexpr double kStripGive = 0.25;       // of a strip's height: rows are from three to five quarters of a bead wide
-
-// A way to join, from the best to the safest.
-struct Try {
-    double tolerance; // mm
-    bool wind;
-    fill::Corners corners; // outer walls keep theirs: what is seen is as sharp as its bead
-};
-constexpr Try kTries[] = {{kTolerance, true, fill::Corners::rounded_inside},
-                          {kFine, true, fill::Corners::rounded_inside},
-                          {kFine, true, fill::Corners::sharp},
-                          {kFine, false, fill::Corners::sharp}};
+constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
+constexpr double kStripGive = 0.25; // of a strip's height: rows are from three to five quarters of a bead wide
 
 // Closed curves, each of one feature.
 struct Loose {
@@ -95,7 +85,7 @@ void take_bridges(const Region& r, double depth, double w, Loops& solid, Divisio
 // A ring in each of the strips two beads high that run along the bridge: rows that turn where it is carried.
 void add_rows(Loose& to, const Loops& bridge, double direction, double w, double tolerance) {
     const Loops level = polygon::rotated(bridge, -direction);
-    const auto cuts = fill::cuts(level, 2 * w, kStripGive);
+    const auto cuts = polygon::strip_bounds(level, 2 * w, kStripGive);
     const auto box = polygon::bounds(level);
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         Loops frame;
@@ -169,22 +159,22 @@ void add_piece(Loose& to, const Piece& piece, const Region& r, double depth, dou
 }
 
 // All closed curves of the region, none joined.
-Loose closed_curves(const Region& r, double w, const Try& how) {
+Loose closed_curves(const Region& r, double w, double tolerance) {
     Loose out;
     if (!has(r, AreaKind::sparse) && !has(r, AreaKind::bridge) && !has(r, AreaKind::zone)) {
-        add(out, rings::lanes(r.loops, {.width = w, .tolerance = how.tolerance}), r.walls);
+        add(out, rings::lanes(r.loops, {.width = w, .tolerance = tolerance}), r.walls);
         return out;
     }
     const auto walls =
-        rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = how.tolerance});
+        rings::first_lanes(r.loops, {.width = w, .most = static_cast<int>(r.walls), .tolerance = tolerance});
     add(out, walls.lanes, r.walls);
     const double depth = r.walls * w;
     for (const Loops& rest : walls.rest)
         if (!has(r, AreaKind::zone))
-            add_inside(out, rest, r, depth, w, how.tolerance);
+            add_inside(out, rest, r, depth, w, tolerance);
         else
             for (const Piece& piece : pieces(polygon::simplify(rest, kTolerance), r, w))
-                add_piece(out, piece, r, depth, how.tolerance);
+                add_piece(out, piece, r, depth, tolerance);
     return out;
 }
 
@@ -246,17 +236,19 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     const std::size_t first = notes.size();
     const Widths width = widths(r, o.bead_width);
     const auto hung = hanging(r, width.widest);
+    const auto inside = fill::Corners::rounded_inside; // what is seen of outer walls is as sharp as their beads
     Loose loose;
     // crossings first, then curves
     constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
     std::pair fewest{kMost, kMost};
-    for (const Try& t : kTries) {
-        Loose parts = closed_curves(r, o.bead_width, t);
+    for (const fill::Attempt& how : fill::kAttempts) {
+        const double tolerance = how.share * kTolerance;
+        Loose parts = closed_curves(r, o.bead_width, tolerance);
         auto curves = fill::finished(parts.rings, r.loops,
                                      {.bead_width = width.narrowest,
-                                      .tolerance = t.tolerance,
-                                      .wind = t.wind,
-                                      .corners = t.corners,
+                                      .tolerance = tolerance,
+                                      .wind = how.wind,
+                                      .corners = how.round ? inside : fill::Corners::sharp,
                                       .reach = fill::kRoundReach * width.narrowest,
                                       .hung = hung,
                                       .widest = width.widest});

@@ -123,21 +123,24 @@ bool Linker::within_segment(const Place& place) const {
     return std::min(geom::distance(place.point, a), geom::distance(place.point, b)) > 2 * kOn;
 }
 
-// The jog a -> b meets no bead of the front region's one curve before its end, but for the segment that it begins on,
-// and stays so near to that curve that it cannot meet a neighbour of the region.
+// The jog a -> b keeps off all beads of the front region's one curve but the segment that it begins on, up to where it
+// comes near its end; it crosses none there either.  And it stays so near to that curve that it cannot meet a neighbour
+// of the region.
 bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     const double l = geom::distance(a, b);
-    if (l <= kEnds) return true;
-    const Vec2 end = geom::lerp(b, a, kEnds / l);
+    if (l <= kSamePoint) return true;
+    const Vec2 last = geom::lerp(b, a, kSamePoint / l), off = geom::lerp(b, a, std::min(1.0, kEnds / l));
     Box2 box;
     box.add(a);
-    box.add(end);
+    box.add(last);
     box.lo = box.lo - Vec2{kMargin, kMargin};
     box.hi = box.hi + Vec2{kMargin, kMargin};
     bool free = true;
     window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
-        return free = s == on || geom::segment_distance(a, end, c, d) > kMargin;
+        const bool apart = l <= kEnds || geom::segment_distance(a, off, c, d) > kMargin;
+        return free = s == on || (apart && !geom::cross_properly(a, last, c, d));
     });
+    if (l <= kEnds) return free;
     const auto& r = window_.front();
     for (int k = 0; k < 8 && free; ++k)
         free = r.index.nearest(geom::lerp(a, b, k / 8.0), kInside * r.width).has_value();

@@ -11,13 +11,9 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kSharing = 2;       // the inmost lanes on each side that share what a wall's thickness leaves over
-constexpr double kWidest = 1.75;     // widths: what a lane may have to spare a change of their number
-constexpr double kRamp = 3;          // widths of wall along which the number of lanes changes by one
-constexpr double kLeastLane = 0.25;  // widths: no lane begins narrower
-constexpr double kAppear = 1.0 / 16; // of a ramp: in this stretch a lane goes from nothing to its least width
-constexpr double kBlend = 2;         // widths: over this length a corner's profile goes over into a thinner wall's
-constexpr double kParallel = 1e-9;   // slope of a wall that has no tip
+constexpr double kLeastLane = 0.25; // widths: no lane begins narrower
+constexpr double kBlend = 2;        // widths: over this length a corner's profile goes over into a thinner wall's
+constexpr double kParallel = 1e-9;  // slope of a wall that has no tip
 
 // Radius of the disc that touches both sides of a corner and leaves a tip of `area` beyond it.
 double tip_radius(double slope, double area) {
@@ -189,15 +185,7 @@ class Profiles {
 } // namespace
 
 Beading beading(const MedialAxis& axis, double width, double least_void) {
-    WallLaneOptions o;
-    o.width = width;
-    o.sharing = kSharing;
-    o.widest = kWidest;
-    o.ramp = kRamp * width;
-    o.appear = kAppear;
-    o.slope = kWallSlope;
-    o.blend = kBlend * width;
-    return Profiles(wall_lanes(axis, o), width, least_void).run();
+    return Profiles(wall_lanes(axis, width), width, least_void).run();
 }
 
 } // namespace filum::rings

@@ -46,6 +46,9 @@ struct Beading {
 // them.
 inline constexpr double kWallSlope = 0.5;
 
+// Widths: thinner walls are laid with a bead that is wider than they are.
+inline constexpr double kNarrowest = 1.0 / 16;
+
 // The beading of a region with beads `width` mm wide where nothing asks for another width.  Lanes end in corners and
 // tips where the rest that no bead reaches is at most `least_void` mm2, or they would be too narrow.
 Beading beading(const MedialAxis& axis, double width, double least_void);

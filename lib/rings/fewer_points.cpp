@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace filum::rings {
@@ -76,14 +77,19 @@ class Thinning {
         const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
         const double wa = bead_.width[a], wb = bead_.width[b % bead_.size()], l2 = geom::norm2(q - p);
         const double full = off_ * toolpath::full_share(wa, std::sqrt(l2));
-        double laid_aside = 0; // mm2
+        const auto off2 = [&](std::size_t i) { // the square of how far point i is from the chord
+            const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
+            return geom::norm2(geom::lerp(p, q, t) - bead_.points[i]);
+        };
+        if (b > a + 2 && off2(a + (b - a) / 2) > full * full) return false; // most that are too far are so there
+        double laid_aside = 0;                                              // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
             const double eighth = bead_.width[i] / 8, off = std::min(full, eighth);
             const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
             if (geom::norm2(geom::lerp(p, q, t) - bead_.points[i]) > off * off) return false;
             const double wider = std::abs(bead_.width[i] - std::lerp(wa, wb, t));
             if (wider > eighth) return false;
-            laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
+            if (wider > 0) laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
             if (laid_aside > least_) return false;
         }
         return true;
@@ -103,11 +109,14 @@ class Thinning {
         const auto at = [&](std::size_t k) { return bead_.points[kept[k % n]]; };
         for (std::size_t k = 1; k + 1 < n; ++k) {
             const Vec2 h = at(k + n - 2), a = at(k - 1), c = at(k + 1), d = at(k + 2);
-            const auto bends = [&](Vec2 b) { return bend(h, a, b) + bend(a, b, c) + bend(b, c, d); };
+            const auto bends = [&](Vec2 b, double most) { // as far as they do not exceed `most`
+                const double before = bend(h, a, b);
+                return before >= most ? before : before + bend(a, b, c) + bend(b, c, d);
+            };
             constexpr double kLess = 1 - 1e-9; // for rounding
-            double least = kLess * bends(at(k));
+            double least = kLess * bends(at(k), std::numeric_limits<double>::infinity());
             for (std::size_t i = kept[k - 1] + 1, end = kept[k + 1]; i < end; ++i) {
-                const double now = bends(bead_.points[i]);
+                const double now = bends(bead_.points[i], least);
                 if (now >= least || !within(kept[k - 1], i) || !within(i, end)) continue;
                 least = kLess * now;
                 kept[k] = i;

@@ -8,8 +8,6 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kNarrowest = 1.0 / 16; // widths: thinner walls are laid with a bead that is wider than they are
-
 class Walk {
   public:
     Walk(const Beading& beading, double least_void, double tolerance)

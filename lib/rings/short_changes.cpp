@@ -1,8 +1,10 @@
 #include "rings/short_changes.hpp"
 
+#include "geom/disjoint_sets.hpp"
+#include "rings/wall_lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace filum::rings {
 
@@ -11,12 +13,9 @@ namespace {
 // Walls with at least so many lanes (sign 1; with at most so many: -1), level by level, in connected stretches.
 class Levels {
   public:
-    Levels(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int>& lanes, const WallLaneOptions& o,
-           int sign)
-        : axis_(&axis), wall_(&wall), lanes_(&lanes), o_(&o), sign_(sign), root_(lanes.size()), length_(lanes.size()),
-          radius_(lanes.size()), in_(lanes.size(), 0), members_(lanes.size()) {
-        std::iota(root_.begin(), root_.end(), 0U);
-    }
+    Levels(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int>& lanes, double width, int sign)
+        : axis_(&axis), wall_(&wall), lanes_(&lanes), width_(width), sign_(sign), stretch_(lanes.size()),
+          length_(lanes.size()), radius_(lanes.size()), in_(lanes.size(), 0), members_(lanes.size()) {}
 
     void run() {
         std::vector<std::uint32_t> order;
@@ -37,15 +36,12 @@ class Levels {
             }
             std::erase_if(lowered, [&](std::uint32_t e) { return (*lanes_)[e] == level; });
             for (const std::uint32_t e : here) join_neighbours(e);
-            for (const std::uint32_t e : here) lower(find(e), level, lowered);
+            for (const std::uint32_t e : here) lower(stretch_.root(e), level, lowered);
         }
     }
 
   private:
-    std::uint32_t find(std::uint32_t e) {
-        while (root_[e] != e) e = root_[e] = root_[root_[e]];
-        return e;
-    }
+    [[nodiscard]] double ramp() const { return kRamp * width_; }
     void enter(std::uint32_t e) {
         in_[e] = 1, length_[e] = axis_->length(2 * e), members_[e] = {e};
         const double a = axis_->radius[axis_->from[2 * e]], b = axis_->radius[axis_->to(2 * e)];
@@ -60,13 +56,13 @@ class Levels {
     void join_neighbours(std::uint32_t e) {
         each_neighbour(e, [&](std::uint32_t other) {
             if (!in_[other]) return;
-            std::uint32_t a = find(e), b = find(other);
-            if (a == b) return;
-            if (members_[a].size() < members_[b].size()) std::swap(a, b);
-            root_[b] = a;
+            const std::uint32_t one = stretch_.root(e), two = stretch_.root(other);
+            if (!stretch_.unite(one, two)) return;
+            const std::uint32_t a = std::min(one, two), b = std::max(one, two); // a stands for both
             length_[a] += length_[b];
             radius_[a] = sign_ > 0 ? std::max(radius_[a], radius_[b]) : std::min(radius_[a], radius_[b]);
-            if (length_[a] < o_->ramp) members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
+            if (members_[a].size() < members_[b].size()) std::swap(members_[a], members_[b]);
+            if (length_[a] < ramp()) members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
             members_[b].clear();
         });
     }
@@ -74,11 +70,11 @@ class Levels {
     void lower(std::uint32_t r, int level, std::vector<std::uint32_t>& lowered) {
         const auto& members = members_[r];
         const int to = level - sign_;
-        if (length_[r] >= o_->ramp || to < 1) return;
+        if (length_[r] >= ramp() || to < 1) return;
         if (std::any_of(members.begin(), members.end(), [&](std::uint32_t e) { return (*lanes_)[e] != level; })) return;
-        const double full = std::max(0.0, to - o_->sharing);
-        const double share = (radius_[r] / o_->width - full) / (to - full);
-        if (share > o_->widest || share < 1 / o_->widest) return;
+        const double full = std::max(0.0, to - kSharing);
+        const double share = (radius_[r] / width_ - full) / (to - full);
+        if (share > kWidest || share < 1 / kWidest) return;
         bool ends = false;
         for (const std::uint32_t e : members)
             each_neighbour(e, [&](std::uint32_t other) { ends = ends || !in_[other]; });
@@ -90,9 +86,9 @@ class Levels {
     const MedialAxis* axis_;
     const std::vector<char>* wall_;
     std::vector<int>* lanes_;
-    const WallLaneOptions* o_;
+    double width_; // mm
     int sign_;
-    std::vector<std::uint32_t> root_;
+    geom::DisjointSets stretch_;
     std::vector<double> length_, radius_; // per root
     std::vector<char> in_;
     std::vector<std::vector<std::uint32_t>> members_; // per root, while it is short
@@ -101,8 +97,8 @@ class Levels {
 } // namespace
 
 std::vector<int> without_short_changes(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int> lanes,
-                                       const WallLaneOptions& options) {
-    for (const int sign : {1, -1}) Levels(axis, wall, lanes, options, sign).run();
+                                       double width) {
+    for (const int sign : {1, -1}) Levels(axis, wall, lanes, width, sign).run();
     return lanes;
 }
 

@@ -1,5 +1,6 @@
 #include "rings/wall_lanes.hpp"
 
+#include "rings/beading.hpp"
 #include "rings/short_changes.hpp"
 
 #include <algorithm>
@@ -42,9 +43,9 @@ std::vector<T> spread(const std::vector<T>& of_piece, const std::vector<std::uin
     return out;
 }
 
-std::vector<char> walls(const MedialAxis& axis, double slope) {
+std::vector<char> walls(const MedialAxis& axis) {
     std::vector<char> out(axis.half_edges() / 2);
-    for (std::uint32_t e = 0; e < out.size(); ++e) out[e] = axis.slope(2 * e) <= slope * (1 + 1e-9) ? 1 : 0;
+    for (std::uint32_t e = 0; e < out.size(); ++e) out[e] = axis.slope(2 * e) <= kWallSlope * (1 + 1e-9) ? 1 : 0;
     return out;
 }
 
@@ -69,10 +70,10 @@ std::vector<int> lanes_of_pieces(const MedialAxis& axis, const std::vector<char>
 }
 
 // What an envelope falls by along a piece: by one in half a ramp, and across corners by one in half a width.
-double fall(const MedialAxis& axis, std::uint32_t h, bool wall, const WallLaneOptions& o) {
-    const double along = 2 * axis.length(h) / o.ramp;
+double fall(const MedialAxis& axis, std::uint32_t h, bool wall, double width) {
+    const double along = 2 * axis.length(h) / (kRamp * width);
     if (wall) return along;
-    return std::max(along, 2 * std::abs(axis.radius[axis.from[h]] - axis.radius[axis.to(h)]) / o.width);
+    return std::max(along, 2 * std::abs(axis.radius[axis.from[h]] - axis.radius[axis.to(h)]) / width);
 }
 
 struct Visit {
@@ -85,7 +86,7 @@ struct Visit {
 
 // Raises `value` (kUnset where nothing is told) to the least function above it that falls no faster.  Off the walls it
 // is followed only until it has fallen by one: the numbers of walls alike in thickness differ by no more.
-void raise(const MedialAxis& axis, const std::vector<char>& wall, const WallLaneOptions& o,
+void raise(const MedialAxis& axis, const std::vector<char>& wall, double width,
            const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
     std::priority_queue<Visit> queue;
     std::vector<double> fallen(value.size(), 0); // since the last wall
@@ -93,7 +94,7 @@ void raise(const MedialAxis& axis, const std::vector<char>& wall, const WallLane
         std::uint32_t h = half_at[i];
         do {
             const bool on_wall = wall[h / 2] != 0;
-            const double down = fall(axis, h, on_wall, o), beyond = on_wall ? 0 : fallen[i] + down;
+            const double down = fall(axis, h, on_wall, width), beyond = on_wall ? 0 : fallen[i] + down;
             const std::uint32_t j = axis.to(h);
             if (beyond < 1 && value[i] - down > value[j] + 1e-9) {
                 value[j] = value[i] - down;
@@ -124,8 +125,8 @@ struct Ramp {
     }
     [[nodiscard]] bool level() const { return upper[0] == n && upper[1] == n && lower[0] == n && lower[1] == n; }
 
-    // Adds where an envelope bends, where the number is whole, and where `appear` of a ramp is passed.
-    void add_cuts(double appear, Cuts& out) const {
+    // Adds where an envelope bends, where the number is whole, and where kAppear of a ramp is passed.
+    void add_cuts(Cuts& out) const {
         std::vector<double> bends{0, 1};
         for (const auto& [a, b] : {std::pair{upper[0] - n, upper[1] - n}, std::pair{n - lower[0], n - lower[1]}})
             for (const double t : {a / rise, 1 - b / rise, 0.5 + (a - b) / (2 * rise)})
@@ -135,49 +136,20 @@ struct Ramp {
             out.add(bends[i]);
             const double a = lanes(bends[i]), b = lanes(bends[i + 1]), lo = std::min(a, b), hi = std::max(a, b);
             for (double k = std::floor(lo); k < hi; ++k)
-                for (const double f : {k, k + appear})
+                for (const double f : {k, k + kAppear})
                     if (f > lo && f < hi) out.add(bends[i] + (f - a) / (b - a) * (bends[i + 1] - bends[i]));
         }
     }
 };
 
-// How far up corners each node is from the nearest wall below it, mm; infinite where there is none.
-std::vector<double> above_walls(const MedialAxis& axis, const std::vector<char>& wall, const std::vector<char>& set) {
-    std::vector<std::uint32_t> rising; // half-edges of corners, by the radius that they begin at
-    for (std::uint32_t h = 0; h < axis.half_edges(); ++h)
-        if (!wall[h / 2] && axis.radius[axis.from[h]] < axis.radius[axis.to(h)]) rising.push_back(h);
-    std::stable_sort(rising.begin(), rising.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return axis.radius[axis.from[a]] < axis.radius[axis.from[b]];
-    });
-    std::vector<double> out(axis.nodes(), std::numeric_limits<double>::infinity());
-    for (std::uint32_t i = 0; i < axis.nodes(); ++i)
-        if (set[i]) out[i] = 0;
-    for (const std::uint32_t h : rising)
-        out[axis.to(h)] = std::min(out[axis.to(h)], out[axis.from[h]] + axis.length(h));
-    return out;
-}
-
-// Nodes on a corner for where its profile goes over into that of the wall which it rises out of.
-void add_blend_cuts(const MedialAxis& axis, std::uint32_t e, const std::vector<double>& above, double blend,
-                    Cuts& out) {
-    constexpr int kSteps = 4;
-    const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
-    const bool rises = axis.radius[a] < axis.radius[b];
-    const double below = above[rises ? a : b];
-    for (int k = 1; k <= kSteps && below < blend; ++k) {
-        const double t = (k * blend / kSteps - below) / axis.length(2 * e);
-        out.add(rises ? t : 1 - t);
-    }
-}
-
 } // namespace
 
-WallLanes wall_lanes(const MedialAxis& given, const WallLaneOptions& o) {
-    std::vector<char> wall = walls(given, o.slope);
-    const Cuts changing = changes(given, wall, o.width);
+WallLanes wall_lanes(const MedialAxis& given, double width) {
+    std::vector<char> wall = walls(given);
+    const Cuts changing = changes(given, wall, width);
     const MedialAxis axis = refined(given, changing.at, changing.start);
     wall = spread(wall, changing.start);
-    const auto lanes = without_short_changes(axis, wall, lanes_of_pieces(axis, wall, o.width), o);
+    const auto lanes = without_short_changes(axis, wall, lanes_of_pieces(axis, wall, width), width);
 
     std::vector<std::uint32_t> half_at(axis.nodes());
     std::vector<char> top(axis.nodes(), 1);
@@ -192,16 +164,15 @@ WallLanes wall_lanes(const MedialAxis& given, const WallLaneOptions& o) {
     }
     for (std::uint32_t i = 0; i < axis.nodes(); ++i)
         if (top[i] && upper[i] == kUnset) {
-            upper[i] = lanes_at(axis.radius[i] / o.width);
+            upper[i] = lanes_at(axis.radius[i] / width);
             lower[i] = -upper[i];
         }
     WallLanes out;
     out.set.resize(axis.nodes());
     for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.set[i] = upper[i] != kUnset ? 1 : 0;
-    raise(axis, wall, o, half_at, upper);
-    raise(axis, wall, o, half_at, lower);
+    raise(axis, wall, width, half_at, upper);
+    raise(axis, wall, width, half_at, lower);
 
-    const auto above = above_walls(axis, wall, out.set);
     Cuts ramps;
     for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.lanes.push_back(out.set[i] ? (upper[i] - lower[i]) / 2 : 0);
     std::vector<double> of_cuts;
@@ -209,11 +180,10 @@ WallLanes wall_lanes(const MedialAxis& given, const WallLaneOptions& o) {
     for (std::uint32_t e = 0; e < wall.size(); ++e) {
         const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
         const Ramp ramp{static_cast<double>(lanes[e]),
-                        2 * axis.length(2 * e) / o.ramp,
+                        2 * axis.length(2 * e) / (kRamp * width),
                         {upper[a], upper[b]},
                         {-lower[a], -lower[b]}};
-        if (wall[e] && !ramp.level()) ramp.add_cuts(o.appear, ramps);
-        if (!wall[e]) add_blend_cuts(axis, e, above, o.blend, ramps);
+        if (wall[e] && !ramp.level()) ramp.add_cuts(ramps);
         ramps.close();
         for (std::size_t k = ramps.start[e]; k < ramps.start[e + 1]; ++k) {
             of_cuts.push_back(wall[e] ? ramp.lanes(ramps.at[k]) : 0);

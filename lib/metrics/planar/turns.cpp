@@ -2,6 +2,7 @@
 
 #include "geom/polyline.hpp"
 #include "parallel/parallel.hpp"
+#include "toolpath/radius.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,30 +55,9 @@ bool leave(std::vector<Vec2>& path, double r) {
     return true;
 }
 
-// The point `s` along the path from its first point, or its end.
-Vec2 point_at(std::span<const Vec2> path, double s) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        const double l = geom::distance(path[i], path[i + 1]);
-        if (l >= s && l > 0) return geom::lerp(path[i], path[i + 1], s / l);
-        s -= l;
-    }
-    return path.back();
-}
-
-double circle_through(Vec2 a, Vec2 b, Vec2 c) {
-    const double twice_area = std::abs(geom::orient(a, b, c));
-    if (twice_area <= 1e-9 * geom::norm2(c - a) && dot(b - a, c - b) > 0) return INFINITY;
-    if (twice_area == 0) return 0; // straight back
-    return geom::distance(a, b) * geom::distance(b, c) * geom::distance(c, a) / (2 * twice_area);
-}
-
 void smallest_radius(std::span<const Vec2> chain, double scale, Turns& out) {
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
-        const Vec2 u = chain[i] - chain[i - 1], v = chain[i + 1] - chain[i];
-        if (std::abs(geom::cross(u, v)) < 1e-6 * geom::norm(u) * geom::norm(v) && dot(u, v) > 0) continue;
-        const auto at = static_cast<std::ptrdiff_t>(i);
-        const auto ahead = walk(chain, chain[i], at + 1, 1, scale), back = walk(chain, chain[i], at - 1, -1, scale);
-        const double r = circle_through(point_at(back, scale), chain[i], point_at(ahead, scale));
+        const double r = toolpath::radius_at(chain, false, i, scale);
         if (r < out.min_radius) {
             out.min_radius = r;
             out.at = chain[i];

@@ -4,6 +4,7 @@
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
 #include "rings/lanes.hpp"
+#include "toolpath/radius.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,14 +32,14 @@ Curve circle(double radius, int n) {
 
 TEST(LeastRadius, OfACircleIsItsRadius) {
     const Curve c = circle(2, 400);
-    for (std::size_t i = 0; i < c.points.size(); ++i) EXPECT_NEAR(radius_at(c, i, 0.2), 2, 0.02);
+    for (std::size_t i = 0; i < c.points.size(); ++i) EXPECT_NEAR(toolpath::radius_at(c.points, true, i, 0.2), 2, 0.02);
     EXPECT_EQ(tight_turns({c}, 0.2, 1.9).count, 0U);
     EXPECT_EQ(tight_turns({c}, 0.2, 2.1).count, 1U); // one long place
 }
 
 TEST(LeastRadius, OfASquareIsThatOfItsCorners) {
     const Curve c{true, {{0, 0}, {5, 0}, {5, 5}, {0, 5}}, {kWidth}};
-    EXPECT_NEAR(radius_at(c, 1, 0.2), 0.2 / std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(toolpath::radius_at(c.points, true, 1, 0.2), 0.2 / std::sqrt(2.0), 1e-12);
     EXPECT_EQ(tight_turns({c}, 0.2, 0.2).count, 4U);
     EXPECT_EQ(tight_turns({c}, 0.2, 0.1).count, 0U);
 }
@@ -71,7 +72,7 @@ TEST_P(RoundRegion, EveryTighterTurnIsCounted) {
         double since = 1e9;
         for (std::size_t i = 0; i < p.size(); ++i) {
             since += i > 0 ? geom::distance(p[i - 1], p[i]) : 0;
-            if (radius_at(s.curves[0], i, kWidth / 2) >= radius) continue;
+            if (toolpath::radius_at(s.curves[0].points, true, i, kWidth / 2) >= radius) continue;
             places += since > kWidth ? 1 : 0;
             since = 0;
         }
@@ -99,7 +100,7 @@ TEST(LeastRadius, OnlyTurnsOfTheSpiralStayTightInABar) {
     for (std::size_t i = 0; i < c.points.size(); ++i) { // the corners of the outer rings
         const Vec2 p = c.points[i];
         if (std::min(p.x, 40 - p.x) < 2 && std::min(p.y, 16 - p.y) < 2) {
-            EXPECT_GE(radius_at(c, i, kWidth / 2), 0.4) << p.x << ',' << p.y;
+            EXPECT_GE(toolpath::radius_at(c.points, true, i, kWidth / 2), 0.4) << p.x << ',' << p.y;
         }
     }
 }

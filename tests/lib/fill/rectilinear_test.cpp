@@ -1,7 +1,8 @@
 #include "fill/rectilinear.hpp"
 
-#include "fill/rows.hpp"
 #include "pattern_check.hpp"
+#include "polygon/stretches.hpp"
+#include "polygon/strips.hpp"
 
 namespace filum::fill {
 namespace {
@@ -78,11 +79,12 @@ TEST(Rows, ScanAgreesWithContains) {
             const auto box = polygon::bounds(region);
             std::vector<double> y;
             for (double v = box.lo.y - 0.1; v < box.hi.y + 0.1; v += 0.173) y.push_back(v);
-            const auto rows = scan(region, y);
+            const auto rows = polygon::scan(region, y);
             for (std::size_t i = 0; i < y.size(); ++i)
                 for (double x = box.lo.x - 0.5; x < box.hi.x + 0.5; x += 0.31) {
-                    const bool in = std::any_of(rows[i].begin(), rows[i].end(),
-                                                [&](const Stretch& s) { return s.from <= x && x < s.to; });
+                    const bool in = std::any_of(rows[i].begin(), rows[i].end(), [&](const polygon::LevelStretch& s) {
+                        return s.from <= x && x < s.to;
+                    });
                     EXPECT_EQ(in, polygon::contains(region, {x, y[i]}));
                 }
         }
@@ -91,7 +93,7 @@ TEST(Rows, ScanAgreesWithContains) {
 TEST(Rows, CutsFallOnFlats) {
     // a step at 2.9, three and a half beads of 0.8 up: the strips below it stretch, or shrink, to end there
     const auto stairs = polygon::unite(rectangle(0, 0, 10, 8), rectangle(9, 0, 20, 2.9));
-    const auto y = cuts(stairs, 0.8, 0.2);
+    const auto y = polygon::strip_bounds(stairs, 0.8, 0.2);
     EXPECT_EQ(y.front(), 0);
     EXPECT_EQ(y.back(), 8);
     double nearest = 1;

@@ -3,10 +3,10 @@
 #include "base/error.hpp"
 #include "fill/fill.hpp"
 #include "fill/inset.hpp"
-#include "fill/rows.hpp"
 #include "fill/strand_bead.hpp"
 #include "fill/strand_walk.hpp"
 #include "pattern_check.hpp"
+#include "polygon/stretches.hpp"
 
 namespace filum::fill {
 namespace {
@@ -79,19 +79,19 @@ void expect_scaffold(const Loops& area, double angle, const std::string& name) {
     Notes notes;
     const auto curves = scaffold(area, area, {.angle = angle}, notes);
     expect_sound(curves);
-    const Loops reach = rotated(inset(area, w / 2), -angle);
+    const Loops reach = polygon::rotated(inset(area, w / 2), -angle);
     EXPECT_EQ(curves.size(), polygon::split(reach).part.size()) << name << " at " << angle;
     EXPECT_EQ(crossings(curves), 0U) << name << " at " << angle;
     EXPECT_LT(farthest_outside(area, curves), 0.01) << name << " at " << angle;
-    const auto box = polygon::bounds(rotated(area, -angle));
+    const auto box = polygon::bounds(polygon::rotated(area, -angle));
     const double middle = (box.lo.y + box.hi.y) / 2, span = std::floor(box.hi.y - box.lo.y - w + 1e-6);
     std::vector<double> y;
     for (double k = 0; k <= span; k += 1) y.push_back(middle - span / 2 + k);
-    const auto rows = scan(reach, y);
+    const auto rows = polygon::scan(reach, y);
     for (std::size_t i = 0; i < y.size(); ++i)
-        for (const Stretch s : rows[i]) {
+        for (const polygon::LevelStretch s : rows[i]) {
             std::vector<Vec2> p{{(s.from + s.to) / 2, y[i]}};
-            rotate(p, angle);
+            polygon::rotate(p, angle);
             if (s.to - s.from > 2 * w) {
                 EXPECT_LT(distance_to(curves, p[0]), 0.3) << name << " at " << angle;
             }

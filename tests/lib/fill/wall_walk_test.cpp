@@ -132,7 +132,8 @@ TEST(WallWalk, FatPartsAreNoWalls) {
     EXPECT_FALSE(wall_graph(rectangle(0, 0, 5, 1), 0.4));
     EXPECT_FALSE(wall_graph(polygon::unite(plate(), rectangle(0, 0, 2, 2)), 0.4));
     EXPECT_TRUE(wall_graph(rectangle(0, 0, 5, 0.4), 0.4)); // as thick as a bead
-    EXPECT_FALSE(wall_graph(rectangle(0, 0, 5, 0.55), 0.4));
+    EXPECT_TRUE(wall_graph(rectangle(0, 0, 5, 0.56), 0.4));
+    EXPECT_FALSE(wall_graph(rectangle(0, 0, 5, 0.57), 0.4)); // two beads are as near to 0.4
 }
 
 TEST(WallWalk, FillTakesItWhereAskedTo) {

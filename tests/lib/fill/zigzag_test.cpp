@@ -1,7 +1,6 @@
 #include "fill/zigzag.hpp"
 
 #include "fill/maze.hpp"
-#include "fill/rows.hpp"
 #include "pattern_check.hpp"
 
 namespace filum::fill {

@@ -1,13 +1,10 @@
-#include "fill/rows.hpp"
+#include "polygon/strips.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace filum::fill {
-
-using geom::Vec2;
-using polygon::Loops;
+namespace filum::polygon {
 
 namespace {
 
@@ -55,8 +52,8 @@ struct Misfit {
 
 } // namespace
 
-std::vector<double> cuts(const Loops& area, double height, double give) {
-    const auto box = polygon::bounds(area);
+std::vector<double> strip_bounds(const Loops& area, double height, double give) {
+    const auto box = bounds(area);
     const double extent = box.hi.y - box.lo.y;
     const double wanted = std::max(1.0, std::round(extent / height));
     std::vector<double> even;
@@ -69,7 +66,7 @@ std::vector<double> cuts(const Loops& area, double height, double give) {
     const Misfit misfit(flats(area, box.lo.y, step, steps + 1));
     const auto lo = static_cast<std::size_t>(std::ceil(least / step - 1e-9));
     const auto hi = static_cast<std::size_t>(std::floor(most / step + 1e-9));
-    const double breadth = polygon::signed_area(area) / extent; // mean length of a line in the area
+    const double breadth = signed_area(area) / extent; // mean length of a line in the area
     constexpr double never = std::numeric_limits<double>::infinity();
     std::vector<double> cost(steps + 1, never);
     std::vector<std::size_t> from(steps + 1, 0);
@@ -93,4 +90,4 @@ std::vector<double> cuts(const Loops& area, double height, double give) {
     return out;
 }
 
-} // namespace filum::fill
+} // namespace filum::polygon
