@@ -16,22 +16,6 @@ namespace {
 
 constexpr double kMostTaper = 0.025; // bead widths, of the half-thickness along one segment
 
-// Where walls meet there is more room than any one of them needs: up to a disc's radius from the node a bead is no
-// wider than where the disc ends.
-void narrow_start(Wall& w) {
-    double along = 0;
-    for (std::size_t i = 1; i < w.line.size(); ++i) {
-        const double l = geom::distance(w.line[i - 1], w.line[i]);
-        if (along + l < w.radius[0]) {
-            along += l;
-            continue;
-        }
-        const double t = (w.radius[0] - along) / l, r = w.radius[i - 1] + t * (w.radius[i] - w.radius[i - 1]);
-        for (std::size_t k = 0; k < i; ++k) w.radius[k] = std::min(w.radius[k], r);
-        return;
-    }
-}
-
 // A machine lays each segment in one width: none may taper by more than kMostTaper.
 void split_tapers(WallGraph& g, double width) {
     for (Wall& w : g.walls) {
@@ -53,20 +37,6 @@ void split_tapers(WallGraph& g, double width) {
 void widen_tips(WallGraph& g, double width) {
     for (Wall& w : g.walls)
         for (double& r : w.radius) r = std::max(r, rings::kNarrowest / 2 * width);
-}
-
-void narrow_at_nodes(WallGraph& g) {
-    std::vector<int> degree(g.node.size(), 0);
-    for (const Wall& w : g.walls) {
-        ++degree[w.a];
-        ++degree[w.b];
-    }
-    for (Wall& w : g.walls)
-        for (const auto v : {w.a, w.b}) {
-            if (degree[v] > 2) narrow_start(w);
-            std::reverse(w.line.begin(), w.line.end());
-            std::reverse(w.radius.begin(), w.radius.end());
-        }
 }
 
 // Follows the axis from node to node.
@@ -235,7 +205,6 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width) {
     if (edges.empty()) return std::nullopt;
     WallGraph out = Tracer(axis, edges).run();
     split_tapers(out, width);
-    narrow_at_nodes(out);
     widen_tips(out, width);
     return out;
 }
