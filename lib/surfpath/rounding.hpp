@@ -19,6 +19,7 @@ struct Scale {
 // Isolines of one level that are rounded alike.
 struct Batch {
     double level;
+    std::uint32_t ring; // how many rings lie outside of it
     std::vector<const Isoline*> outer;
     std::vector<Scale> scales; // by falling radii
     std::vector<Ring> rings{}; // those, and how their corners may be rounded
