@@ -10,6 +10,9 @@ namespace filum::surfpath {
 using geodesic::ExactField;
 using surface::Isoline;
 
+// Lines of equal distance, to measure from.
+surface::Sources as_sources(const std::vector<const Isoline*>& lines);
+
 // One radius to round by: `inner` are the lines as much farther away.
 struct Scale {
     double radius;
