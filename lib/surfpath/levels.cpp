@@ -64,7 +64,8 @@ class Leveller {
   public:
     Leveller(const Surface& s, const geodesic::ExactField& field, const Branching& o) : s_(s), field_(field), o_(o) {
         std::vector<double> even;
-        for (double l = o.spacing / 2, top = geodesic::farthest(s, field); l < top; l += o.spacing) even.push_back(l);
+        const double top = geodesic::farthest(s, field);
+        for (double i = 0.5; i * o.spacing < top; ++i) even.push_back(i * o.spacing);
         even_ = contours(s, field, off_vertices(std::move(even), field.distance, o.spacing));
     }
 
@@ -122,7 +123,7 @@ class Leveller {
     }
 
     // The lines at the levels of all branches, each of the branch that the part belongs to in which it lies.
-    [[nodiscard]] Levels chosen() const {
+    [[nodiscard]] Levels chosen() {
         std::map<double, std::vector<std::pair<std::uint32_t, std::uint32_t>>> wanted; // by level: branch, ring
         for (std::uint32_t b = 0; b < branches_.size(); ++b)
             for (std::uint32_t k = 0; k < branches_[b].levels.size(); ++k)
@@ -133,7 +134,7 @@ class Leveller {
             out.ring.push_back(by[0].second);
         }
         out.at = off_vertices(std::move(out.at), field_.distance, o_.spacing);
-        Contours all = contours(s_, field_, out.at);
+        Contours all = at_levels(out.at);
         const std::vector<std::uint32_t> owner = owners(all);
         auto by = wanted.begin();
         for (std::uint32_t i = 0; i < out.at.size(); ++i, ++by)
@@ -147,8 +148,31 @@ class Leveller {
         return out;
     }
 
+    // Takes those at even levels from there.
+    [[nodiscard]] Contours at_levels(const std::vector<double>& levels) {
+        std::vector<double> other;
+        std::set_difference(levels.begin(), levels.end(), even_.levels.begin(), even_.levels.end(),
+                            std::back_inserter(other));
+        Contours moved = contours(s_, field_, std::move(other)), out;
+        out.levels = levels;
+        for (const double level : levels) {
+            const bool even = std::binary_search(even_.levels.begin(), even_.levels.end(), level);
+            Contours& from = even ? even_ : moved;
+            const auto i = static_cast<std::size_t>(std::lower_bound(from.levels.begin(), from.levels.end(), level) -
+                                                    from.levels.begin());
+            out.first.push_back(out.lines.size());
+            for (std::size_t l = from.first[i]; l < from.first[i + 1]; ++l) {
+                out.lines.push_back(std::move(from.lines[l]));
+                out.begins.push_back(from.begins[l]);
+            }
+        }
+        out.first.push_back(out.lines.size());
+        return out;
+    }
+
     // Per line the branch of the isle that it lies in, at the highest even level that is no higher than its own.
     [[nodiscard]] std::vector<std::uint32_t> owners(const Contours& all) const {
+        if (branches_.size() == 1) return std::vector<std::uint32_t>(all.lines.size(), 0);
         std::vector<std::uint32_t> out(all.lines.size(), kNone);
         each_level(even_.levels.size(), [&](std::size_t i) {
             const auto begin = static_cast<std::size_t>(

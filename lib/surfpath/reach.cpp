@@ -104,6 +104,7 @@ class Reaching {
         const double levels[] = {level};
         const auto lines = geodesic::isolines(s_, from, levels);
         std::vector<const Isoline*> all;
+        all.reserve(lines.size());
         for (const Isoline& l : lines) all.push_back(&l);
         if (all.empty())
             off_.distance.assign(s_.vertices.size(), kOutOfReach);
