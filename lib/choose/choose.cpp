@@ -6,6 +6,7 @@
 #include "surface/curve/transfer.hpp"
 #include "surface/remesh.hpp"
 #include "surfpath/outside.hpp"
+#include "surfpath/reach.hpp"
 
 #include <algorithm>
 #include <map>
@@ -154,6 +155,7 @@ std::vector<Candidate> by_hand(const Options& o) {
 Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     Choice out;
     out.area = surface::area(sheet.surface);
+    out.rings_bound = surfpath::reach(sheet.surface, o.plan.spacing, o.plan.least_radius).share();
     const bool rings = o.plan.algorithm == Algorithm::geo_fiso || o.plan.algorithm == Algorithm::geo_contour;
     if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
     const Ground ground{sheet, pulls(sheet), o.plan, kStable[1]};

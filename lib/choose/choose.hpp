@@ -34,6 +34,7 @@ struct Choice {
     std::vector<Trial> trials;   // as candidates() lists them
     std::size_t best = kNothing; // the one with the greatest score, of equals the first
     double area = 0;             // mm2
+    double rings_bound = 1;      // share of it that rings of the least radius can cover, at most (surfpath/reach.hpp)
 };
 
 // The best of candidates() for the patch, in three rounds:
@@ -49,12 +50,13 @@ struct Choice {
 // found", with its area and place.  Same result for any `threads`.
 Choice choose(Sheet& sheet, const Options& options, int threads, Notes& notes);
 
-// What is known of the choice: "score", "coverage", "load", "angle", "cuts", "overlap", "laid" (candidates in round 3),
-// "candidates".
+// What is known of the choice: "rings-bound", "score", "coverage", "load", "angle", "cuts", "overlap", "laid"
+// (candidates in round 3), "candidates".
 Facts facts(const Choice& choice);
 
 // A line per candidate, TSV, under a head line (docs/metrics.md): patch, area, algorithm, seed, estimate, rough score,
-// coverage, load, paper load, angle, cuts, length, overlap, score, chosen ("*"), why it failed.  "-": not known.
+// coverage, load, paper load, angle, cuts, length, overlap, score, chosen ("*"), why it failed, and of those that run
+// round rims or a point the bound on coverage.  "-": not known.
 std::string head();
 std::string report(const std::string& patch, const Choice& choice);
 

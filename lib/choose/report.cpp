@@ -24,7 +24,8 @@ std::string line(const std::string& patch, const Choice& choice, const Trial& t,
     std::string why = t.failed.empty() ? "-" : t.failed;
     std::replace_if(
         why.begin(), why.end(), [](char c) { return c == '\t' || c == '\n'; }, ' ');
-    return out + "\t" + (best ? "*" : "-") + "\t" + why + "\n";
+    const bool round = surfpath::runs_round(t.candidate.algorithm);
+    return out + "\t" + (best ? "*" : "-") + "\t" + why + "\t" + (round ? number(choice.rings_bound, 4) : "-") + "\n";
 }
 
 } // namespace
@@ -34,6 +35,7 @@ Facts facts(const Choice& choice) {
     const auto laid =
         std::count_if(choice.trials.begin(), choice.trials.end(), [](const Trial& t) { return bool{t.found}; });
     out.push_back({"", "laid", static_cast<double>(laid), ""});
+    out.push_back({"", "rings-bound", choice.rings_bound, ""});
     if (choice.best == kNothing) return out;
     const Trial& t = choice.trials[choice.best];
     const Criteria& c = *t.found;
@@ -49,7 +51,7 @@ Facts facts(const Choice& choice) {
 std::string head() {
     return "patch\tarea_mm2\talgorithm\tseed\testimate\trough\tcoverage\tload\tpaper_load\tangle_deg\tcuts\tlength_"
            "mm\toverlap\t"
-           "score\tchosen\tfailed\n";
+           "score\tchosen\tfailed\trings_bound\n";
 }
 
 std::string report(const std::string& patch, const Choice& choice) {

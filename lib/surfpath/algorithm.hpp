@@ -19,6 +19,12 @@ inline constexpr std::array kAlgorithms{"fina",        "fexa",       "ortheo", "
 
 inline const char* name(Algorithm a) { return kAlgorithms[static_cast<std::size_t>(a)]; }
 
+// Whether its lines run round something: rims, or a point.
+inline bool runs_round(Algorithm a) {
+    return a == Algorithm::geo_fiso || a == Algorithm::geo_contour || a == Algorithm::geo_spiral ||
+           a == Algorithm::hybrid;
+}
+
 // None for a name that is none of them.
 inline std::optional<Algorithm> algorithm(const std::string& name) {
     for (std::size_t k = 0; k < kAlgorithms.size(); ++k)

@@ -3,11 +3,13 @@
 #include "base/error.hpp"
 #include "geodesic/isolines.hpp"
 #include "surfpath/boustrophedon.hpp"
+#include "surfpath/branches.hpp"
 #include "surfpath/capped.hpp"
 #include "surfpath/winding.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace filum::surfpath {
 
@@ -20,6 +22,36 @@ bool is_point(const surface::Sources& sources) {
     return sources.segments.empty() || sources.segments[0].a == sources.segments[0].b;
 }
 
+// Levels from `first` on, a spacing apart, but for a tenth so that the last lies half a spacing before the farthest
+// place (branches.hpp), if the front is as long there as a turn all round by the least radius.  Else it ends in a
+// corner.
+std::vector<double> laps(const Surface& s, const geodesic::ExactField& field, double first, const Options& o,
+                         Facts& facts) {
+    const double spacing = o.spacing;
+    double farthest = 0;
+    for (const double d : field.distance)
+        if (std::isfinite(d)) farthest = std::max(farthest, d);
+    std::vector<double> even;
+    for (double i = 0; first + i * spacing < farthest; ++i) even.push_back(first + i * spacing);
+    std::vector<Isle> isles;
+    const double before = first - spacing / 2;
+    for (std::uint32_t i = 0; i < even.size(); ++i)
+        isles.push_back({i, i == 0 ? surface::kNone : i - 1, farthest - before, 0, 0, {}});
+    for (const auto& line : geodesic::isolines(s, field, even)) {
+        Isle& own =
+            isles[static_cast<std::size_t>(std::lower_bound(even.begin(), even.end(), line.level) - even.begin())];
+        const double length = surface::curve::length(surface::curve::line(line));
+        own.around += length;
+        own.longest = std::max(own.longest, length);
+    }
+    if (isles.empty() || isles.back().longest < 2 * std::numbers::pi * o.least_radius) return even;
+    std::vector<std::uint32_t> of;
+    Branch only = branches(isles, {spacing, 0, false}, of).at(0);
+    facts.push_back({"", "spacing-change", only.widest / spacing, ""});
+    for (double& level : only.levels) level += before;
+    return std::move(only.levels);
+}
+
 } // namespace
 
 Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
@@ -27,18 +59,17 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
         throw Error(Exit::bad_input, "needs a seed point; run geodesic --source point:X,Y,Z first");
     const Surface& s = sheet.surface;
     const auto field = geodesic::exact(capped(s), sheet.sources);
-    double farthest = 0;
-    for (const double d : field.distance)
-        if (std::isfinite(d)) farthest = std::max(farthest, d);
-    std::vector<double> levels;
     const double first = std::max(o.spacing / 2, kFirst * o.least_radius);
-    for (double i = 0; first + i * o.spacing < farthest; ++i) levels.push_back(first + i * o.spacing);
+    Facts facts;
+    const auto levels = laps(s, field, first, o, facts);
     std::vector<Raw> raw;
     add(raw, geodesic::isolines(s, field, levels), 1);
     const Turning turns = turning(o.spacing, o.least_radius);
     Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
     wind(s, all, o.spacing, false);
-    return boustrophedon(s, all, turns);
+    Plan out = boustrophedon(s, all, turns);
+    out.facts.insert(out.facts.end(), facts.begin(), facts.end());
+    return out;
 }
 
 } // namespace filum::surfpath

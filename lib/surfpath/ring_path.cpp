@@ -66,16 +66,16 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     Options o = given;
     o.least_radius = std::max(o.least_radius, kLeast * o.spacing);
     const Surface& s = sheet.surface;
-    Rings made = rings(sheet, o, out.facts);
-    const Lanes lanes(s, made.lines, made.spacing);
+    Rings made = rings(sheet, o, by == 1, out.facts, out.notes);
+    const Lanes lanes(s, made.lines, o.spacing);
     Weave weave(lanes);
     std::uint32_t start = surface::kNone;
     for (std::uint32_t l = 0; l < lanes.size(); ++l)
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
     std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
-        const Rungs seam = seam_place(lanes, start, 2 * std::sqrt(o.least_radius * made.spacing * by),
-                                      kSeamLength * by * made.spacing);
+        const Rungs seam =
+            seam_place(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by), kSeamLength * by * o.spacing);
         if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
             shift(weave, lanes, seam, by);
             merged = seam.lane;
@@ -86,7 +86,7 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     if (merged.empty() && start != surface::kNone) merged = {start};
     cross_over(weave, lanes, merged, o.least_radius);
     for (auto& course : weave.courses())
-        out.strokes.push_back({{{gentle(s, course.line, o.least_radius, made.spacing), false}}});
+        out.strokes.push_back({{{gentle(s, course.line, o.least_radius, o.spacing), false}}});
     if (out.strokes.empty())
         throw Error(Exit::failure, "cannot lay rings: none is closed; make other triangles by geodesic --remesh");
     tell_apart(s, made, out);

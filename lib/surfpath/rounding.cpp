@@ -18,14 +18,6 @@ constexpr double kSeen = 0.06;    // least radii: what touches a ring farther fr
 constexpr double kCusp = 0.15;    // rad
 constexpr double kShortest = 0.5; // of an arc: what it replaces is longer, as it runs inside
 
-surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
-    surface::Sources out;
-    for (const Isoline* l : lines)
-        for (std::size_t i = 0; i < l->triangles.size(); ++i)
-            out.segments.push_back({l->triangles[i], l->points[i], l->points[(i + 1) % l->points.size()]});
-    return out;
-}
-
 class Rounder {
   public:
     Rounder(const Surface& s, const ExactField& field, double least, double spacing, double edge)
@@ -260,6 +252,14 @@ class Rounder {
 };
 
 } // namespace
+
+surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
+    surface::Sources out;
+    for (const Isoline* l : lines)
+        for (std::size_t i = 0; i < l->triangles.size(); ++i)
+            out.segments.push_back({l->triangles[i], l->points[i], l->points[(i + 1) % l->points.size()]});
+    return out;
+}
 
 Rounding::Rounding(const Surface& s, const ExactField& field, double least, double spacing)
     : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(longest_edge(s)) {}

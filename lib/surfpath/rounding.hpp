@@ -10,6 +10,9 @@ namespace filum::surfpath {
 using geodesic::ExactField;
 using surface::Isoline;
 
+// Lines of equal distance, to measure from.
+surface::Sources as_sources(const std::vector<const Isoline*>& lines);
+
 // One radius to round by: `inner` are the lines as much farther away.
 struct Scale {
     double radius;
@@ -19,6 +22,7 @@ struct Scale {
 // Isolines of one level that are rounded alike.
 struct Batch {
     double level;
+    std::uint32_t ring; // how many rings lie outside of it
     std::vector<const Isoline*> outer;
     std::vector<Scale> scales; // by falling radii
     std::vector<Ring> rings{}; // those, and how their corners may be rounded

@@ -7,6 +7,7 @@
 #include "machine/profile.hpp"
 #include "surfpath/least_strokes.hpp"
 #include "surfpath/outside.hpp"
+#include "surfpath/reach.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -37,6 +38,8 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
     if (flange) filum::surfpath::thread(sheet.surface, out);
     filum::surfpath::finish(sheet.surface, out, asked);
     filum::surfpath::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr}, out);
+    if (filum::surfpath::runs_round(algorithm))
+        filum::surfpath::tell_reach(sheet.surface, asked.spacing, asked.least_radius, out);
     if (flange) filum::surfpath::tell_trims(*flange, o.plan.turn_outside, out);
     return out;
 }

@@ -3,6 +3,7 @@
 #include "surface/curve/walk.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
+#include "surfpath/surfpath.hpp"
 
 #include "../surface/grid.hpp"
 #include "plans.hpp"
@@ -163,6 +164,25 @@ TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
         nearest = std::min({nearest, p.point.x, p.point.y, 48 - p.point.x, 32 - p.point.y});
     EXPECT_NEAR(nearest, 1, 0.06);
     EXPECT_NEAR(surface::curve::length(line) * 2 / (48 * 32), 0.95, 0.06);
+}
+
+// The last lap runs beside the rim, wherever that is.
+TEST(geo_spiral, ends_half_a_spacing_from_a_rim_that_its_front_meets_at_once) {
+    for (const double radius : {20.2, 20.5, 20.8}) {
+        auto s = patch(2 * radius, 2 * radius, everywhere, disc(radius, [](double) { return 0.0; }));
+        const Vec3 middle{radius, radius, 0};
+        std::uint32_t nearest = 0;
+        for (std::uint32_t v = 0; v < s.surface.vertices.size(); ++v)
+            if (distance(s.surface.vertices[v], middle) < distance(s.surface.vertices[nearest], middle)) nearest = v;
+        s.sources.vertices = {nearest};
+        const Plan p = plan(s, {.algorithm = Algorithm::geo_spiral});
+        double farthest = 0;
+        for (const Stroke& stroke : p.strokes)
+            for (const Place& at : whole(stroke).places)
+                farthest = std::max(farthest, distance(at.point, s.surface.vertices[nearest]));
+        EXPECT_NEAR(farthest, radius - 0.5, distance(s.surface.vertices[nearest], middle) + 0.1) << radius;
+        EXPECT_GT(covered(s.surface, p, 0.51), 0.95) << radius;
+    }
 }
 
 // A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
