@@ -152,7 +152,8 @@ class Thinning {
         const double xx = lu * n.x * n.x + lv * m.x * m.x + steady, yy = lu * n.y * n.y + lv * m.y * m.y + steady;
         const double xy = lu * n.x * n.y + lv * m.x * m.y;
         const Vec2 by = (1 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
-        return p + std::min(1.0, off_ / std::max(off_, geom::norm(by))) * by;
+        const double most = std::min(off_, bead_.width[i] / 8);
+        return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
     }
     // Points between a and b where a machine that lays the whole way with one width would lay more than `least_` aside.
     void divide(Vec2 a, Vec2 b, double wa, double wb, std::vector<Vec2>& points, std::vector<double>& width) const {
