@@ -33,8 +33,8 @@ struct Branch {
 struct Branching {
     double spacing = 1; // mm
     double radius = 0;  // mm: a ring is no shorter than the circumference of a circle with it
-    bool ridge =
-        false; // the path ends along the maximum of a first branch, so its innermost ring may lie a spacing below
+    // The path ends along the maximum of a first branch, so its innermost ring may lie a spacing below.
+    bool ridge = false;
 };
 
 inline constexpr double kMostChange = 0.1; // of the spacing, at most
