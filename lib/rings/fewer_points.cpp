@@ -77,16 +77,17 @@ class Thinning {
         const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
         const double wa = bead_.width[a], wb = bead_.width[b % bead_.size()], l2 = geom::norm2(q - p);
         const double full = off_ * toolpath::full_share(wa, std::sqrt(l2));
-        const auto off2 = [&](std::size_t i) { // the square of how far point i is from the chord
-            const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
-            return geom::norm2(geom::lerp(p, q, t) - bead_.points[i]);
+        const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
+            return l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
         };
-        if (b > a + 2 && off2(a + (b - a) / 2) > full * full) return false; // most that are too far are so there
-        double laid_aside = 0;                                              // mm2
+        const auto off2 = [&](std::size_t i, double t) { return geom::norm2(geom::lerp(p, q, t) - bead_.points[i]); };
+        const std::size_t middle = a + (b - a) / 2; // most that are too far are so there
+        if (b > a + 2 && off2(middle, along(middle)) > full * full) return false;
+        double laid_aside = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
             const double eighth = bead_.width[i] / 8, off = std::min(full, eighth);
-            const double t = l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
-            if (geom::norm2(geom::lerp(p, q, t) - bead_.points[i]) > off * off) return false;
+            const double t = along(i);
+            if (off2(i, t) > off * off) return false;
             const double wider = std::abs(bead_.width[i] - std::lerp(wa, wb, t));
             if (wider > eighth) return false;
             if (wider > 0) laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
