@@ -1,11 +1,11 @@
 #include "../fill/pattern_check.hpp"
-#include "../trials.hpp"
 #include "polygon/stretches.hpp"
 #include "skins/skins.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace filum::skins {
 namespace {
