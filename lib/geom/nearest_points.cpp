@@ -9,9 +9,20 @@ namespace {
 
 constexpr std::uint32_t kLeafPoints = 8;
 
+int longest_axis(Vec2 size) { return size.x >= size.y ? 0 : 1; }
+double coordinate(Vec2 p, int axis) { return axis == 0 ? p.x : p.y; }
+
+// From the box to p, squared; 0 within.
+double off(const Box2& b, Vec2 p) { return distance2(b, p); }
+double off(const Box3& b, Vec3 p) {
+    return norm2(Vec3{std::max({0.0, b.lo.x - p.x, p.x - b.hi.x}), std::max({0.0, b.lo.y - p.y, p.y - b.hi.y}),
+                      std::max({0.0, b.lo.z - p.z, p.z - b.hi.z})});
+}
+
 } // namespace
 
-NearestPoints::NearestPoints(std::vector<Vec2> points)
+template <class V>
+NearestPoints<V>::NearestPoints(std::vector<V> points)
     : points_(std::move(points)), order_(points_.size()), leaf_(points_.size()), present_(points_.size(), 0) {
     if (points_.empty()) return;
     std::iota(order_.begin(), order_.end(), 0U);
@@ -19,8 +30,9 @@ NearestPoints::NearestPoints(std::vector<Vec2> points)
     for (std::uint32_t k = 0; k < nodes_.size(); ++k) split(k);
 }
 
-// Halves a node across its longer side until it is a leaf.
-void NearestPoints::split(std::uint32_t node) {
+// Halves a node across its longest side until it is a leaf.
+template <class V>
+void NearestPoints<V>::split(std::uint32_t node) {
     Node n = nodes_[node];
     for (std::uint32_t k = n.first; k < n.last; ++k) n.box.add(points_[order_[k]]);
     if (n.last - n.first <= kLeafPoints) {
@@ -28,11 +40,11 @@ void NearestPoints::split(std::uint32_t node) {
         nodes_[node] = n;
         return;
     }
-    const bool by_x = n.box.hi.x - n.box.lo.x >= n.box.hi.y - n.box.lo.y;
+    const int axis = longest_axis(n.box.hi - n.box.lo);
     const std::uint32_t middle = n.first + (n.last - n.first) / 2;
     std::nth_element(order_.begin() + n.first, order_.begin() + middle, order_.begin() + n.last,
                      [&](std::uint32_t a, std::uint32_t b) {
-                         const double p = by_x ? points_[a].x : points_[a].y, q = by_x ? points_[b].x : points_[b].y;
+                         const double p = coordinate(points_[a], axis), q = coordinate(points_[b], axis);
                          return p < q || (p == q && a < b);
                      });
     n.below = static_cast<std::uint32_t>(nodes_.size());
@@ -41,24 +53,28 @@ void NearestPoints::split(std::uint32_t node) {
     nodes_.push_back({{}, middle, n.last, 0, node});
 }
 
-void NearestPoints::count(std::uint32_t i, std::uint32_t change) {
+template <class V>
+void NearestPoints<V>::count(std::uint32_t i, std::uint32_t change) {
     for (std::uint32_t n = leaf_[i];; n = nodes_[n].above) {
         nodes_[n].present += change;
         if (n == 0) return;
     }
 }
 
-void NearestPoints::insert(std::uint32_t i) {
+template <class V>
+void NearestPoints<V>::insert(std::uint32_t i) {
     present_[i] = 1;
     count(i, 1);
 }
 
-void NearestPoints::remove(std::uint32_t i) {
+template <class V>
+void NearestPoints<V>::remove(std::uint32_t i) {
     present_[i] = 0;
     count(i, ~0U); // one less
 }
 
-std::optional<std::uint32_t> NearestPoints::nearest(Vec2 p) const {
+template <class V>
+std::optional<std::uint32_t> NearestPoints<V>::nearest(V p) const {
     if (empty()) return std::nullopt;
     double best = std::numeric_limits<double>::infinity();
     std::uint32_t found = 0;
@@ -66,7 +82,7 @@ std::optional<std::uint32_t> NearestPoints::nearest(Vec2 p) const {
     while (!open.empty()) {
         const Node& n = nodes_[open.back()];
         open.pop_back();
-        if (n.present == 0 || distance2(n.box, p) > best) continue;
+        if (n.present == 0 || off(n.box, p) > best) continue;
         if (n.below == 0) {
             for (std::uint32_t k = n.first; k < n.last; ++k) {
                 const std::uint32_t i = order_[k];
@@ -79,11 +95,14 @@ std::optional<std::uint32_t> NearestPoints::nearest(Vec2 p) const {
             }
             continue;
         }
-        const bool left = distance2(nodes_[n.below].box, p) <= distance2(nodes_[n.below + 1].box, p);
+        const bool left = off(nodes_[n.below].box, p) <= off(nodes_[n.below + 1].box, p);
         open.push_back(n.below + (left ? 1 : 0));
         open.push_back(n.below + (left ? 0 : 1)); // the nearer one first
     }
     return found;
 }
+
+template class NearestPoints<Vec2>;
+template class NearestPoints<Vec3>;
 
 } // namespace filum::geom

@@ -5,25 +5,27 @@
 
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace filum::geom {
 
-// A tree over points that are all known from the start; each is present or not (Bentley 1975).  Asking takes about the
-// logarithm of their number, coming and going likewise.
+// A tree over points in the plane (V = Vec2) or in space (V = Vec3) that are all known from the start; each is present
+// or not (Bentley 1975).  Asking takes about the logarithm of their number, coming and going likewise.
+template <class V>
 class NearestPoints {
   public:
-    explicit NearestPoints(std::vector<Vec2> points); // none is present
+    explicit NearestPoints(std::vector<V> points); // none is present
 
     void insert(std::uint32_t i); // precondition: not present
     void remove(std::uint32_t i); // precondition: present
     [[nodiscard]] bool empty() const { return nodes_.empty() || nodes_[0].present == 0; }
     // The number of the present point nearest to p; of several the lowest.  Nothing if none is present.
-    [[nodiscard]] std::optional<std::uint32_t> nearest(Vec2 p) const;
+    [[nodiscard]] std::optional<std::uint32_t> nearest(V p) const;
 
   private:
     struct Node {
-        Box2 box;
+        std::conditional_t<std::is_same_v<V, Vec2>, Box2, Box3> box;
         std::uint32_t first, last; // of order_
         std::uint32_t below = 0;   // its children are below and below + 1; a leaf if 0
         std::uint32_t above = 0;   // its parent; that of the root is the root
@@ -32,10 +34,13 @@ class NearestPoints {
     void split(std::uint32_t node);
     void count(std::uint32_t i, std::uint32_t change);
 
-    std::vector<Vec2> points_;
+    std::vector<V> points_;
     std::vector<std::uint32_t> order_, leaf_; // the leaf of each point
     std::vector<char> present_;
     std::vector<Node> nodes_;
 };
+
+extern template class NearestPoints<Vec2>;
+extern template class NearestPoints<Vec3>;
 
 } // namespace filum::geom

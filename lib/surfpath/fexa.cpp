@@ -19,38 +19,6 @@ constexpr int kBins = 20;          // per spacing, of heights over the plane
 constexpr double kWide = 1.1;      // spacings: rows farther apart are told of
 constexpr double kSteepest = 20;   // of 1 / slope: where the surface is nearly parallel to the plane
 
-// The plane through the seed curve; if that is straight, the one that stands upright on the surface along it.
-surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
-    if (seed.segments.empty())
-        throw Error(Exit::bad_input, "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first");
-    const Vec3 a = seed.segments.front().a;
-    Vec3 b = a, upright, best;
-    double far = 0, most = 0;
-    for (const auto& g : seed.segments) {
-        upright = upright + distance(g.a, g.b) * surface::normal(s, g.triangle);
-        for (const Vec3& p : {g.a, g.b})
-            if (distance(a, p) > far) {
-                far = distance(a, p);
-                b = p;
-            }
-    }
-    for (const auto& g : seed.segments)
-        for (const Vec3& p : {g.a, g.b})
-            if (const Vec3 n = cross(b - a, p - a); norm(n) > most) {
-                most = norm(n);
-                best = n;
-            }
-    if (!(most > kStraight * far * far)) best = cross(b - a, upright);
-    if (!(norm(best) > 0)) throw Error(Exit::bad_input, "the seed curve has no direction");
-    const Vec3 n = 1 / norm(best) * best;
-    for (const auto& g : seed.segments)
-        for (const Vec3& p : {g.a, g.b})
-            if (std::abs(dot(n, p - a)) > kFlat * far + 1e-9)
-                throw Error(Exit::bad_input,
-                            "the seed curve is not in a plane; run geodesic --source plane:NX,NY,NZ,D first");
-    return {n, dot(n, a)};
-}
-
 // By how much the height changes per mm along the surface.
 double slope(const Surface& s, std::uint32_t t, std::span<const double> height) {
     const auto& [a, b, c] = s.triangles[t];
@@ -134,9 +102,40 @@ void find_gaps(const Surface& s, const SeedSides& sides, std::uint32_t side, std
 
 } // namespace
 
+surface::Plane plane_of(const Surface& s, const surface::Sources& seed) {
+    if (seed.segments.empty())
+        throw Error(Exit::bad_input, "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first");
+    const Vec3 a = seed.segments.front().a;
+    Vec3 b = a, upright, best;
+    double far = 0, most = 0;
+    for (const auto& g : seed.segments) {
+        upright = upright + distance(g.a, g.b) * surface::normal(s, g.triangle);
+        for (const Vec3& p : {g.a, g.b})
+            if (distance(a, p) > far) {
+                far = distance(a, p);
+                b = p;
+            }
+    }
+    for (const auto& g : seed.segments)
+        for (const Vec3& p : {g.a, g.b})
+            if (const Vec3 n = cross(b - a, p - a); norm(n) > most) {
+                most = norm(n);
+                best = n;
+            }
+    if (!(most > kStraight * far * far)) best = cross(b - a, upright);
+    if (!(norm(best) > 0)) throw Error(Exit::bad_input, "the seed curve has no direction");
+    const Vec3 n = 1 / norm(best) * best;
+    for (const auto& g : seed.segments)
+        for (const Vec3& p : {g.a, g.b})
+            if (std::abs(dot(n, p - a)) > kFlat * far + 1e-9)
+                throw Error(Exit::bad_input,
+                            "the seed curve is not in a plane; run geodesic --source plane:NX,NY,NZ,D first");
+    return {n, dot(n, a)};
+}
+
 Plan fexa(const surface::Sheet& sheet, const Options& o) {
     const Surface& s = sheet.surface;
-    const auto height = surface::sides(s, plane_of(s, sheet.sources));
+    const auto height = surface::sides(s, o.plane ? *o.plane : plane_of(s, sheet.sources));
     SeedSides sides{std::vector<std::uint32_t>(s.triangles.size()), 2};
     for (std::size_t t = 0; t < s.triangles.size(); ++t) {
         const auto& [a, b, c] = s.triangles[t];

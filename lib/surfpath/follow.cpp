@@ -4,10 +4,10 @@
 #include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/rings.hpp"
 #include "surfpath/field/stripes.hpp"
+#include "surfpath/in_turn.hpp"
 #include "surfpath/loops.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace filum::surfpath {
 
@@ -30,22 +30,15 @@ field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
     return given;
 }
 
-// Each by itself, always the one next whose nearer end is nearest to where the last one ended; the first of equals.
-std::vector<Line> in_turn(std::vector<Line> lines) {
-    std::vector<Line> out;
-    while (!lines.empty()) {
-        std::size_t best = 0;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < lines.size() && !out.empty(); ++i) {
-            const Vec3 at = out.back().closed ? out.back()[0] : out.back()[out.back().size() - 1];
-            const double begin = distance(lines[i][0], at), end = distance(lines[i][lines[i].size() - 1], at);
-            if (!(std::min(begin, end) < least)) continue;
-            least = std::min(begin, end);
-            best = i;
-            if (end < begin && !lines[i].closed) surface::curve::reverse(lines[i]);
-        }
-        out.push_back(std::move(lines[best]));
-        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(best));
+// Each a stroke by itself.
+std::vector<Stroke> apart(std::vector<Line> lines) {
+    std::vector<Ends> ends;
+    ends.reserve(lines.size());
+    for (const Line& l : lines) ends.push_back({l[0], l.closed ? l[0] : l[l.size() - 1]});
+    std::vector<Stroke> out;
+    for (const Visit& visit : in_turn(ends)) {
+        if (visit.reversed) surface::curve::reverse(lines[visit.row]);
+        out.push_back({{{std::move(lines[visit.row]), false}}});
     }
     return out;
 }
@@ -83,7 +76,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
     Plan out;
     if (o.turns == RowTurns::none) {
-        for (Line& l : in_turn(std::move(all))) out.strokes.push_back({{{std::move(l), false}}});
+        out.strokes = apart(std::move(all));
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
         if (o.backwards) std::reverse(all.begin(), all.end());

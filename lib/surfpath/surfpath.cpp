@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "surface/curve/transfer.hpp"
 #include "surfpath/bare.hpp"
+#include "surfpath/components.hpp"
 #include "surfpath/declare.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
@@ -66,11 +67,7 @@ std::vector<surface::Field> directions(const surface::Sheet& sheet) {
     return out;
 }
 
-std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
-
-} // namespace
-
-Plan plan(const surface::Sheet& sheet, const Options& options) {
+Plan of_component(const surface::Sheet& sheet, const Options& options) {
     const bool by_field = options.algorithm == Algorithm::field || options.algorithm == Algorithm::hybrid;
     const double longest = !by_field ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
     Fine small = fine(sheet, longest * options.spacing);
@@ -91,6 +88,14 @@ Plan plan(const surface::Sheet& sheet, const Options& options) {
     back(out, small);
     keep_to_surface(sheet.surface, out);
     return out;
+}
+
+std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p.y, 2) + "," + fixed_text(p.z, 2); }
+
+} // namespace
+
+Plan plan(const surface::Sheet& sheet, const Options& options) {
+    return sheet.surface.components > 1 ? each_component(sheet, options, of_component) : of_component(sheet, options);
 }
 
 void finish(const Surface& surface, Plan& plan, const Options& o) {

@@ -6,6 +6,8 @@
 #include "surfpath/field/directions.hpp"
 #include "surfpath/plan.hpp"
 
+#include <optional>
+
 namespace filum::surfpath {
 
 enum class Method : std::uint8_t { filum, kipping2022 }; // ours, or as the paper says
@@ -35,11 +37,13 @@ struct Options {
     // nothing of it; rows that lie on such triangles only are left out, and turns lie as far out as they can.  Empty:
     // no flange.
     std::vector<char> beyond{};
-    std::uint32_t part = surface::kNone; // triangles, the first ones, that are to be covered
+    std::uint32_t part = surface::kNone;   // triangles, the first ones, that are to be covered
+    std::optional<surface::Plane> plane{}; // of fexa, for all components of a sheet; none: that of the sources
 };
 
-// Strokes on the surface of `sheet`, along the field "distance" or from its sources.  Rings on components that have
-// neither a rim nor a source begin at a seam (opened.hpp), told in a note.
+// Strokes on the surface of `sheet`, along the field "distance" or from its sources.  Every component is planned by
+// itself (components.hpp).  Rings on those that have neither a rim nor a source begin at a seam (opened.hpp), told in a
+// note.
 // Throws Error(usage) for options that cannot be followed, Error(bad_input) if the sheet lacks what the algorithm
 // needs: "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
 Plan plan(const surface::Sheet& sheet, const Options& options);
