@@ -5,6 +5,7 @@
 #include "surfpath/stretches.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace filum::surfpath {
 
@@ -14,34 +15,41 @@ constexpr double kSampleApart = 0.25;       // widths, between points: the steps
 constexpr std::size_t kSampledAtOnce = 256; // triangles of a piece of work
 constexpr int kMostSweeps = 20;             // over all turns; a few do
 
-// A point that only turns may cover, and the ways (numbered over all turns) that do.
+// Points that only turns may cover, and the ways (numbered over all turns) that do, one point's behind the other's.
 struct Contested {
-    double area = 0;
-    std::vector<std::uint32_t> ways;
+    std::vector<double> area;         // mm2, per point
+    std::vector<std::uint32_t> count; // per point: its ways
+    std::vector<std::uint32_t> ways;  // of each point ascending
 };
 
+// In the order of triangles, piece by piece.
 std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan& ways, double width) {
     const Stretches laid(s, fixed), maybe(s, ways);
-    std::vector<std::vector<Contested>> parts((s.triangles.size() + kSampledAtOnce - 1) / kSampledAtOnce);
+    std::vector<Contested> parts((s.triangles.size() + kSampledAtOnce - 1) / kSampledAtOnce);
     parallel::for_chunks(s.triangles.size(), kSampledAtOnce, 0, [&](std::size_t begin, std::size_t end) {
+        Contested& out = parts[begin / kSampledAtOnce];
         const auto look = [&](const Sample& at) {
-            Contested point{at.area, {}};
-            maybe.near(at.p, at.normal, width / 2,
-                       [&](const Stretch& l, double, double) { point.ways.push_back(l.stroke); });
-            if (point.ways.empty()) return;
             bool sure = false;
             laid.near(at.p, at.normal, width / 2, [&](const Stretch&, double, double) { sure = true; });
             if (sure) return;
-            std::sort(point.ways.begin(), point.ways.end());
-            point.ways.erase(std::unique(point.ways.begin(), point.ways.end()), point.ways.end());
-            parts[begin / kSampledAtOnce].push_back(std::move(point));
+            const std::size_t first = out.ways.size();
+            maybe.near(at.p, at.normal, width / 2,
+                       [&](const Stretch& l, double, double) { out.ways.push_back(l.stroke); });
+            const auto own = out.ways.begin() + static_cast<std::ptrdiff_t>(first);
+            if (own == out.ways.end()) return;
+            std::sort(own, out.ways.end());
+            out.ways.erase(std::unique(own, out.ways.end()), out.ways.end());
+            out.area.push_back(at.area);
+            out.count.push_back(static_cast<std::uint32_t>(out.ways.size() - first));
         };
-        for (std::size_t t = begin; t < end; ++t)
-            each_sample(s, static_cast<std::uint32_t>(t), kSampleApart * width, look);
+        for (std::size_t t = begin; t < end; ++t) {
+            geom::Box3 about;
+            for (const std::uint32_t v : s.triangles[t]) about.add(s.vertices[v]);
+            if (maybe.any(geom::grown(about, width / 2)))
+                each_sample(s, static_cast<std::uint32_t>(t), kSampleApart * width, look);
+        }
     });
-    std::vector<Contested> out;
-    for (auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-    return out;
+    return parts;
 }
 
 double length(const Stroke& stroke) {
@@ -71,11 +79,24 @@ class Staggering {
             }
         }
         first_.push_back(static_cast<std::uint32_t>(ways.strokes.size()));
-        points_ = contested(s, fixed, ways, width);
-        covered_.resize(ways.strokes.size());
-        for (std::uint32_t p = 0; p < points_.size(); ++p)
-            for (const std::uint32_t way : points_[p].ways) covered_[way].push_back(p);
-        times_.assign(points_.size(), 0);
+        auto parts = contested(s, fixed, ways, width);
+        begin_.assign(ways.strokes.size() + 1, 0);
+        for (const Contested& part : parts)
+            for (const std::uint32_t way : part.ways) ++begin_[way + 1];
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        covered_.resize(begin_.back());
+        auto next = begin_;
+        for (Contested& part : parts) {
+            std::size_t at = 0;
+            for (std::size_t p = 0; p < part.area.size(); ++p) {
+                const auto number = static_cast<std::uint32_t>(area_.size());
+                for (const std::size_t end = at + part.count[p]; at < end; ++at)
+                    covered_[next[part.ways[at]]++] = number;
+                area_.push_back(part.area[p]);
+            }
+            part = {};
+        }
+        times_.assign(area_.size(), 0);
         for (std::uint32_t t = 0; t < turns.size(); ++t) count(way(t), 1);
     }
 
@@ -97,8 +118,12 @@ class Staggering {
   private:
     [[nodiscard]] std::uint32_t way(std::uint32_t turn) const { return first_[turn] + chosen_[turn]; }
 
+    [[nodiscard]] std::span<const std::uint32_t> covered(std::uint32_t way) const {
+        return std::span(covered_).subspan(begin_[way], begin_[way + 1] - begin_[way]);
+    }
+
     void count(std::uint32_t way, int by) {
-        for (const std::uint32_t p : covered_[way]) times_[p] += by;
+        for (const std::uint32_t p : covered(way)) times_[p] += by;
     }
 
     // What is laid twice is what is laid less what is covered; so what a way covers alone counts twice against its
@@ -116,7 +141,7 @@ class Staggering {
 
     [[nodiscard]] double waste(std::uint32_t way) const {
         double alone = 0;
-        for (const std::uint32_t p : covered_[way]) alone += times_[p] == 0 ? points_[p].area : 0;
+        for (const std::uint32_t p : covered(way)) alone += times_[p] == 0 ? area_[p] : 0;
         return length_[way] * width_ - 2 * alone;
     }
 
@@ -124,9 +149,10 @@ class Staggering {
     double width_;
     std::vector<std::uint32_t> chosen_, first_; // per turn
     std::vector<double> length_;                // per way, mm
-    std::vector<std::vector<std::uint32_t>> covered_;
-    std::vector<Contested> points_;
-    std::vector<int> times_; // per point: the chosen ways that cover it
+    std::vector<std::size_t> begin_;            // per way, and one more: of those points
+    std::vector<std::uint32_t> covered_;        // that each way covers
+    std::vector<double> area_;                  // per point, mm2
+    std::vector<int> times_;                    // per point: the chosen ways that cover it
 };
 
 } // namespace

@@ -10,6 +10,10 @@ namespace {
 std::vector<Stretch> listed(const Surface& s, const Plan& plan) {
     constexpr double kApart = 1e6; // mm
     std::vector<Stretch> out;
+    std::size_t count = 0;
+    for (const Stroke& stroke : plan.strokes)
+        for (const Piece& piece : stroke.pieces) count += piece.line.size();
+    out.reserve(count);
     double way = 0;
     for (const Stroke& stroke : plan.strokes) {
         for (const Piece& piece : stroke.pieces)

@@ -20,6 +20,13 @@ class Stretches {
 
     [[nodiscard]] std::span<const Stretch> all() const { return all_; }
 
+    // Whether the box of any stretch meets this one.
+    [[nodiscard]] bool any(const geom::Box3& box) const {
+        bool out = false;
+        tree_.visit(box, [&](std::uint32_t) { out = true; });
+        return out;
+    }
+
     // Calls f(stretch, mm off, way) for the nearest place of every stretch within reach that faces alike.
     template <class F>
     void near(const Vec3& p, const Vec3& normal, double reach, const F& f) const {
