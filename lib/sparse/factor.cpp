@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <mutex>
 #include <suitesparse/cholmod.h>
 
@@ -12,8 +11,6 @@ extern "C" void omp_set_max_active_levels(int);
 namespace filum::sparse {
 
 namespace {
-
-constexpr Eigen::Index kSupernodal = 150'000; // rows from which the overhead of supernodes pays
 
 // CHOLMOD stands on whatever BLAS is there, and OpenBLAS built for one thread has buffers that all callers share: two
 // that factorised at once got wrong numbers.  So one after the other.
@@ -52,7 +49,8 @@ struct Factor::State {
         Workspace() {
             cholmod_start(&common);
             common.print = 0;
-            common.supernodal = CHOLMOD_SUPERNODAL;
+            common.supernodal = CHOLMOD_AUTO; // by its own count of what they save
+            common.final_ll = 1;              // else what is not positive definite would pass without supernodes
             common.nmethods = 1; // AMD: nested dissection takes twice as long on surfaces, and threads would race
             common.method[0].ordering = CHOLMOD_AMD;
             common.postorder = 1;
@@ -62,12 +60,16 @@ struct Factor::State {
         Workspace& operator=(const Workspace&) = delete;
     };
 
-    std::shared_ptr<Workspace> workspace; // of CHOLMOD; null: Eigen's
-    cholmod_factor* super = nullptr;
-    Eigen::SimplicialLDLT<Matrix> simple;
+    std::shared_ptr<Workspace> workspace = std::make_shared<Workspace>();
+    cholmod_factor* factor = nullptr;
 
     ~State() {
-        if (super != nullptr) cholmod_free_factor(&super, &workspace->common);
+        if (factor != nullptr) cholmod_free_factor(&factor, &workspace->common);
+    }
+
+    // Of BLAS, which only supernodes ask for.
+    [[nodiscard]] std::unique_lock<std::mutex> turn() const {
+        return factor->is_super != 0 ? std::unique_lock(filum::sparse::turn()) : std::unique_lock<std::mutex>();
     }
 };
 
@@ -77,43 +79,31 @@ Factor::Factor(Factor&&) noexcept = default;
 Factor& Factor::operator=(Factor&&) noexcept = default;
 
 void Factor::analyse(const Matrix& a) {
-    if (a.rows() <= kSupernodal) {
-        state_->simple.analyzePattern(a);
-        return;
-    }
-    state_->workspace = std::make_shared<State::Workspace>();
     by_one_thread();
     cholmod_sparse m = view(a);
-    state_->super = cholmod_analyze(&m, &state_->workspace->common);
-    if (state_->super == nullptr) throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");
+    state_->factor = cholmod_analyze(&m, &state_->workspace->common);
+    if (state_->factor == nullptr) throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");
 }
 
 Factor Factor::same_order() const {
     Factor out;
-    if (state_->workspace == nullptr) return out;
     out.state_->workspace = state_->workspace;
-    out.state_->super = cholmod_copy_factor(state_->super, &state_->workspace->common);
+    out.state_->factor = cholmod_copy_factor(state_->factor, &state_->workspace->common);
     return out;
 }
 
 bool Factor::factorise(const Matrix& a) {
-    if (state_->workspace == nullptr) {
-        if (state_->simple.rows() != a.rows()) state_->simple.analyzePattern(a);
-        state_->simple.factorize(a);
-        return state_->simple.info() == Eigen::Success;
-    }
     by_one_thread();
-    const std::lock_guard lock(turn());
+    const auto lock = state_->turn();
     cholmod_sparse m = view(a);
     cholmod_common& common = state_->workspace->common;
-    cholmod_factorize(&m, state_->super, &common);
+    cholmod_factorize(&m, state_->factor, &common);
     if (common.status == CHOLMOD_OUT_OF_MEMORY)
         throw Error(Exit::failure, "cannot factorise the surface's matrix: out of memory");
     return common.status == CHOLMOD_OK;
 }
 
 Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
-    if (state_->workspace == nullptr) return state_->simple.solve(b);
     by_one_thread();
     cholmod_dense right{};
     right.nrow = right.d = right.nzmax = static_cast<std::size_t>(b.size());
@@ -122,8 +112,8 @@ Eigen::VectorXd Factor::solve(const Eigen::VectorXd& b) const {
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_common& common = state_->workspace->common;
-    const std::lock_guard lock(turn());
-    cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->super, &right, &common);
+    const auto lock = state_->turn();
+    cholmod_dense* x = cholmod_solve(CHOLMOD_A, state_->factor, &right, &common);
     if (x == nullptr) throw Error(Exit::failure, "cannot solve on the surface: out of memory");
     Eigen::VectorXd out = Eigen::Map<Eigen::VectorXd>(static_cast<double*>(x->x), b.size());
     cholmod_free_dense(&x, &common);

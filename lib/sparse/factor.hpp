@@ -9,7 +9,7 @@ namespace filum::sparse {
 
 using Matrix = Eigen::SparseMatrix<double>; // the lower triangle of a symmetric matrix
 
-// A factorisation.  Matrices of more than 150,000 rows go to CHOLMOD's supernodal one, others to Eigen's.
+// A factorisation by CHOLMOD, over supernodes where they pay: where it takes 40 operations for each entry or more.
 class Factor {
   public:
     Factor();
