@@ -16,20 +16,20 @@ Beyond::Beyond(const Surface& s, const ExactField& field, double level) : surfac
         const double a = d[s.tail(h)], b = d[s.head(h)];
         if (s.twin[h] < h || !std::isfinite(a) || !std::isfinite(b)) continue;
         crossings.clear();
-        if (within_reach(a, b, field.frame[h].length, level)) level_crossings(s, field, h, level, crossings);
+        if (within_reach(a, b, field.ground->frame[h].length, level)) level_crossings(s, field, h, level, crossings);
         if (!crossings.empty())
             cut(h, crossings);
         else if (far_[s.tail(h)] != 0)
             sets_.unite(s.tail(h), s.head(h));
     }
     const Inside at = [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p) - level; };
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) join_across(t, at);
+    join_across(at);
     highest_.assign(sets_.number(part_), level);
     for (std::size_t v = 0; v < d.size(); ++v)
         if (far_[v] != 0) highest_[part_[v]] = std::max(highest_[part_[v]], d[v]);
     for (const Stretch& g : stretches_) {
         const Vec3 &a = s.vertices[s.tail(g.edge)], &b = s.vertices[s.head(g.edge)];
-        const Vec3 middle = a + (g.from + g.to) / 2 / field.frame[g.edge].length * (b - a);
+        const Vec3 middle = a + (g.from + g.to) / 2 / field.ground->frame[g.edge].length * (b - a);
         double& highest = highest_[part_[g.node]];
         highest = std::max(highest, distance_at(s, field, g.edge / 3, middle));
     }
@@ -58,6 +58,17 @@ std::span<const Beyond::Stretch> Beyond::on(std::uint32_t half_edge) const {
     auto last = first;
     while (last != stretches_.end() && last->edge == edge) ++last;
     return {first, last};
+}
+
+// Of the triangles whose border crosses the level.
+void Beyond::join_across(const Inside& above) {
+    std::vector<std::uint32_t> crossed;
+    for (const Stretch& g : stretches_)
+        for (const std::uint32_t h : {g.edge, surface_.twin[g.edge]})
+            if (h != kNone) crossed.push_back(h / 3);
+    std::sort(crossed.begin(), crossed.end());
+    crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+    for (const std::uint32_t t : crossed) join_across(t, above);
 }
 
 // Where a triangle's border crosses the level more than twice, what is farther may hang together in the middle.

@@ -25,7 +25,8 @@ class Beyond {
     };
     void cut(std::uint32_t h, std::span<const double> crossings);
     [[nodiscard]] std::span<const Stretch> on(std::uint32_t half_edge) const;
-    void join_across(std::uint32_t triangle, const Inside& at);
+    void join_across(const Inside& above);
+    void join_across(std::uint32_t triangle, const Inside& above);
 
     const Surface& surface_;
     std::vector<char> far_;           // per vertex

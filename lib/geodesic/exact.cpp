@@ -44,17 +44,28 @@ geom::Vec2 flatten(const Surface& s, const Frame& f, std::uint32_t h, const Vec3
     return {dot(p - a, x), dot(p - a, up) / f.cy};
 }
 
-Propagation::Propagation(const Surface& s, bool forgets)
-    : surface_(s), forgets_(forgets), slack_(kSlack * surface::mean_edge(s)),
-      queue_(s.twin.size() + s.vertices.size(), surface::mean_edge(s)) {
+namespace {
+
+std::shared_ptr<const Ground> ground_of(const Surface& s) {
+    Ground out;
+    out.frame = frames(s);
+    out.across = s.twin;
+    out.lists = static_cast<std::uint32_t>(s.twin.size());
+    for (auto& list : out.across)
+        if (list == kNone) list = out.lists++;
+    out.spreads = saddles(s, out.frame);
+    out.mean_edge = surface::mean_edge(s);
+    return std::make_shared<const Ground>(std::move(out));
+}
+
+} // namespace
+
+Propagation::Propagation(const Surface& s, bool forgets, std::shared_ptr<const Ground> ground)
+    : surface_(s), forgets_(forgets), ground_(ground ? std::move(ground) : ground_of(s)), spreads_(ground_->spreads),
+      slack_(kSlack * ground_->mean_edge), queue_(s.twin.size() + s.vertices.size(), ground_->mean_edge) {
     field_.distance.assign(s.vertices.size(), std::numeric_limits<double>::infinity());
-    field_.frame = frames(s);
-    field_.across = s.twin;
-    auto lists = static_cast<std::uint32_t>(s.twin.size());
-    for (auto& list : field_.across)
-        if (list == kNone) list = lists++;
-    field_.first.assign(lists, kNone);
-    spreads_ = saddles(s, field_.frame);
+    field_.ground = ground_;
+    field_.first.assign(ground_->lists, kNone);
 }
 
 void Propagation::reach(std::uint32_t vertex, double distance) {
@@ -67,8 +78,8 @@ void Propagation::reach(std::uint32_t vertex, double distance) {
 
 // The exit by side `h` of a triangle.  In the frame of what lies beyond, x runs the other way.
 Propagation::Side Propagation::exit_across(std::uint32_t h, bool from_right) const {
-    const Frame& f = field_.frame[h];
-    return {.list = field_.across[h],
+    const Frame& f = ground_->frame[h];
+    return {.list = ground_->across[h],
             .tail = surface_.head(h),
             .head = surface_.tail(h),
             .length = f.length,
@@ -82,9 +93,9 @@ Propagation::Side Propagation::exit_across(std::uint32_t h, bool from_right) con
 void Propagation::leave_vertex(std::uint32_t vertex) {
     const double d = field_.distance[vertex];
     each_outgoing(surface_, vertex, [&](std::uint32_t h) {
-        reach(surface_.head(h), d + field_.frame[h].length);
+        reach(surface_.head(h), d + ground_->frame[h].length);
         const std::uint32_t back = surface::prev(h);
-        reach(surface_.tail(back), d + field_.frame[back].length);
+        reach(surface_.tail(back), d + ground_->frame[back].length);
         Side exit = exit_across(surface::next(h), false);
         const double sx = exit.tx, sy = exit.ty;
         exit.third = kNone;
@@ -95,7 +106,7 @@ void Propagation::leave_vertex(std::uint32_t vertex) {
 // Takes the windows that wait at `h` across its triangle.
 void Propagation::cross(std::uint32_t h) {
     const std::uint32_t hr = surface::next(h), hl = surface::prev(h);
-    const Frame &f = field_.frame[h], &fr = field_.frame[hr], &fl = field_.frame[hl];
+    const Frame &f = ground_->frame[h], &fr = ground_->frame[hr], &fl = ground_->frame[hl];
     const double cx = f.cx, cy = f.cy;
     // The right exit leads from the third corner down to the head, the left one from the tail up to the third corner.
     const double rx = (f.length - cx) * fr.inverse_length, ry = -cy * fr.inverse_length;
@@ -141,7 +152,7 @@ void Propagation::reach_missed(std::uint32_t h) {
     for (std::uint32_t node = field_.first[h]; node != kNone; node = field_.windows[node].next) {
         const Window& w = field_.windows[node];
         tail = std::min(tail, w.at(w.b0) + w.b0);
-        head = std::min(head, w.at(w.b1) + field_.frame[h].length - w.b1);
+        head = std::min(head, w.at(w.b1) + ground_->frame[h].length - w.b1);
     }
 }
 
@@ -160,7 +171,7 @@ void Propagation::forget(std::uint32_t list) {
 // distances at the ends of windows, which may be nearer between.  An edge is done with when all such is farther than
 // the ways over its ends, since then offer() turns it down.
 double Propagation::run(double farthest, std::uint64_t most) {
-    const double row = surface::mean_edge(surface_);
+    const double row = ground_->mean_edge;
     BucketQueue done(forgets_ ? surface_.twin.size() : 0, row);
     double known = std::numeric_limits<double>::infinity();
     for (std::uint32_t id = queue_.pop(farthest); id != kNone; id = queue_.pop(farthest)) {
@@ -175,7 +186,7 @@ double Propagation::run(double farthest, std::uint64_t most) {
         cross(id);
         if (!forgets_) continue;
         const double end = std::min(field_.distance[surface_.tail(id)], field_.distance[surface_.head(id)]);
-        if (std::isfinite(end)) done.push(id, end + field_.frame[id].length + row);
+        if (std::isfinite(end)) done.push(id, end + ground_->frame[id].length + row);
         while ((id = done.pop(queue_.begin())) != kNone) forget(id);
     }
     for (std::uint32_t h = 0; h < surface_.twin.size(); ++h) reach_missed(h);
@@ -184,15 +195,16 @@ double Propagation::run(double farthest, std::uint64_t most) {
     return std::min(known, farthest);
 }
 
-ExactField exact(const Surface& surface, const Sources& sources, double farthest) {
-    Propagation p(surface, false);
+ExactField exact(const Surface& surface, const Sources& sources, double farthest,
+                 std::shared_ptr<const Ground> ground) {
+    Propagation p(surface, false, std::move(ground));
     p.add(sources);
     p.run(farthest, std::numeric_limits<std::uint64_t>::max());
     return p.take();
 }
 
 ExactDistances exact_distances(const Surface& surface, const Sources& sources, double farthest, std::uint64_t most) {
-    Propagation p(surface, true);
+    Propagation p(surface, true, nullptr);
     p.add(sources);
     ExactDistances out;
     out.known = p.run(farthest, most);

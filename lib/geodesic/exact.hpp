@@ -6,6 +6,7 @@
 #include "geodesic/window.hpp"
 
 #include <limits>
+#include <memory>
 #include <span>
 
 namespace filum::geodesic {
@@ -20,14 +21,22 @@ std::vector<Frame> frames(const Surface& surface);
 // Point `p` of the triangle of half-edge `h`, in the frame of `h`.
 geom::Vec2 flatten(const Surface& surface, const Frame& frame, std::uint32_t h, const Vec3& p);
 
+// What distances on a surface need of it, whatever they are measured from.
+struct Ground {
+    std::vector<Frame> frame;          // per half-edge
+    std::vector<std::uint32_t> across; // per half-edge: the one whose list holds what leaves the triangle there
+    std::uint32_t lists = 0;           // of windows: one per half-edge, then one per side of a rim
+    std::vector<char> spreads;         // per vertex: paths may bend there
+    double mean_edge = 0;              // mm
+};
+
 // Distances from all sources at once, and how they come about.
 struct ExactField {
     std::vector<double> distance; // per vertex, mm; infinite where no source is on the same component
+    std::shared_ptr<const Ground> ground;
 
     // Per half-edge, windows that enter its triangle across it, without overlap; behind those of the half-edges, at
     // 3 * triangles + i, windows that reach the i-th side of the rims from within.
-    std::vector<Frame> frame;          // per half-edge
-    std::vector<std::uint32_t> across; // per half-edge: the one whose list holds what leaves the triangle there
     Windows windows;
     std::vector<std::uint32_t> first; // per list: the window with the least b0, kNone if there is none
     std::vector<Segment> segments;    // the sources that are no vertices, by triangle
@@ -42,9 +51,10 @@ struct ExactField {
 // 1e-7 of a triangle's longest side to a corner or a side count as on it.
 // Ties: the window that came first.  Throws Error(failure) if more than 2^31 windows were needed.
 // Stops when all is found that is nearer than `farthest` mm: other vertices are infinitely far then, and the windows
-// are good for nothing beyond.
+// are good for nothing beyond.  `ground` is that of another field on the same surface, if there is one.
 ExactField exact(const Surface& surface, const Sources& sources,
-                 double farthest = std::numeric_limits<double>::infinity());
+                 double farthest = std::numeric_limits<double>::infinity(),
+                 std::shared_ptr<const Ground> ground = nullptr);
 
 // Only the distances of the vertices, in a fraction of the memory: windows are given back once nothing that is still
 // to come can be nearer.  Stops also after `most` windows, having found what is nearer than `known` then.

@@ -51,7 +51,7 @@ inline constexpr double kSlack = 1e-10; // of a mean edge, and of a distance: di
 class Propagation {
   public:
     // Keeps no windows but those that count for what is still to come, if it `forgets`.
-    Propagation(const Surface& surface, bool forgets);
+    Propagation(const Surface& surface, bool forgets, std::shared_ptr<const Ground> ground);
 
     void add(const Sources& sources);
     // Returns up to where all is found.
@@ -99,8 +99,9 @@ class Propagation {
     std::vector<std::uint32_t> free_;
     std::vector<Window> owners_; // of the pieces: first the new window, then the old ones
     std::vector<Piece> pieces_;
-    bool changed_ = false;      // some piece is of the new window
-    std::vector<char> spreads_; // per vertex: paths may start or bend there
+    bool changed_ = false; // some piece is of the new window
+    std::shared_ptr<const Ground> ground_;
+    std::vector<char> spreads_; // per vertex: paths may start or bend there, the sources included
     double slack_;              // mm: smaller differences count as none
     BucketQueue queue_;         // half-edges, then vertices
 };

@@ -52,7 +52,7 @@ double distance_at(const Surface& s, const ExactField& field, std::uint32_t tria
         const std::uint32_t v = s.tail(h);
         least = std::min(least, field.distance[v] + distance(s.vertices[v], p));
         if (field.first[h] == surface::kNone) continue;
-        const geom::Vec2 q = flatten(s, field.frame[h], h, p);
+        const geom::Vec2 q = flatten(s, field.ground->frame[h], h, p);
         for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
             least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y)));
     }
@@ -65,7 +65,7 @@ double distance_at(const Surface& s, const ExactField& field, std::uint32_t tria
 
 void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h, double level,
                      std::vector<double>& out) {
-    const double l = field.frame[h].length, tail = field.distance[s.tail(h)], head = field.distance[s.head(h)];
+    const double l = field.ground->frame[h].length, tail = field.distance[s.tail(h)], head = field.distance[s.head(h)];
     const double lo = tail < level ? 0 : kEnd * l, hi = head < level ? l : (1 - kEnd) * l;
     std::vector<Interval> parts;
     const auto add = [&](Interval i) {
@@ -76,7 +76,7 @@ void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h,
     if (head < level) add({l - (level - head), l});
     for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
         add(below(field.windows[w], level));
-    for (std::uint32_t w = field.first[field.across[h]]; w != surface::kNone; w = field.windows[w].next) {
+    for (std::uint32_t w = field.first[field.ground->across[h]]; w != surface::kNone; w = field.windows[w].next) {
         const Interval i = below(field.windows[w], level);
         if (i.a < i.b) add({l - i.b, l - i.a});
     }
@@ -98,10 +98,12 @@ double farthest(const Surface& s, const ExactField& field) {
         if (std::isfinite(d)) out = std::max(out, d);
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
         if (s.twin[h] < h) continue;
-        const double l = field.frame[h].length, most = (field.distance[s.tail(h)] + field.distance[s.head(h)] + l) / 2;
+        const double l = field.ground->frame[h].length,
+                     most = (field.distance[s.tail(h)] + field.distance[s.head(h)] + l) / 2;
         if (!std::isfinite(most) || most <= out) continue;
-        const Vec3 &a = s.vertices[s.tail(h)], along = field.frame[h].inverse_length * (s.vertices[s.head(h)] - a);
-        for (const std::uint32_t list : {h, field.across[h]})
+        const Vec3 &a = s.vertices[s.tail(h)],
+                   along = field.ground->frame[h].inverse_length * (s.vertices[s.head(h)] - a);
+        for (const std::uint32_t list : {h, field.ground->across[h]})
             for (std::uint32_t w = field.first[list]; w != surface::kNone; w = field.windows[w].next)
                 for (const double x : {field.windows[w].b0, field.windows[w].b1}) {
                     const Vec3 p = a + (list == h ? x : l - x) * along;

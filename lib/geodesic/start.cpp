@@ -20,12 +20,12 @@ void Propagation::add_vertex(std::uint32_t vertex) {
 void Propagation::add_on_side(std::uint32_t h, double x) {
     for (const std::uint32_t side : {h, surface_.twin[h]}) {
         if (side == kNone) continue;
-        const double at = side == h ? x : field_.frame[h].length - x;
-        const double cx = field_.frame[side].cx, cy = field_.frame[side].cy;
+        const double at = side == h ? x : ground_->frame[h].length - x;
+        const double cx = ground_->frame[side].cx, cy = ground_->frame[side].cy;
         // in the frame of `side`, as though the point lay in the triangle
-        const Frame& f = field_.frame[side];
+        const Frame& f = ground_->frame[side];
         const std::uint32_t hr = surface::next(side), hl = surface::prev(side);
-        const Frame &fr = field_.frame[hr], &fl = field_.frame[hl];
+        const Frame &fr = ground_->frame[hr], &fl = ground_->frame[hl];
         Side right = exit_across(hr, false), left = exit_across(hl, true);
         right.third = left.third = kNone;
         const double rx = (f.length - cx) * fr.inverse_length, ry = -cy * fr.inverse_length;
@@ -40,7 +40,7 @@ void Propagation::add_on_side(std::uint32_t h, double x) {
 
 void Propagation::add_point(std::uint32_t triangle, const Vec3& p) {
     double longest = 0;
-    for (std::uint32_t k = 0; k < 3; ++k) longest = std::max(longest, field_.frame[3 * triangle + k].length);
+    for (std::uint32_t k = 0; k < 3; ++k) longest = std::max(longest, ground_->frame[3 * triangle + k].length);
     for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t v = surface_.triangles[triangle][k];
         const double d = distance(surface_.vertices[v], p);
@@ -48,7 +48,7 @@ void Propagation::add_point(std::uint32_t triangle, const Vec3& p) {
         reach(v, d);
     }
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
+        const geom::Vec2 q = flatten(surface_, ground_->frame[h], h, p);
         if (q.y >= kOnIt * longest) continue;
         if (surface_.twin[h] != kNone) {
             const std::uint32_t far = surface_.tail(surface::prev(surface_.twin[h]));
@@ -59,7 +59,7 @@ void Propagation::add_point(std::uint32_t triangle, const Vec3& p) {
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         Side exit = exit_across(h, false);
         exit.third = kNone;
-        const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
+        const geom::Vec2 q = flatten(surface_, ground_->frame[h], h, p);
         offer(exit, 0, exit.length, exit.length - q.x, -q.y, 0, false);
     }
 }
@@ -70,7 +70,7 @@ void Propagation::add_line(const Segment& s) {
         Side exit = exit_across(h, false);
         exit.third = kNone;
         const auto beyond = [&](const Vec3& p) { // as seen from the other side
-            const geom::Vec2 q = flatten(surface_, field_.frame[h], h, p);
+            const geom::Vec2 q = flatten(surface_, ground_->frame[h], h, p);
             return geom::Vec2{exit.length - q.x, std::min(0.0, -q.y)};
         };
         const geom::Vec2 a = beyond(s.a), b = beyond(s.b), along = b - a;

@@ -31,7 +31,7 @@ class Necks {
   public:
     Necks(const Surface& s, const geodesic::ExactField& field, double level, double spacing,
           const std::vector<Ring>& rings, std::vector<Bend>& bends)
-        : surface_(s), field_(field), level_(level), spacing_(spacing), rings_(rings), bends_(bends) {}
+        : surface_(s), field_(field), level_(level), spacing_(spacing), rings_(rings), tree_(rings), bends_(bends) {}
 
     void run() {
         find_tips();
@@ -81,7 +81,7 @@ class Necks {
         const Line line = surface::curve::join(surface_, from, to);
         if (line.size() == 2 && from.triangle != to.triangle) return;
         const auto ways = surface::curve::arc_lengths(line);
-        if (nearest(rings_, surface::curve::at(line, ways, length / 2).point).distance < 0.3 * length)
+        if (tree_.nearest(surface::curve::at(line, ways, length / 2).point).distance < 0.3 * length)
             return; // along a ring
         double height = level_;
         for (std::size_t i = 1; i + 1 < line.size(); ++i) {
@@ -100,7 +100,9 @@ class Necks {
             if (line.closed) lower.push_back({surface::curve::line(line), {}, {}});
         if (lower.empty()) return;
         for (Ring& r : lower) r.ways = surface::curve::arc_lengths(r.line);
-        const auto there = across(tips_[n.a], tips_[n.b], lower), back = across(tips_[n.b], tips_[n.a], lower);
+        const RingTree tree(lower);
+        const auto there = across(tips_[n.a], tips_[n.b], lower, tree),
+                   back = across(tips_[n.b], tips_[n.a], lower, tree);
         if (there.size() < 2 || back.size() < 2) return;
         Bend &a = bends_[tips_[n.a].bend], &b = bends_[tips_[n.b].bend];
         a.over = &b;
@@ -110,30 +112,31 @@ class Necks {
     }
 
     // From where corner `a` begins over to where corner `b` ends, along one of `lower`; empty if none leads there.
-    [[nodiscard]] Line across(const Tip& a, const Tip& b, const std::vector<Ring>& lower) const {
+    [[nodiscard]] Line across(const Tip& a, const Tip& b, const std::vector<Ring>& lower, const RingTree& tree) const {
         const Corner &ca = corner(a), &cb = corner(b);
         const double la = std::min(kBridgeDrift * spacing_, 0.9 * ring(a).ahead(ca.from, a.way));
         const double lb = std::min(kBridgeDrift * spacing_, 0.9 * ring(b).ahead(b.way, cb.to));
-        const On from = nearest(lower, at(a, ca.from + la).point), to = nearest(lower, at(b, cb.to - lb).point);
+        const On from = tree.nearest(at(a, ca.from + la).point), to = tree.nearest(at(b, cb.to - lb).point);
         if (from.line != to.line || std::max(from.distance, to.distance) > 1.5 * spacing_) return {};
         const Ring& low = lower[from.line];
         const double way = low.ahead(from.way, to.way);
         if (way > 2 * kLongestBridge * spacing_) return {};
-        Line out = drift(a, ca.from, la, lower, true);
+        Line out = drift(a, ca.from, la, lower, tree, true);
         surface::curve::append(out, surface::curve::part(low.line, low.ways, from.way, from.way + way));
-        surface::curve::append(out, drift(b, cb.to - lb, lb, lower, false));
+        surface::curve::append(out, drift(b, cb.to - lb, lb, lower, tree, false));
         return out;
     }
 
     // Along the ring, from it over to the lower one, or back.
-    [[nodiscard]] Line drift(const Tip& t, double way, double length, const std::vector<Ring>& lower, bool down) const {
+    [[nodiscard]] Line drift(const Tip& t, double way, double length, const std::vector<Ring>& lower,
+                             const RingTree& tree, bool down) const {
         Line out;
         const int n = std::max(4, static_cast<int>(std::ceil(length / (0.3 * spacing_))));
         for (int i = 0; i <= n; ++i) {
             const double f = static_cast<double>(i) / n, g = down ? f : 1 - f;
             const double part = g < 0.5 ? 2 * g * g : 1 - 2 * (1 - g) * (1 - g);
             const Place from = at(t, way + f * length);
-            const On on = nearest(lower, from.point);
+            const On on = tree.nearest(from.point);
             const Line line = surface::curve::join(
                 surface_, from, surface::curve::at(lower[on.line].line, lower[on.line].ways, on.way));
             const auto ways = surface::curve::arc_lengths(line);
@@ -146,6 +149,7 @@ class Necks {
     const geodesic::ExactField& field_;
     double level_, spacing_;
     const std::vector<Ring>& rings_;
+    RingTree tree_;
     std::vector<Bend>& bends_;
     std::vector<Tip> tips_;
 };

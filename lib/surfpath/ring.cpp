@@ -1,19 +1,20 @@
 #include "surfpath/ring.hpp"
 
+#include <algorithm>
+
 namespace filum::surfpath {
 
-On nearest(const std::vector<Ring>& rings, const Vec3& p) {
-    On out;
-    for (std::size_t r = 0; r < rings.size(); ++r)
-        for (std::size_t i = 0; i < rings[r].line.size(); ++i)
-            if (const double d = distance(rings[r].line[i], p); d < out.distance) out = {r, rings[r].ways[i], d};
-    if (out.distance > 1e299) return out;
-    // on the stretches beside that point
+namespace {
+
+constexpr double kSoughtBeside = 0.5; // mm to both sides of the nearest point
+constexpr int kSoughtSteps = 100;     // on either
+
+// On the stretches beside the nearest point.
+On refined(std::span<const Ring> rings, On out, const Vec3& p) {
     const Ring& ring = rings[out.line];
-    const double reach = 0.5, all = ring.ways.back();
-    const double from = out.way;
-    for (int i = -100; i <= 100; ++i) {
-        const double way = from + reach * i / 100;
+    const double all = ring.ways.back(), from = out.way;
+    for (int i = -kSoughtSteps; i <= kSoughtSteps; ++i) {
+        const double way = from + kSoughtBeside * i / kSoughtSteps;
         const double d = distance(surface::curve::at(ring.line, ring.ways, way).point, p);
         if (d < out.distance) {
             out.distance = d;
@@ -21,6 +22,27 @@ On nearest(const std::vector<Ring>& rings, const Vec3& p) {
         }
     }
     return out;
+}
+
+std::vector<Vec3> points_of(std::span<const Ring> rings) {
+    std::vector<Vec3> out;
+    for (const Ring& ring : rings)
+        for (const Place& p : ring.line.places) out.push_back(p.point);
+    return out;
+}
+
+} // namespace
+
+RingTree::RingTree(std::span<const Ring> rings) : rings_(rings), tree_(points_of(rings)) {
+    for (const Ring& ring : rings) end_.push_back((end_.empty() ? 0 : end_.back()) + ring.line.size());
+}
+
+On RingTree::nearest(const Vec3& p) const {
+    if (tree_.points().empty()) return {};
+    const auto found = tree_.nearest(p);
+    const auto r = static_cast<std::size_t>(std::upper_bound(end_.begin(), end_.end(), found.index) - end_.begin());
+    const std::size_t i = found.index - (r > 0 ? end_[r - 1] : 0);
+    return refined(rings_, {r, rings_[r].ways[i], found.distance}, p);
 }
 
 } // namespace filum::surfpath

@@ -1,6 +1,7 @@
 // A ring whose corners are being rounded.  Private to lib/surfpath.
 #pragma once
 
+#include "geom/point_tree.hpp"
 #include "surface/curve/line.hpp"
 
 #include <cmath>
@@ -53,7 +54,18 @@ struct Ring {
     }
 };
 
-// The place nearest to `p`, straight.
-On nearest(const std::vector<Ring>& rings, const Vec3& p);
+// Rings by the points of their lines; their lines and ways stay as they are.
+class RingTree {
+  public:
+    explicit RingTree(std::span<const Ring> rings);
+
+    // The place nearest to `p`, straight; about the log of all points.
+    [[nodiscard]] On nearest(const Vec3& p) const;
+
+  private:
+    std::span<const Ring> rings_;
+    std::vector<std::size_t> end_; // per ring: of its points among all
+    geom::PointTree tree_;
+};
 
 } // namespace filum::surfpath

@@ -27,12 +27,13 @@ class Rounder {
         auto& rings = b.rings;
         for (const Isoline* line : b.outer) rings.push_back({surface::curve::line(*line), {}});
         for (Ring& r : rings) r.ways = surface::curve::arc_lengths(r.line);
+        const RingTree tree(rings);
         bool more = !rings.empty();
         for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
             for (Ring& r : rings) r.by.emplace_back();
             std::size_t number = 0;
             for (const Line& line : opened(b.level, b.scales[k]))
-                sort_in(line, number++, b.level, b.scales[k].radius, rings);
+                sort_in(line, number++, b.level, b.scales[k].radius, tree, rings);
             more = false;
             for (Ring& r : rings) {
                 check(r);
@@ -65,7 +66,8 @@ class Rounder {
     [[nodiscard]] std::vector<Line> opened(double level, const Scale& scale) const {
         std::vector<Line> out;
         if (scale.inner.empty()) return out;
-        const auto near = geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 1.01 * edge_);
+        const auto near =
+            geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 1.01 * edge_, field_.ground);
         const double levels[] = {scale.radius};
         for (const auto& line : geodesic::isolines(surface_, near, levels)) {
             if (!line.closed || line.points.size() < 3) continue;
@@ -81,7 +83,8 @@ class Rounder {
     }
 
     // Splits an opened line into arcs and what runs along the rings.
-    void sort_in(const Line& line, std::size_t number, double level, double radius, std::vector<Ring>& rings) const {
+    void sort_in(const Line& line, std::size_t number, double level, double radius, const RingTree& tree,
+                 std::vector<Ring>& rings) const {
         const double still = 0.0015 * radius, off = 0.01 * radius;
         const std::size_t n = line.size();
         std::vector<double> above(n);
@@ -96,12 +99,12 @@ class Rounder {
                 ++e;
             }
             if (e == k) {
-                const On on = nearest(rings, line[(first + k) % n]);
+                const On on = tree.nearest(line[(first + k) % n]);
                 rings[on.line].by.back().kept.push_back({on.way, number});
                 ++k;
                 continue;
             }
-            if (most > off) add_arc(line, number, first + k - 1 + n, first + e + n, rings);
+            if (most > off) add_arc(line, number, first + k - 1 + n, first + e + n, tree, rings);
             k = e;
         }
     }
@@ -114,10 +117,10 @@ class Rounder {
         }
         return false;
     }
-    void add_arc(const Line& line, std::size_t number, std::size_t begin, std::size_t end,
+    void add_arc(const Line& line, std::size_t number, std::size_t begin, std::size_t end, const RingTree& tree,
                  std::vector<Ring>& rings) const {
         const std::size_t n = line.size();
-        const On a = nearest(rings, line[begin % n]), b = nearest(rings, line[end % n]);
+        const On a = tree.nearest(line[begin % n]), b = tree.nearest(line[end % n]);
         if (a.line != b.line) return;
         Line arc;
         for (std::size_t i = begin; i <= end; ++i) arc.places.push_back(line.places[i % n]);

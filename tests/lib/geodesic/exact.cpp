@@ -283,10 +283,19 @@ TEST(exact, is_symmetric_and_slopes_at_most_one) {
     const auto a = exact(s, {{17}, {}}), b = exact(s, {{400}, {}});
     EXPECT_NEAR(a.distance[400], b.distance[17], 1e-11);
     for (std::uint32_t h = 0; h < s.twin.size(); ++h)
-        EXPECT_LE(a.distance[s.head(h)], a.distance[s.tail(h)] + a.frame[h].length + 1e-11);
+        EXPECT_LE(a.distance[s.head(h)], a.distance[s.tail(h)] + a.ground->frame[h].length + 1e-11);
     const auto both = exact(s, {{17, 400}, {}});
     for (std::size_t v = 0; v < s.vertices.size(); ++v)
         EXPECT_NEAR(both.distance[v], std::min(a.distance[v], b.distance[v]), 1e-11);
+}
+
+TEST(exact, sources_of_one_field_are_none_of_another_on_its_ground) {
+    const Surface s = surfaces::bumpy_sphere(3, 0.2, 1);
+    const auto first = exact(s, {{17}, {}}), alone = exact(s, {{40}, {}});
+    const auto second = exact(s, {{40}, {}}, std::numeric_limits<double>::infinity(), first.ground);
+    EXPECT_EQ(second.ground, first.ground);
+    EXPECT_EQ(second.distance, alone.distance);
+    EXPECT_EQ(second.propagated, alone.propagated);
 }
 
 TEST(exact, a_sphere_is_approached) {

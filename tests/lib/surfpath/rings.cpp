@@ -3,6 +3,7 @@
 #include "surface/curve/walk.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
+#include "surfpath/ring.hpp"
 #include "surfpath/surfpath.hpp"
 
 #include "../surface/grid.hpp"
@@ -193,6 +194,33 @@ TEST(geo_contour, rings_through_vertices_are_whole) {
     double length = 0;
     for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
     EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
+}
+
+TEST(RingTree, finds_the_nearest_point_of_all_rings) {
+    std::vector<Ring> rings(3);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+        for (int i = 0; i < 40; ++i) {
+            const double a = 2 * pi * i / 40, radius = 2.0 + static_cast<double>(r);
+            rings[r].line.places.push_back(
+                {0, {9.0 * static_cast<double>(r) + radius * std::cos(a), radius * std::sin(a), 0}});
+        }
+        rings[r].line.closed = true;
+        rings[r].ways = surface::curve::arc_lengths(rings[r].line);
+    }
+    const RingTree tree(rings);
+    for (double x = -4; x < 26; x += 1.3)
+        for (double y = -5; y < 5; y += 0.7) {
+            const On on = tree.nearest({x, y, 0});
+            double least = 1e300;
+            for (const Ring& ring : rings)
+                for (const Place& p : ring.line.places) least = std::min(least, distance(p.point, {x, y, 0}));
+            const Ring& found = rings[on.line];
+            EXPECT_LE(on.distance, least);
+            EXPECT_GT(on.distance, least - 0.32); // half a step
+            EXPECT_NEAR(distance(surface::curve::at(found.line, found.ways, on.way).point, {x, y, 0}), on.distance,
+                        1e-9);
+        }
+    EXPECT_GT(RingTree({}).nearest({0, 0, 0}).distance, 1e299);
 }
 
 } // namespace
