@@ -88,7 +88,7 @@ void smooth(Pull& p, const Cells& cells, double length) {
     if (std::none_of(p.trust.begin(), p.trust.end(), [](double t) { return t > 0; })) return;
     std::vector<Complex> given(p.load.size());
     for (std::size_t v = 0; v < given.size(); ++v) given[v] = doubled(p.along[v], cells.normal[v]);
-    const auto z = smoothed(cells, given, p.trust, length);
+    const auto z = Smoother(cells, length).smoothed(given, p.trust);
     for (std::size_t v = 0; v < p.load.size(); ++v) {
         const double sure = std::abs(z[v]);
         p.along[v] = sure > 1e-6 ? direction(z[v], cells.normal[v]) : Vec3{};

@@ -1,7 +1,6 @@
 #include "surface/directions/rosy.hpp"
 
 #include "base/error.hpp"
-#include "sparse/factor.hpp"
 
 namespace filum::surface::directions {
 
@@ -53,21 +52,19 @@ Vec3 direction(const Complex& z, const Vec3& n) {
 
 Complex transport(const Vec3& a, const Vec3& b) { return doubled(turned(across(a), a, b), b); }
 
-std::vector<Complex> smoothed(const Cells& cells, std::span<const Complex> given, std::span<const double> weight,
-                              double length) {
-    const auto a = system(cells, weight, length);
-    sparse::Factor factor;
-    factor.analyse(a);
-    if (!factor.factorise(a))
+std::vector<Complex> Smoother::smoothed(std::span<const Complex> given, std::span<const double> weight) {
+    const auto a = system(cells_, weight, length_);
+    if (!factor_) factor_.emplace().analyse(a);
+    if (!factor_->factorise(a))
         throw Error(Exit::failure, "cannot smooth the directions: the surface's triangles are too uneven; remesh it");
     Eigen::VectorXd right(a.rows());
     for (Eigen::Index v = 0; v < a.rows() / 2; ++v) {
         const auto i = static_cast<std::size_t>(v);
-        const Complex r = cells.area[i] * weight[i] * given[i];
+        const Complex r = cells_.area[i] * weight[i] * given[i];
         right[2 * v] = r.real();
         right[2 * v + 1] = r.imag();
     }
-    const Eigen::VectorXd z = factor.solve(right);
+    const Eigen::VectorXd z = factor_->solve(right);
     std::vector<Complex> out;
     out.reserve(weight.size());
     for (Eigen::Index v = 0; v < z.size(); v += 2) out.emplace_back(z[v], z[v + 1]);

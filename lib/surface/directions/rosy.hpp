@@ -1,9 +1,11 @@
 // Directions without a sign, as complex numbers: lines, not arrows (2-RoSy fields).
 #pragma once
 
+#include "sparse/factor.hpp"
 #include "surface/directions/cells.hpp"
 
 #include <complex>
+#include <optional>
 #include <span>
 
 namespace filum::surface::directions {
@@ -20,10 +22,20 @@ Vec3 direction(const Complex& z, const Vec3& n);
 // turned into the other by the least rotation.
 Complex transport(const Vec3& a, const Vec3& b);
 
-// The z with the least sum over area of weight |z - given|^2 + length^2 |grad z|^2, neighbours compared after
-// transport.  Where no weight is near, z is small.  (After Knoppel, Crane, Pinkall, Schroeder 2013, "Globally optimal
-// direction fields", with a data term.)  Throws Error(failure) if the triangles are too uneven.
-std::vector<Complex> smoothed(const Cells& cells, std::span<const Complex> given, std::span<const double> weight,
-                              double length);
+// Directions made smooth, as often as weights change: the order of the unknowns is found once.
+class Smoother {
+  public:
+    Smoother(const Cells& cells, double length) : cells_(cells), length_(length) {}
+
+    // The z with the least sum over area of weight |z - given|^2 + length^2 |grad z|^2, neighbours compared after
+    // transport.  Where no weight is near, z is small.  (After Knoppel, Crane, Pinkall, Schroeder 2013, "Globally
+    // optimal direction fields", with a data term.)  Throws Error(failure) if the triangles are too uneven.
+    std::vector<Complex> smoothed(std::span<const Complex> given, std::span<const double> weight);
+
+  private:
+    const Cells& cells_;
+    double length_; // mm
+    std::optional<sparse::Factor> factor_;
+};
 
 } // namespace filum::surface::directions

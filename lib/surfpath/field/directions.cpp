@@ -156,8 +156,9 @@ Directions smooth(const Surface& s, const Cells& cells, const Wanted& wanted, do
     const double let_go = 4 * length * length / (radius * radius); // over half a radius in a round
     Bends least;
     auto given = wanted.z;
+    surface::directions::Smoother smoother(cells, length);
     for (int round = 0, idle = 0; round < kRounds && idle <= kPatience; ++round) {
-        const auto z = surface::directions::smoothed(cells, given, weight, length);
+        const auto z = smoother.smoothed(given, weight);
         Bends now = bends(s, cells, z, radius);
         idle = best.empty() || now.excess < least.excess ? 0 : idle + 1;
         auto where = now.where;
