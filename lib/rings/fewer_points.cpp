@@ -102,8 +102,8 @@ class Thinning {
         const double l = std::sqrt(geom::norm2(u) * geom::norm2(v));
         return l > 0 ? 1 - dot(u, v) / l : 0;
     }
-    // Moves every point between its neighbours to where the turns are the most even, as chords may run: a machine slows
-    // down for the sharpest.  Ties: as it was, then the earlier.
+    // Moves every point between its neighbours as long as that makes the turns more even, as chords may run: a machine
+    // slows down for the sharpest.  Ties: as it was.
     void even_out(std::vector<std::size_t>& kept) const {
         const std::size_t n = kept.size();
         if (n < 5) return;
@@ -116,12 +116,13 @@ class Thinning {
             };
             constexpr double kLess = 1 - 1e-9; // for rounding
             double least = kLess * bends(at(k), std::numeric_limits<double>::infinity());
-            for (std::size_t i = kept[k - 1] + 1, end = kept[k + 1]; i < end; ++i) {
-                const double now = bends(bead_.points[i], least);
-                if (now >= least || !within(kept[k - 1], i) || !within(i, end)) continue;
-                least = kLess * now;
-                kept[k] = i;
-            }
+            for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // back, then on
+                for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1]; i += step) {
+                    const double now = bends(bead_.points[i], least);
+                    if (now >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) break;
+                    least = kLess * now;
+                    kept[k] = i;
+                }
         }
     }
 
