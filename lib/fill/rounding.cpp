@@ -18,7 +18,7 @@ constexpr double kWiden = 1.7;          // times the width, at most
 constexpr double kSpill = 0.03;         // bead widths that a widened bead may reach over the outline
 constexpr int kPoints = 6;              // per corner
 
-// A closed line by arc length, to be asked for ascending places.
+// A closed line by arc length.  Asking for places near the last one is quick.
 class Course {
   public:
     explicit Course(const BeadLine& line) : line_(&line), n_(line.points.size()) {
@@ -39,11 +39,13 @@ class Course {
         double width;
         Vec2 sum; // of the points from the line's begin on, times mm
     };
-    [[nodiscard]] At at(double s) const {
+    // `near`: the segment to look from; then the one that was found.
+    [[nodiscard]] At at(double s, std::size_t& near) const {
         const double turns = std::floor(s / length());
         s -= turns * length();
-        const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-            std::upper_bound(s_.begin(), s_.end(), s) - s_.begin() - 1, 0, static_cast<std::ptrdiff_t>(n_) - 1));
+        std::size_t& i = near;
+        while (i + 1 < n_ && s_[i + 1] <= s) ++i;
+        while (i > 0 && s_[i] > s) --i;
         const double l = s_[i + 1] - s_[i], t = l > 0 ? (s - s_[i]) / l : 0;
         const Vec2 a = point(i), p = geom::lerp(a, point(i + 1), t);
         const double w = line_->width[i] + t * (line_->width[(i + 1) % n_] - line_->width[i]);
@@ -97,9 +99,10 @@ class Rounding {
     }
 
   private:
-    [[nodiscard]] double reach_at(std::size_t vertex) const {
+    [[nodiscard]] double reach_at(std::size_t vertex) {
         const double s = course_.s(vertex);
-        const double ratio = chord(s, reach_) / (2 * reach_);
+        const double ratio =
+            geom::distance(course_.at(s - reach_, behind_).point, course_.at(s + reach_, ahead_).point) / (2 * reach_);
         if (ratio >= kTurned) return 0;
         const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
         const double reach = reach_ * std::min(1.0, 2 * line_->width[vertex] / width_); // narrow lanes are near
@@ -113,10 +116,6 @@ class Rounding {
         const double l = geom::norm2(u) * geom::norm2(v);
         return l > 0 ? std::sqrt(std::max(0.0, 2 - 2 * dot(u, v) / std::sqrt(l))) : 0;
     }
-    [[nodiscard]] double chord(double s, double reach) const {
-        return geom::distance(course_.at(s - reach).point, course_.at(s + reach).point);
-    }
-
     // Ascending and apart, all within a turn from the first one's begin.
     void find_corners() {
         const std::size_t n = line_->points.size();
@@ -154,10 +153,10 @@ class Rounding {
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
             const double reach = std::max(1e-6, part.reach(s));
-            const auto a = course_.at(s - reach), b = course_.at(s + reach);
+            const auto a = course_.at(s - reach, behind_), b = course_.at(s + reach, ahead_);
             const double slower = 2 * reach / std::max(1e-9, geom::distance(a.point, b.point));
             const Vec2 p = (1 / (2 * reach)) * (b.sum - a.sum);
-            const double w = course_.at(s).width;
+            const double w = course_.at(s, here_).width;
             out_.add(p, std::max(w, std::min(w * std::min(slower, kWiden), 2 * (*room_)(p) + kSpill * w)));
         }
     }
@@ -167,6 +166,7 @@ class Rounding {
     double width_, reach_;
     bool outline_;
     const std::function<double(Vec2)>* room_;
+    std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the places asked for last
     std::vector<RoundedStretch> parts_;
     BeadLine out_;
 };
