@@ -74,13 +74,13 @@ class Thinning {
     }
     // Whether the chord from a to b is near enough to the line between, and its width to the bead's.
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
-        const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
-        const double wa = bead_.width[a], wb = bead_.width[b % bead_.size()], l2 = geom::norm2(q - p);
-        const double full = off_ * toolpath::full_share(wa, std::sqrt(l2));
+        const Vec2 p = bead_.points[a], chord = bead_.points[b % bead_.size()] - p;
+        const double wa = bead_.width[a], wider_by = bead_.width[b % bead_.size()] - wa, l2 = geom::norm2(chord);
+        const double full = off_ * toolpath::full_share(wa, std::sqrt(l2)), by_length2 = l2 > 0 ? 1 / l2 : 0;
         const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
-            return l2 > 0 ? std::clamp(dot(bead_.points[i] - p, q - p) / l2, 0.0, 1.0) : 0;
+            return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
         };
-        const auto off2 = [&](std::size_t i, double t) { return geom::norm2(geom::lerp(p, q, t) - bead_.points[i]); };
+        const auto off2 = [&](std::size_t i, double t) { return geom::norm2(p + t * chord - bead_.points[i]); };
         const std::size_t middle = a + (b - a) / 2; // most that are too far are so there
         if (b > a + 2 && off2(middle, along(middle)) > full * full) return false;
         double laid_aside = 0; // mm2
@@ -88,7 +88,7 @@ class Thinning {
             const double eighth = bead_.width[i] / 8, off = std::min(full, eighth);
             const double t = along(i);
             if (off2(i, t) > off * off) return false;
-            const double wider = std::abs(bead_.width[i] - std::lerp(wa, wb, t));
+            const double wider = std::abs(bead_.width[i] - (wa + t * wider_by));
             if (wider > eighth) return false;
             if (wider > 0) laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
             if (laid_aside > least_) return false;
