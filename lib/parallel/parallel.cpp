@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <optional>
 #include <vector>
 
 namespace filum::parallel {
@@ -27,12 +28,15 @@ void for_chunks(std::size_t n, std::size_t grain, int threads,
     const std::size_t chunks = n / grain + (n % grain != 0 ? 1 : 0);
     const auto run = [&](std::size_t c) { body(c * grain, c * grain + std::min(n - c * grain, grain)); };
     const int count = thread_count(threads);
-    if (count == 1 || chunks <= 1) {
+    const bool alone = count == 1 || chunks <= 1;
+    std::optional<tbb::global_control> limit;
+    if (threads > 0 || !alone)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+    if (alone) {
         for (std::size_t c = 0; c < chunks; ++c) run(c);
         return;
     }
     std::vector<std::exception_ptr> failed(chunks);
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     tbb::task_arena arena(count);
     arena.execute([&] {
         tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t c) {
@@ -72,6 +76,9 @@ Slot guarded(const Make& make) {
 void ordered(int threads, const std::function<Item()>& source, const std::function<Item(Item)>& work,
              const std::function<void(Item)>& sink) {
     const int count = thread_count(threads);
+    std::optional<tbb::global_control> limit;
+    if (threads > 0 || count > 1)
+        limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     if (count == 1) {
         while (Item item = source()) sink(work(std::move(item)));
         return;
@@ -98,7 +105,6 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
                                              }).failed;
         stop = failed != nullptr;
     };
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
     tbb::task_arena arena(count);
     arena.execute([&] {
         constexpr auto kInOrder = tbb::filter_mode::serial_in_order;

@@ -9,7 +9,8 @@
 namespace filum::parallel {
 
 // Calls body(begin, end) for chunks of fixed size `grain` covering [0, n), on `threads` threads (0: all cores).
-// Chunk borders depend on n and grain alone.  The first exception, by chunk order, is thrown on.
+// Chunk borders depend on n and grain alone.  The first exception, by chunk order, is thrown on.  What `body` runs in
+// parallel in its turn takes no more than these threads, all together, if they are a number.
 void for_chunks(std::size_t n, std::size_t grain, int threads,
                 const std::function<void(std::size_t, std::size_t)>& body);
 

@@ -33,6 +33,21 @@ TEST(for_chunks, covers_everything_once_in_the_same_chunks_for_any_threads) {
     }
 }
 
+TEST(for_chunks, one_thread_is_all_that_work_within_gets) {
+    for (const std::size_t outer : {1U, 3U}) {
+        std::set<std::thread::id> ids;
+        std::mutex guard;
+        for_chunks(outer, 1, 1, [&](std::size_t, std::size_t) {
+            for_chunks(64, 1, 0, [&](std::size_t, std::size_t) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1)); // so that others had time to help
+                const std::lock_guard lock(guard);
+                ids.insert(std::this_thread::get_id());
+            });
+        });
+        EXPECT_EQ(ids, std::set{std::this_thread::get_id()});
+    }
+}
+
 TEST(for_chunks, throws_the_first_failure_by_place) {
     for (const int threads : {1, 2, 8}) {
         try {
