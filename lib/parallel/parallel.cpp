@@ -108,7 +108,7 @@ void ordered(int threads, const std::function<Item()>& source, const std::functi
     tbb::task_arena arena(count);
     arena.execute([&] {
         constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
-        tbb::parallel_pipeline(static_cast<std::size_t>(4 * count),
+        tbb::parallel_pipeline(4 * static_cast<std::size_t>(count),
                                tbb::make_filter<void, Slot>(kInOrder, from_source) &
                                    tbb::make_filter<Slot, Slot>(tbb::filter_mode::parallel, at_work) &
                                    tbb::make_filter<Slot, void>(kInOrder, to_sink));

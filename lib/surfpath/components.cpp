@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <string_view>
 #include <tuple>
 
 namespace filum::surfpath {
