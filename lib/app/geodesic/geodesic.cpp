@@ -30,8 +30,9 @@ void run(const Options& o, const cli::Io& io) {
     cli::Io self = io; // with what identifies the input
     Model m = read(o.place, self, o.step);
     if (o.mesh.empty()) cli::step_idle(io, m.step);
-    shape(m, o.shape, o.place, self);
-    Facts facts = surface::facts(m.sheet.surface);
+    Facts facts = shape(m, o.shape, o.place, self);
+    const Facts size = surface::facts(m.sheet.surface);
+    facts.insert(facts.begin(), size.begin(), size.end());
     const auto from = sources(o, m.sheet.surface, self, m.notes, facts);
     if (!from.empty()) {
         const Facts found = filum::geodesic::measure(m.sheet, from, o.measure, m.notes);

@@ -1,26 +1,59 @@
 #include "app/geodesic/shape.hpp"
 
+#include "base/error.hpp"
+#include "base/number.hpp"
 #include "surface/curve/transfer.hpp"
+#include "surface/fit/fit.hpp"
 #include "surface/remesh.hpp"
 
 namespace filum::app::geodesic {
 
 using cli::Option;
 
-std::vector<Option> options(Shaping& to) {
-    return {Option{"cut", &to.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
-                                                                                                                   1e7),
-            Option{"cut-mesh", &to.cut_mesh, "FILE", "cut by a closed mesh, in a file as the input's"}.not_a_setting(),
-            Option{"keep", &to.keep, "", "what of the surface --cut-mesh leaves"}
-                .one_of({"outside", "inside"})
-                .when("cut-mesh"),
-            Option{"remesh", &to.remesh, "MM", "make all sides about this long, rims and sharp edges kept; 0: do not"}
-                .zero_or_at_least(0.001)
-                .at_most(1e6)};
+namespace {
+
+// mm; 0: do not.
+double side(const std::string& remesh) {
+    const double out = parse_number(remesh, "--remesh");
+    if (!(out == 0 || (out >= 0.001 && out <= 1e6)))
+        throw Error(Exit::usage, "cannot remesh to '" + remesh + "'; say auto, 0, or a length from 0.001 to 1e6 mm");
+    return out;
 }
 
-void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {
-    if (how.cut.empty() && how.cut_mesh.empty() && how.remesh == 0) return;
+surface::Surface remeshed(const surface::Surface& s, const Shaping& how, Notes& notes, Facts& facts) {
+    if (how.remesh != "auto") return surface::remesh(s, side(how.remesh), notes);
+    auto out = surface::fit::fitted(s, {how.longest, how.tolerance});
+    facts.push_back({"", "remesh-off", out.off, "mm"});
+    if (out.off > how.tolerance)
+        notes.push_back({"", "remeshed surface off by more than the tolerance", out.off, "mm", 1, -1, out.off_at.x,
+                         out.off_at.y, out.off_at.z});
+    return std::move(out.surface);
+}
+
+} // namespace
+
+std::vector<Option> options(Shaping& to) {
+    return {
+        Option{"cut", &to.cut, "NX,NY,NZ,D", "keep what lies where NX x + NY y + NZ z <= D"}.numbers(4).within(-1e7,
+                                                                                                               1e7),
+        Option{"cut-mesh", &to.cut_mesh, "FILE", "cut by a closed mesh, in a file as the input's"}.not_a_setting(),
+        Option{"keep", &to.keep, "", "what of the surface --cut-mesh leaves"}
+            .one_of({"outside", "inside"})
+            .when("cut-mesh"),
+        Option{"remesh", &to.remesh, "MM|auto",
+               "make all sides about this long, rims and sharp edges kept; auto: by the surface; 0: do not"},
+        Option{"longest", &to.longest, "MM", "of sides where the surface is flat: half the spacing of paths to come"}
+            .within(0.001, 1e6)
+            .when("remesh=auto"),
+        Option{"tolerance", &to.tolerance, "MM", "how far sides may be off the surface where it bends"}
+            .within(1e-4, 1000)
+            .when("remesh=auto")};
+}
+
+Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {
+    Facts facts;
+    const bool remesh = how.remesh == "auto" || side(how.remesh) > 0;
+    if (how.cut.empty() && how.cut_mesh.empty() && !remesh) return facts;
     surface::Sheet& sheet = model.sheet;
     surface::Surface now = sheet.surface;
     if (const auto& c = how.cut; !c.empty())
@@ -29,7 +62,7 @@ void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::
         const mesh::Mesh solid = read_mesh(how.cut_mesh, "cut_mesh_crc32c", place, self, model.notes);
         now = surface::cut(now, solid, how.keep == Keep::inside, model.notes);
     }
-    if (how.remesh > 0) now = surface::remesh(now, how.remesh, model.notes);
+    if (remesh) now = remeshed(now, how, model.notes, facts);
     sheet.fields = surface::curve::transferred(sheet.surface, sheet.fields, now);
     sheet.faces = surface::curve::transferred_faces(sheet.surface, sheet.faces, now);
     const auto gone = [&](const char* what, std::size_t count) {
@@ -44,6 +77,7 @@ void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::
              .name = std::move(sheet.name),
              .faces = std::move(sheet.faces),
              .algorithm = std::move(sheet.algorithm)};
+    return facts;
 }
 
 } // namespace filum::app::geodesic

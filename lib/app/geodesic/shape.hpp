@@ -11,13 +11,17 @@ struct Shaping {
     std::vector<double> cut;   // nx, ny, nz, d of a plane: what lies beyond goes; none: do not
     std::string cut_mesh;      // file of a closed mesh, in mm; none: do not
     Keep keep = Keep::outside; // of that
-    double remesh = 0;         // mm: sides of the triangles; 0: do not
+    std::string remesh = "0";  // mm: sides of the triangles; 0: do not; "auto": as surface::fit has it, with these:
+    double longest = 0.5;      // mm
+    double tolerance = 0.01;   // mm
 };
 
 std::vector<cli::Option> options(Shaping& to);
 
 // Cuts by the plane, then by the mesh, then remeshes.  Fields and CAD faces are carried over; lines and sources that
-// the sheet came with go, with a note, since their triangles do.  Throws Error as surface::cut and surface::remesh.
-void shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self);
+// the sheet came with go, with a note, since their triangles do.  Returns the fact "remesh-off", mm: how far the
+// surface is off by --remesh auto; a note where that is more than the tolerance. Throws Error as surface::cut,
+// surface::remesh and surface::fit::fitted; usage if `remesh` is neither.
+Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self);
 
 } // namespace filum::app::geodesic

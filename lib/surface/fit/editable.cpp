@@ -1,0 +1,200 @@
+#include "surface/fit/editable.hpp"
+
+#include <algorithm>
+
+namespace filum::surface::fit {
+
+namespace {
+
+constexpr double kTurnedOver = 0.5; // cosine, between the normals of a triangle before and after
+
+Vec3 upright(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
+
+void join(Editable& m, std::uint32_t h, std::uint32_t g) {
+    if (h != kNone) m.twin[h] = g;
+    if (g != kNone) m.twin[g] = h;
+}
+
+// Lets the fan of `v` begin at its rim, if it has one; h leaves v.
+void set_out(Editable& m, std::uint32_t v, std::uint32_t h) {
+    m.out[v] = h;
+    for (std::uint32_t k = h; m.twin[k] != kNone;) {
+        k = next(m.twin[k]);
+        m.out[v] = k;
+        if (k == h) return;
+    }
+}
+
+std::uint32_t add_triangle(Editable& m) {
+    m.triangles.push_back({kNone, kNone, kNone});
+    m.twin.insert(m.twin.end(), 3, kNone);
+    m.line.insert(m.line.end(), 3, 0);
+    return static_cast<std::uint32_t>(m.triangles.size() - 1);
+}
+
+// What lies beyond a half-edge, and whether it is part of a line: to be set where its triangle has changed.
+struct Side {
+    std::uint32_t beyond;
+    char line;
+};
+
+Side side(const Editable& m, std::uint32_t h) { return {m.twin[h], m.line[h]}; }
+
+void set(Editable& m, std::uint32_t h, const Side& to) {
+    join(m, h, to.beyond);
+    if (to.beyond == kNone) m.twin[h] = kNone;
+    m.line[h] = to.line;
+}
+
+bool alike(const Vec3& before, const Vec3& now) { return dot(before, now) > kTurnedOver * norm(before) * norm(now); }
+
+} // namespace
+
+std::uint32_t split(Editable& m, std::uint32_t h, const Vec3& p) {
+    const std::uint32_t a = m.tail(h), b = m.head(h), c = m.apex(h), g = m.twin[h];
+    const auto v = static_cast<std::uint32_t>(m.at.size());
+    const char line = m.line[h];
+    m.at.push_back(p);
+    m.size.push_back((m.size[a] + m.size[b]) / 2);
+    m.kind.push_back(line != 0 ? Kind::on_line : Kind::free);
+    m.out.push_back(kNone);
+    // a b c becomes a v c, and v b c besides
+    const std::uint32_t far = add_triangle(m), hn = next(h);
+    const Side bc = side(m, hn);
+    m.triangles[far] = {v, b, c};
+    m.triangles[h / 3][hn % 3] = v;
+    set(m, 3 * far + 1, bc);
+    set(m, hn, {3 * far + 2, 0});
+    m.line[3 * far + 2] = 0;
+    set(m, 3 * far, {kNone, line});
+    if (g != kNone) { // b a d becomes v a d, and b v d besides
+        const std::uint32_t d = m.apex(g), other = add_triangle(m), gp = prev(g);
+        const Side db = side(m, gp);
+        m.triangles[other] = {b, v, d};
+        m.triangles[g / 3][g % 3] = v;
+        set(m, 3 * other + 2, db);
+        set(m, gp, {3 * other + 1, 0});
+        m.line[3 * other + 1] = 0;
+        set(m, 3 * other, {3 * far, line});
+        m.line[3 * far] = line;
+        set_out(m, d, gp);
+    }
+    set_out(m, v, 3 * far);
+    set_out(m, a, h);
+    set_out(m, b, 3 * far + 1);
+    set_out(m, c, 3 * far + 2);
+    return v;
+}
+
+bool faces_alike(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& moved) {
+    return alike(upright(a, b, c), upright(moved, b, c));
+}
+
+bool joins_cleanly(const Editable& m, std::uint32_t h) {
+    const std::uint32_t a = m.tail(h), b = m.head(h), g = m.twin[h];
+    if (m.kind[a] == Kind::fixed || (m.kind[a] == Kind::on_line && m.line[h] == 0)) return false;
+    const bool rim_a = m.twin[m.out[a]] == kNone, rim_b = m.twin[m.out[b]] == kNone;
+    if (rim_a && rim_b && g != kNone) return false;
+    for (const std::uint32_t t : {h, g}) { // the two sides of a triangle that become one
+        if (t == kNone) continue;
+        if (m.twin[next(t)] == kNone && m.twin[prev(t)] == kNone) return false;
+        if (m.line[next(t)] != 0 && m.line[prev(t)] != 0) return false;
+    }
+    // What both have for a neighbour are the corners of the triangles at h alone.
+    std::vector<std::uint32_t> around;
+    const auto neighbours = [&](std::uint32_t v) {
+        std::vector<std::uint32_t> out;
+        each_leaving(m, v, [&](std::uint32_t k) {
+            out.push_back(m.head(k));
+            out.push_back(m.apex(k));
+        });
+        std::sort(out.begin(), out.end());
+        out.erase(std::unique(out.begin(), out.end()), out.end());
+        return out;
+    };
+    const auto of_a = neighbours(a), of_b = neighbours(b);
+    std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(around));
+    return around.size() == (g == kNone ? 1U : 2U) && of_a.size() + of_b.size() > 2 * around.size() + 2;
+}
+
+void collapse(Editable& m, std::uint32_t h) {
+    const std::uint32_t a = m.tail(h), b = m.head(h), g = m.twin[h];
+    std::vector<std::uint32_t> fan;
+    each_leaving(m, a, [&](std::uint32_t k) { fan.push_back(k); });
+    for (const std::uint32_t k : fan) m.triangles[k / 3][k % 3] = b;
+    std::uint32_t leaves_b = kNone;
+    for (const std::uint32_t t : {h, g}) {
+        if (t == kNone) continue;
+        const std::uint32_t apex = m.apex(t), x = m.twin[next(t)], y = m.twin[prev(t)];
+        const char line = m.line[next(t)] != 0 || m.line[prev(t)] != 0;
+        m.triangles[t / 3] = {kNone, kNone, kNone};
+        for (const std::uint32_t k : {x, y}) {
+            if (k == kNone) continue;
+            m.twin[k] = k == x ? y : x;
+            m.line[k] = line;
+        }
+        const std::uint32_t stays = x != kNone ? x : y;
+        const bool from_apex = m.tail(stays) == apex;
+        set_out(m, apex, from_apex ? stays : next(stays));
+        leaves_b = from_apex ? next(stays) : stays;
+    }
+    m.out[a] = kNone;
+    set_out(m, b, leaves_b);
+}
+
+bool flippable(const Editable& m, std::uint32_t h) {
+    const std::uint32_t g = m.twin[h];
+    if (g == kNone || m.line[h] != 0) return false;
+    const std::uint32_t a = m.tail(h), b = m.head(h), c = m.apex(h), d = m.apex(g);
+    bool joined = c == d;
+    each_leaving(m, c, [&](std::uint32_t k) { joined = joined || m.head(k) == d || m.apex(k) == d; });
+    if (joined) return false;
+    const Vec3 before = upright(m.at[a], m.at[b], m.at[c]), other = upright(m.at[b], m.at[a], m.at[d]);
+    const Vec3 one = upright(m.at[c], m.at[a], m.at[d]), two = upright(m.at[d], m.at[b], m.at[c]);
+    return alike(before + other, one) && alike(before + other, two);
+}
+
+void flip(Editable& m, std::uint32_t h) {
+    const std::uint32_t g = m.twin[h], t = h / 3, u = g / 3;
+    const std::uint32_t a = m.tail(h), b = m.head(h), c = m.apex(h), d = m.apex(g);
+    const Side bc = side(m, next(h)), ca = side(m, prev(h)), ad = side(m, next(g)), db = side(m, prev(g));
+    m.triangles[t] = {c, a, d};
+    m.triangles[u] = {d, b, c};
+    set(m, 3 * t, ca);
+    set(m, 3 * t + 1, ad);
+    set(m, 3 * u, db);
+    set(m, 3 * u + 1, bc);
+    set(m, 3 * t + 2, {3 * u + 2, 0});
+    m.line[3 * u + 2] = 0;
+    set_out(m, c, 3 * t);
+    set_out(m, a, 3 * t + 1);
+    set_out(m, d, 3 * u);
+    set_out(m, b, 3 * u + 1);
+}
+
+Surface compact(const Editable& m) {
+    std::vector<std::uint32_t> vertex(m.at.size(), kNone), triangle(m.triangles.size(), kNone);
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t t = 0; t < m.triangles.size(); ++t) {
+        if (m.triangles[t][0] == kNone) continue;
+        triangle[t] = static_cast<std::uint32_t>(triangles.size());
+        Triangle now{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::uint32_t& v = vertex[m.triangles[t][k]];
+            if (v == kNone) {
+                v = static_cast<std::uint32_t>(vertices.size());
+                vertices.push_back(m.at[m.triangles[t][k]]);
+            }
+            now[k] = v;
+        }
+        triangles.push_back(now);
+    }
+    std::vector<std::uint32_t> twin(3 * triangles.size(), kNone);
+    for (std::uint32_t h = 0; h < m.twin.size(); ++h)
+        if (!m.gone(h) && m.twin[h] != kNone)
+            twin[3 * triangle[h / 3] + h % 3] = 3 * triangle[m.twin[h] / 3] + m.twin[h] % 3;
+    return assemble(std::move(vertices), std::move(triangles), std::move(twin));
+}
+
+} // namespace filum::surface::fit

@@ -1,0 +1,83 @@
+// Triangles that change one after the other: sides are halved, shortened to a point, flipped.
+#pragma once
+
+#include "surface/surface.hpp"
+
+#include <array>
+
+namespace filum::surface::fit {
+
+enum class Kind : std::uint8_t {
+    free,    // anywhere on the surface
+    on_line, // on a rim or a sharp edge, which goes on to both sides
+    fixed
+};
+
+// A surface under change.  Vertices and triangles that are gone keep their numbers until compact().  What Surface
+// promises of sides, fans and facing holds after each change.
+struct Editable {
+    std::vector<Vec3> at;            // mm, per vertex
+    std::vector<double> size;        // mm, per vertex: how long sides there shall be
+    std::vector<Kind> kind;          // per vertex
+    std::vector<Triangle> triangles; // kNone thrice: gone
+    std::vector<std::uint32_t> twin; // per half-edge
+    std::vector<std::uint32_t> out;  // per vertex, as Surface::outgoing; kNone: gone
+    std::vector<char> line;          // per half-edge: it is part of a rim or a sharp edge
+
+    [[nodiscard]] std::uint32_t tail(std::uint32_t h) const { return triangles[h / 3][h % 3]; }
+    [[nodiscard]] std::uint32_t head(std::uint32_t h) const { return tail(next(h)); }
+    [[nodiscard]] std::uint32_t apex(std::uint32_t h) const { return tail(prev(h)); }
+    [[nodiscard]] bool gone(std::uint32_t h) const { return triangles[h / 3][0] == kNone; }
+    [[nodiscard]] double length(std::uint32_t h) const { return distance(at[tail(h)], at[head(h)]); }
+    // Half-edge h or its twin, whichever is less: so each side comes once.
+    [[nodiscard]] bool first(std::uint32_t h) const { return twin[h] == kNone || h < twin[h]; }
+};
+
+// Calls visit(h) for every half-edge that leaves the vertex, counter-clockwise.
+template <class Visit>
+void each_leaving(const Editable& m, std::uint32_t vertex, const Visit& visit) {
+    std::uint32_t h = m.out[vertex];
+    do {
+        visit(h);
+        h = m.twin[prev(h)];
+    } while (h != kNone && h != m.out[vertex]);
+}
+
+// Puts a vertex on the side h, at `p`; returns it.  Its size is the mean of the ends'.
+std::uint32_t split(Editable& m, std::uint32_t h, const Vec3& p);
+
+// Whether the tail of h may go into its head: neither a line nor a rim is lost by it, no triangle turns over (its
+// normal by more than 60 degrees), no side gets longer than `most(a, b)` mm, a and b its ends.
+template <class Most>
+bool collapsible(const Editable& m, std::uint32_t h, const Most& most);
+
+// Takes the side h out: its tail goes into its head.  Precondition: collapsible.
+void collapse(Editable& m, std::uint32_t h);
+
+// Whether the other diagonal of the two triangles at h may take its place: no line, both new triangles face as the old.
+bool flippable(const Editable& m, std::uint32_t h);
+void flip(Editable& m, std::uint32_t h);
+
+// As a surface; what is gone is left out.
+Surface compact(const Editable& m);
+
+// --- collapsible
+
+bool joins_cleanly(const Editable& m, std::uint32_t h);
+bool faces_alike(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& moved); // of triangle a b c when a moves
+
+template <class Most>
+bool collapsible(const Editable& m, std::uint32_t h, const Most& most) {
+    if (!joins_cleanly(m, h)) return false;
+    const std::uint32_t a = m.tail(h), b = m.head(h);
+    bool fits = true;
+    each_leaving(m, a, [&](std::uint32_t k) {
+        const std::uint32_t c = m.head(k), d = m.apex(k);
+        for (const std::uint32_t other : {c, d})
+            if (other != b && distance(m.at[other], m.at[b]) > most(other, b)) fits = false;
+        if (c != b && d != b && !faces_alike(m.at[a], m.at[c], m.at[d], m.at[b])) fits = false;
+    });
+    return fits;
+}
+
+} // namespace filum::surface::fit

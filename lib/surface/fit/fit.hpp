@@ -1,0 +1,29 @@
+// A surface in triangles that are as large as its shape and its use allow.
+#pragma once
+
+#include "surface/surface.hpp"
+
+namespace filum::surface::fit {
+
+struct Options {
+    double longest = 1;      // mm: sides, where the surface is flat
+    double tolerance = 0.01; // mm: how far chords may be off the surface
+};
+
+struct Fitted {
+    Surface surface;
+    double off = 0; // mm: the farthest that a vertex, a middle of a side or of a triangle of one surface is from the
+                    // other,
+    Vec3 off_at;    // and where
+};
+
+// The surface in triangles that are alike in shape, whose vertices lie on it, with sides up to `longest` mm where it is
+// flat, shorter where it bends, so that chords are off by the tolerance at most, and growing gradually in between. Rims
+// and edges sharper than 30 degrees stay, as chords within the tolerance; so do narrow places, whose rims may ask for
+// shorter sides.  Where chords are found farther off, sides there are made shorter, three times at most; what is left
+// is `off`.  How the surface was cut into triangles decides little: only which points lie on rims. The same for the
+// same surface.  Throws Error(usage) if it would take more than 20 million triangles. (Splitting, collapsing, flipping,
+// moving: Botsch, Kobbelt 2004; sizes by chords: Dunyach et al. 2013.)
+Fitted fitted(const Surface& s, const Options& o);
+
+} // namespace filum::surface::fit
