@@ -18,9 +18,9 @@ std::vector<geom::Box3> boxes(const Surface& s) {
 
 Locator::Locator(const Surface& surface) : surface_(surface), tree_(boxes(surface)) {}
 
-Place Locator::search(const Vec3& p, const Vec3* normal) const {
+Place Locator::search(const Vec3& p, const Vec3* normal, double most) const {
     Place best{kNone, {}};
-    double least = std::numeric_limits<double>::infinity();
+    double least = most;
     tree_.near(p, least, [&](std::uint32_t t) {
         if (normal && !(dot(surface::normal(surface_, t), *normal) > 0)) return least;
         const Vec3 q = surface::nearest_in(surface_, t, p);

@@ -4,6 +4,8 @@
 #include "geom/bvh.hpp"
 #include "surface/curve/line.hpp"
 
+#include <limits>
+
 namespace filum::surface::curve {
 
 // Finds triangles of a surface, which must outlive it.
@@ -12,14 +14,18 @@ class Locator {
     explicit Locator(const Surface& surface);
 
     // The nearest place; of equally near ones that of the first triangle.
-    [[nodiscard]] Place nearest(const Vec3& p) const { return search(p, nullptr); }
+    [[nodiscard]] Place nearest(const Vec3& p) const { return search(p, nullptr, kFar); }
 
     // The nearest place on a triangle that faces as `normal` does (less than 90 degrees between them): so a point of a
-    // thin wall is not taken for one of its other skin.  A place with triangle kNone if there is none.
-    [[nodiscard]] Place nearest(const Vec3& p, const Vec3& normal) const { return search(p, &normal); }
+    // thin wall is not taken for one of its other skin.  A place with triangle kNone if there is none within `most` mm.
+    [[nodiscard]] Place nearest(const Vec3& p, const Vec3& normal, double most = kFar) const {
+        return search(p, &normal, most);
+    }
 
   private:
-    [[nodiscard]] Place search(const Vec3& p, const Vec3* normal) const;
+    static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] Place search(const Vec3& p, const Vec3* normal, double most) const;
 
     const Surface& surface_;
     geom::Bvh tree_;

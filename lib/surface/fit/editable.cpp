@@ -6,9 +6,8 @@ namespace filum::surface::fit {
 
 namespace {
 
-constexpr double kTurnedOver = 0.5; // cosine, between the normals of a triangle before and after
-
-Vec3 upright(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
+constexpr double kTurned = 0.5; // cosine between normals: what turns by more than 60 degrees turns over in two steps
+constexpr double kThin = 0.05;  // height over longest side: of a triangle with an angle below 6 degrees
 
 void join(Editable& m, std::uint32_t h, std::uint32_t g) {
     if (h != kNone) m.twin[h] = g;
@@ -46,17 +45,56 @@ void set(Editable& m, std::uint32_t h, const Side& to) {
     m.line[h] = to.line;
 }
 
-bool alike(const Vec3& before, const Vec3& now) { return dot(before, now) > kTurnedOver * norm(before) * norm(now); }
+bool alike(const Vec3& before, const Vec3& now) { return dot(before, now) > kTurned * norm(before) * norm(now); }
 
 } // namespace
 
-std::uint32_t split(Editable& m, std::uint32_t h, const Vec3& p) {
+Corners corners(const Editable& m, const Triangle& t) { return {m.at[t[0]], m.at[t[1]], m.at[t[2]]}; }
+
+Vec3 upright(const Corners& c) { return cross(c[1] - c[0], c[2] - c[0]); }
+
+double flatness(const Corners& c) {
+    const double longest = std::max({distance(c[0], c[1]), distance(c[1], c[2]), distance(c[2], c[0])});
+    return norm(upright(c)) / (longest * longest);
+}
+
+bool may_lie(const Editable& m, const Triangle& t, const Corners& now, const Vec3& before, double was) {
+    if (!(flatness(now) >= std::min(kThin, was))) return false;
+    const Vec3 n = upright(now);
+    bool free = false;
+    for (const std::uint32_t v : t) {
+        if (m.kind[v] != Kind::free) continue;
+        if (!alike(m.up[v], n)) return false;
+        free = true;
+    }
+    return free || alike(before, n);
+}
+
+bool may_move(const Editable& m, std::uint32_t v, const Vec3& to, std::uint32_t but) {
+    bool may = true;
+    each_leaving(m, v, [&](std::uint32_t h) {
+        if (!may || m.head(h) == but || m.apex(h) == but) return;
+        Triangle t{v, m.head(h), m.apex(h)};
+        Corners now = corners(m, t);
+        const Vec3 before = upright(now);
+        const double was = flatness(now);
+        now[0] = to;
+        if (but != kNone) t[0] = but;
+        may = may_lie(m, t, now, before, was);
+    });
+    return may;
+}
+
+std::uint32_t split(Editable& m, std::uint32_t h) {
     const std::uint32_t a = m.tail(h), b = m.head(h), c = m.apex(h), g = m.twin[h];
     const auto v = static_cast<std::uint32_t>(m.at.size());
     const char line = m.line[h];
-    m.at.push_back(p);
+    Vec3 up = upright(corners(m, m.triangles[h / 3]));
+    if (g != kNone) up = up + upright(corners(m, m.triangles[g / 3]));
+    m.at.push_back(0.5 * (m.at[a] + m.at[b]));
     m.size.push_back((m.size[a] + m.size[b]) / 2);
     m.kind.push_back(line != 0 ? Kind::on_line : Kind::free);
+    m.up.push_back(up);
     m.out.push_back(kNone);
     // a b c becomes a v c, and v b c besides
     const std::uint32_t far = add_triangle(m), hn = next(h);
@@ -84,10 +122,6 @@ std::uint32_t split(Editable& m, std::uint32_t h, const Vec3& p) {
     set_out(m, b, 3 * far + 1);
     set_out(m, c, 3 * far + 2);
     return v;
-}
-
-bool faces_alike(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& moved) {
-    return alike(upright(a, b, c), upright(moved, b, c));
 }
 
 bool joins_cleanly(const Editable& m, std::uint32_t h) {
@@ -149,9 +183,11 @@ bool flippable(const Editable& m, std::uint32_t h) {
     bool joined = c == d;
     each_leaving(m, c, [&](std::uint32_t k) { joined = joined || m.head(k) == d || m.apex(k) == d; });
     if (joined) return false;
-    const Vec3 before = upright(m.at[a], m.at[b], m.at[c]), other = upright(m.at[b], m.at[a], m.at[d]);
-    const Vec3 one = upright(m.at[c], m.at[a], m.at[d]), two = upright(m.at[d], m.at[b], m.at[c]);
-    return alike(before + other, one) && alike(before + other, two);
+    const Corners one{m.at[a], m.at[b], m.at[c]}, other{m.at[b], m.at[a], m.at[d]};
+    const Vec3 before = upright(one) + upright(other);
+    const double was = std::min(flatness(one), flatness(other));
+    const Triangle left{c, a, d}, right{d, b, c};
+    return may_lie(m, left, corners(m, left), before, was) && may_lie(m, right, corners(m, right), before, was);
 }
 
 void flip(Editable& m, std::uint32_t h) {

@@ -19,6 +19,7 @@ struct Editable {
     std::vector<Vec3> at;            // mm, per vertex
     std::vector<double> size;        // mm, per vertex: how long sides there shall be
     std::vector<Kind> kind;          // per vertex
+    std::vector<Vec3> up;            // per vertex: about where the surface faces, not 0; 0 unless the vertex is free
     std::vector<Triangle> triangles; // kNone thrice: gone
     std::vector<std::uint32_t> twin; // per half-edge
     std::vector<std::uint32_t> out;  // per vertex, as Surface::outgoing; kNone: gone
@@ -43,28 +44,41 @@ void each_leaving(const Editable& m, std::uint32_t vertex, const Visit& visit) {
     } while (h != kNone && h != m.out[vertex]);
 }
 
-// Puts a vertex on the side h, at `p`; returns it.  Its size is the mean of the ends'.
-std::uint32_t split(Editable& m, std::uint32_t h, const Vec3& p);
+using Corners = std::array<Vec3, 3>;
+Corners corners(const Editable& m, const Triangle& t);
 
-// Whether the tail of h may go into its head: neither a line nor a rim is lost by it, no triangle turns over (its
-// normal by more than 60 degrees), no side gets longer than `most(a, b)` mm, a and b its ends.
+// Whether a triangle may come to lie at `now`: it faces as its free corners do, or, if it has none, as `before` does,
+// which is any length along a normal, by 60 degrees; and its height is a twentieth of its longest side, or at least not
+// less of it than `flatness`.
+bool may_lie(const Editable& m, const Triangle& t, const Corners& now, const Vec3& before, double flatness);
+
+Vec3 upright(const Corners& c);    // the normal, by twice the area
+double flatness(const Corners& c); // the height over the longest side
+
+// Puts a vertex into the middle of side h; returns it.  Its size is the mean of the ends'.
+std::uint32_t split(Editable& m, std::uint32_t h);
+
+// Whether the tail of h may go into its head: neither a line nor a rim is lost by it, triangles may lie as they come
+// to, no side gets longer than `most(a, b)` mm, a and b its ends.
 template <class Most>
 bool collapsible(const Editable& m, std::uint32_t h, const Most& most);
 
 // Takes the side h out: its tail goes into its head.  Precondition: collapsible.
 void collapse(Editable& m, std::uint32_t h);
 
-// Whether the other diagonal of the two triangles at h may take its place: no line, both new triangles face as the old.
+// Whether the other diagonal of the two triangles at h may take its place: no line, both new triangles may lie so.
 bool flippable(const Editable& m, std::uint32_t h);
 void flip(Editable& m, std::uint32_t h);
 
 // As a surface; what is gone is left out.
 Surface compact(const Editable& m);
 
+// Whether all triangles of a vertex may lie as they do when it is moved; but those that have `but` for a corner.
+bool may_move(const Editable& m, std::uint32_t vertex, const Vec3& to, std::uint32_t but = kNone);
+
 // --- collapsible
 
 bool joins_cleanly(const Editable& m, std::uint32_t h);
-bool faces_alike(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& moved); // of triangle a b c when a moves
 
 template <class Most>
 bool collapsible(const Editable& m, std::uint32_t h, const Most& most) {
@@ -72,12 +86,10 @@ bool collapsible(const Editable& m, std::uint32_t h, const Most& most) {
     const std::uint32_t a = m.tail(h), b = m.head(h);
     bool fits = true;
     each_leaving(m, a, [&](std::uint32_t k) {
-        const std::uint32_t c = m.head(k), d = m.apex(k);
-        for (const std::uint32_t other : {c, d})
-            if (other != b && distance(m.at[other], m.at[b]) > most(other, b)) fits = false;
-        if (c != b && d != b && !faces_alike(m.at[a], m.at[c], m.at[d], m.at[b])) fits = false;
+        for (const std::uint32_t other : {m.head(k), m.apex(k)})
+            fits = fits && (other == b || !(distance(m.at[other], m.at[b]) > most(other, b)));
     });
-    return fits;
+    return fits && may_move(m, a, m.at[b], b);
 }
 
 } // namespace filum::surface::fit

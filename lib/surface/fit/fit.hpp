@@ -12,9 +12,9 @@ struct Options {
 
 struct Fitted {
     Surface surface;
-    double off = 0; // mm: the farthest that a vertex, a middle of a side or of a triangle of one surface is from the
-                    // other,
-    Vec3 off_at;    // and where
+    double off = 0; // mm: how far either is from the other where it is farthest, of points on all sides, four on one
+                    // of mean length, and in the middles of triangles
+    Vec3 off_at;
 };
 
 // The surface in triangles that are alike in shape, whose vertices lie on it, with sides up to `longest` mm where it is

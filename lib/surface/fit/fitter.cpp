@@ -1,0 +1,130 @@
+#include "surface/fit/fitter.hpp"
+
+#include "geom/angle.hpp"
+#include "parallel/parallel.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <queue>
+
+namespace filum::surface::fit {
+
+namespace {
+
+using curve::Place;
+
+constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5; // of the size: sides are halved, collapsed (Botsch, Kobbelt 2004)
+constexpr int kRounds = 5;                          // of all four steps; then triangles hardly change
+constexpr int kMostFlips = 20;                      // sweeps; on bent surfaces flips may go round in a circle
+constexpr double kFlat = 1e-9;                      // rad over half a turn: opposite angles of a side that is flipped
+constexpr std::size_t kVerticesAtOnce = 1024;       // vertices of a piece of work
+
+} // namespace
+
+void Fitter::run() {
+    for (int round = 0; round < kRounds; ++round) {
+        split_long();
+        collapse_short();
+        flip_all();
+        move_all();
+    }
+    flip_all();
+}
+
+void Fitter::resize() {
+    parallel::for_chunks(m_.at.size(), kVerticesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            if (m_.out[v] != kNone) m_.size[v] = size_at(locator_.nearest(m_.at[v]));
+    });
+}
+
+double Fitter::size_at(const Place& p) const {
+    const auto w = curve::barycentric(from_, p);
+    double out = 0;
+    for (std::size_t k = 0; k < 3; ++k) out += std::clamp(w[k], 0.0, 1.0) * sizes_[from_.triangles[p.triangle][k]];
+    return out;
+}
+
+// The longest for its size first: so what comes of it is shorter.
+void Fitter::split_long() {
+    std::priority_queue<std::pair<double, std::uint32_t>> open; // lengths, in sizes; half-edges
+    const auto sizes = [&](std::uint32_t h) { return m_.length(h) / target(m_.tail(h), m_.head(h)); };
+    const auto add = [&](std::uint32_t h) {
+        if (const double now = sizes(h); now > kLong) open.emplace(now, h);
+    };
+    for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
+        if (!m_.gone(h) && m_.first(h)) add(h);
+    while (!open.empty()) {
+        const auto [was, h] = open.top();
+        open.pop();
+        if (sizes(h) != was) continue; // split since
+        const std::uint32_t v = split(m_, h);
+        each_leaving(m_, v, [&](std::uint32_t k) { // sides about it have other numbers now
+            for (const std::uint32_t side : {k, next(k), prev(k)}) add(side);
+        });
+    }
+}
+
+void Fitter::collapse_short() {
+    const auto most = [&](std::uint32_t a, std::uint32_t b) { return kLong * target(a, b); };
+    for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
+        if (!m_.gone(h) && m_.length(h) < kShort * target(m_.tail(h), m_.head(h)) && collapsible(m_, h, most))
+            collapse(m_, h);
+}
+
+// By the greater sum of angles, as Delaunay.
+void Fitter::flip_all() {
+    bool changed = true;
+    for (int sweep = 0; sweep < kMostFlips && changed; ++sweep) {
+        changed = false;
+        for (std::uint32_t h = 0; h < m_.twin.size(); ++h) {
+            if (m_.gone(h) || m_.twin[h] == kNone || !m_.first(h) || !(opposite(h) > kFlat)) continue;
+            if (!flippable(m_, h)) continue;
+            flip(m_, h);
+            changed = true;
+        }
+    }
+}
+
+// What the angles opposite of a side make more than half a turn, rad.
+double Fitter::opposite(std::uint32_t h) const {
+    const auto at = [&](std::uint32_t k) {
+        const Vec3 a = m_.at[m_.tail(k)] - m_.at[m_.apex(k)], b = m_.at[m_.head(k)] - m_.at[m_.apex(k)];
+        return geom::angle(a, b);
+    };
+    return at(h) + at(m_.twin[h]) - std::numbers::pi;
+}
+
+// Of its fan, in which each triangle counts by how many of the wanted size it is.
+Vec3 Fitter::middle(std::uint32_t v) const {
+    Vec3 sum;
+    double all = 0;
+    each_leaving(m_, v, [&](std::uint32_t h) {
+        const std::uint32_t a = m_.head(h), b = m_.apex(h);
+        const double size = (m_.size[v] + m_.size[a] + m_.size[b]) / 3;
+        const double weight = norm(cross(m_.at[a] - m_.at[v], m_.at[b] - m_.at[v])) / (size * size);
+        sum = sum + weight / 3 * (m_.at[v] + m_.at[a] + m_.at[b]);
+        all += weight;
+    });
+    return all > 0 ? 1 / all * sum : m_.at[v];
+}
+
+// Every free vertex to the middle of its fan, as that lies now, and from there onto the surface, where it faces as the
+// vertex does.
+void Fitter::move_all() {
+    std::vector<Place> to(m_.at.size(), Place{kNone, {}});
+    parallel::for_chunks(to.size(), kVerticesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
+        for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
+            if (m_.out[v] != kNone && m_.kind[v] == Kind::free)
+                to[v] = locator_.nearest(middle(v), m_.up[v], m_.size[v]);
+    });
+    for (std::uint32_t v = 0; v < to.size(); ++v) {
+        if (to[v].triangle == kNone || !may_move(m_, v, to[v].point)) continue;
+        m_.at[v] = to[v].point;
+        m_.up[v] = normal(from_, to[v].triangle);
+        m_.size[v] = size_at(to[v]);
+    }
+}
+
+} // namespace filum::surface::fit

@@ -1,0 +1,40 @@
+// Bringing triangles to sizes that are given on a surface.
+#pragma once
+
+#include "surface/curve/locate.hpp"
+#include "surface/fit/editable.hpp"
+
+namespace filum::surface::fit {
+
+class Fitter {
+  public:
+    // `from`, whose places `locator` finds, is where vertices stay; `m` are its triangles; sizes are per vertex of it,
+    // linear between.  All but `m` must outlive this.
+    Fitter(const Surface& from, const curve::Locator& locator, std::span<const double> sizes, Editable m)
+        : from_(from), locator_(locator), sizes_(sizes), m_(std::move(m)) {}
+
+    // Splits long sides, collapses short ones, flips and moves, some rounds of it.
+    void run();
+
+    // Looks up the sizes, which have changed.
+    void resize();
+
+    [[nodiscard]] const Editable& result() const { return m_; }
+
+  private:
+    [[nodiscard]] double target(std::uint32_t a, std::uint32_t b) const { return std::min(m_.size[a], m_.size[b]); }
+    [[nodiscard]] double size_at(const curve::Place& p) const;
+    [[nodiscard]] double opposite(std::uint32_t h) const;
+    [[nodiscard]] Vec3 middle(std::uint32_t vertex) const;
+    void split_long();
+    void collapse_short();
+    void flip_all();
+    void move_all();
+
+    const Surface& from_;
+    const curve::Locator& locator_;
+    std::span<const double> sizes_;
+    Editable m_;
+};
+
+} // namespace filum::surface::fit
