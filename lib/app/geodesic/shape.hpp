@@ -12,8 +12,8 @@ struct Shaping {
     std::string cut_mesh;      // file of a closed mesh, in mm; none: do not
     Keep keep = Keep::outside; // of that
     std::string remesh = "0";  // mm: sides of the triangles; 0: do not; "auto": as surface::fit has it, with these:
-    double longest = 0.5;      // mm
-    double tolerance = 0.01;   // mm
+    double longest = 1;        // mm
+    double tolerance = 0.02;   // mm
 };
 
 std::vector<cli::Option> options(Shaping& to);

@@ -9,8 +9,8 @@ namespace filum::surface::fit {
 
 namespace {
 
-constexpr std::size_t kPointsAtOnce = 1024; // points, or triangles, of a piece of work
-constexpr double kMostPieces = 100;         // of a side
+constexpr std::size_t kTrianglesAtOnce = 1024; // of a piece of work
+constexpr double kMostPieces = 100;            // of a side
 
 // Calls visit(point) for the points of a triangle, those of a side for the first of its two half-edges only.
 template <class Visit>
@@ -29,27 +29,15 @@ void each_point(const Surface& s, std::uint32_t t, double step, const Visit& vis
 
 } // namespace
 
-std::vector<curve::Place> nearest(const curve::Locator& locator, std::span<const Vec3> points) {
-    std::vector<curve::Place> out(points.size());
-    parallel::for_chunks(points.size(), kPointsAtOnce, 0, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) out[i] = locator.nearest(points[i]);
-    });
-    return out;
-}
-
-Apart farthest(const Surface& from, const curve::Locator& to, double step) {
-    const std::size_t n = from.triangles.size();
-    std::vector<Apart> found((n + kPointsAtOnce - 1) / kPointsAtOnce); // of each piece
-    parallel::for_chunks(n, kPointsAtOnce, 0, [&](std::size_t begin, std::size_t end) {
-        Apart& most = found[begin / kPointsAtOnce];
+std::vector<Apart> apart(const Surface& from, const curve::Locator& to, double step) {
+    std::vector<Apart> out(from.triangles.size());
+    parallel::for_chunks(out.size(), kTrianglesAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t)
             each_point(from, t, step, [&](const Vec3& p) {
-                if (const double far = distance(p, to.nearest(p).point); far > most.far) most = {far, p};
+                const curve::Place q = to.nearest(p);
+                if (const double far = distance(p, q.point); far > out[t].far) out[t] = {far, p, q.triangle};
             });
     });
-    Apart out;
-    for (const Apart& a : found)
-        if (a.far > out.far) out = a;
     return out;
 }
 

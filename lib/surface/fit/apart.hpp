@@ -6,15 +6,14 @@
 namespace filum::surface::fit {
 
 struct Apart {
-    double far = 0; // mm
+    double far = -1; // mm
     Vec3 at;
+    std::uint32_t nearest = kNone; // triangle of the other surface
 };
 
-// The nearest places of these points.
-std::vector<curve::Place> nearest(const curve::Locator& locator, std::span<const Vec3> points);
-
-// How far `from` is from the surface of `to` where it is farthest, of its vertices, the middles of its triangles, and
-// points on its sides at most `step` mm apart, but no more than a hundred on a side; the first of equals.
-Apart farthest(const Surface& from, const curve::Locator& to, double step);
+// Per triangle of `from`, which of its points is farthest from the surface of `to`, and how far: of its corners, its
+// middle, and points on its sides at most `step` mm apart, but no more than a hundred on a side.  The first of equals;
+// a point that triangles share is the first one's, and a triangle is -1 mm far if all are others'.
+std::vector<Apart> apart(const Surface& from, const curve::Locator& to, double step);
 
 } // namespace filum::surface::fit

@@ -16,43 +16,27 @@ namespace {
 using curve::Locator;
 
 constexpr double kMostTriangles = 2e7;
-constexpr int kCorrections = 3; // of sizes, where chords are off by more
-constexpr double kSamples = 4;  // on a side, to tell how far surfaces are apart
+constexpr int kCorrections = 3; // of sizes, where surfaces are farther apart than they may be
+constexpr double kSamples = 4;  // on a side, to tell how far they are apart
 
-// Middles of sides, each once, and of triangles; with the length of the side, or of the longest.
-void middles(const Surface& s, std::vector<Vec3>& points, std::vector<double>& lengths) {
-    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
-        const auto& [a, b, c] = s.triangles[t];
-        double longest = 0;
-        for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-            const double length = side_length(s, h);
-            longest = std::max(longest, length);
-            if (s.twin[h] != kNone && s.twin[h] < h) continue;
-            points.push_back(0.5 * (s.vertices[s.tail(h)] + s.vertices[s.head(h)]));
-            lengths.push_back(length);
-        }
-        points.push_back(1.0 / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]));
-        lengths.push_back(longest);
-    }
+double longest_side(const Surface& s, std::uint32_t t) {
+    return std::max({side_length(s, 3 * t), side_length(s, 3 * t + 1), side_length(s, 3 * t + 2)});
 }
 
-// Makes sizes shorter where chords of `now` are farther from `s` than the tolerance; false if nowhere.
-bool corrected(const Surface& s, const Locator& locator, const Surface& now, double tolerance,
-               std::vector<double>& sizes) {
-    std::vector<Vec3> points;
-    std::vector<double> lengths;
-    middles(now, points, lengths);
-    const auto places = nearest(locator, points);
+// Makes sizes shorter where `now` is farther from `s` than the tolerance, or `s` from it; false if nowhere.
+bool corrected(const Surface& s, std::span<const Apart> there, const Surface& now, std::span<const Apart> back,
+               double tolerance, std::vector<double>& sizes) {
     bool out = false;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double far = distance(points[i], places[i].point);
-        if (!(far > tolerance)) continue;
-        const double most = std::max(kLeast * tolerance, lengths[i] * std::sqrt(tolerance / far));
-        for (const std::uint32_t v : s.triangles[places[i].triangle]) {
+    const auto shorten = [&](double far, std::uint32_t old, std::uint32_t fitted) {
+        if (!(far > tolerance)) return;
+        const double most = std::max(kLeast * tolerance, longest_side(now, fitted) * tolerance / far);
+        for (const std::uint32_t v : s.triangles[old]) {
             out = out || most < sizes[v];
             sizes[v] = std::min(sizes[v], most);
         }
-    }
+    };
+    for (std::uint32_t t = 0; t < there.size(); ++t) shorten(there[t].far, there[t].nearest, t);
+    for (std::uint32_t t = 0; t < back.size(); ++t) shorten(back[t].far, t, back[t].nearest);
     if (out) grade(s, sizes);
     return out;
 }
@@ -76,17 +60,20 @@ Fitted fitted(const Surface& s, const Options& o) {
                                      " mm: that takes more than 20 million triangles; ask for longer ones");
     const Locator locator(s);
     Fitter fitter(s, locator, size, editable(s, size, o.tolerance));
-    fitter.run();
-    Surface now = compact(fitter.result());
-    for (int k = 0; k < kCorrections && corrected(s, locator, now, o.tolerance, size); ++k) {
-        fitter.resize();
+    for (int k = 0;; ++k) {
         fitter.run();
-        now = compact(fitter.result());
+        Surface now = compact(fitter.result());
+        const double step = mean_edge(now) / kSamples;
+        const auto there = apart(now, locator, step), back = apart(s, Locator(now), step);
+        if (k < kCorrections && corrected(s, there, now, back, o.tolerance, size)) {
+            fitter.resize();
+            continue;
+        }
+        const auto less = [](const Apart& a, const Apart& b) { return a.far < b.far; };
+        const Apart most = std::max(*std::max_element(there.begin(), there.end(), less),
+                                    *std::max_element(back.begin(), back.end(), less), less);
+        return {std::move(now), most.far, most.at};
     }
-    const double step = mean_edge(now) / kSamples;
-    const Apart there = farthest(now, locator, step), back = farthest(s, Locator(now), step);
-    const Apart& most = back.far > there.far ? back : there;
-    return {std::move(now), most.far, most.at};
 }
 
 } // namespace filum::surface::fit

@@ -26,7 +26,7 @@ double allowed(const Surface& s, std::uint32_t h, double tolerance) {
     const double turn = bend(s, h);
     if (!(turn > 0)) return std::numeric_limits<double>::infinity();
     const double height = (area(s, h / 3) + area(s, s.twin[h] / 3)) / side_length(s, h);
-    return std::max(kLeast * tolerance, std::min(std::sqrt(6 * tolerance * height / turn), 8 * tolerance / turn));
+    return std::max(kLeast * tolerance, std::min(std::sqrt(6 * tolerance * height / turn), 4 * tolerance / turn));
 }
 
 // The line that goes on from half-edge h at its head, which is no corner: the half-edge that leaves there, or one that

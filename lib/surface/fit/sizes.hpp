@@ -9,7 +9,7 @@ namespace filum::surface::fit {
 inline constexpr double kSharp = 30 * geom::kDegree; // rad between normals: an edge, or a corner of one
 
 // The shortest sides that a tolerance ever asks for, mm: a chord across a bend of kSharp is then as far off.
-inline constexpr double kLeast = 8 / kSharp; // tolerances
+inline constexpr double kLeast = 4 / kSharp; // tolerances
 
 // Per vertex, mm: at most `longest`; so short that a chord there is about `tolerance` off the surface, as edges bend,
 // but no shorter than kLeast asks for; and nowhere growing faster than half a millimetre for each along an edge.
