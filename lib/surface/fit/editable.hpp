@@ -3,6 +3,7 @@
 
 #include "surface/surface.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace filum::surface::fit {
@@ -87,7 +88,8 @@ bool collapsible(const Editable& m, std::uint32_t h, const Most& most) {
     bool fits = true;
     each_leaving(m, a, [&](std::uint32_t k) {
         for (const std::uint32_t other : {m.head(k), m.apex(k)})
-            fits = fits && (other == b || !(distance(m.at[other], m.at[b]) > most(other, b)));
+            fits = fits && (other == b || !(distance(m.at[other], m.at[b]) >
+                                            std::max(most(other, b), distance(m.at[other], m.at[a]))));
     });
     return fits && may_move(m, a, m.at[b], b);
 }

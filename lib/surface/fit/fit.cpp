@@ -16,7 +16,7 @@ namespace {
 using curve::Locator;
 
 constexpr double kMostTriangles = 2e7;
-constexpr int kCorrections = 3; // of sizes, where surfaces are farther apart than they may be
+constexpr int kCorrections = 1; // of sizes, where surfaces are farther apart than they may be
 constexpr double kSamples = 4;  // on a side, to tell how far they are apart
 
 double longest_side(const Surface& s, std::uint32_t t) {
@@ -25,19 +25,20 @@ double longest_side(const Surface& s, std::uint32_t t) {
 
 // Makes sizes shorter where `now` is farther from `s` than the tolerance, or `s` from it; false if nowhere.
 bool corrected(const Surface& s, std::span<const Apart> there, const Surface& now, std::span<const Apart> back,
-               double tolerance, std::vector<double>& sizes) {
+               double tolerance, Sizes& sizes) {
     bool out = false;
     const auto shorten = [&](double far, std::uint32_t old, std::uint32_t fitted) {
         if (!(far > tolerance)) return;
-        const double most = std::max(kLeast * tolerance, longest_side(now, fitted) * tolerance / far);
+        const double most = longest_side(now, fitted) * tolerance / far;
         for (const std::uint32_t v : s.triangles[old]) {
-            out = out || most < sizes[v];
-            sizes[v] = std::min(sizes[v], most);
+            const double size = std::max(sizes.least[v], most);
+            out = out || size < sizes.wanted[v];
+            sizes.wanted[v] = std::min(sizes.wanted[v], size);
         }
     };
     for (std::uint32_t t = 0; t < there.size(); ++t) shorten(there[t].far, there[t].nearest, t);
     for (std::uint32_t t = 0; t < back.size(); ++t) shorten(back[t].far, t, back[t].nearest);
-    if (out) grade(s, sizes);
+    if (out) grade(s, sizes.wanted);
     return out;
 }
 
@@ -54,12 +55,12 @@ double triangles(const Surface& s, std::span<const double> sizes) {
 } // namespace
 
 Fitted fitted(const Surface& s, const Options& o) {
-    auto size = sizes(s, o.longest, o.tolerance);
-    if (!(triangles(s, size) <= kMostTriangles))
+    Sizes size = sizes(s, o.longest, o.tolerance);
+    if (!(triangles(s, size.wanted) <= kMostTriangles))
         throw Error(Exit::usage, "cannot remesh to sides of " + shortest_text(o.longest) +
                                      " mm: that takes more than 20 million triangles; ask for longer ones");
     const Locator locator(s);
-    Fitter fitter(s, locator, size, editable(s, size, o.tolerance));
+    Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
     for (int k = 0;; ++k) {
         fitter.run();
         Surface now = compact(fitter.result());

@@ -15,7 +15,7 @@ namespace {
 using curve::Place;
 
 constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5; // of the size: sides are halved, collapsed (Botsch, Kobbelt 2004)
-constexpr int kRounds = 5;                          // of all four steps; then triangles hardly change
+constexpr int kRounds = 3;                          // of all four steps; then triangles hardly change
 constexpr int kMostFlips = 20;                      // sweeps; on bent surfaces flips may go round in a circle
 constexpr double kFlat = 1e-9;                      // rad over half a turn: opposite angles of a side that is flipped
 constexpr std::size_t kVerticesAtOnce = 1024;       // vertices of a piece of work
@@ -24,6 +24,7 @@ constexpr std::size_t kVerticesAtOnce = 1024;       // vertices of a piece of wo
 
 void Fitter::run() {
     for (int round = 0; round < kRounds; ++round) {
+        collapse_short(); // before long sides of thin triangles are split into many
         split_long();
         collapse_short();
         flip_all();
@@ -73,17 +74,20 @@ void Fitter::collapse_short() {
             collapse(m_, h);
 }
 
-// By the greater sum of angles, as Delaunay.
+// By the greater sum of angles, as Delaunay: all sides, then those about what was flipped, and so on.
 void Fitter::flip_all() {
-    bool changed = true;
-    for (int sweep = 0; sweep < kMostFlips && changed; ++sweep) {
-        changed = false;
-        for (std::uint32_t h = 0; h < m_.twin.size(); ++h) {
-            if (m_.gone(h) || m_.twin[h] == kNone || !m_.first(h) || !(opposite(h) > kFlat)) continue;
-            if (!flippable(m_, h)) continue;
+    std::vector<std::uint32_t> open, about;
+    for (std::uint32_t h = 0; h < m_.twin.size(); ++h)
+        if (!m_.gone(h) && m_.first(h)) open.push_back(h);
+    for (int sweep = 0; sweep < kMostFlips && !open.empty(); ++sweep) {
+        for (const std::uint32_t h : open) {
+            const std::uint32_t g = m_.twin[h];
+            if (g == kNone || !(opposite(h) > kFlat) || !flippable(m_, h)) continue;
             flip(m_, h);
-            changed = true;
+            for (const std::uint32_t t : {h / 3, g / 3}) about.insert(about.end(), {3 * t, 3 * t + 1, 3 * t + 2});
         }
+        open.swap(about);
+        about.clear();
     }
 }
 

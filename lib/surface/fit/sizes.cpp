@@ -20,13 +20,9 @@ double bend(const Surface& s, std::uint32_t h) {
 
 bool on_line(const Surface& s, std::uint32_t h) { return s.twin[h] == kNone || bend(s, h) > kSharp; }
 
-// A side that chords may have across this edge, mm: of the circle that triangles of this height bend along, or across
-// the bend alone, where triangles are larger than that.
-double allowed(const Surface& s, std::uint32_t h, double tolerance) {
-    const double turn = bend(s, h);
-    if (!(turn > 0)) return std::numeric_limits<double>::infinity();
-    const double height = (area(s, h / 3) + area(s, s.twin[h] / 3)) / side_length(s, h);
-    return std::max(kLeast * tolerance, std::min(std::sqrt(6 * tolerance * height / turn), 4 * tolerance / turn));
+// How far the two triangles at a side reach away from it, mm, in the mean.
+double height(const Surface& s, std::uint32_t h) {
+    return (area(s, h / 3) + area(s, s.twin[h] / 3)) / side_length(s, h);
 }
 
 // The line that goes on from half-edge h at its head, which is no corner: the half-edge that leaves there, or one that
@@ -123,14 +119,19 @@ void grade(const Surface& s, std::vector<double>& sizes) {
     }
 }
 
-std::vector<double> sizes(const Surface& s, double longest, double tolerance) {
-    std::vector<double> out(s.vertices.size(), longest);
+Sizes sizes(const Surface& s, double longest, double tolerance) {
+    Sizes out{std::vector<double>(s.vertices.size(), longest), std::vector<double>(s.vertices.size(), longest)};
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) {
-        if (on_line(s, h)) continue;
-        const double most = allowed(s, h, tolerance);
-        for (const std::uint32_t v : {s.tail(h), s.head(h)}) out[v] = std::min(out[v], most);
+        const double turn = on_line(s, h) ? 0 : bend(s, h);
+        if (!(turn > 0)) continue;
+        const double across = height(s, h), least = std::max(kLeast * tolerance, across);
+        const double chord = std::max(least, std::sqrt(6 * tolerance * across / turn)); // of a ball that bends so
+        for (const std::uint32_t v : {s.tail(h), s.head(h)}) {
+            out.least[v] = std::min(out.least[v], least);
+            out.wanted[v] = std::min(out.wanted[v], chord);
+        }
     }
-    grade(s, out);
+    grade(s, out.wanted);
     return out;
 }
 

@@ -8,12 +8,19 @@ namespace filum::surface::fit {
 
 inline constexpr double kSharp = 30 * geom::kDegree; // rad between normals: an edge, or a corner of one
 
-// The shortest sides that a tolerance ever asks for, mm: a chord across a bend of kSharp is then as far off.
-inline constexpr double kLeast = 4 / kSharp; // tolerances
+// The shortest sides that a tolerance ever asks for, of it: chords across a bend of kSharp are then as far off in the
+// mean, and twice as far where that halves them.
+inline constexpr double kLeast = 8 / kSharp;
 
-// Per vertex, mm: at most `longest`; so short that a chord there is about `tolerance` off the surface, as edges bend,
-// but no shorter than kLeast asks for; and nowhere growing faster than half a millimetre for each along an edge.
-std::vector<double> sizes(const Surface& s, double longest, double tolerance);
+struct Sizes {
+    std::vector<double> wanted; // mm, per vertex
+    std::vector<double> least;  // mm, per vertex: what bends ask for, at most
+};
+
+// At most `longest`; so short that chords are about `tolerance` off the surface, as its edges bend, but no shorter than
+// triangles beside these are high, nor than kLeast asks for: what the surface is within its own triangles, these cannot
+// tell; and nowhere growing faster than half a millimetre for each along an edge.
+Sizes sizes(const Surface& s, double longest, double tolerance);
 
 // Makes sizes so that they grow no faster than that.
 void grade(const Surface& s, std::vector<double>& sizes);
