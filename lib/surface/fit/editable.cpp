@@ -71,16 +71,18 @@ bool may_lie(const Editable& m, const Triangle& t, const Corners& now, const Vec
 }
 
 bool may_move(const Editable& m, std::uint32_t v, const Vec3& to, std::uint32_t but) {
+    double thinnest = kThin;
+    each_leaving(m, v,
+                 [&](std::uint32_t h) { thinnest = std::min(thinnest, flatness(corners(m, m.triangles[h / 3]))); });
     bool may = true;
     each_leaving(m, v, [&](std::uint32_t h) {
         if (!may || m.head(h) == but || m.apex(h) == but) return;
         Triangle t{v, m.head(h), m.apex(h)};
         Corners now = corners(m, t);
         const Vec3 before = upright(now);
-        const double was = flatness(now);
         now[0] = to;
         if (but != kNone) t[0] = but;
-        may = may_lie(m, t, now, before, was);
+        may = may_lie(m, t, now, before, thinnest);
     });
     return may;
 }

@@ -16,8 +16,8 @@ namespace {
 using curve::Locator;
 
 constexpr double kMostTriangles = 2e7;
-constexpr int kCorrections = 1; // of sizes, where surfaces are farther apart than they may be
-constexpr double kSamples = 4;  // on a side, to tell how far they are apart
+constexpr int kCorrections = 2; // of sizes, where surfaces are farther apart than they may be
+constexpr double kSamples = 8;  // on a side, to tell how far they are apart
 
 double longest_side(const Surface& s, std::uint32_t t) {
     return std::max({side_length(s, 3 * t), side_length(s, 3 * t + 1), side_length(s, 3 * t + 2)});
@@ -29,7 +29,7 @@ bool corrected(const Surface& s, std::span<const Apart> there, const Surface& no
     bool out = false;
     const auto shorten = [&](double far, std::uint32_t old, std::uint32_t fitted) {
         if (!(far > tolerance)) return;
-        const double most = longest_side(now, fitted) * tolerance / far;
+        const double most = longest_side(now, fitted) / kLong * tolerance / far;
         for (const std::uint32_t v : s.triangles[old]) {
             const double size = std::max(sizes.least[v], most);
             out = out || size < sizes.wanted[v];

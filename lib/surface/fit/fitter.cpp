@@ -14,11 +14,10 @@ namespace {
 
 using curve::Place;
 
-constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5; // of the size: sides are halved, collapsed (Botsch, Kobbelt 2004)
-constexpr int kRounds = 3;                          // of all four steps; then triangles hardly change
-constexpr int kMostFlips = 20;                      // sweeps; on bent surfaces flips may go round in a circle
-constexpr double kFlat = 1e-9;                      // rad over half a turn: opposite angles of a side that is flipped
-constexpr std::size_t kVerticesAtOnce = 1024;       // vertices of a piece of work
+constexpr int kRounds = 3;                    // of all four steps; then triangles hardly change
+constexpr int kMostFlips = 20;                // sweeps; on bent surfaces flips may go round in a circle
+constexpr double kFlat = 1e-9;                // rad over half a turn: opposite angles of a side that is flipped
+constexpr std::size_t kVerticesAtOnce = 1024; // vertices of a piece of work
 
 } // namespace
 

@@ -6,6 +6,9 @@
 
 namespace filum::surface::fit {
 
+// Sides longer than this are halved, and shorter ones collapsed, of their sizes (Botsch, Kobbelt 2004).
+inline constexpr double kLong = 4.0 / 3, kShort = 4.0 / 5;
+
 class Fitter {
   public:
     // `from`, whose places `locator` finds, is where vertices stay; `m` are its triangles; sizes are per vertex of it,
