@@ -17,7 +17,7 @@ using curve::Locator;
 
 constexpr double kMostTriangles = 2e7;
 constexpr int kCorrections = 2; // of sizes, where surfaces are farther apart than they may be
-constexpr double kSamples = 8;  // on a side, to tell how far they are apart
+constexpr double kSamples = 4;  // on a side, to tell how far they are apart
 
 double longest_side(const Surface& s, std::uint32_t t) {
     return std::max({side_length(s, 3 * t), side_length(s, 3 * t + 1), side_length(s, 3 * t + 2)});

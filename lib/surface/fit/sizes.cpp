@@ -125,10 +125,10 @@ Sizes sizes(const Surface& s, double longest, double tolerance) {
         const double turn = on_line(s, h) ? 0 : bend(s, h);
         if (!(turn > 0)) continue;
         const double across = height(s, h), least = std::max(kLeast * tolerance, across);
-        const double chord = std::max(least, std::sqrt(6 * tolerance * across / turn)); // of a ball that bends so
+        const double chord = std::sqrt(6 * tolerance * across / turn); // of a ball that bends so
         for (const std::uint32_t v : {s.tail(h), s.head(h)}) {
             out.least[v] = std::min(out.least[v], least);
-            out.wanted[v] = std::min(out.wanted[v], chord);
+            out.wanted[v] = std::min(out.wanted[v], std::max(least, chord / kLong));
         }
     }
     grade(s, out.wanted);

@@ -3,14 +3,15 @@
 
 #include "geom/angle.hpp"
 #include "surface/fit/editable.hpp"
+#include "surface/fit/fitter.hpp"
 
 namespace filum::surface::fit {
 
 inline constexpr double kSharp = 30 * geom::kDegree; // rad between normals: an edge, or a corner of one
 
-// The shortest sides that a tolerance ever asks for, of it: chords across a bend of kSharp are then as far off in the
-// mean, and twice as far where that halves them.
-inline constexpr double kLeast = 8 / kSharp;
+// The shortest sizes that a tolerance ever asks for, of it: on a ball, the longest side that is left by them turns by
+// kSharp, and is off by the tolerance.
+inline constexpr double kLeast = 8 / (kLong * kSharp);
 
 struct Sizes {
     std::vector<double> wanted; // mm, per vertex
