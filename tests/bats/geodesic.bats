@@ -117,6 +117,60 @@ print(max(abs(d - abs(x - 3.4)) for x, d in zip(p["x"], p["distance"])))
     done
 }
 
+@test "remeshed by itself: large triangles where it is flat, small ones where it bends, and how far off is told" {
+    python3 -c '
+import math
+n, m = 90, 40 # flat, then bent by a quarter of a turn, its radius 4 mm
+print("OFF\n%d %d 0" % ((n + 1) * (m + 1), 2 * n * m))
+for j in range(m + 1):
+    for i in range(n + 1):
+        s = 0.2 * i
+        a = max(0, s - 12) / 4
+        print(min(s, 12) + 4 * math.sin(a), 0.25 * j, 4 - 4 * math.cos(a))
+for j in range(m):
+    for i in range(n):
+        p = j * (n + 1) + i
+        print(3, p, p + 1, p + n + 2)
+        print(3, p, p + n + 2, p + n + 1)' > bent.off
+    expect 0 geodesic bent.off --remesh auto --longest 2 --output s
+    [[ -z $err ]]
+    facts s | grep -qx 'rims 1'
+    facts s | sed -n 's/^remesh-off \(.*\) mm/\1/p' | awk '{ exit !($1 > 0.002 && $1 <= 0.02) }'
+    facts s | sed -n 's/^triangles //p' | awk '{ exit !($1 > 100 && $1 < 1200) }'
+    peek --json s | python3 -c '
+import json, math, sys
+p = [f for f in json.load(sys.stdin)["frames"] if f["kind"] == "surface"][0]["points"]
+off = [abs(z) if x < 12 else abs(math.hypot(x - 12, z - 4) - 4) for x, z in zip(p["x"], p["z"])]
+assert max(off) < 2e-3, max(off) # they lie on the surface, whose own chords are 1.3 um off the round
+flat = sum(x < 10 for x in p["x"]) / 10
+bent = sum(x > 13 for x in p["x"]) / (4 * (math.pi / 2 - math.asin(1 / 4)))
+assert bent > 2 * flat, (bent, flat)'
+    geodesic bent.off --remesh auto --longest 2 --tolerance 0.2 --output coarse
+    [[ $(facts coarse | sed -n 's/^triangles //p') -lt $(facts s | sed -n 's/^triangles //p') ]]
+    for threads in 1 2 8; do
+        geodesic --threads $threads bent.off --remesh auto | peek --text > "$threads"
+    done
+    cmp 1 2
+    cmp 1 8
+    expect 2 geodesic bent.off --remesh fine
+    complaint geodesic
+    expect 2 geodesic bent.off --remesh auto --longest 0
+    complaint geodesic
+    expect 2 geodesic bent.off --remesh auto --longest 0.001 --tolerance 0.0001
+    complaint geodesic
+    # few triangles bend in steps that no chord follows: told
+    python3 -c '
+import math
+print("OFF\n14 12 0")
+for y in (0, 10):
+    for i in range(7): print(3 * math.cos(i * math.pi / 8), y, 3 * math.sin(i * math.pi / 8))
+for i in range(6):
+    print(3, i, i + 1, i + 8)
+    print(3, i, i + 8, i + 7)' > steps.off
+    expect 0 geodesic steps.off --remesh auto --output s
+    [[ $err == "geodesic: remeshed surface off by more than the tolerance: 1 case, "* ]]
+}
+
 @test "lines of points are sources" {
     printf '# a bent line\n1 5 0\n5 5 0\n5, 9, 0\n\n55 5 3\n' > lines.txt
     expect 0 geodesic square.off --remesh 1 --source-lines lines.txt --output s
