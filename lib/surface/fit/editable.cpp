@@ -61,13 +61,13 @@ double flatness(const Corners& c) {
 bool may_lie(const Editable& m, const Triangle& t, const Corners& now, const Vec3& before, double was) {
     if (!(flatness(now) >= std::min(kThin, was))) return false;
     const Vec3 n = upright(now);
-    bool free = false;
+    bool known = false;
     for (const std::uint32_t v : t) {
-        if (m.kind[v] != Kind::free) continue;
+        if (!(norm(m.up[v]) > 0)) continue;
         if (!alike(m.up[v], n)) return false;
-        free = true;
+        known = true;
     }
-    return free || alike(before, n);
+    return known || alike(before, n);
 }
 
 bool may_move(const Editable& m, std::uint32_t v, const Vec3& to, std::uint32_t but) {
@@ -92,7 +92,7 @@ std::uint32_t split(Editable& m, std::uint32_t h) {
     const auto v = static_cast<std::uint32_t>(m.at.size());
     const char line = m.line[h];
     Vec3 up = upright(corners(m, m.triangles[h / 3]));
-    if (g != kNone) up = up + upright(corners(m, m.triangles[g / 3]));
+    if (g != kNone) up = line != 0 ? Vec3{} : up + upright(corners(m, m.triangles[g / 3]));
     m.at.push_back(0.5 * (m.at[a] + m.at[b]));
     m.size.push_back((m.size[a] + m.size[b]) / 2);
     m.kind.push_back(line != 0 ? Kind::on_line : Kind::free);

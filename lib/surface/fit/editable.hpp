@@ -20,7 +20,7 @@ struct Editable {
     std::vector<Vec3> at;            // mm, per vertex
     std::vector<double> size;        // mm, per vertex: how long sides there shall be
     std::vector<Kind> kind;          // per vertex
-    std::vector<Vec3> up;            // per vertex: about where the surface faces, not 0; 0 unless the vertex is free
+    std::vector<Vec3> up;            // per vertex: about where the surface faces, any length; 0 on sharp edges
     std::vector<Triangle> triangles; // kNone thrice: gone
     std::vector<std::uint32_t> twin; // per half-edge
     std::vector<std::uint32_t> out;  // per vertex, as Surface::outgoing; kNone: gone
@@ -48,9 +48,9 @@ void each_leaving(const Editable& m, std::uint32_t vertex, const Visit& visit) {
 using Corners = std::array<Vec3, 3>;
 Corners corners(const Editable& m, const Triangle& t);
 
-// Whether a triangle may come to lie at `now`: it faces as its free corners do, or, if it has none, as `before` does,
-// which is any length along a normal, by 60 degrees; and its height is a twentieth of its longest side, or at least not
-// less of it than `flatness`.
+// Whether a triangle may come to lie at `now`: it faces as those of its corners do that are not on sharp edges, or, if
+// all are, as `before` does, which is any length along a normal, by 60 degrees; and its height is a twentieth of its
+// longest side, or at least not less of it than `flatness`.
 bool may_lie(const Editable& m, const Triangle& t, const Corners& now, const Vec3& before, double flatness);
 
 Vec3 upright(const Corners& c);    // the normal, by twice the area

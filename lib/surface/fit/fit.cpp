@@ -16,8 +16,8 @@ namespace {
 using curve::Locator;
 
 constexpr double kMostTriangles = 2e7;
-constexpr int kCorrections = 2; // of sizes, where surfaces are farther apart than they may be
-constexpr double kSamples = 4;  // on a side, to tell how far they are apart
+constexpr int kCorrections = 2;                // of sizes, where surfaces are farther apart than they may be
+constexpr double kPieces = 2, kFinePieces = 8; // of sides, to look how far they are apart, and to tell it
 
 double longest_side(const Surface& s, std::uint32_t t) {
     return std::max({side_length(s, 3 * t), side_length(s, 3 * t + 1), side_length(s, 3 * t + 2)});
@@ -61,20 +61,21 @@ Fitted fitted(const Surface& s, const Options& o) {
                                      " mm: that takes more than 20 million triangles; ask for longer ones");
     const Locator locator(s);
     Fitter fitter(s, locator, size.wanted, editable(s, size.wanted, o.tolerance));
-    for (int k = 0;; ++k) {
+    fitter.run();
+    Surface now = compact(fitter.result());
+    for (int k = 0; k < kCorrections; ++k) {
+        const double step = mean_edge(now) / kPieces;
+        if (!corrected(s, apart(now, locator, step), now, apart(s, Locator(now), step), o.tolerance, size)) break;
+        fitter.resize();
         fitter.run();
-        Surface now = compact(fitter.result());
-        const double step = mean_edge(now) / kSamples;
-        const auto there = apart(now, locator, step), back = apart(s, Locator(now), step);
-        if (k < kCorrections && corrected(s, there, now, back, o.tolerance, size)) {
-            fitter.resize();
-            continue;
-        }
-        const auto less = [](const Apart& a, const Apart& b) { return a.far < b.far; };
-        const Apart most = std::max(*std::max_element(there.begin(), there.end(), less),
-                                    *std::max_element(back.begin(), back.end(), less), less);
-        return {std::move(now), most.far, most.at};
+        now = compact(fitter.result());
     }
+    const double step = mean_edge(now) / kFinePieces;
+    Apart most;
+    for (const auto& list : {apart(now, locator, step), apart(s, Locator(now), step)})
+        for (const Apart& a : list)
+            if (a.far > most.far) most = a;
+    return {std::move(now), most.far, most.at};
 }
 
 } // namespace filum::surface::fit

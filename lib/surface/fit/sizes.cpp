@@ -147,9 +147,14 @@ Editable editable(const Surface& s, std::vector<double> sizes, double tolerance)
     for (std::uint32_t h = 0; h < s.twin.size(); ++h) m.line[h] = on_line(s, h);
     fix_lines(s, tolerance / 2, m);
     m.up.assign(s.vertices.size(), {});
-    for (std::uint32_t v = 0; v < s.vertices.size(); ++v)
-        if (m.kind[v] == Kind::free)
-            each_outgoing(s, v, [&](std::uint32_t h) { m.up[v] = m.up[v] + area(s, h / 3) * normal(s, h / 3); });
+    for (std::uint32_t v = 0; v < s.vertices.size(); ++v) {
+        bool sharp = false;
+        each_outgoing(s, v, [&](std::uint32_t h) {
+            sharp = sharp || (m.line[h] != 0 && s.twin[h] != kNone);
+            m.up[v] = m.up[v] + area(s, h / 3) * normal(s, h / 3);
+        });
+        if (sharp) m.up[v] = {};
+    }
     return m;
 }
 
