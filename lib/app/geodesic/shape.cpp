@@ -41,8 +41,8 @@ std::vector<Option> options(Shaping& to) {
             .one_of({"outside", "inside"})
             .when("cut-mesh"),
         Option{"remesh", &to.remesh, "MM|auto",
-               "make all sides about this long, rims and sharp edges kept; auto: by the surface; 0: do not"},
-        Option{"longest", &to.longest, "MM", "of sides where the surface is flat: half the spacing of paths to come"}
+               "make all sides about this long, rims and sharp edges kept; auto: by bends; 0: do not"},
+        Option{"longest", &to.longest, "MM", "of sides where the surface is flat: as paths will be apart, or half that"}
             .within(0.001, 1e6)
             .when("remesh=auto"),
         Option{"tolerance", &to.tolerance, "MM", "how far sides may be off the surface where it bends"}
