@@ -103,7 +103,8 @@ void grade(const Surface& s, std::vector<double>& sizes) {
     std::priority_queue<Next, std::vector<Next>, std::greater<>> open;
     for (std::uint32_t v = 0; v < sizes.size(); ++v) open.emplace(sizes[v], v);
     while (!open.empty()) {
-        const auto [size, v] = open.top();
+        const double size = open.top().first;
+        const std::uint32_t v = open.top().second;
         open.pop();
         if (size > sizes[v]) continue;
         const auto reach = [&](std::uint32_t w) {
