@@ -47,7 +47,8 @@ std::vector<Option> options(Shaping& to) {
             .when("remesh=auto"),
         Option{"tolerance", &to.tolerance, "MM", "how far sides may be off the surface where it bends"}
             .within(1e-4, 1000)
-            .when("remesh=auto")};
+            .when("remesh=auto")
+            .a_limit()};
 }
 
 Facts shape(Model& model, const Shaping& how, const mesh::Placement& place, cli::Io& self) {

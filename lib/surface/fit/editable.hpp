@@ -83,15 +83,14 @@ bool joins_cleanly(const Editable& m, std::uint32_t h);
 
 template <class Most>
 bool collapsible(const Editable& m, std::uint32_t h, const Most& most) {
-    if (!joins_cleanly(m, h)) return false;
     const std::uint32_t a = m.tail(h), b = m.head(h);
-    bool fits = true;
+    bool fits = m.kind[a] != Kind::fixed;
     each_leaving(m, a, [&](std::uint32_t k) {
         for (const std::uint32_t other : {m.head(k), m.apex(k)})
             fits = fits && (other == b || !(distance(m.at[other], m.at[b]) >
                                             std::max(most(other, b), distance(m.at[other], m.at[a]))));
     });
-    return fits && may_move(m, a, m.at[b], b);
+    return fits && joins_cleanly(m, h) && may_move(m, a, m.at[b], b);
 }
 
 } // namespace filum::surface::fit
