@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace filum::surfpath {
 
@@ -32,17 +33,15 @@ class Path {
 
     Plan plan() {
         auto chains = ordered();
-        chains = joined(std::move(chains));
-        std::vector<std::vector<LaidTurn>> turns(chains.size());
-        for (std::size_t c = 0; c < chains.size(); ++c)
-            for (std::size_t i = 1; i < chains[c].size(); ++i)
-                turns[c].push_back(turn(leave(chains[c][i - 1]), entry(chains[c][i])));
-        if (o_.staggered) stagger(chains, turns);
-        for (std::size_t c = 0; c < chains.size(); ++c) {
-            out_.strokes.push_back(stroke(chains[c], turns[c]));
-            turned_ += static_cast<double>(turns[c].size());
+        lay(joined(chains));
+        // A chain that comes back to where it began may become a detour of another stroke for less than a way to it.
+        if (const auto apart = transited_ > 0 ? led_but_loops(chains) : std::vector<Chain>{}; !apart.empty()) {
+            const auto led = std::tuple(out_, turned_, transited_, crossed_);
+            const double before = added();
+            const std::size_t strokes = out_.strokes.size();
+            lay(apart);
+            if (out_.strokes.size() > strokes || added() >= before) std::tie(out_, turned_, transited_, crossed_) = led;
         }
-        tell_crossed(join_strokes(surface_, out_.strokes, o_.spacing, o_.least_radius), o_.spacing, out_.notes);
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                       {"", "turns", turned_, ""},
                       {"", "transits", transited_, "mm"}};
@@ -59,6 +58,45 @@ class Path {
     }
 
   private:
+    // Makes strokes of chains; anew, whatever was made of others.
+    void lay(const std::vector<Chain>& chains) {
+        out_ = {};
+        turned_ = transited_ = crossed_ = 0;
+        std::vector<std::vector<LaidTurn>> turns(chains.size());
+        for (std::size_t c = 0; c < chains.size(); ++c)
+            for (std::size_t i = 1; i < chains[c].size(); ++i)
+                turns[c].push_back(turn(leave(chains[c][i - 1]), entry(chains[c][i])));
+        if (o_.staggered) stagger(chains, turns);
+        for (std::size_t c = 0; c < chains.size(); ++c) {
+            out_.strokes.push_back(stroke(chains[c], turns[c]));
+            turned_ += static_cast<double>(turns[c].size());
+        }
+        const auto crossed = join_strokes(surface_, out_.strokes, o_.spacing, o_.least_radius);
+        crossed_ = static_cast<double>(crossed.size());
+        tell_crossed(crossed, o_.spacing, out_.notes);
+    }
+
+    // What ways and shifts lay twice and leave bare, as mm of fibre: shifts that cross do a spacing each.
+    [[nodiscard]] double added() const { return transited_ + 2 * o_.spacing * crossed_; }
+
+    // The chains led into each other, but for those whose ends lie near enough to each other to be closed; none if
+    // there are no such.
+    [[nodiscard]] std::vector<Chain> led_but_loops(const std::vector<Chain>& chains) const {
+        const auto at = [&](std::uint32_t e) {
+            const auto& places = rows_.rows[e / 2].line.places;
+            return (e % 2 == 0 ? places.front() : places.back()).point;
+        };
+        std::vector<Chain> open, loops;
+        for (const Chain& c : chains) {
+            const bool near = distance(at(entry(c.front())), at(leave(c.back()))) <= 2 * o_.least_radius;
+            (near ? loops : open).push_back(c);
+        }
+        if (loops.empty()) return {};
+        open = joined(std::move(open));
+        open.insert(open.end(), loops.begin(), loops.end());
+        return open;
+    }
+
     [[nodiscard]] std::vector<Chain> ordered() const {
         std::vector<Link> links;
         for (const LaidTurn& t : turns_) links.push_back({t.from, t.to, t.cost});
@@ -224,7 +262,7 @@ class Path {
     std::vector<LaidTurn> turns_;
     Turning o_;
     Plan out_;
-    double turned_ = 0, transited_ = 0;
+    double turned_ = 0, transited_ = 0, crossed_ = 0; // turns; mm of ways; shifts that cross
 };
 
 } // namespace
