@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace filum::surfpath {
@@ -149,6 +150,20 @@ TEST(hybrid, rings_that_meet_are_one_stroke) {
 }
 
 // A loop that comes nearer to a hole than half a spacing follows the inset there, and stays a loop.
+// 100 degrees of a cone of 20 degrees: lines about its middle hang together as a chain that comes round. It was led to
+// the others by a way along the rim, 32 mm of it twice.
+TEST(hybrid, a_chain_that_comes_round_is_no_way_along_the_rim) {
+    FILUM_NOT_SANITIZED();
+    const auto sheet = sheet_of(surface::grid(1, 1, 60, 60, [](geom::Vec2 p) {
+        const double slope = 20 * geom::kDegree, a = 100 * geom::kDegree * p.x;
+        const double r = 15 + 40 * std::sin(slope) * p.y;
+        return Vec3{r * std::cos(a), r * std::sin(a), 40 * std::cos(slope) * p.y};
+    }));
+    const Plan p = plan(sheet, {.algorithm = Algorithm::hybrid});
+    EXPECT_EQ(p.strokes.size(), 1U);
+    EXPECT_LT(fact(p, "transits"), 2 * 2.4);
+}
+
 TEST(rows, a_loop_beside_a_hole_stays_closed) {
     const auto sheet = sheet_of(washer(0));
     const Surface& s = sheet.surface;
