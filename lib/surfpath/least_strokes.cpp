@@ -2,6 +2,7 @@
 
 #include "geodesic/exact.hpp"
 #include "geom/disjoint_sets.hpp"
+#include "geom/point_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@ namespace {
 
 using surface::kNone;
 
+constexpr double kMostPoints = 1e6;                // of rims, that are looked at; on longer ones farther apart
 constexpr std::uint64_t kMostWindows = 20'000'000; // for each distance: seconds; what is farther counts as just so far
 
 std::uint32_t component(const Surface& s, std::uint32_t vertex) { return s.component[s.outgoing[vertex] / 3]; }
@@ -36,6 +38,46 @@ Roots greatest(const Surface& s, const Value& value) {
         if (best == kNone || value(v) > value(best)) best = v;
     }
     return out;
+}
+
+// Whether rims face each other within two spacings, at places that are farther than the price of a cut from each other
+// along them.  A dead end holds less fibre than the way in and back: so its area is less than twice its depth times the
+// spacing, and some level in it shorter than two spacings.  Such a level ends at rims (or is a loop about a tube: those
+// are not looked for, so the bound is 0 there).
+bool has_narrows(const Surface& s, const Dearth& o) {
+    struct At {
+        std::size_t rim;
+        double along;
+    };
+    std::vector<Vec3> points;
+    std::vector<At> at;
+    std::vector<double> length;
+    double all = 0;
+    for (const auto& rim : s.rims)
+        for (const std::uint32_t h : rim.sides) all += distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+    const double step = std::max(o.spacing / 2, all / kMostPoints), reach = 2 * o.spacing + step;
+    for (const auto& rim : s.rims) {
+        double along = 0;
+        for (const std::uint32_t h : rim.sides) {
+            const Vec3 a = s.vertices[s.tail(h)], b = s.vertices[s.head(h)];
+            const double l = distance(a, b), parts = std::ceil(l / step);
+            for (double k = 0; k < parts; ++k) {
+                points.push_back(a + k / parts * (b - a));
+                at.push_back({length.size(), along + l * k / parts});
+            }
+            along += l;
+        }
+        length.push_back(along);
+    }
+    const geom::PointGrid<Vec3> grid(points, reach);
+    bool found = false;
+    for (std::size_t i = 0; i < points.size() && !found; ++i)
+        grid.near(points[i], 1, [&](std::uint32_t j) {
+            if (found || distance(points[i], points[j]) > reach) return;
+            const double way = std::abs(at[i].along - at[j].along);
+            found = at[i].rim != at[j].rim || std::min(way, length[at[i].rim] - way) > o.cut_length;
+        });
+    return found;
 }
 
 // What is farther than some level, as it hangs together, while that falls.
@@ -88,9 +130,8 @@ std::vector<std::size_t> dead_ends(const Surface& s, std::span<const double> dis
 
 std::size_t least_strokes(const Surface& s, std::span<const char> covered, const Dearth& o) {
     std::vector<std::size_t> ends(s.components, 0);
-    const auto first = distances(s, greatest(s, [](std::uint32_t) { return 0; }));
-    const double widest = 2 * *std::max_element(first.begin(), first.end()); // no way is longer
-    if (o.dead_ends && 2 * widest > o.cut_length) {
+    if (o.dead_ends && has_narrows(s, o)) {
+        const auto first = distances(s, greatest(s, [](std::uint32_t) { return 0; }));
         const auto far = distances(s, greatest(s, [&](std::uint32_t v) { return first[v]; }));
         const auto back = distances(s, greatest(s, [&](std::uint32_t v) { return far[v]; }));
         const auto middle = distances(s, greatest(s, [&](std::uint32_t v) { return -std::max(far[v], back[v]); }));

@@ -15,7 +15,8 @@ struct Dearth {
 // (per component) is set: whoever has fewer lays, in some dead end, more than cut_length mm of fibre more than it has
 // room for.  A stroke lies on one component; and a part of the surface in which the way to its farthest place and back
 // is, by more than cut_length, longer than its area over the spacing must hold an end of a stroke, of which each has
-// two.  The sum over components of 1, or half of as many such parts as are found that have nothing in common.
+// two.  Parts are looked for where rims face each other within two spacings.  The sum over components of 1, or half of
+// as many such parts as are found that have nothing in common.
 std::size_t least_strokes(const Surface& s, std::span<const char> covered, const Dearth& options);
 
 // Adds the fact "cuts-bound": the least strokes for the components on which the plan lays something, but one.
