@@ -39,11 +39,10 @@ class Course {
         double width;
         Vec2 sum; // of the points from the line's begin on, times mm
     };
-    // `near`: the segment to look from; then the one that was found.
-    [[nodiscard]] At at(double s, std::size_t& near) const {
+    // i: the segment to look from; then the one that was found.
+    [[nodiscard]] At at(double s, std::size_t& i) const {
         const double turns = std::floor(s / length());
         s -= turns * length();
-        std::size_t& i = near;
         while (i + 1 < n_ && s_[i + 1] <= s) ++i;
         while (i > 0 && s_[i] > s) --i;
         const double l = s_[i + 1] - s_[i], t = l > 0 ? (s - s_[i]) / l : 0;
@@ -116,6 +115,7 @@ class Rounding {
         const double l = geom::norm2(u) * geom::norm2(v);
         return l > 0 ? std::sqrt(std::max(0.0, 2 - 2 * dot(u, v) / std::sqrt(l))) : 0;
     }
+
     // Ascending and apart, all within a turn from the first one's begin.
     void find_corners() {
         const std::size_t n = line_->points.size();

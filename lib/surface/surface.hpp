@@ -44,14 +44,20 @@ struct Surface {
     [[nodiscard]] bool on_rim(std::uint32_t vertex) const { return twin[outgoing[vertex]] == kNone; }
 };
 
-// Calls visit(h) for every half-edge that leaves `vertex`, counter-clockwise; h / 3 are the triangles of its fan.
+// Calls visit(h) for half-edge `first` and those that leave the same vertex after it, counter-clockwise; twin: of each.
 template <class Visit>
-void each_outgoing(const Surface& s, std::uint32_t vertex, const Visit& visit) {
-    std::uint32_t h = s.outgoing[vertex];
+void each_of_fan(const std::vector<std::uint32_t>& twin, std::uint32_t first, const Visit& visit) {
+    std::uint32_t h = first;
     do {
         visit(h);
-        h = s.twin[prev(h)];
-    } while (h != kNone && h != s.outgoing[vertex]);
+        h = twin[prev(h)];
+    } while (h != kNone && h != first);
+}
+
+// The same for every half-edge that leaves `vertex`; h / 3 are the triangles of its fan.
+template <class Visit>
+void each_outgoing(const Surface& s, std::uint32_t vertex, const Visit& visit) {
+    each_of_fan(s.twin, s.outgoing[vertex], visit);
 }
 
 // The surface of `mesh`, whose vertices are welded (mesh::read).  Repairs, each with a note that counts: triangles that

@@ -54,13 +54,13 @@ bool has_narrows(const Surface& s, const Dearth& o) {
     std::vector<double> length;
     double all = 0;
     for (const auto& rim : s.rims)
-        for (const std::uint32_t h : rim.sides) all += distance(s.vertices[s.tail(h)], s.vertices[s.head(h)]);
+        for (const std::uint32_t h : rim.sides) all += surface::side_length(s, h);
     const double step = std::max(o.spacing / 2, all / kMostPoints), reach = 2 * o.spacing + step;
     for (const auto& rim : s.rims) {
         double along = 0;
         for (const std::uint32_t h : rim.sides) {
             const Vec3 a = s.vertices[s.tail(h)], b = s.vertices[s.head(h)];
-            const double l = distance(a, b), parts = std::ceil(l / step);
+            const double l = surface::side_length(s, h), parts = std::ceil(l / step);
             for (double k = 0; k < parts; ++k) {
                 points.push_back(a + k / parts * (b - a));
                 at.push_back({length.size(), along + l * k / parts});

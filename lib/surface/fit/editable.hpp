@@ -38,11 +38,7 @@ struct Editable {
 // Calls visit(h) for every half-edge that leaves the vertex, counter-clockwise.
 template <class Visit>
 void each_leaving(const Editable& m, std::uint32_t vertex, const Visit& visit) {
-    std::uint32_t h = m.out[vertex];
-    do {
-        visit(h);
-        h = m.twin[prev(h)];
-    } while (h != kNone && h != m.out[vertex]);
+    each_of_fan(m.twin, m.out[vertex], visit);
 }
 
 using Corners = std::array<Vec3, 3>;
