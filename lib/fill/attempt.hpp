@@ -11,13 +11,13 @@ inline double tolerance_for(double bead_width) { return std::min(0.01, bead_widt
 // Of that: first the whole, and a sixteenth where the curve would cross itself.
 inline constexpr double kShares[] = {1, 1.0 / 16};
 
-// How rings are joined: where a curve would cross itself, by the next way.
+// How rings are joined: where a curve would cross itself, or some would stay apart, by the next way.
 struct Attempt {
     double share; // of the tolerance
     bool wind;    // stacks of rings as double spirals
     bool round;   // corners
 };
 inline constexpr Attempt kAttempts[] = {
-    {kShares[0], true, true}, {kShares[1], true, true}, {kShares[1], true, false}, {kShares[1], false, false}};
+    {kShares[0], true, true}, {kShares[0], false, true}, {kShares[1], true, true}, {kShares[1], false, false}};
 
 } // namespace filum::fill

@@ -1,6 +1,7 @@
 #include "fill/curve_place.hpp"
 
 #include "geom/segment.hpp"
+#include "toolpath/merge.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -44,7 +45,7 @@ double width_at(const Curve& c, const CurvePlace& p) {
 }
 
 void add_point(Curve& to, Vec2 p, double width) {
-    if (!to.points.empty() && geom::distance(to.points.back(), p) < kSamePoint) return;
+    if (!to.points.empty() && geom::distance(to.points.back(), p) < toolpath::kLeastMove / 2) return;
     to.points.push_back(p);
     to.width.push_back(width);
 }

@@ -7,8 +7,6 @@
 
 namespace filum::fill {
 
-inline constexpr double kSamePoint = 5e-4; // mm; points nearer than half of what a machine is told are one
-
 // Between points i and i + 1 of a curve; the last segment of a closed one leads back to its first point.
 struct CurvePlace {
     std::size_t i = 0;
@@ -30,7 +28,7 @@ CurvePlace nearest_place(const toolpath::Curve& curve, const std::vector<double>
 // mm, of the bead there.
 double width_at(const toolpath::Curve& curve, const CurvePlace& place);
 
-// Adds a point unless it is the same as the last one.
+// Adds a point unless it is nearer to the last one than half of toolpath::kLeastMove.
 void add_point(toolpath::Curve& to, geom::Vec2 p, double width);
 
 } // namespace filum::fill

@@ -12,17 +12,10 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kNeighbourReach = 2.2;  // bead widths: neighbours are nearer (Lemma 2: at most 2), and links no longer
-constexpr double kPlaces = 8;            // along a ring, where strips are looked for
-constexpr std::size_t kSpiralsTried = 4; // of them, the best, are tried
+constexpr double kPlaces = 8; // along a ring, where strips are looked for
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
 // square of that.
 constexpr double kLink = 0.25;
-constexpr double kHairLink = 0.05;    // the same where parts only touch
-constexpr double kMostSamples = 1024; // of a ring, where links are looked for
-// Share of a link's length on which it becomes as wide as its rings: hardly any.  Two links, half a bead apart and half
-// a bead wide, lay as much as the two windows gave up; what they are wider at their ends lies twice.
-constexpr double kLinkEnd = 0.02;
 
 // Two rings facing each other at one place.
 struct Candidate {
@@ -70,24 +63,23 @@ class Joiner {
 
     std::vector<ClosedLine> run(bool spirals) {
         if (spirals) wind();
-        // few samples first: most rings face their neighbours all the way round
-        for (const double samples : {8.0, kMostSamples}) {
+        // few places first: most rings face their neighbours all the way round
+        for (const bool all : {false, true}) {
             if (groups_.sets() <= 1) break;
-            link(samples, {kLink});
+            link(all, {kLink});
         }
-        for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_)
-            link(kMostSamples, {kLink});
+        for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_) link(true, {kLink});
         if (groups_.sets() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
             stay_inside_ = false;
-            link(kMostSamples, {kLink, kHairLink});
+            link(true, {kLink, rings::kNarrowest});
         }
         return splices_.trace();
     }
 
   private:
-    // Exchanges where so many samples of a ring see another, the wide ones first.
-    void link(double samples, std::initializer_list<double> halves) {
-        const auto found = candidates(samples);
+    // Exchanges where a few places of a ring, or all, see another, the wide ones first.
+    void link(bool all, std::initializer_list<double> halves) {
+        const auto found = candidates(all);
         for (const double half : halves) accept(found, half);
     }
 
@@ -136,7 +128,7 @@ class Joiner {
                             return clear({a, b});
                         }};
         std::optional<Splice> best;
-        for (std::size_t k = 0; k < std::min(found.size(), kSpiralsTried); ++k) {
+        for (std::size_t k = 0; k < found.size(); ++k) {
             if (best && best->windows.size() >= found[k].lane.size()) break;
             auto splice = double_spiral(graph_, found[k], width_, room);
             if (splice && (!best || splice->windows.size() > best->windows.size())) best = std::move(splice);
@@ -151,13 +143,13 @@ class Joiner {
     }
 
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
-    std::vector<Candidate> candidates(double samples) {
+    std::vector<Candidate> candidates(bool all) {
         std::vector<Candidate> out;
         const std::uint32_t largest = largest_group();
         for (std::uint32_t r = 0; r < graph_.size(); ++r) {
-            if (groups_.root(r) == largest && samples > 8) continue;
+            if (groups_.root(r) == largest && all) continue;
             const double l = graph_.length(r);
-            const auto n = static_cast<int>(std::clamp(l / (0.25 * width_), 1.0, samples));
+            const auto n = static_cast<int>(all ? std::max(kPlaces, l / (0.25 * width_)) : kPlaces);
             for (int k = 0; k < n; ++k) {
                 const double s = l * (k + 0.5) / n;
                 const Vec2 here = graph_.at(r, s);
@@ -240,7 +232,7 @@ class Joiner {
         for (const auto& l : {u, v}) {
             if (geom::distance(l.a, l.b) > kNeighbourReach * width_) return false;
             // not quite to the ends, which lie on rings
-            if (graph_.crosses(geom::lerp(l.a, l.b, 0.02), geom::lerp(l.a, l.b, 0.98))) return false;
+            if (graph_.crosses(geom::lerp(l.a, l.b, kLinkEnd), geom::lerp(l.b, l.a, kLinkEnd))) return false;
             if (!clear(l)) return false;
         }
         return true;

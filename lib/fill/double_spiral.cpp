@@ -11,11 +11,10 @@ namespace filum::fill {
 namespace {
 
 // All in bead widths unless said otherwise.
-constexpr double kBend = std::numbers::pi / 3;    // rad
-constexpr double kFarLane = 1.5, kNearLane = 0.5; // neighbouring lanes are between
-constexpr std::size_t kLeaning = 3;               // bends that close up behind a turn
-constexpr double kLean = 0.6;                     // the first of them by so much
-constexpr double kApart = 0.65; // links are at least; so the lanes that turn do so this far behind the line
+constexpr double kBend = std::numbers::pi / 3; // rad
+// Links are at least so far apart: the lanes that turn do so this far behind the line, and the first bend leans as far
+// back behind the turn.
+constexpr double kApart = 0.65;
 
 struct Direction {
     Vec2 along, left; // unit
@@ -34,9 +33,9 @@ std::optional<Direction> direction(const RingGraph& graph, std::uint32_t ring, d
 std::optional<Lanes::Lane> next_lane(const RingGraph& graph, const Lanes::Lane& from, double side, double width) {
     const double aslant = kBend / 2;
     const Vec2 d = side * (std::cos(aslant) * from.inward + std::sin(aslant) * from.forward);
-    const double least = kNearLane * width / std::cos(aslant), most = kFarLane * width / std::cos(aslant);
-    const auto hit = graph.first_hit(from.at.point, d, least / 4, most, [](std::uint32_t) { return true; });
-    if (!hit || hit->distance < least) return std::nullopt;
+    const double least = rings::kNarrowest * width, most = kNeighbourReach * width / std::cos(aslant);
+    const auto hit = graph.first_hit(from.at.point, d, least, most, [](std::uint32_t) { return true; });
+    if (!hit) return std::nullopt;
     const auto there = direction(graph, hit->ring, hit->s, width);
     if (!there) return std::nullopt;
     const double cosine = dot(there->along, from.forward), sense = cosine > 0 ? 1 : -1;
@@ -104,7 +103,7 @@ class Making {
     }
     template <class Through>
     [[nodiscard]] bool clear(const geom::Segment& link, Through&& through) const {
-        const Vec2 a = geom::lerp(link.a, link.b, 0.02), b = geom::lerp(link.a, link.b, 0.98); // its ends are on rings
+        const Vec2 a = geom::lerp(link.a, link.b, kLinkEnd), b = geom::lerp(link.b, link.a, kLinkEnd);
         bool ok = true;
         graph_->each_crossing(a, b, [&](const Place& at) { ok = ok && through(at); });
         return ok && room_->clear(link.a, link.b);
@@ -113,9 +112,9 @@ class Making {
     // The place on lane `k` straight across from the place s on lane `from`.
     [[nodiscard]] std::optional<double> facing(std::size_t from, double s, std::size_t k) const {
         const Vec2 p = graph_->at(lane(from).at.ring, s), d = (k > from ? 1.0 : -1.0) * lane(from).inward;
-        const auto hit =
-            graph_->first_hit(p, d, 0, kFarLane * width_, [&](std::uint32_t ring) { return ring == lane(k).at.ring; });
-        if (!hit || hit->distance < kNearLane * width_) return std::nullopt;
+        const auto hit = graph_->first_hit(p, d, 0, kNeighbourReach * width_,
+                                           [&](std::uint32_t ring) { return ring == lane(k).at.ring; });
+        if (!hit) return std::nullopt;
         return hit->s;
     }
 
@@ -133,12 +132,12 @@ class Making {
         return t;
     }
 
-    // The first lanes bent lean back into the room behind the turn, each less than the one before.
+    // Lanes that bend lean back into the room behind the turn, each less than the one before.
     void lean(std::vector<double>& first, std::vector<double>& second) const {
-        const std::size_t bends = hi_ - lo_ - 2, leaning = std::min(kLeaning, bends);
-        const double most = kLean * width_ * std::min(1.0, static_cast<double>(bends) / 2);
-        for (std::size_t i = 0; i < leaning; ++i) {
-            const double by = most * static_cast<double>(leaning - i) / static_cast<double>(leaning);
+        const std::size_t bends = hi_ - lo_ - 2;
+        const double most = kApart * width_ * std::min(1.0, static_cast<double>(bends) / 2);
+        for (std::size_t i = 0; i < bends; ++i) {
+            const double by = most * static_cast<double>(bends - i) / static_cast<double>(bends);
             second[lo_ + i] -= lane(lo_ + i).sense * by;
             first[hi_ - 1 - i] += lane(hi_ - 1 - i).sense * by;
         }
@@ -198,11 +197,13 @@ class Making {
     [[nodiscard]] std::optional<Splice> splice(const std::vector<double>& first,
                                                const std::vector<double>& second) const {
         Splice out;
+        const double most = 2 * (kNeighbourReach / std::sin(kBend) + kApart) * width_; // across two lanes, and leaning
         for (std::size_t k = lo_; k < hi_; ++k) {
             const std::uint32_t ring = lane(k).at.ring;
             const double l = graph_->length(ring);
             double gone = std::fmod(lane(k).sense * (second[k] - first[k]), l);
             if (gone < 0) gone += l;
+            if (gone > most) return std::nullopt; // a turn found the ring elsewhere
             const double s0 = lane(k).sense > 0 ? first[k] : second[k];
             if (!room_->free(ring, s0, s0 + gone)) return std::nullopt;
             out.windows.push_back({ring, s0, s0 + gone});

@@ -10,6 +10,9 @@
 
 namespace filum::fill {
 
+// Bead widths: rings that are neighbours are nearer to each other (Lemma 2: at most 2), and links no longer.
+inline constexpr double kNeighbourReach = 2.2;
+
 // Where a line crosses rings that run side by side, one after the other.  It runs aslant: at each ring, half the angle
 // by which lanes bend away from the normal, forwards as it goes inwards.
 struct Lanes {

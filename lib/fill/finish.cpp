@@ -6,6 +6,7 @@
 #include "polygon/segments.hpp"
 #include "rings/fewer_points.hpp"
 #include "rings/lanes.hpp"
+#include "toolpath/merge.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +15,15 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kTinyRing = 0.25; // bead widths squared, laid: a ring that may be left out if it cannot be joined
-
 // To the micrometre, which machines are told: what does not cross here does not cross there.
 geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
 
 // Whether a bead runs from a to b and back over itself to c: no turn at all, and where it is cut, rounding makes it
 // cross itself.
 bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
-    constexpr double kFlat = 0.002; // mm: two steps of the grid
+    const double flat = 2 * toolpath::kLeastMove;
     return dot(b - a, c - b) <= 0 &&
-           (geom::point_segment_distance(b, c, a) < kFlat || geom::point_segment_distance(a, b, c) < kFlat);
+           (geom::point_segment_distance(b, c, a) < flat || geom::point_segment_distance(a, b, c) < flat);
 }
 
 // Puts the line on the grid; drops points that fall together and the tips of spikes.
@@ -74,7 +73,9 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
     };
     std::vector<toolpath::Curve> out;
     for (ClosedLine& line : join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
-        if (how.corners != Corners::sharp) line = rounded(line, w, {how.reach, how.corners == Corners::rounded}, room);
+        if (how.corners != Rounded::nowhere)
+            line = rounded(line, w,
+                           {how.open > 0 ? how.open : least, how.tolerance, how.corners == Rounded::everywhere}, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
         if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least);
         tidy(curve);
@@ -83,14 +84,18 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
     return out;
 }
 
+double laid_area(const toolpath::Curve& c) {
+    double out = 0;
+    for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
+        out += (c.width_at(k) + c.width_at((k + 1) % n)) / 2 * geom::distance(c.points[k], c.points[(k + 1) % n]);
+    return out;
+}
+
 double leave_tiny(std::vector<toolpath::Curve>& curves, double bead_width) {
-    const double least = kTinyRing * bead_width * bead_width;
+    const double least = bead_width * bead_width;
     double left = 0;
     for (std::size_t i = curves.size(); i-- > 1;) {
-        const toolpath::Curve& c = curves[i];
-        double area = 0;
-        for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
-            area += c.width_at(k) * geom::distance(c.points[k], c.points[(k + 1) % n]);
+        const double area = laid_area(curves[i]);
         if (area >= least) continue;
         left += area;
         curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));

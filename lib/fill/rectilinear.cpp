@@ -16,10 +16,10 @@ using polygon::Loops;
 namespace {
 
 // A line is kept where it is this many pitches inside the outline; its ends draw back to half a pitch from an upright
-// outline.  So a line along a flat edge may stand out by a quarter of its width rather than leave a void of up to one.
+// outline.  Shorter lines than that inset are dropped.  So a line along a flat edge may stand out by a quarter of its
+// width rather than leave a void of up to one.
 constexpr double kInset = 0.25, kTrim = 1 - 2 * kInset;
-constexpr double kLineGive = 0.15;     // how much wider or narrower than asked a line may be to fit between flat edges
-constexpr double kShortestLine = 0.25; // pitches; shorter lines are dropped
+constexpr double kLineGive = 0.15; // how much wider or narrower than asked a line may be to fit between flat edges
 
 struct Line {
     double y, from, to, width;
@@ -58,7 +58,7 @@ void fill_with_lines(const Loops& part, double bead_width, std::vector<toolpath:
     std::vector<std::vector<Line>> rows(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
         for (const polygon::LevelStretch s : stretches[i])
-            if (s.to - s.from > (kTrim + kShortestLine) * bead_width)
+            if (s.to - s.from > (kTrim + kInset) * bead_width)
                 rows[i].push_back({y[i], s.from + kTrim * bead_width / 2, s.to - kTrim * bead_width / 2, pitch[i]});
     lay_lines(rows, out);
 }

@@ -1,5 +1,8 @@
 #include "fill/rounding.hpp"
 
+#include "geom/polyline.hpp"
+#include "rings/wall_lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,16 +10,7 @@ namespace filum::fill {
 
 namespace {
 
-// Of rounded corners; in reaches unless said otherwise.
-constexpr double kTurned = 0.97;    // chord to arc: a smaller ratio is a corner
-constexpr double kAcute = 0.66;     // and a smaller one than this an acute corner
-constexpr double kAcuteReach = 2.6; // about those
-constexpr double kInnerReach = 2;   // about other corners of inner lanes, which lie in those of the lanes around them
-constexpr double kOuter = 0.75; // bead widths from the outline: nearer, acute corners are worth more than their room
-constexpr double kShortestRounded = 60; // a shorter line stays as it is
-constexpr double kWiden = 1.7;          // times the width, at most
-constexpr double kSpill = 0.03;         // bead widths that a widened bead may reach over the outline
-constexpr int kPoints = 6;              // per corner
+constexpr double kOuter = 0.75; // widths: beads whose middle is as near to the outline lie along it
 
 // A closed line by arc length.  Asking for places near the last one is quick.
 class Course {
@@ -74,10 +68,14 @@ struct RoundedStretch {
     }
 };
 
+// On each side of a right angle: a parabola that begins so far from the corner leaves `open` mm2 beyond it.
+double reach_for(double open) { return std::sqrt(6 * open); }
+
 class Rounding {
   public:
-    Rounding(const BeadLine& line, double width, const Reach& reach, const std::function<double(Vec2)>& room)
-        : line_(&line), course_(line), width_(width), reach_(reach.mm), outline_(reach.at_outline), room_(&room) {}
+    Rounding(const BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room)
+        : line_(&line), course_(line), width_(width), reach_(reach_for(how.open)),
+          step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.at_outline), room_(&room) {}
 
     BeadLine run() {
         find_corners();
@@ -98,15 +96,24 @@ class Rounding {
     }
 
   private:
+    // What lies within `reach` mm of s.
+    struct Window {
+        Vec2 mean;
+        double slower; // its length by that of its chord
+    };
+    [[nodiscard]] Window window(double s, double reach) {
+        const auto a = course_.at(s - reach, behind_), b = course_.at(s + reach, ahead_);
+        return {(1 / (2 * reach)) * (b.sum - a.sum), 2 * reach / std::max(1e-9, geom::distance(a.point, b.point))};
+    }
+    // Of the corner at a vertex, 0 where there is none.
     [[nodiscard]] double reach_at(std::size_t vertex) {
-        const double s = course_.s(vertex);
-        const double ratio =
-            geom::distance(course_.at(s - reach_, behind_).point, course_.at(s + reach_, ahead_).point) / (2 * reach_);
-        if (ratio >= kTurned) return 0;
-        const bool outer = (*room_)(line_->points[vertex]) < kOuter * line_->width[vertex];
-        const double reach = reach_ * std::min(1.0, 2 * line_->width[vertex] / width_); // narrow lanes are near
-        if (outer) return outline_ ? reach : 0;
-        return (ratio < kAcute ? kAcuteReach : kInnerReach) * reach;
+        const Vec2 p = line_->points[vertex];
+        const double w = line_->width[vertex], most = rings::kMostOff * w;
+        const double reach = reach_ * std::min(1.0, 2 * w / width_); // narrow lanes are near
+        const double moved = geom::distance(p, window(course_.s(vertex), reach).mean);
+        if (2 * moved < most) return 0;
+        if ((*room_)(p) > kOuter * w) return reach;
+        return outline_ ? reach * std::min(1.0, most / moved) : 0;
     }
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
@@ -121,8 +128,8 @@ class Rounding {
         const std::size_t n = line_->points.size();
         std::vector<double> turned{0}; // up to vertex i, of the unit vectors along the segments: less than the angle
         for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
-        // Unit vectors whose steps add up to less have a part of kTurned or more along one direction: so has the chord.
-        const double least = 2 * std::sqrt(1 - kTurned * kTurned);
+        // A window whose unit vectors change by less in all has its mean nearer to its middle than what makes a corner.
+        const double least = 2 * rings::kMostOff * width_ / reach_;
         std::size_t first = 0, last = 0; // vertices within the reach
         for (std::size_t i = 0; i < n; ++i) {
             const double s = course_.s(i);
@@ -149,21 +156,18 @@ class Rounding {
     }
 
     void smooth(const RoundedStretch& part) {
-        const int n = std::max(2, static_cast<int>(std::lround(kPoints * (part.end - part.begin) / (2 * reach_))));
+        const int n = std::max(2, static_cast<int>(std::ceil((part.end - part.begin) / step_)));
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
-            const double reach = std::max(1e-6, part.reach(s));
-            const auto a = course_.at(s - reach, behind_), b = course_.at(s + reach, ahead_);
-            const double slower = 2 * reach / std::max(1e-9, geom::distance(a.point, b.point));
-            const Vec2 p = (1 / (2 * reach)) * (b.sum - a.sum);
+            const auto [mean, slower] = window(s, std::max(1e-6, part.reach(s)));
             const double w = course_.at(s, here_).width;
-            out_.add(p, std::max(w, std::min(w * std::min(slower, kWiden), 2 * (*room_)(p) + kSpill * w)));
+            out_.add(mean, std::max(w, std::min(w * std::min(slower, rings::kWidest), 2 * (*room_)(mean))));
         }
     }
 
     const BeadLine* line_;
     Course course_;
-    double width_, reach_;
+    double width_, reach_, step_; // mm; between points that are off by a quarter of the tolerance at most
     bool outline_;
     const std::function<double(Vec2)>* room_;
     std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the places asked for last
@@ -173,11 +177,9 @@ class Rounding {
 
 } // namespace
 
-BeadLine rounded(const BeadLine& line, double width, const Reach& reach, const std::function<double(Vec2)>& room) {
-    double length = 0;
-    for (std::size_t i = 0; i < line.points.size(); ++i)
-        length += geom::distance(line.points[i], line.points[(i + 1) % line.points.size()]);
-    return length < kShortestRounded * reach.mm ? line : Rounding(line, width, reach, room).run();
+BeadLine rounded(const BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room) {
+    const double length = geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
+    return length < 8 * reach_for(how.open) ? line : Rounding(line, width, how, room).run();
 }
 
 } // namespace filum::fill

@@ -7,16 +7,20 @@
 
 namespace filum::fill {
 
-struct Reach {
-    double mm;              // of path on each side of a corner
+struct Corners {
+    double open;            // mm2 that a rounded right angle leaves beyond it, at most
+    double tolerance;       // mm: what beads' edges may be off
     bool at_outline = true; // also where the bead lies along the region's outline; else its corners stay there
 };
 
-// The closed line with each point moved to the mean of what lies within the reach of it along the line (less where it
-// is narrower than `width`), where it turns there: straight and gently bent stretches stay as they are, and parallel
-// corners stay parallel.  What the bead loses in length it gains in width, as far as a machine follows and not past the
-// room it has: room(p) is the distance from p to the region's outline, or anything larger than a bead.  May cross
-// itself where it came nearer to itself than the reach.
-BeadLine rounded(const BeadLine& line, double width, const Reach& reach, const std::function<double(Vec2)>& room);
+// The closed line with each corner rounded off: its points moved to the mean of what lies within a reach of them along
+// the line, which makes a right angle a parabola that leaves `open` mm2 beyond it; beads narrower than `width` have
+// less reach.  A corner is where that moves the line by more than half of what it may be off (rings::kMostOff); along
+// the outline it moves it by no more than that.  Straight and gently bent stretches stay as they are, and parallel
+// corners stay parallel. What the bead loses in length it gains in width, as far as a machine follows and not past the
+// room it has: room(p) is the distance from p to the region's outline, or anything larger than a bead.  A line stays as
+// it is if it is so short that the reaches of a square's corners would meet.  May cross itself where it came nearer to
+// itself than the reach.
+BeadLine rounded(const BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room);
 
 } // namespace filum::fill

@@ -8,15 +8,14 @@
 #include "rings/lanes.hpp"
 #include "toolpath/merge.hpp"
 
+#include <optional>
+#include <utility>
+
 namespace filum::fill {
 
 namespace {
 
 using polygon::Loops;
-
-constexpr double kSmallestHole = 0.02; // bead widths squared: smaller ones close under any bead
-constexpr std::size_t kFewRings = 4;   // no more are left with the corners of their region
-constexpr double kRoundMost = 0.7;     // bead widths: as kRoundReach where a least radius asks for more
 
 // The rings of the region; with corners of the radius that is asked for, if any.
 rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolerance, Spiral& out) {
@@ -32,10 +31,14 @@ Spiral spiral_by(const Loops& region, const SpiralOptions& o, const Attempt& how
     const double w = o.bead_width, tolerance = how.share * tolerance_for(w);
     Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
     const rings::Rings all = rings_of(region, o, tolerance, out);
-    const double reach = std::clamp(0.75 * o.min_radius, kRoundReach * w, kRoundMost * w);
-    const Corners corners = how.round && all.size() > kFewRings ? Corners::rounded : Corners::sharp;
-    out.curves = finished(all, region, {w, tolerance, how.wind, corners, reach, o.min_radius <= 0});
-    out.unplaced += leave_tiny(out.curves, w);
+    const Rounded corners = how.round ? Rounded::everywhere : Rounded::nowhere;
+    // a right angle's parabola that leaves r^2 / 3 turns no tighter than r
+    const double r = std::min(o.min_radius, w), open = r * r / 3;
+    out.curves = finished(all, region, {w, tolerance, how.wind, corners, open, r <= 0});
+    leave_tiny(out.curves, w);
+    double lost = rings::laid_area(all); // by joining, and with tiny rings
+    for (const auto& curve : out.curves) lost -= laid_area(curve);
+    out.unplaced += std::max(0.0, lost);
     return out;
 }
 
@@ -76,21 +79,24 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
     if (length > 0) notes.push_back({"", "bead below the least width", length, "mm", 1, -1, where.x, where.y});
 }
 
-// The first of several ways to fill the region, from the best to the safest, whose curves do not cross themselves.
+// The first of several ways to fill the region, from the best to the safest, that gives one curve which does not cross
+// itself; else the one with the fewest crossings, then curves.
 Spiral certified(const Loops& region, const SpiralOptions& o) {
-    Spiral out;
+    const auto faults = [](const Spiral& s) { return std::pair{s.crossings, s.curves.size()}; };
+    std::optional<Spiral> best;
     for (const Attempt& how : kAttempts) {
-        out = spiral_by(region, o, how);
-        out.crossings = crossing_pairs(out.curves, o.bead_width).size();
-        if (out.crossings == 0) break;
+        Spiral now = spiral_by(region, o, how);
+        now.crossings = crossing_pairs(now.curves, o.bead_width).size();
+        if (!best || faults(now) < faults(*best)) best = std::move(now);
+        if (best->crossings == 0 && best->curves.size() <= 1) break;
     }
-    return out;
+    return std::move(*best);
 }
 
 } // namespace
 
 Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes) {
-    const Loops region = without_small_holes(given, kSmallestHole * o.bead_width * o.bead_width, notes);
+    const Loops region = without_small_holes(given, rings::kLeastVoid * o.bead_width * o.bead_width, notes);
     Spiral out = certified(region, o);
     const bool sound = out.curves.size() == 1 && out.crossings == 0;
     if (o.min_radius > 0 && !sound) { // one curve that does not cross itself matters more

@@ -9,8 +9,6 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kMostInUse = 0.6; // of a ring, by one window
-
 void append_piece(const BeadLine& piece, bool backwards, BeadLine& line) {
     if (backwards) {
         line.points.insert(line.points.end(), piece.points.rbegin(), piece.points.rend());
@@ -29,7 +27,7 @@ double length(const BeadLine& line) {
 
 bool Splices::free(std::uint32_t ring, double s0, double s1) const {
     const double l = graph_->length(ring);
-    if (s1 - s0 > kMostInUse * l) return false;
+    if (s1 - s0 >= l) return false;
     const double begin = std::floor(s0 / l) * l;
     s0 -= begin;
     s1 -= begin;

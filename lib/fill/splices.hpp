@@ -18,6 +18,10 @@ struct BeadLine {
     }
 };
 
+// Share of a link's length at either end that lies on rings, as good as: it is as wide as they are there, and touches
+// them.
+inline constexpr double kLinkEnd = 0.02;
+
 // What a ring gives up: from s0 on to s1 > s0.
 struct Window {
     std::uint32_t ring = 0;

@@ -3,9 +3,11 @@
 #include "base/none.hpp"
 #include "fill/thin_edges.hpp"
 #include "polygon/clip.hpp"
-#include "rings/beading.hpp"
+#include "rings/fewer_points.hpp"
+#include "rings/lanes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <queue>
@@ -14,17 +16,17 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kMostTaper = 0.025; // bead widths, of the half-thickness along one segment
-
-// A machine lays each segment in one width: none may taper by more than kMostTaper.
+// A machine lays each segment in one width, so tapers are divided.
 void split_tapers(WallGraph& g, double width) {
+    const double least = rings::kLeastVoid * width * width;
     for (Wall& w : g.walls) {
         Wall out{w.a, w.b, {w.line[0]}, {w.radius[0]}, w.length};
         for (std::size_t i = 1; i < w.line.size(); ++i) {
-            const double n = std::ceil(std::abs(w.radius[i] - w.radius[i - 1]) / (kMostTaper * width));
-            for (double k = 1; k < n; k += 1) {
-                out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], k / n));
-                out.radius.push_back(w.radius[i - 1] + k / n * (w.radius[i] - w.radius[i - 1]));
+            const int n = rings::parts_of_taper(2 * (w.radius[i] - w.radius[i - 1]),
+                                                geom::distance(w.line[i - 1], w.line[i]), least);
+            for (int k = 1; k < n; ++k) {
+                out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], static_cast<double>(k) / n));
+                out.radius.push_back(std::lerp(w.radius[i - 1], w.radius[i], static_cast<double>(k) / n));
             }
             out.line.push_back(w.line[i]);
             out.radius.push_back(w.radius[i]);

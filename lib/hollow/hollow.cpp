@@ -31,6 +31,7 @@ using polygon::Region;
 using toolpath::Feature;
 
 constexpr double kTolerance = 0.01; // mm: what a bead's edges may be off
+constexpr double kOfSkins = 0.75;   // of it: nothing is laid on seams of a skin, nor against them
 constexpr double kStripGive = 0.25; // of a strip's height: rows are from three to five quarters of a bead wide
 
 // Closed curves, each of one feature.
@@ -236,7 +237,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     const std::size_t first = notes.size();
     const Widths width = widths(r, o.bead_width);
     const auto hung = hanging(r, width.widest);
-    const auto inside = fill::Corners::rounded_inside; // what is seen of outer walls is as sharp as their beads
+    const auto inside = fill::Rounded::inside; // what is seen of outer walls is as sharp as their beads
     Loose loose;
     // crossings first, then curves
     constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
@@ -246,10 +247,9 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
         Loose parts = closed_curves(r, o.bead_width, tolerance);
         auto curves = fill::finished(parts.rings, r.loops,
                                      {.bead_width = width.narrowest,
-                                      .tolerance = tolerance,
+                                      .tolerance = kOfSkins * tolerance,
                                       .wind = how.wind,
-                                      .corners = how.round ? inside : fill::Corners::sharp,
-                                      .reach = fill::kRoundReach * width.narrowest,
+                                      .corners = how.round ? inside : fill::Rounded::nowhere,
                                       .hung = hung,
                                       .widest = width.widest});
         const double left = fill::leave_tiny(curves, width.narrowest);

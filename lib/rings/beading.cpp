@@ -11,14 +11,10 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kLeastLane = 0.25; // widths: no lane begins narrower
-constexpr double kBlend = 2;        // widths: over this length a corner's profile goes over into a thinner wall's
-constexpr double kParallel = 1e-9;  // slope of a wall that has no tip
-
 // Radius of the disc that touches both sides of a corner and leaves a tip of `area` beyond it.
 double tip_radius(double slope, double area) {
-    const double a = std::asin(std::max(slope, kParallel));
-    return std::sqrt(area / std::max(kParallel, 1 / std::tan(a) - std::numbers::pi / 2 + a));
+    const double a = std::asin(slope);
+    return std::sqrt(area / std::max(0.0, 1 / std::tan(a) - std::numbers::pi / 2 + a));
 }
 
 // What of the axis the profiles are told by.
@@ -58,13 +54,6 @@ Relief relief(const MedialAxis& axis) {
     return out;
 }
 
-// The number of lanes with the first part of each ramp passed quickly: where the bit of a wall's middle that the next
-// lane will cover is no wider than the least lane.
-double quickened(double lanes) {
-    const double k = std::floor(lanes + 1e-9), t = std::max(0.0, lanes - k);
-    return k + (t < kAppear ? t * kLeastLane / kAppear : kLeastLane + (t - kAppear) * (1 - kLeastLane) / (1 - kAppear));
-}
-
 class Profiles {
   public:
     Profiles(WallLanes walls, double width, double least_void)
@@ -93,9 +82,9 @@ class Profiles {
     [[nodiscard]] const MedialAxis& axis() const { return walls_.axis; }
 
     void of_wall(std::uint32_t i) {
-        const double f = quickened(walls_.lanes[i]);
+        const double f = walls_.lanes[i];
         out_.lanes[i] = out_.top[i] = f;
-        out_.full[i] = std::max(0.0, f - kSharing);
+        out_.full[i] = std::max(0.0, f - 1);
         out_.inner[i] = (axis().radius[i] - out_.width * out_.full[i]) / (f - out_.full[i]);
     }
     void of_corner(std::uint32_t i) {
@@ -113,10 +102,10 @@ class Profiles {
         }
     };
 
-    // Where a corner rises out of a wall, the wall's profile goes over into the corner's.  The wall's lanes first grow
-    // with the radius up to a full width, or a thin wall's many narrow lanes would go on.
+    // Where a corner rises out of a wall, the wall's profile goes over into the corner's within a width.  The wall's
+    // lanes first grow with the radius up to a full width, or a thin wall's many narrow lanes would go on.
     void blend() {
-        const double reach = kBlend * out_.width;
+        const double reach = out_.width;
         std::vector<double> along(axis().nodes(), reach);
         std::vector<std::uint32_t> source(axis().nodes());
         std::priority_queue<Visit> queue;

@@ -42,9 +42,8 @@ struct Beading {
     }
 };
 
-// Slope of the radius along the axis above which two sides form a corner, not a wall: an angle of 60 degrees between
-// them.
-inline constexpr double kWallSlope = 0.5;
+// Widths: no lane begins narrower.
+inline constexpr double kLeastLane = 0.25;
 
 // Widths: thinner walls are laid with a bead that is wider than they are.
 inline constexpr double kNarrowest = 1.0 / 16;

@@ -1,5 +1,6 @@
 #include "rings/fewer_points.hpp"
 
+#include "rings/wall_lanes.hpp"
 #include "toolpath/merge.hpp"
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 namespace filum::rings {
 
 namespace {
-
-// Of what an evenly bent line is off its chord, two thirds are on one side of a chord that is moved to the mean.
-constexpr double kBalanced = 1.5;
-constexpr int kSweeps = 2; // to even the turns out; more change less than a hundredth of them
 
 // A closed bead.
 struct Bead {
@@ -27,14 +24,14 @@ class Thinning {
   public:
     // `even`: turns are to be even.
     Thinning(Bead bead, double tolerance, double least_void, bool even)
-        : bead_(bead), off_(kBalanced * tolerance), least_(least_void), sweeps_(even ? kSweeps : 0) {}
+        : bead_(bead), tolerance_(tolerance), least_(least_void), even_(even) {}
 
     // Adds the points that stay, moved such that beads side by side stay so on average.
     void run(std::vector<Vec2>& points, std::vector<double>& width) const {
         std::vector<std::size_t> kept;
         for (std::size_t a = 0; a < bead_.size(); a = farthest(a)) kept.push_back(a);
         if (kept.size() < 3) kept = {0, bead_.size() / 3, 2 * bead_.size() / 3}; // no line there and back
-        for (int sweep = 0; sweep < sweeps_; ++sweep) even_out(kept);
+        if (even_) even_out(kept);
         const std::size_t n = kept.size();
         std::vector<Chord> chords;
         for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : bead_.size()));
@@ -54,11 +51,11 @@ class Thinning {
     }
 
   private:
-    // What the bead is beside a chord: means.
+    // What the bead is beside a chord.
     struct Chord {
         double length = 0; // mm
-        double aside = 0;  // mm, to the left
-        double wider = 0;  // mm
+        double aside = 0;  // mm, to the left: the middle of where it runs
+        double wider = 0;  // mm, on average
     };
 
     // A point that the chord from a may run to; beyond it there is none near by.
@@ -72,24 +69,26 @@ class Thinning {
         }
         return lo;
     }
-    // Whether the chord from a to b is near enough to the line between, and its width to the bead's.
+    // Whether the line from a to b runs in a strip along its chord no wider than twice the tolerance, and its width is
+    // near enough to the chord's.
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], chord = bead_.points[b % bead_.size()] - p;
         const double wa = bead_.width[a], wider_by = bead_.width[b % bead_.size()] - wa, l2 = geom::norm2(chord);
-        const double full = off_ * toolpath::full_share(wa, std::sqrt(l2)), by_length2 = l2 > 0 ? 1 / l2 : 0;
+        const double strip = 2 * tolerance_ * toolpath::full_share(wa, std::sqrt(l2)), by_length2 = l2 > 0 ? 1 / l2 : 0;
         const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
             return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
         };
         const auto off2 = [&](std::size_t i, double t) { return geom::norm2(p + t * chord - bead_.points[i]); };
         const std::size_t middle = a + (b - a) / 2; // most that are too far are so there
-        if (b > a + 2 && off2(middle, along(middle)) > full * full) return false;
-        double laid_aside = 0; // mm2
+        if (b > a + 2 && off2(middle, along(middle)) > strip * strip) return false;
+        double laid_aside = 0, left2 = 0, right2 = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
-            const double eighth = bead_.width[i] / 8, off = std::min(full, eighth);
-            const double t = along(i);
-            if (off2(i, t) > off * off) return false;
+            const double most = kMostOff * bead_.width[i], t = along(i), d2 = off2(i, t);
+            double& side2 = cross(chord, bead_.points[i] - p) > 0 ? left2 : right2;
+            side2 = std::max(side2, d2);
+            if (d2 > most * most || left2 + right2 + 2 * std::sqrt(left2 * right2) > strip * strip) return false;
             const double wider = std::abs(bead_.width[i] - (wa + t * wider_by));
-            if (wider > eighth) return false;
+            if (wider > most) return false;
             if (wider > 0) laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
             if (laid_aside > least_) return false;
         }
@@ -114,13 +113,12 @@ class Thinning {
                 const double before = bend(h, a, b);
                 return before >= most ? before : before + bend(a, b, c) + bend(b, c, d);
             };
-            constexpr double kLess = 1 - 1e-9; // for rounding
-            double least = kLess * bends(at(k), std::numeric_limits<double>::infinity());
+            double least = bends(at(k), std::numeric_limits<double>::infinity());
             for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // back, then on
                 for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1]; i += step) {
                     const double now = bends(bead_.points[i], least);
                     if (now >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) break;
-                    least = kLess * now;
+                    least = now;
                     kept[k] = i;
                 }
         }
@@ -129,16 +127,18 @@ class Thinning {
     [[nodiscard]] Chord chord(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
         Chord out;
-        double area = 0, laid = 0;
+        double left = 0, right = 0, laid = 0;
         for (std::size_t i = a; i < b; ++i) {
             const std::size_t j = (i + 1) % bead_.size();
             const double l = geom::distance(bead_.points[i], bead_.points[j]);
-            area += cross(bead_.points[i] - p, bead_.points[j] - p);
+            const double aside = cross(q - p, bead_.points[i] - p);
+            left = std::max(left, aside);
+            right = std::min(right, aside);
             laid += l * (bead_.width[i] + bead_.width[j]) / 2;
             out.length += l;
         }
         const double l = geom::distance(p, q);
-        if (l > 0) out.aside = std::clamp(-area / 2 / l, -off_, off_);
+        if (l > 0) out.aside = std::clamp((left + right) / 2 / l, -tolerance_, tolerance_);
         if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % bead_.size()]) / 2;
         return out;
     }
@@ -154,12 +154,12 @@ class Thinning {
         const double xx = lu * n.x * n.x + lv * m.x * m.x + steady, yy = lu * n.y * n.y + lv * m.y * m.y + steady;
         const double xy = lu * n.x * n.y + lv * m.x * m.y;
         const Vec2 by = (1 / (xx * yy - xy * xy)) * Vec2{yy * r.x - xy * r.y, xx * r.y - xy * r.x};
-        const double most = std::min(off_, bead_.width[i] / 8);
+        const double most = std::min(tolerance_, kMostOff * bead_.width[i]);
         return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
     }
-    // Points between a and b where a machine that lays the whole way with one width would lay more than `least_` aside.
+    // Points between a and b where the width changes too much for one segment.
     void divide(Vec2 a, Vec2 b, double wa, double wb, std::vector<Vec2>& points, std::vector<double>& width) const {
-        const int parts = static_cast<int>(std::ceil(std::sqrt(std::abs(wb - wa) * geom::distance(a, b) / 8 / least_)));
+        const int parts = parts_of_taper(wb - wa, geom::distance(a, b), least_);
         for (int k = 1; k < parts; ++k) {
             const double t = static_cast<double>(k) / parts;
             points.push_back(geom::lerp(a, b, t));
@@ -168,11 +168,15 @@ class Thinning {
     }
 
     Bead bead_;
-    double off_, least_;
-    int sweeps_;
+    double tolerance_, least_;
+    bool even_;
 };
 
 } // namespace
+
+int parts_of_taper(double change, double length, double least_void) {
+    return static_cast<int>(std::ceil(std::sqrt(std::abs(change) * length / 8 / least_void)));
+}
 
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void) {
     toolpath::Curve out{bead.closed, {}, {}};

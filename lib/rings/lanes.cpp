@@ -12,21 +12,22 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kLeastShare = 1.0 / 2000; // of a region: in small ones smaller voids count
-// Beads are so much wider than their lanes, that no seam opens between them when a machine rounds its numbers.
-constexpr double kOverlap = 1.0 / 512;
+constexpr double kLeastShare = 1.0 / 4000; // of a region: forty corners leave no more than a hundredth of it open
+// Of the tolerance, by which beads are wider than their lanes: half of what opens on average between parallel bends
+// whose chords are not in step (parabolas at random places gape by 4/15 of it).
+constexpr double kSeam = 2.0 / 15;
 
 } // namespace
 
 double least_void(double width, double area) { return std::min(kLeastVoid * width * width, kLeastShare * area); }
 
 FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
-    const double area = polygon::signed_area(region), width = o.width * (1 - kOverlap);
+    const double area = polygon::signed_area(region), width = o.width - kSeam * o.tolerance, wider = o.width / width;
     const double flows = kLeastVoid * width * width, least = least_void(width, area);
     const double fine = o.tolerance / 4;
     const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
-    FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine / 2, least), {}};
-    for (double& w : out.lanes.width) w /= 1 - kOverlap;
+    FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine / 3, least), {}};
+    for (double& w : out.lanes.width) w *= wider;
     if (o.most > 0) out.rest = polygon::split(beyond(b, o.most, fine)).part;
     std::erase_if(out.rest, [&](const Loops& part) { return polygon::signed_area(part) <= flows; });
     return out;

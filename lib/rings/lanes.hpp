@@ -4,10 +4,13 @@
 #include "rings/rings.hpp"
 #include "toolpath/path.hpp"
 
+#include <numbers>
+
 namespace filum::rings {
 
-// What the edge of a bead flows over, of its width squared: smaller voids are not worth a detour.
-inline constexpr double kLeastVoid = 0.1;
+// Of its width squared, what the round end of a bead leaves open in a right-angled corner: smaller voids are not worth
+// a detour.
+inline constexpr double kLeastVoid = (1 - std::numbers::pi / 4) / 4;
 
 // The smallest void that counts in a region of `area` mm2, mm2: what the edge of a bead of `width` flows over, or the
 // 2000th part of the region where that is less.

@@ -72,8 +72,7 @@ class Levels {
         const int to = level - sign_;
         if (length_[r] >= ramp() || to < 1) return;
         if (std::any_of(members.begin(), members.end(), [&](std::uint32_t e) { return (*lanes_)[e] != level; })) return;
-        const double full = std::max(0.0, to - kSharing);
-        const double share = (radius_[r] / width_ - full) / (to - full);
+        const double share = radius_[r] / width_ - (to - 1); // the inmost lane's
         if (share > kWidest || share < 1 / kWidest) return;
         bool ends = false;
         for (const std::uint32_t e : members)

@@ -125,7 +125,7 @@ struct Ramp {
     }
     [[nodiscard]] bool level() const { return upper[0] == n && upper[1] == n && lower[0] == n && lower[1] == n; }
 
-    // Adds where an envelope bends, where the number is whole, and where kAppear of a ramp is passed.
+    // Adds where an envelope bends, where the number is whole, and where a lane begins.
     void add_cuts(Cuts& out) const {
         std::vector<double> bends{0, 1};
         for (const auto& [a, b] : {std::pair{upper[0] - n, upper[1] - n}, std::pair{n - lower[0], n - lower[1]}})
@@ -136,7 +136,7 @@ struct Ramp {
             out.add(bends[i]);
             const double a = lanes(bends[i]), b = lanes(bends[i + 1]), lo = std::min(a, b), hi = std::max(a, b);
             for (double k = std::floor(lo); k < hi; ++k)
-                for (const double f : {k, k + kAppear})
+                for (const double f : {k, k + kLeastLane})
                     if (f > lo && f < hi) out.add(bends[i] + (f - a) / (b - a) * (bends[i + 1] - bends[i]));
         }
     }

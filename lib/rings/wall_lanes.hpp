@@ -15,11 +15,13 @@ struct WallLanes {
     std::vector<double> lanes; // per node: a whole number, between two of them where one goes over into the other
 };
 
-inline constexpr double kSharing = 2; // the inmost lanes on each side that share what a wall's thickness leaves over
 // Widths: no lane is wider, nor narrower than one by this, to spare a change of their number.
 inline constexpr double kWidest = 1.75;
+inline constexpr double kMostOff = 1.0 / 8; // of its width: a bead that is off by less counts as where it should be
 inline constexpr double kRamp = 3;          // widths of wall along which the number of lanes changes by one
-inline constexpr double kAppear = 1.0 / 16; // of a ramp: nodes are set where so much of one is passed
+// Slope of the radius along the axis above which two sides form a corner, not a wall: there the radius grows by a width
+// within less than a ramp.  They meet at 39 degrees then.
+inline constexpr double kWallSlope = 1 / kRamp;
 
 // N lanes where the radius R is w sqrt(N (N - 1)) to w sqrt(N (N + 1)), so that lanes are wider and narrower than w by
 // the same factor; at least one.  A change of N that is taken back within the length of a ramp is not made.  In ramps

@@ -1,6 +1,7 @@
 // Few sharp turns: double spirals, rounded corners, widened turns.
 #include "fill/crossings.hpp"
 #include "fill/cycle.hpp"
+#include "fill/finish.hpp"
 #include "fill/rounding.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
@@ -87,7 +88,9 @@ TEST_P(Joined, SpiralsKeepEveryRingInOneCurveThatDoesNotCrossItself) {
         return; // the spiral has more to do there
     const auto plain = join_rings(rings, kWidth, region, false);
     const auto wound = join_rings(rings, kWidth, region, true);
-    EXPECT_EQ(wound.size(), plain.size());
+    auto left = curves(wound); // specks have but few places for a link: the fill leaves them open then
+    leave_tiny(left, kWidth);
+    EXPECT_LE(left.size(), plain.size());
     EXPECT_EQ(crossing_pairs(curves(wound), kWidth).size(), 0U);
     std::vector<geom::Segment> segments;
     for (const auto& l : wound)
@@ -121,22 +124,47 @@ double sharpest(const std::vector<Vec2>& points) { // rad, at any vertex
     return most;
 }
 
-TEST(Rounded, TurnsCornersIntoArcsOfTheSameMaterial) {
-    const BeadLine line = square(10), round = rounded(line, kWidth, {0.4 * kWidth}, anywhere);
+constexpr Corners kCorners{.open = rings::kLeastVoid * kWidth * kWidth, .tolerance = 0.01};
+
+double enclosed(const BeadLine& line) { return polygon::signed_area(std::span<const Vec2>(line.points)); }
+
+TEST(Rounded, TurnsCornersIntoCurvesOfTheSameMaterial) {
+    const BeadLine line = square(10), round = rounded(line, kWidth, kCorners, anywhere);
     EXPECT_LT(sharpest(round.points), 0.4);
     EXPECT_NEAR(laid({{true, round.points, round.width}}), laid({{true, line.points, line.width}}), 1e-2);
     EXPECT_LT(length_of({true, round.points, round.width}), 40 - 4 * 0.1 * kWidth);
-    for (const Vec2 p : round.points) { // by no more than the reach
-        double best = 1e9;
-        for (std::size_t i = 0; i < 4; ++i)
-            best = std::min(best, geom::point_segment_distance(line.points[i], line.points[(i + 1) % 4], p));
-        EXPECT_LT(best, 0.4 * kWidth / 2);
+    for (const double open : {kCorners.open, kCorners.open / 3}) // beyond each right angle
+        EXPECT_NEAR(enclosed(line) - enclosed(rounded(line, kWidth, {open, 1e-5}, anywhere)), 4 * open, 0.02 * open);
+}
+
+TEST(Rounded, LeavesGentleCornersAndMovesThoseOfTheOutlineNoFurtherThanABeadMayBeOff) {
+    const auto at_outline = [](Vec2) { return kWidth / 2; };
+    for (double turn = 0.05; turn < 3; turn += 0.1) { // rad, at the middle of the upper side
+        const Vec2 tip{5, 10 + 5 * std::tan(turn / 2)};
+        BeadLine line;
+        for (const Vec2 p : {Vec2{0, 0}, Vec2{10, 0}, Vec2{10, 10}, tip, Vec2{0, 10}}) line.add(p, kWidth);
+        const auto moved = [&](const BeadLine& round) {
+            double best = 1e9;
+            for (std::size_t i = 0; i < round.points.size(); ++i)
+                best = std::min(best, geom::point_segment_distance(round.points[i],
+                                                                   round.points[(i + 1) % round.points.size()], tip));
+            return best;
+        };
+        const Corners fine{kCorners.open, 1e-5, true};
+        const double inside = moved(rounded(line, kWidth, fine, anywhere));
+        const double outside = moved(rounded(line, kWidth, fine, at_outline));
+        EXPECT_TRUE(inside < 1e-9 || inside > kWidth / 16 - 1e-3) << turn;
+        EXPECT_LE(outside, kWidth / 8 + 1e-4) << turn;
+        EXPECT_NEAR(outside, std::min(inside, kWidth / 8), 1e-4) << turn;
+        EXPECT_EQ(inside > 1e-9, std::sin(turn / 2) * std::sqrt(6 * kCorners.open) / 2 >= kWidth / 16) << turn;
+        const Corners inner{kCorners.open, kCorners.tolerance, false};
+        EXPECT_LT(moved(rounded(line, kWidth, inner, at_outline)), 1e-9) << turn;
     }
 }
 
 TEST(Rounded, KeepsBeadsInsideTheOutline) {
     const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
-    const BeadLine round = rounded(square(10), kWidth, {0.4 * kWidth}, room);
+    const BeadLine round = rounded(square(10), kWidth, kCorners, room);
     for (std::size_t i = 0; i < round.points.size(); ++i)
         EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
 }
@@ -147,23 +175,24 @@ TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or n
     shifted.width.push_back(kWidth);
     shifted.points.erase(shifted.points.begin() + 1);
     shifted.points.push_back({0, 0});
-    const double a = length_of({true, rounded(shifted, kWidth, {0.16}, anywhere).points, {kWidth}});
-    const double b = length_of({true, rounded(square(10), kWidth, {0.16}, anywhere).points, {kWidth}});
+    const double a = length_of({true, rounded(shifted, kWidth, kCorners, anywhere).points, {kWidth}});
+    const double b = length_of({true, rounded(square(10), kWidth, kCorners, anywhere).points, {kWidth}});
     EXPECT_NEAR(a, b, 1e-9);
 }
 
 TEST(Rounded, LeavesStraightLinesAndSpecksAlone) {
-    EXPECT_EQ(rounded(square(0.5), kWidth, {0.16}, anywhere).points, square(0.5).points);
+    EXPECT_EQ(rounded(square(0.4), kWidth, kCorners, anywhere).points, square(0.4).points);
     BeadLine circle;
     const Loops outline = disc({0, 0}, 5, 200);
     for (const Vec2 p : outline[0]) circle.add(p, kWidth);
-    EXPECT_EQ(rounded(circle, kWidth, {0.16}, anywhere).points, circle.points);
+    EXPECT_EQ(rounded(circle, kWidth, kCorners, anywhere).points, circle.points);
 }
 
 TEST(Rounded, KeepsCornersAlongTheOutlineWhereAsked) {
+    const Corners inside{kCorners.open, kCorners.tolerance, false};
     const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
-    EXPECT_EQ(rounded(square(10), kWidth, {0.16, false}, room).points, square(10).points);
-    EXPECT_LT(sharpest(rounded(square(10), kWidth, {0.16, false}, anywhere).points), 0.4); // an inner bead
+    EXPECT_EQ(rounded(square(10), kWidth, inside, room).points, square(10).points);
+    EXPECT_LT(sharpest(rounded(square(10), kWidth, inside, anywhere).points), 0.4); // an inner bead
 }
 
 } // namespace
