@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace filum::rings {
@@ -27,14 +26,17 @@ class Thinning {
   public:
     // `even`: turns are to be even.
     Thinning(Bead bead, double tolerance, double least_void, bool even)
-        : bead_(bead), off_(kBalanced * tolerance), least_(least_void), sweeps_(even ? kSweeps : 0) {}
+        : bead_(bead), way_(bead.size()), off_(kBalanced * tolerance), least_(least_void), even_(even) {
+        for (std::size_t i = 0; i < bead_.size(); ++i)
+            way_[i] = geom::distance(bead_.points[(i > 0 ? i : bead_.size()) - 1], bead_.points[i]);
+    }
 
     // Adds the points that stay, moved such that beads side by side stay so on average.
     void run(std::vector<Vec2>& points, std::vector<double>& width) const {
         std::vector<std::size_t> kept;
         for (std::size_t a = 0; a < bead_.size(); a = farthest(a)) kept.push_back(a);
         if (kept.size() < 3) kept = {0, bead_.size() / 3, 2 * bead_.size() / 3}; // no line there and back
-        for (int sweep = 0; sweep < sweeps_; ++sweep) even_out(kept);
+        if (even_ && kept.size() > 4) even_out(kept);
         const std::size_t n = kept.size();
         std::vector<Chord> chords;
         for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : bead_.size()));
@@ -76,13 +78,14 @@ class Thinning {
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], chord = bead_.points[b % bead_.size()] - p;
         const double wa = bead_.width[a], wider_by = bead_.width[b % bead_.size()] - wa, l2 = geom::norm2(chord);
-        const double full = off_ * toolpath::full_share(wa, std::sqrt(l2)), by_length2 = l2 > 0 ? 1 / l2 : 0;
+        const double by_length2 = l2 > 0 ? 1 / l2 : 0;
         const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
             return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
         };
         const auto off2 = [&](std::size_t i, double t) { return geom::norm2(p + t * chord - bead_.points[i]); };
         const std::size_t middle = a + (b - a) / 2; // most that are too far are so there
-        if (b > a + 2 && off2(middle, along(middle)) > full * full) return false;
+        if (b > a + 2 && off2(middle, along(middle)) > off_ * off_) return false;
+        const double full = off_ * toolpath::full_share(wa, l2);
         double laid_aside = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
             const double eighth = bead_.width[i] / 8, off = std::min(full, eighth);
@@ -90,7 +93,7 @@ class Thinning {
             if (off2(i, t) > off * off) return false;
             const double wider = std::abs(bead_.width[i] - (wa + t * wider_by));
             if (wider > eighth) return false;
-            if (wider > 0) laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
+            if (wider > 0) laid_aside += wider * way_[i];
             if (laid_aside > least_) return false;
         }
         return true;
@@ -106,24 +109,38 @@ class Thinning {
     // slows down for the sharpest.  Ties: as it was.
     void even_out(std::vector<std::size_t>& kept) const {
         const std::size_t n = kept.size();
-        if (n < 5) return;
         const auto at = [&](std::size_t k) { return bead_.points[kept[k % n]]; };
-        for (std::size_t k = 1; k + 1 < n; ++k) {
-            const Vec2 h = at(k + n - 2), a = at(k - 1), c = at(k + 1), d = at(k + 2);
-            const auto bends = [&](Vec2 b, double most) { // as far as they do not exceed `most`
+        std::vector<double> bends(n);
+        for (std::size_t k = 0; k < n; ++k) bends[k] = bend(at(k + n - 1), at(k), at(k + 1));
+        std::vector<char> looked(n, 0); // at it since anything changed that decides where it goes
+        for (int sweep = 0; sweep < kSweeps; ++sweep)
+            for (std::size_t k = 1; k + 1 < n; ++k) {
+                if (looked[k]) continue;
+                if (move(kept, k, at(k + n - 2), at(k + 2), bends))
+                    for (std::size_t j = k + n - 2; j <= k + n + 2; ++j) looked[j % n] = 0;
+                looked[k] = 1;
+            }
+    }
+    // Point k, between neighbours with h before them and d behind.  True if it moves.
+    bool move(std::vector<std::size_t>& kept, std::size_t k, Vec2 h, Vec2 d, std::vector<double>& bends) const {
+        constexpr double kLess = 1 - 1e-9; // for rounding
+        const Vec2 a = bead_.points[kept[k - 1]], c = bead_.points[kept[k + 1]];
+        const std::size_t from = kept[k];
+        double least = kLess * (bends[k - 1] + bends[k] + bends[k + 1]);
+        for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // back, then on
+            for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1]; i += step) {
+                const Vec2 b = bead_.points[i];
                 const double before = bend(h, a, b);
-                return before >= most ? before : before + bend(a, b, c) + bend(b, c, d);
-            };
-            constexpr double kLess = 1 - 1e-9; // for rounding
-            double least = kLess * bends(at(k), std::numeric_limits<double>::infinity());
-            for (const std::size_t step : {~std::size_t{0}, std::size_t{1}}) // back, then on
-                for (std::size_t i = kept[k] + step; i != kept[k - 1] && i != kept[k + 1]; i += step) {
-                    const double now = bends(bead_.points[i], least);
-                    if (now >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) break;
-                    least = kLess * now;
-                    kept[k] = i;
-                }
-        }
+                if (before >= least) break;
+                const double here = bend(a, b, c), behind = bend(b, c, d), now = before + here + behind;
+                if (now >= least || !within(kept[k - 1], i) || !within(i, kept[k + 1])) break;
+                least = kLess * now;
+                kept[k] = i;
+                bends[k - 1] = before;
+                bends[k] = here;
+                bends[k + 1] = behind;
+            }
+        return kept[k] != from;
     }
 
     [[nodiscard]] Chord chord(std::size_t a, std::size_t b) const {
@@ -132,7 +149,7 @@ class Thinning {
         double area = 0, laid = 0;
         for (std::size_t i = a; i < b; ++i) {
             const std::size_t j = (i + 1) % bead_.size();
-            const double l = geom::distance(bead_.points[i], bead_.points[j]);
+            const double l = way_[j];
             area += cross(bead_.points[i] - p, bead_.points[j] - p);
             laid += l * (bead_.width[i] + bead_.width[j]) / 2;
             out.length += l;
@@ -168,8 +185,9 @@ class Thinning {
     }
 
     Bead bead_;
+    std::vector<double> way_; // per point: mm from the one before it
     double off_, least_;
-    int sweeps_;
+    bool even_;
 };
 
 } // namespace
