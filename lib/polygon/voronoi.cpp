@@ -60,6 +60,9 @@ Diagram voronoi(const Sites& sites) {
     builder.construct(&made);
 
     Diagram out;
+    out.vertex.reserve(made.num_vertices());
+    for (auto* v : {&out.from, &out.prev, &out.cell}) v->reserve(made.num_edges());
+    out.between_sites.reserve(made.num_edges());
     for (const auto& v : made.vertices()) out.vertex.push_back({v.x(), v.y()});
     const auto number = [](const auto& all, const auto* one) { return static_cast<std::uint32_t>(one - all.data()); };
     for (std::uint32_t i = 0; i < made.num_edges(); ++i) {
