@@ -7,7 +7,7 @@ namespace filum::geom {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;
+constexpr std::uint32_t kLeaf = 4; // boxes, few enough to look at one by one
 
 } // namespace
 

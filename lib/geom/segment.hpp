@@ -26,8 +26,8 @@ inline double point_segment_distance(Vec2 a, Vec2 b, Vec2 p) { return distance(n
 
 // True if the open segments a-b and c-d cross in one point; touching ends and collinear overlap do not count.
 inline bool cross_properly(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const double s = orient(a, b, c), t = orient(a, b, d), u = orient(c, d, a), v = orient(c, d, b);
-    return ((s > 0 && t < 0) || (s < 0 && t > 0)) && ((u > 0 && v < 0) || (u < 0 && v > 0));
+    const auto apart = [](double s, double t) { return (s > 0 && t < 0) || (s < 0 && t > 0); };
+    return apart(orient(a, b, c), orient(a, b, d)) && apart(orient(c, d, a), orient(c, d, b));
 }
 
 // Where the ray from p along d meets the segment a-b: at p + t d = lerp(a, b, u), with t > 0.

@@ -7,15 +7,18 @@ namespace filum::geom {
 template <class F>
 void SegmentGrid::cells_of(const Segment& s, double margin, F&& f) const {
     const Vec2 a = s.a.y <= s.b.y ? s.a : s.b, b = s.a.y <= s.b.y ? s.b : s.a;
-    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
     const double beside = margin + 1e-9 * cell_; // one cell more on each side where rounding could have gone either way
     const int y0 = row(a.y - margin), y1 = row(b.y + margin);
-    for (int y = y0; y <= y1; ++y) { // the stretch of the segment within this row of cells
-        const double bottom = origin_.y + y * cell_ - margin, top = bottom + cell_ + 2 * margin;
-        const double xa = y > y0 && bottom > a.y ? a.x + slope * (bottom - a.y) : a.x;
-        const double xb = y < y1 && top < b.y ? a.x + slope * (top - a.y) : b.x;
+    const auto cells = [&](int y, double xa, double xb) {
         const int x0 = column(std::min(xa, xb) - beside), x1 = column(std::max(xa, xb) + beside);
         for (int x = x0; x <= x1; ++x) f(cell(x, y));
+    };
+    if (y0 == y1) return cells(y0, a.x, b.x); // as of most
+    const double slope = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0;
+    for (int y = y0; y <= y1; ++y) { // the stretch of the segment within this row of cells
+        const double bottom = origin_.y + y * cell_ - margin, top = bottom + cell_ + 2 * margin;
+        cells(y, y > y0 && bottom > a.y ? a.x + slope * (bottom - a.y) : a.x,
+              y < y1 && top < b.y ? a.x + slope * (top - a.y) : b.x);
     }
 }
 
@@ -32,8 +35,9 @@ SegmentGrid::SegmentGrid(std::span<const Segment> segments, double cell, double 
     const Vec2 size = box.hi - box.lo;
     const double most = std::min(16e6, 64 + 8 * (static_cast<double>(segments.size()) + length / cell));
     while ((size.x / cell_ + 1) * (size.y / cell_ + 1) > most) cell_ *= 1.5;
-    columns_ = static_cast<int>(size.x / cell_) + 1;
-    rows_ = static_cast<int>(size.y / cell_) + 1;
+    per_mm_ = 1 / cell_;
+    columns_ = static_cast<int>(size.x * per_mm_) + 1;
+    rows_ = static_cast<int>(size.y * per_mm_) + 1;
 
     // how many, then where the next cell begins; each item put in moves that to where its own cell begins
     start_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);

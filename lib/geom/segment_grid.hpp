@@ -47,8 +47,8 @@ class SegmentGrid {
     }
 
   private:
-    [[nodiscard]] int column(double x) const { return clamp_to((x - origin_.x) / cell_, columns_); }
-    [[nodiscard]] int row(double y) const { return clamp_to((y - origin_.y) / cell_, rows_); }
+    [[nodiscard]] int column(double x) const { return clamp_to((x - origin_.x) * per_mm_, columns_); }
+    [[nodiscard]] int row(double y) const { return clamp_to((y - origin_.y) * per_mm_, rows_); }
     [[nodiscard]] std::size_t cell(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
     }
@@ -57,7 +57,7 @@ class SegmentGrid {
     void cells_of(const Segment& s, double margin, F&& f) const;
 
     Vec2 origin_;
-    double cell_ = 1;
+    double cell_ = 1, per_mm_ = 1; // mm; cells per mm
     int columns_ = 0, rows_ = 0;
     std::vector<std::uint32_t> start_, item_;
 };

@@ -111,11 +111,17 @@ class Builder {
 
     MedialAxis run() {
         find_inside();
+        for (auto* v : {&out_.from, &out_.next}) v->reserve(d_.edges());
+        out_.foot.reserve(d_.edges());
         node_.assign(d_.vertex.size(), kNone);
         first_.assign(d_.edges(), kNone);
         last_.assign(d_.edges(), kNone);
-        for (std::uint32_t e = 0; e < d_.edges(); e += 2)
-            if (inside_[e]) add(e);
+        std::vector<char> walked(d_.edges(), 0);
+        for (std::uint32_t first = 0; first < d_.edges(); ++first)
+            for (std::uint32_t e = first; inside_[e] && !walked[e]; e = following(e)) {
+                walked[e] = 1;
+                if (first_[e] == kNone) add(e & ~1U);
+            }
         for (std::uint32_t e = 0; e < d_.edges(); ++e)
             if (inside_[e]) out_.next[last_[e]] = first_[following(e)];
         for (Vec2& p : out_.node) p = sites_->origin + (1 / kGridPerMm) * p;

@@ -12,6 +12,8 @@ namespace filum::polygon {
 // equally far from another part of the outline, which is the medial axis.  The axis is cut into straight pieces between
 // nodes. Piece e has two sides, the half-edges 2e and 2e + 1 (h and h ^ 1), each seen from the stretch of outline that
 // it belongs to and directed along it, solid on the left.  Following `next` goes once round a contour of the region.
+// Pieces and nodes are numbered as one comes by them that way, but for those that refined() adds: who walks along the
+// outline reads memory in order.
 struct MedialAxis {
     // per node
     std::vector<Vec2> node;     // mm

@@ -26,10 +26,9 @@ struct Diagram {
     [[nodiscard]] std::uint32_t to(std::uint32_t e) const { return from[e ^ 1]; }
 };
 
-// Boost.Polygon's diagram of the sites' segments: that of boost::polygon::construct_voronoi, sooner.  Where two or
-// three segments are nearly parallel, as they are along every curve, numbers of 53 bits do not tell when the sweep
-// reaches their circle, and Boost takes integers of up to 2048 bits instead.  Here long double comes between. Throws
-// Error(failure) if Boost's diagram has edges without twins.
+// Boost.Polygon's diagram of the sites' segments: that of boost::polygon::construct_voronoi, sooner, as the circles that
+// its sweep asks for come from circles.hpp where they can.  Throws Error(failure) if Boost's diagram has edges without
+// twins.
 Diagram voronoi(const Sites& sites);
 
 } // namespace filum::polygon

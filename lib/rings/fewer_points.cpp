@@ -24,7 +24,10 @@ class Thinning {
   public:
     // `even`: turns are to be even.
     Thinning(Bead bead, double tolerance, double least_void, bool even)
-        : bead_(bead), tolerance_(tolerance), least_(least_void), even_(even) {}
+        : bead_(bead), way_(bead.size()), tolerance_(tolerance), least_(least_void), even_(even) {
+        for (std::size_t i = 0; i < bead_.size(); ++i)
+            way_[i] = geom::distance(bead_.points[(i > 0 ? i : bead_.size()) - 1], bead_.points[i]);
+    }
 
     // Adds the points that stay, moved such that beads side by side stay so on average.
     void run(std::vector<Vec2>& points, std::vector<double>& width) const {
@@ -74,13 +77,14 @@ class Thinning {
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
         const Vec2 p = bead_.points[a], chord = bead_.points[b % bead_.size()] - p;
         const double wa = bead_.width[a], wider_by = bead_.width[b % bead_.size()] - wa, l2 = geom::norm2(chord);
-        const double strip = 2 * tolerance_ * toolpath::full_share(wa, std::sqrt(l2)), by_length2 = l2 > 0 ? 1 / l2 : 0;
+        const double by_length2 = l2 > 0 ? 1 / l2 : 0, widest = 2 * tolerance_;
         const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
             return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
         };
         const auto off2 = [&](std::size_t i, double t) { return geom::norm2(p + t * chord - bead_.points[i]); };
         const std::size_t middle = a + (b - a) / 2; // most that are too far are so there
-        if (b > a + 2 && off2(middle, along(middle)) > strip * strip) return false;
+        if (b > a + 2 && off2(middle, along(middle)) > widest * widest) return false;
+        const double strip = widest * toolpath::full_share(wa, l2);
         double laid_aside = 0, left2 = 0, right2 = 0; // mm2
         for (std::size_t i = a + 1; i < b; ++i) {
             const double most = kMostOff * bead_.width[i], t = along(i), d2 = off2(i, t);
@@ -89,7 +93,7 @@ class Thinning {
             if (d2 > most * most || left2 + right2 + 2 * std::sqrt(left2 * right2) > strip * strip) return false;
             const double wider = std::abs(bead_.width[i] - (wa + t * wider_by));
             if (wider > most) return false;
-            if (wider > 0) laid_aside += wider * geom::distance(bead_.points[i - 1], bead_.points[i]);
+            if (wider > 0) laid_aside += wider * way_[i];
             if (laid_aside > least_) return false;
         }
         return true;
@@ -130,7 +134,7 @@ class Thinning {
         double left = 0, right = 0, laid = 0;
         for (std::size_t i = a; i < b; ++i) {
             const std::size_t j = (i + 1) % bead_.size();
-            const double l = geom::distance(bead_.points[i], bead_.points[j]);
+            const double l = way_[j];
             const double aside = cross(q - p, bead_.points[i] - p);
             left = std::max(left, aside);
             right = std::min(right, aside);
@@ -168,6 +172,7 @@ class Thinning {
     }
 
     Bead bead_;
+    std::vector<double> way_; // per point: mm from the one before it
     double tolerance_, least_;
     bool even_;
 };

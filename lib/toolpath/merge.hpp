@@ -5,6 +5,7 @@
 #include "toolpath/path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,9 +41,12 @@ struct Merged {
     double off = 0;          // mm, the farthest between both lines (Fréchet distance, from above, but for that)
 };
 
-// A chord of up to three bead widths may be off by all of the tolerance, one of `length` mm by this share of it: the
-// gap that it opens to its neighbours has no larger area.
-double full_share(double width, double length);
+// A chord of up to three bead widths may be off by all of the tolerance, one of length 2 by this share of it: the gap
+// that it opens to its neighbours has no larger area.
+inline double full_share(double width, double length2) { // mm, mm2
+    const double full = 3 * width;
+    return length2 <= full * full ? 1 : full / std::sqrt(length2);
+}
 
 // The moves that lay `span`: the Fréchet distance between the line as given and as moved is at most tolerance.path; up
 // to three times kLeastMove more where points are nearer to each other than that.

@@ -11,12 +11,9 @@ constexpr double kSlack = 1e-9; // of a mean section, for rounding
 
 } // namespace
 
-double full_share(double width, double length) {
-    constexpr double kFullLength = 3; // bead widths
-    return std::min(1.0, kFullLength * width / length);
+double full_share(const Line& line, std::uint32_t from, double length) {
+    return full_share(line.width[from], length * length);
 }
-
-double full_share(const Line& line, std::uint32_t from, double length) { return full_share(line.width[from], length); }
 
 Section::Section(const Line& line, std::uint32_t from, double share) : line_(&line), from_(from), share_(share) {}
 

@@ -31,14 +31,14 @@ Vec2 turned(Vec2 arm, double angle) {
     return {c * arm.x - s * arm.y, s * arm.x + c * arm.y};
 }
 
-void add_arc(Chords& out, Vec2 from, const Move& m) {
+void add_arc(Chords& out, Vec2 from, Vec2 to, const Move& m) {
     const double radius = geom::distance(from, m.centre);
     const double step = 2 * std::acos(std::max(0.0, 1 - kSagitta / std::max(radius, kSagitta)));
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(m.sweep) / step)));
     const Vec2 arm = from - m.centre;
     Vec2 a = from;
     for (int k = 1; k <= n; ++k) {
-        const Vec2 b = k == n ? m.to.xy() : m.centre + turned(arm, m.sweep * k / n);
+        const Vec2 b = k == n ? to : m.centre + turned(arm, m.sweep * k / n);
         out.segments.push_back({a, b});
         a = b;
     }
@@ -53,12 +53,9 @@ Chords chords(Vec2 at, std::span<const Move> moves, double grid) {
     Chords out;
     at = rounded(at, grid);
     for (std::uint32_t m = 0; m < moves.size(); ++m) {
-        Move move = moves[m];
-        const Vec2 to = rounded(move.to.xy(), grid);
-        move.to.x = to.x;
-        move.to.y = to.y;
-        if (move.sweep != 0)
-            add_arc(out, at, move);
+        const Vec2 to = rounded(moves[m].to.xy(), grid);
+        if (moves[m].sweep != 0)
+            add_arc(out, at, to, moves[m]);
         else
             out.segments.push_back({at, to});
         out.move.resize(out.segments.size(), m);
@@ -126,9 +123,10 @@ std::vector<Tangle> tangles(const Line& line, std::span<const Move> moves, std::
     };
     for (std::uint32_t i = 0; i < n; ++i)
         near(all.segments[i], [&](std::uint32_t k) {
-            const bool straight = moves[all.move[i]].sweep == 0 && moves[all.move[k]].sweep == 0;
-            if (k < i + 1 || (k == i + 1 && (straight || all.move[i] == all.move[k]))) return;
-            if (!cross(all.segments[i], moves[all.move[i]], all.segments[k], moves[all.move[k]])) return;
+            if (k <= i) return;
+            const Move &m = moves[all.move[i]], &n = moves[all.move[k]];
+            if (k == i + 1 && ((m.sweep == 0 && n.sweep == 0) || all.move[i] == all.move[k])) return;
+            if (!cross(all.segments[i], m, all.segments[k], n)) return;
             const Tangle one = range(all.move[i]), other = range(all.move[k]);
             if (crossed_before(line, one, other)) return;
             out.push_back(one);

@@ -69,6 +69,15 @@ std::string trim_table(std::span<const filum::surfpath::Plan> plans, std::span<c
     return out;
 }
 
+// "a, b and c" of all that field can follow.
+std::string known_sources() {
+    std::string out;
+    const std::size_t n = std::size(filum::surfpath::field::kSources);
+    for (std::size_t i = 0; i < n; ++i)
+        out += std::string(i == 0 ? "" : i + 1 < n ? ", " : " and ") + filum::surfpath::field::kSources[i].name;
+    return out;
+}
+
 // What field is to follow; the angle alone if that is all that is said.
 filum::surfpath::field::Sources followed(const Options& o) {
     using filum::surfpath::field::kSources;
@@ -80,8 +89,7 @@ filum::surfpath::field::Sources followed(const Options& o) {
         const auto* source = std::find_if(std::begin(kSources), std::end(kSources),
                                           [&wanted = name](const NamedSource& known) { return wanted == known.name; });
         if (source == std::end(kSources))
-            throw Error(Exit::usage,
-                        "cannot follow '" + name + "'; --follow knows direction, stress, angle, rim and rings");
+            throw Error(Exit::usage, "cannot follow '" + name + "'; --follow knows " + known_sources());
         out.*source->weight = weight;
     }
     if (o.follow.empty() && (o.angle_deg != 0 || o.reference != "X")) out.angle = 1;

@@ -223,7 +223,8 @@ TEST(Scaffold, RingsBelongToTheStroke) {
             const auto curves = scaffold(area, area, {.rings = rings}, notes);
             if (polygon::offset(area, -(rings + 1) * 0.4).empty()) continue;
             expect_sound(curves);
-            EXPECT_LE(crossings(curves), 1U) << name << ", " << rings; // where a stretch passed again is left to the ring
+            EXPECT_LE(crossings(curves), 1U)
+                << name << ", " << rings; // where a stretch passed again is left to the ring
             const auto parts = polygon::split(inset(area, (rings + 0.5) * 0.4)).part.size();
             EXPECT_EQ(curves.size(), parts) << name << ", " << rings;
             if (rings > 1) continue;
