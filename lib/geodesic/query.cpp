@@ -9,14 +9,15 @@ namespace {
 constexpr double kGlue = 1e-7; // of the edge: gaps between windows that are none
 constexpr double kEnd = 1e-9;  // of the edge: how far from an end that is above a level the level is at least
 
-// Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.
-double through(const Window& w, double px, double py) {
+// Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.  Anything not less
+// than `least` if that is so.
+double through(const Window& w, double px, double py, double least) {
     const double dx = w.is_line() ? w.sx : px - w.sx, dy = w.is_line() ? w.sy : py - w.sy;
     const double x = dy > 0 ? px - dx / dy * py : px;
     if (x >= w.b0 && x <= w.b1)
         return w.is_line() ? w.sigma + w.sx * px + w.sy * py : w.sigma + std::sqrt(dx * dx + dy * dy);
-    const double b = std::clamp(x, w.b0, w.b1);
-    return w.at(b) + std::hypot(px - b, py);
+    const double b = std::clamp(x, w.b0, w.b1), at = w.at(b);
+    return at + py >= least ? least : at + std::hypot(px - b, py);
 }
 
 double to_segment(const Segment& s, const Vec3& p) {
@@ -54,7 +55,7 @@ double distance_at(const Surface& s, const ExactField& field, std::uint32_t tria
         if (field.first[h] == surface::kNone) continue;
         const geom::Vec2 q = flatten(s, field.ground->frame[h], h, p);
         for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
-            least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y)));
+            least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y), least));
     }
     const auto& own = field.segments;
     auto it = std::lower_bound(own.begin(), own.end(), triangle,
