@@ -118,6 +118,7 @@ void Propagation::cross(std::uint32_t h) {
         if (!field_.windows[node].pending) continue;
         field_.windows[node].pending = false;
         const Window w = field_.windows[node];
+        if (w.next != kNone) __builtin_prefetch(&field_.windows[w.next]);
         const bool line = w.is_line();
         // rays through both ends of the window, along (dx, dy); k > 0: the ray passes the third corner to its right
         const double dx0 = line ? w.sx : w.b0 - w.sx, dx1 = line ? w.sx : w.b1 - w.sx, dy = line ? w.sy : -w.sy;

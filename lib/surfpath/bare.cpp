@@ -38,7 +38,7 @@ void look(const Sample& point, const Stretches& lines, std::span<const Stretch* 
     sum.surface += point.area;
     ways.clear();
     for (const Stretch* l : about)
-        if (const Beside at = beside(*l, point.p); at.off <= width / 2) ways.push_back(way(*l, at.t));
+        if (within(*l, point.p, width / 2)) ways.push_back(way(*l, beside(*l, point.p).t));
     if (!ways.empty())
         sum.covered += point.area;
     else {

@@ -76,9 +76,12 @@ struct Choice {
     std::uint32_t parent, link[2];
 };
 
-bool before(const Choice& a, const Choice& b) {
-    return std::tuple(a.guess, a.parent, a.link[0], a.link[1]) < std::tuple(b.guess, b.parent, b.link[0], b.link[1]);
-}
+struct Before { // no function, as it shall be called in place
+    bool operator()(const Choice& a, const Choice& b) const {
+        if (a.guess != b.guess) return a.guess < b.guess;
+        return std::tuple(a.parent, a.link[0], a.link[1]) < std::tuple(b.parent, b.link[0], b.link[1]);
+    }
+};
 
 class Beam {
   public:
@@ -137,8 +140,8 @@ class Beam {
         for (auto begin = choices_.begin(); begin != choices_.end() && next.size() < kept_;) {
             const auto left = static_cast<std::size_t>(choices_.end() - begin);
             const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kept_, left));
-            if (end != choices_.end()) std::nth_element(begin, end, choices_.end(), before);
-            std::sort(begin, end, before);
+            if (end != choices_.end()) std::nth_element(begin, end, choices_.end(), Before{});
+            std::sort(begin, end, Before{});
             for (; begin != end && next.size() < kept_; ++begin) {
                 make(open_.of(begin->parent), *begin, row);
                 if (next_.add(made_)) next.push_back({begin->cost, begin->parent, {begin->link[0], begin->link[1]}});

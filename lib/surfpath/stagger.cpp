@@ -30,18 +30,15 @@ std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan
         Contested& out = parts[begin / kSampledAtOnce];
         std::vector<Sample> room;
         std::vector<const Stretch*> sure, possible; // near the points
-        const auto reached = [&](const Vec3& p) {
-            return [&p, width](const Stretch* l) { return beside(*l, p).off <= width / 2; };
-        };
         const auto look = [&](const Sample& at) {
-            if (std::any_of(sure.begin(), sure.end(), reached(at.p))) return;
+            if (std::any_of(sure.begin(), sure.end(), [&](const Stretch* l) { return within(*l, at.p, width / 2); }))
+                return;
             const std::size_t first = out.ways.size();
-            for (const Stretch* l : possible)
-                if (reached(at.p)(l)) out.ways.push_back(l->stroke);
-            const auto own = out.ways.begin() + static_cast<std::ptrdiff_t>(first);
-            if (own == out.ways.end()) return;
-            std::sort(own, out.ways.end());
-            out.ways.erase(std::unique(own, out.ways.end()), out.ways.end());
+            for (const Stretch* l : possible) { // by strokes
+                const bool known = out.ways.size() > first && out.ways.back() == l->stroke;
+                if (!known && within(*l, at.p, width / 2)) out.ways.push_back(l->stroke);
+            }
+            if (out.ways.size() == first) return;
             out.area.push_back(at.area);
             out.count.push_back(static_cast<std::uint32_t>(out.ways.size() - first));
         };
@@ -50,6 +47,7 @@ std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan
                 const auto about = geom::grown(box_of(few), width / 2);
                 maybe.about(about, few[0].normal, possible);
                 if (possible.empty()) return;
+                std::sort(possible.begin(), possible.end()); // as they are listed, which is by strokes
                 laid.about(about, few[0].normal, sure);
                 for (const Sample& one : few) look(one);
             });

@@ -22,6 +22,18 @@ inline Beside beside(const Stretch& l, const Vec3& p) {
     const double t = geom::nearest_parameter(l.a, l.b, p);
     return {distance(p, l.a + t * (l.b - l.a)), t};
 }
+// Whether a stretch comes as near to `p` as `reach`, mm: as beside() has it, which is asked only where that is a matter
+// of rounding, as quotients and roots take long.
+inline bool within(const Stretch& l, const Vec3& p, double reach) {
+    constexpr double kRounding = 1e-9; // of a square
+    const Vec3 d = l.b - l.a, from = p - l.a;
+    const double l2 = norm2(d), along = dot(from, d);
+    const bool foot = along > 0 && along < l2;
+    const double off2 = foot ? norm2(from) * l2 - along * along : norm2(along > 0 ? p - l.b : from);
+    const double reach2 = reach * reach * (foot ? l2 : 1);
+    if (std::abs(off2 - reach2) > kRounding * reach2) return off2 < reach2;
+    return beside(l, p).off <= reach;
+}
 inline double way(const Stretch& l, double t) { return l.way + t * distance(l.a, l.b); }
 
 class Stretches {
