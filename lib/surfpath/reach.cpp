@@ -247,8 +247,7 @@ Reach reach(const Surface& s, double spacing, double radius) {
     return Reaching(fine.surface, spacing, radius).run();
 }
 
-void tell_reach(const Surface& s, double spacing, double radius, Plan& plan) {
-    const Reach r = reach(s, spacing, radius);
+void tell_reach(const Reach& r, Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
     if (r.surface - r.reached > kToldOut * r.surface)
         plan.notes.push_back({"", "out of reach of rings of the least radius", r.surface - r.reached, "mm2", r.dead, -1,
