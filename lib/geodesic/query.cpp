@@ -14,14 +14,10 @@ constexpr double kEnd = 1e-9;  // of the edge: how far from an end that is above
 // Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.  `least`, without
 // a look at where the window ends, if straight it is no nearer.
 double through(const Window& w, double px, double py, double least) {
-    constexpr double kRounding = 1e-12; // of a distance: what more than one step of rounding is at most
+    constexpr double kRounding = 1e-12; // of distances: more than some steps of rounding
     const double dx = w.is_line() ? w.sx : px - w.sx, dy = w.is_line() ? w.sy : py - w.sy;
-    const double room = least - w.sigma;
-    if (w.is_line()) {
-        if (dx * px + dy * py > room + kRounding * (least + std::abs(w.sigma))) return least;
-    } else if (room <= 0 || dx * dx + dy * dy > (1 + kRounding) * room * room) {
-        return least;
-    }
+    const double room = least - w.sigma + kRounding * (least + std::abs(w.sigma));
+    if (w.is_line() ? dx * px + dy * py > room : room <= 0 || dx * dx + dy * dy > room * room) return least;
     const double x = dy > 0 ? px - dx / dy * py : px;
     if (x >= w.b0 && x <= w.b1)
         return w.is_line() ? w.sigma + w.sx * px + w.sy * py : w.sigma + std::sqrt(dx * dx + dy * dy);

@@ -25,13 +25,13 @@ inline Beside beside(const Stretch& l, const Vec3& p) {
 // Whether a stretch comes as near to `p` as `reach`, mm: as beside() has it, which is asked only where that is a matter
 // of rounding, as quotients and roots take long.
 inline bool within(const Stretch& l, const Vec3& p, double reach) {
-    constexpr double kRounding = 1e-9; // of a square
+    constexpr double kRounding = 1e-9; // of what is subtracted from each other
     const Vec3 d = l.b - l.a, from = p - l.a;
     const double l2 = norm2(d), along = dot(from, d);
     const bool foot = along > 0 && along < l2;
-    const double off2 = foot ? norm2(from) * l2 - along * along : norm2(along > 0 ? p - l.b : from);
-    const double reach2 = reach * reach * (foot ? l2 : 1);
-    if (std::abs(off2 - reach2) > kRounding * reach2) return off2 < reach2;
+    const double all2 = foot ? norm2(from) * l2 : norm2(along > 0 ? p - l.b : from);
+    const double off2 = foot ? all2 - along * along : all2, reach2 = reach * reach * (foot ? l2 : 1);
+    if (std::abs(off2 - reach2) > kRounding * (all2 + reach2)) return off2 < reach2;
     return beside(l, p).off <= reach;
 }
 inline double way(const Stretch& l, double t) { return l.way + t * distance(l.a, l.b); }
@@ -39,8 +39,6 @@ inline double way(const Stretch& l, double t) { return l.way + t * distance(l.a,
 class Stretches {
   public:
     Stretches(const Surface& s, const Plan& plan);
-
-    [[nodiscard]] std::span<const Stretch> all() const { return all_; }
 
     // Puts those into `out` that face alike and whose boxes meet this one: what lies near any place well within it.
     void about(const geom::Box3& box, const Vec3& normal, std::vector<const Stretch*>& out) const;
