@@ -18,10 +18,13 @@ bool same_source(const Window& a, const Window& b, double b0, double b1, double 
     return std::abs(a.sigma - b.sigma) <= slack && std::abs(a.sx - b.sx) <= slack && std::abs(a.sy - b.sy) <= slack;
 }
 
-// mm: up to where the piece of a window about `x` is dropped.  Next to its source a window may be narrow, but spreads.
-double too_narrow(const Window& w, double x, double length) {
-    const double away = w.is_line() ? length : std::hypot(x - w.sx, w.sy);
-    return std::max(kRounding * length, kNarrow * std::min(length, away));
+// Whether the piece [b0, b1] of a window is kept.  Next to its source it may be narrow, but spreads.  False for what is
+// no number.
+bool wide(const Window& w, double b0, double b1, double length) {
+    const double width = b1 - b0;
+    if (width > kNarrow * length) return true; // mostly, and without a root
+    const double away = w.is_line() ? length : std::hypot((b0 + b1) / 2 - w.sx, w.sy);
+    return width > std::max(kRounding * length, kNarrow * std::min(length, away));
 }
 
 } // namespace
@@ -46,8 +49,8 @@ std::uint32_t Propagation::fresh() {
 }
 
 void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double length) {
-    const bool wide = b1 - b0 > too_narrow(owners_[owner], (b0 + b1) / 2, length);
-    changed_ = changed_ || (owner == kNew && wide);
+    const bool kept = wide(owners_[owner], b0, b1, length);
+    changed_ = changed_ || (owner == kNew && kept);
     if (!pieces_.empty()) {
         Piece& last = pieces_.back();
         if (b0 - last.b1 <= kNarrow * length &&
@@ -57,7 +60,7 @@ void Propagation::add_piece(std::uint32_t owner, double b0, double b1, double le
             return;
         }
     }
-    if (wide) pieces_.push_back({owner, b0, b1});
+    if (kept) pieces_.push_back({owner, b0, b1});
 }
 
 // Where the new window and an old one overlap, each has what it is nearer to; the old one also what is equal.
@@ -152,8 +155,7 @@ void Propagation::offer(Side& exit, double b0, double b1, double sx, double sy, 
     if (line && sy < kLevelSlope) return;
     if (!line) sy = std::min(sy, 0.0);
     Window w{b0, b1, sx, sy, sigma, kNone, exit.list < surface_.twin.size()};
-    // or no number: the source lies on the exit's line
-    if (!(b1 - b0 > too_narrow(w, (b0 + b1) / 2, exit.length))) return;
+    if (!wide(w, b0, b1, exit.length)) return; // or no number: the source lies on the exit's line
     const double at0 = w.at(b0), at1 = w.at(b1);
     // A path over a corner that is shorter to the window's far end beats all of it (Xin, Wang 2009).
     const auto& d = field_.distance;

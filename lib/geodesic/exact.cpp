@@ -105,6 +105,7 @@ void Propagation::leave_vertex(std::uint32_t vertex) {
 
 // Takes the windows that wait at `h` across its triangle.
 void Propagation::cross(std::uint32_t h) {
+    if (!shut_.empty() && shut_[h / 3] != 0) return;
     const std::uint32_t hr = surface::next(h), hl = surface::prev(h);
     const Frame &f = ground_->frame[h], &fr = ground_->frame[hr], &fl = ground_->frame[hl];
     const double cx = f.cx, cy = f.cy;
@@ -117,6 +118,7 @@ void Propagation::cross(std::uint32_t h) {
         if (!field_.windows[node].pending) continue;
         field_.windows[node].pending = false;
         const Window w = field_.windows[node];
+        if (w.next != kNone) __builtin_prefetch(&field_.windows[w.next]);
         const bool line = w.is_line();
         // rays through both ends of the window, along (dx, dy); k > 0: the ray passes the third corner to its right
         const double dx0 = line ? w.sx : w.b0 - w.sx, dx1 = line ? w.sx : w.b1 - w.sx, dy = line ? w.sy : -w.sy;
@@ -195,12 +197,21 @@ double Propagation::run(double farthest, std::uint64_t most) {
     return std::min(known, farthest);
 }
 
-ExactField exact(const Surface& surface, const Sources& sources, double farthest,
-                 std::shared_ptr<const Ground> ground) {
+ExactField exact(const Surface& surface, const Sources& sources, double farthest, std::shared_ptr<const Ground> ground,
+                 std::span<const char> shut) {
     Propagation p(surface, false, std::move(ground));
+    p.shut(shut);
     p.add(sources);
     p.run(farthest, std::numeric_limits<std::uint64_t>::max());
     return p.take();
+}
+
+std::vector<char> beyond(const Surface& s, std::span<const double> distance, double level) {
+    std::vector<char> out;
+    out.reserve(s.triangles.size());
+    for (const auto& [a, b, c] : s.triangles)
+        out.push_back(distance[a] > level && distance[b] > level && distance[c] > level ? 1 : 0);
+    return out;
 }
 
 ExactDistances exact_distances(const Surface& surface, const Sources& sources, double farthest, std::uint64_t most) {

@@ -51,10 +51,15 @@ struct ExactField {
 // 1e-7 of a triangle's longest side to a corner or a side count as on it.
 // Ties: the window that came first.  Throws Error(failure) if more than 2^31 windows were needed.
 // Stops when all is found that is nearer than `farthest` mm: other vertices are infinitely far then, and the windows
-// are good for nothing beyond.  `ground` is that of another field on the same surface, if there is one.
+// are good for nothing beyond.  `ground` is that of another field on the same surface, if there is one.  Windows do not
+// cross triangles that are `shut`, if any are told: distances are right where no shortest path leads through one.
 ExactField exact(const Surface& surface, const Sources& sources,
                  double farthest = std::numeric_limits<double>::infinity(),
-                 std::shared_ptr<const Ground> ground = nullptr);
+                 std::shared_ptr<const Ground> ground = nullptr, std::span<const char> shut = {});
+
+// Per triangle, whether all of its corners are farther than `level`: to be shut, where lines of less are measured from
+// and what lies on their nearer side is wanted.
+std::vector<char> beyond(const Surface& surface, std::span<const double> distance, double level);
 
 // Only the distances of the vertices, in a fraction of the memory: windows are given back once nothing that is still
 // to come can be nearer.  Stops also after `most` windows, having found what is nearer than `known` then.

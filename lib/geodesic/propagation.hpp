@@ -53,6 +53,7 @@ class Propagation {
     // Keeps no windows but those that count for what is still to come, if it `forgets`.
     Propagation(const Surface& surface, bool forgets, std::shared_ptr<const Ground> ground);
 
+    void shut(std::span<const char> triangles) { shut_ = triangles; } // which must live on
     void add(const Sources& sources);
     // Returns up to where all is found.
     double run(double farthest, std::uint64_t most);
@@ -101,6 +102,7 @@ class Propagation {
     std::vector<Piece> pieces_;
     bool changed_ = false; // some piece is of the new window
     std::shared_ptr<const Ground> ground_;
+    std::span<const char> shut_; // per triangle, or none: windows do not cross it
     std::vector<char> spreads_; // per vertex: paths may start or bend there, the sources included
     double slack_;              // mm: smaller differences count as none
     BucketQueue queue_;         // half-edges, then vertices

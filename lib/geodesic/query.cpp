@@ -1,6 +1,8 @@
 #include "geodesic/query.hpp"
 
+#include <array>
 #include <limits>
+#include <memory_resource>
 
 namespace filum::geodesic {
 
@@ -9,9 +11,13 @@ namespace {
 constexpr double kGlue = 1e-7; // of the edge: gaps between windows that are none
 constexpr double kEnd = 1e-9;  // of the edge: how far from an end that is above a level the level is at least
 
-// Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.
-double through(const Window& w, double px, double py) {
+// Distance of (px, py), py >= 0, by way of the window; bent at its end if it cannot be seen straight.  `least`, without
+// a look at where the window ends, if straight it is no nearer.
+double through(const Window& w, double px, double py, double least) {
+    constexpr double kRounding = 1e-12; // of distances: more than some steps of rounding
     const double dx = w.is_line() ? w.sx : px - w.sx, dy = w.is_line() ? w.sy : py - w.sy;
+    const double room = least - w.sigma + kRounding * (least + std::abs(w.sigma));
+    if (w.is_line() ? dx * px + dy * py > room : room <= 0 || dx * dx + dy * dy > room * room) return least;
     const double x = dy > 0 ? px - dx / dy * py : px;
     if (x >= w.b0 && x <= w.b1)
         return w.is_line() ? w.sigma + w.sx * px + w.sy * py : w.sigma + std::sqrt(dx * dx + dy * dy);
@@ -54,7 +60,7 @@ double distance_at(const Surface& s, const ExactField& field, std::uint32_t tria
         if (field.first[h] == surface::kNone) continue;
         const geom::Vec2 q = flatten(s, field.ground->frame[h], h, p);
         for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
-            least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y)));
+            least = std::min(least, through(field.windows[w], q.x, std::max(0.0, q.y), least));
     }
     const auto& own = field.segments;
     auto it = std::lower_bound(own.begin(), own.end(), triangle,
@@ -67,7 +73,10 @@ void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h,
                      std::vector<double>& out) {
     const double l = field.ground->frame[h].length, tail = field.distance[s.tail(h)], head = field.distance[s.head(h)];
     const double lo = tail < level ? 0 : kEnd * l, hi = head < level ? l : (1 - kEnd) * l;
-    std::vector<Interval> parts;
+    std::array<std::byte, 64 * sizeof(Interval)> room; // mostly enough, so that no memory is asked for
+    std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+    std::pmr::vector<Interval> parts(&memory);
+    parts.reserve(32);
     const auto add = [&](Interval i) {
         i = {std::max(i.a, lo), std::min(i.b, hi)};
         if (i.a < i.b) parts.push_back(i);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace filum::geodesic {
@@ -37,17 +38,17 @@ class Windows {
     const Window& operator[](std::uint32_t i) const { return blocks_[i >> kBits][i & kMask]; }
     void add() {
         if ((size_++ & kMask) != 0) return;
-        blocks_.emplace_back(std::size_t{1} << kBits);
+        blocks_.push_back(std::make_unique_for_overwrite<Window[]>(std::size_t{1} << kBits));
         used_.push_back(std::size_t{1} << kBits);
     }
     // Window i is needed no more; a block without any goes.
     void drop(std::uint32_t i) {
-        if (--used_[i >> kBits] == 0) std::vector<Window>().swap(blocks_[i >> kBits]);
+        if (--used_[i >> kBits] == 0) blocks_[i >> kBits].reset();
     }
 
   private:
     static constexpr std::uint32_t kBits = 12, kMask = (1U << kBits) - 1;
-    std::vector<std::vector<Window>> blocks_;
+    std::vector<std::unique_ptr<Window[]>> blocks_;
     std::vector<std::size_t> used_;
     std::size_t size_ = 0;
 };

@@ -32,19 +32,21 @@ struct Sum {
     std::map<std::tuple<long, long, long>, Heap> heaps{}; // by cubes
 };
 
-void look(const Sample& point, const Stretches& lines, double width, Sum& sum, std::vector<double>& ways) {
+// `about`: the stretches within half a width of the point, and others.
+void look(const Sample& point, const Stretches& lines, std::span<const Stretch* const> about, double width, Sum& sum,
+          std::vector<double>& ways) {
     sum.surface += point.area;
-    double least = kFar;
     ways.clear();
-    lines.near(point.p, point.normal, width, [&](const Stretch&, double off, double way) {
-        least = std::min(least, off);
-        if (off <= width / 2) ways.push_back(way);
-    });
-    if (least > width) sum.missing += point.area;
-    if (least > width / 2)
-        sum.bare.push_back(point);
-    else
+    for (const Stretch* l : about)
+        if (within(*l, point.p, width / 2)) ways.push_back(way(*l, beside(*l, point.p).t));
+    if (!ways.empty())
         sum.covered += point.area;
+    else {
+        sum.bare.push_back(point);
+        bool missing = true;
+        lines.near(point.p, point.normal, width, [&](const Stretch&, double) { missing = false; });
+        if (missing) sum.missing += point.area;
+    }
     if (const std::size_t n = passes(ways, width); n > 1) {
         const auto cell = [&](double v) { return std::lround(v / (kHeap * width)); };
         auto& heap =
@@ -67,7 +69,7 @@ Vec3 widest(const std::vector<Sample>& bare, const Stretches& lines, double widt
     for (const Sample& b : bare) {
         double least = kFar;
         for (double reach = width; least == kFar && reach <= kSought * width; reach *= 2)
-            lines.near(b.p, b.normal, reach, [&](const Stretch&, double off, double) { least = std::min(least, off); });
+            lines.near(b.p, b.normal, reach, [&](const Stretch&, double off) { least = std::min(least, off); });
         if (least > worst) {
             worst = least;
             at = b.p;
@@ -97,9 +99,13 @@ Cover cover(const Surface& s, const Plan& plan, double width, std::uint32_t part
     std::vector<Sum> parts((count + kTriangles - 1) / kTriangles);
     parallel::for_chunks(count, kTriangles, 0, [&](std::size_t begin, std::size_t end) {
         std::vector<double> ways;
+        std::vector<Sample> room;
+        std::vector<const Stretch*> about;
         for (std::size_t t = begin; t < end; ++t)
-            each_sample(s, static_cast<std::uint32_t>(t), kPart * width,
-                        [&](const Sample& p) { look(p, lines, width, parts[begin / kTriangles], ways); });
+            each_few(s, static_cast<std::uint32_t>(t), kPart * width, room, [&](std::span<const Sample> few) {
+                lines.about(geom::grown(box_of(few), width / 2), few[0].normal, about);
+                for (const Sample& p : few) look(p, lines, about, width, parts[begin / kTriangles], ways);
+            });
     });
     Sum sum;
     for (const Sum& one : parts) add(one, sum);

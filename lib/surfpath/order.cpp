@@ -3,9 +3,8 @@
 #include "surface/surface.hpp"
 
 #include <algorithm>
-#include <string>
+#include <bit>
 #include <tuple>
-#include <unordered_set>
 
 namespace filum::surfpath {
 
@@ -19,15 +18,69 @@ struct Open {
 };
 
 struct State {
-    std::vector<Open> open; // by end
     double cost = 0;
     std::uint32_t parent = kNone;
     std::uint32_t link[2] = {kNone, kNone}; // made with this row's begin and end
 };
 
+// The open ends of each of many states, by end, one state's behind the other's.
+class OpenEnds {
+  public:
+    [[nodiscard]] std::span<const Open> of(std::size_t state) const {
+        return std::span(all_).subspan(begin_[state], begin_[state + 1] - begin_[state]);
+    }
+    [[nodiscard]] std::size_t states() const { return begin_.size() - 1; }
+
+    // Adds a state; false, and adds none, if one with the same open ends is there.
+    bool add(std::span<const Open> open) {
+        if (2 * states() >= table_.size()) grow();
+        std::uint32_t& place = table_[find(open)];
+        if (place != kNone) return false;
+        place = static_cast<std::uint32_t>(states());
+        all_.insert(all_.end(), open.begin(), open.end());
+        begin_.push_back(all_.size());
+        return true;
+    }
+    void clear() {
+        all_.clear();
+        begin_.assign(1, 0);
+        std::fill(table_.begin(), table_.end(), kNone);
+    }
+
+  private:
+    // Where the state with these open ends stands in the table, or would.
+    [[nodiscard]] std::size_t find(std::span<const Open> open) const {
+        std::uint64_t hash = open.size(); // FNV, by words
+        for (const Open& o : open) hash = (hash ^ ((std::uint64_t{o.end} << 32) | o.mate)) * 0x100000001b3U;
+        const auto same = [](const Open& a, const Open& b) { return a.end == b.end && a.mate == b.mate; };
+        std::size_t at = (hash ^ (hash >> 32)) & (table_.size() - 1);
+        for (; table_[at] != kNone; at = (at + 1) & (table_.size() - 1)) {
+            const auto other = of(table_[at]);
+            if (std::equal(open.begin(), open.end(), other.begin(), other.end(), same)) break;
+        }
+        return at;
+    }
+    void grow() {
+        table_.assign(std::max<std::size_t>(16, 4 * states()), kNone);
+        table_.resize(std::bit_ceil(table_.size()), kNone);
+        for (std::uint32_t k = 0; k < states(); ++k) table_[find(of(k))] = k;
+    }
+
+    std::vector<Open> all_;
+    std::vector<std::size_t> begin_{0};
+    std::vector<std::uint32_t> table_; // of states, by open addressing; a power of two
+};
+
 struct Choice {
     double guess, cost; // of the whole, so far
     std::uint32_t parent, link[2];
+};
+
+struct Before { // no function, as it shall be called in place
+    bool operator()(const Choice& a, const Choice& b) const {
+        if (a.guess != b.guess) return a.guess < b.guess;
+        return std::tuple(a.parent, a.link[0], a.link[1]) < std::tuple(b.parent, b.link[0], b.link[1]);
+    }
 };
 
 class Beam {
@@ -46,6 +99,7 @@ class Beam {
     // Per end the link that it has, kNone if none.
     std::vector<std::uint32_t> run() {
         layers_.assign(1, {State{}});
+        open_.add({});
         for (std::uint32_t row = 0; row < rows_; ++row) advance(row);
         std::vector<std::uint32_t> out(2 * rows_, kNone);
         std::uint32_t at = 0;
@@ -59,8 +113,8 @@ class Beam {
     }
 
   private:
-    static const Open* find(const State& s, std::uint32_t end) {
-        for (const Open& o : s.open)
+    static const Open* find(std::span<const Open> open, std::uint32_t end) {
+        for (const Open& o : open)
             if (o.end == end) return &o;
         return nullptr;
     }
@@ -77,49 +131,45 @@ class Beam {
 
     void advance(std::uint32_t row) {
         look_ahead(row);
-        std::vector<Choice> choices;
-        const auto& from = layers_.back();
-        for (std::uint32_t p = 0; p < from.size(); ++p) extend(from[p], p, row, choices);
-        // A heap, as only the first few are wanted; which come first does not depend on how it is built.
-        const auto behind = [](const Choice& a, const Choice& b) {
-            return std::tuple(a.guess, a.parent, a.link[0], a.link[1]) >
-                   std::tuple(b.guess, b.parent, b.link[0], b.link[1]);
-        };
-        std::make_heap(choices.begin(), choices.end(), behind);
+        choices_.clear();
+        const std::size_t count = open_.states();
+        for (std::uint32_t p = 0; p < count; ++p) extend(layers_.back()[p], open_.of(p), p, row);
         std::vector<State> next;
-        std::unordered_set<std::string> seen;
-        while (!choices.empty() && next.size() < kept_) {
-            std::pop_heap(choices.begin(), choices.end(), behind);
-            const Choice c = choices.back();
-            choices.pop_back();
-            State s = made(from[c.parent], c, row);
-            std::string key(reinterpret_cast<const char*>(s.open.data()), s.open.size() * sizeof(Open));
-            if (!seen.insert(std::move(key)).second) continue;
-            next.push_back(std::move(s));
+        next_.clear();
+        // Only the first few are wanted: sorted by and by, as many at a time as are kept.
+        for (auto begin = choices_.begin(); begin != choices_.end() && next.size() < kept_;) {
+            const auto left = static_cast<std::size_t>(choices_.end() - begin);
+            const auto end = begin + static_cast<std::ptrdiff_t>(std::min(kept_, left));
+            if (end != choices_.end()) std::nth_element(begin, end, choices_.end(), Before{});
+            std::sort(begin, end, Before{});
+            for (; begin != end && next.size() < kept_; ++begin) {
+                make(open_.of(begin->parent), *begin, row);
+                if (next_.add(made_)) next.push_back({begin->cost, begin->parent, {begin->link[0], begin->link[1]}});
+            }
         }
-        for (State& s : layers_.back()) s.open = {};
+        std::swap(open_, next_);
         layers_.push_back(std::move(next));
     }
 
-    void extend(const State& s, std::uint32_t parent, std::uint32_t row, std::vector<Choice>& out) const {
+    void extend(const State& s, std::span<const Open> open, std::uint32_t parent, std::uint32_t row) {
         double expired = 0, later = 0;     // cost of ends that were not linked in time, and of those that still wait
         std::uint32_t waiting[2] = {0, 0}; // on either side
-        for (const Open& o : s.open)
+        for (const Open& o : open)
             if (waits(o.end, row)) {
                 ++waiting[o.end % 2];
                 later += ahead_[o.end];
             } else
                 expired += break_;
-        const auto first = options(s, 2 * row, row), second = options(s, 2 * row + 1, row);
-        for (const Option& a : first)
-            for (const Option& b : second) {
-                if (a.link != kNone && b.link != kNone && (a.other == b.other || find(s, a.other)->mate == b.other))
-                    continue;
+        find_options(open, 2 * row, row, of_begin_);
+        find_options(open, 2 * row + 1, row, of_end_);
+        for (const Option& a : of_begin_)
+            for (const Option& b : of_end_) {
+                if (a.link != kNone && b.link != kNone && (a.other == b.other || a.mate == b.other)) continue;
                 std::uint32_t over[2] = {waiting[0], waiting[1]};
                 if (a.waits) over[a.end % 2] += a.link == kNone ? 1u : ~0u;
                 if (b.waits) over[b.end % 2] += b.link == kNone ? 1u : ~0u;
                 const double cost = s.cost + expired + gap_ * ((over[0] == 0) + (over[1] == 0)) + a.cost + b.cost;
-                out.push_back({cost + later + a.later + b.later, cost, parent, {a.link, b.link}});
+                choices_.push_back({cost + later + a.later + b.later, cost, parent, {a.link, b.link}});
             }
     }
 
@@ -128,50 +178,42 @@ class Beam {
     // What may be done with one end of a new row: left open, or linked to an open one.
     struct Option {
         std::uint32_t link, other, end; // the link, what it leads to, the end that is open no more, or newly
+        std::uint32_t mate;             // of what it leads to
         bool waits;                     // whether that one counts among those that wait
         double cost, later;
     };
-    [[nodiscard]] std::vector<Option> options(const State& s, std::uint32_t end, std::uint32_t row) const {
+    void find_options(std::span<const Open> open, std::uint32_t end, std::uint32_t row,
+                      std::vector<Option>& out) const {
         const bool w = waits(end, row);
-        std::vector<Option> out{{kNone, kNone, end, w, w ? 0 : break_, w ? ahead_[end] : 0}};
+        out.assign(1, {kNone, kNone, end, kNone, w, w ? 0 : break_, w ? ahead_[end] : 0});
         for (const std::uint32_t l : back_[end])
-            if (const Open* o = find(s, links_[l].from)) {
+            if (const Open* o = find(open, links_[l].from)) {
                 const bool waited = waits(o->end, row);
-                out.push_back(
-                    {l, o->end, o->end, waited, links_[l].cost - (waited ? 0 : break_), waited ? -ahead_[o->end] : 0});
+                out.push_back({l, o->end, o->end, o->mate, waited, links_[l].cost - (waited ? 0 : break_),
+                               waited ? -ahead_[o->end] : 0});
             }
-        return out;
     }
 
-    State made(const State& s, const Choice& c, std::uint32_t row) const {
-        State out{s.open, c.cost, c.parent, {c.link[0], c.link[1]}};
-        out.open.push_back({2 * row, 2 * row + 1});
-        out.open.push_back({2 * row + 1, 2 * row});
+    // Makes the open ends that a choice leaves.
+    void make(std::span<const Open> open, const Choice& c, std::uint32_t row) {
+        made_.assign(open.begin(), open.end());
+        made_.push_back({2 * row, 2 * row + 1});
+        made_.push_back({2 * row + 1, 2 * row});
         const auto set_mate = [&](std::uint32_t end, std::uint32_t mate) {
-            for (Open& o : out.open)
+            for (Open& o : made_)
                 if (o.end == end) o.mate = mate;
-        };
-        const auto remove = [&](std::uint32_t end) {
-            std::erase_if(out.open, [&](const Open& o) { return o.end == end; });
         };
         for (const std::uint32_t l : c.link) {
             if (l == kNone) continue;
-            const std::uint32_t a = links_[l].from, b = links_[l].to, ma = find(out, a)->mate, mb = find(out, b)->mate;
+            const std::uint32_t a = links_[l].from, b = links_[l].to, ma = find(made_, a)->mate,
+                                mb = find(made_, b)->mate;
             if (ma != kNone) set_mate(ma, mb);
             if (mb != kNone) set_mate(mb, ma);
-            remove(a);
-            remove(b);
+            std::erase_if(made_, [&](const Open& o) { return o.end == a || o.end == b; });
         }
-        for (std::size_t i = 0; i < out.open.size();) {
-            const Open o = out.open[i];
-            if (last_[o.end] > row) {
-                ++i;
-                continue;
-            }
-            if (o.mate != kNone) set_mate(o.mate, kNone);
-            remove(o.end);
-        }
-        return out;
+        for (const Open& o : made_)
+            if (!waits(o.end, row) && o.mate != kNone) set_mate(o.mate, kNone);
+        std::erase_if(made_, [&](const Open& o) { return !waits(o.end, row); });
     }
 
     std::uint32_t rows_;
@@ -182,6 +224,10 @@ class Beam {
     std::vector<double> ahead_;
     std::vector<std::uint32_t> last_; // per end: the last row that it may be linked to
     std::vector<std::vector<State>> layers_;
+    OpenEnds open_, next_; // of the last layer's states, and of those that are to come
+    std::vector<Choice> choices_;
+    std::vector<Option> of_begin_, of_end_;
+    std::vector<Open> made_;
 };
 
 } // namespace

@@ -68,6 +68,7 @@ class Reaching {
     Reaching(const Surface& s, double spacing, double radius)
         : s_(s), half_(spacing / 2), edge_(surface::longest_edge(s)), slack_(kWithin * edge_), radius_(radius) {
         const auto from = geodesic::exact(s, surface::rim_sources(s), half_ + 2 * radius + 2 * edge_);
+        ground_ = from.ground;
         radius_ = on_ball(s, from.distance, radius, half_ + 2 * radius);
         find_open(from);
         find_kinds(from.distance);
@@ -109,7 +110,8 @@ class Reaching {
         if (all.empty())
             off_.distance.assign(s_.vertices.size(), kOutOfReach);
         else
-            off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_);
+            off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_, from.ground,
+                                   geodesic::beyond(s_, from.distance, level + edge_)); // within there it is not asked
         field_ = !all.empty();
         inside_.resize(s_.vertices.size());
         for (std::size_t v = 0; v < inside_.size(); ++v) inside_[v] = from.distance[v] >= level ? 1 : 0;
@@ -200,7 +202,7 @@ class Reaching {
         std::sort(from.vertices.begin(), from.vertices.end());
         from.vertices.erase(std::unique(from.vertices.begin(), from.vertices.end()), from.vertices.end());
         beside_.assign(s_.vertices.size(), kOutOfReach);
-        if (!from.empty()) beside_ = geodesic::exact_distances(s_, from, half_ + slack_ + edge_).distance;
+        if (!from.empty()) beside_ = geodesic::exact(s_, from, half_ + slack_ + edge_, ground_).distance;
     }
 
     // mm2 of a triangle.
@@ -223,12 +225,13 @@ class Reaching {
 
     const Surface& s_;
     double half_, edge_, slack_, radius_; // mm; half of the spacing
-    geodesic::ExactField off_;            // from the border of where discs' middles may be
-    bool field_ = false;                  // there is such a border
-    std::vector<char> inside_;            // per vertex: within that
-    std::vector<Kind> kind_;              // per triangle
-    std::vector<std::uint32_t> piece_;    // per triangle: of those that are narrow
-    std::vector<Size> sizes_;             // per piece
+    std::shared_ptr<const geodesic::Ground> ground_;
+    geodesic::ExactField off_;         // from the border of where discs' middles may be
+    bool field_ = false;               // there is such a border
+    std::vector<char> inside_;         // per vertex: within that
+    std::vector<Kind> kind_;           // per triangle
+    std::vector<std::uint32_t> piece_; // per triangle: of those that are narrow
+    std::vector<Size> sizes_;          // per piece
     std::vector<char> dead_;
     std::vector<double> beside_; // per vertex
 };
@@ -244,8 +247,7 @@ Reach reach(const Surface& s, double spacing, double radius) {
     return Reaching(fine.surface, spacing, radius).run();
 }
 
-void tell_reach(const Surface& s, double spacing, double radius, Plan& plan) {
-    const Reach r = reach(s, spacing, radius);
+void tell_reach(const Reach& r, Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
     if (r.surface - r.reached > kToldOut * r.surface)
         plan.notes.push_back({"", "out of reach of rings of the least radius", r.surface - r.reached, "mm2", r.dead, -1,

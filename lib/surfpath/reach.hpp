@@ -25,6 +25,6 @@ Reach reach(const Surface& s, double spacing, double radius);
 
 // Adds that to the plan: the fact "rings-bound", a share, and the note "out of reach of rings of the least radius" if
 // that is more than 1 % of the surface.
-void tell_reach(const Surface& s, double spacing, double radius, Plan& plan);
+void tell_reach(const Reach& reach, Plan& plan);
 
 } // namespace filum::surfpath

@@ -55,9 +55,8 @@ class Making {
     }
 
     Rings run() {
-        find_batches();
         const Rounding rounding(s_, field_, least_, d_);
-        each([&](Batch& b) { rounding.prepare(b); });
+        find_batches(rounding);
         const double gain = affordable(rounding);
         each([&](Batch& b) { rounding.finish(b, gain, floor_.at(b.ring)); });
         Rings out;
@@ -65,7 +64,7 @@ class Making {
             for (auto& line : b.lines) {
                 out.lines.push_back(std::move(line));
                 out.level.push_back(b.ring);
-                out.radius.push_back(b.scales[0].radius);
+                out.radius.push_back(b.radii[0]);
             }
         return out;
     }
@@ -79,32 +78,24 @@ class Making {
     }
 
     // Rings by level, those within low ridges apart.
-    void find_batches() {
-        std::vector<Level> found(levels_.at.size());
+    void find_batches(const Rounding& rounding) {
+        std::vector<std::vector<Batch>> found(levels_.at.size());
         parallel::for_chunks(found.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) found[i] = batches_at(static_cast<std::uint32_t>(i));
+            for (std::size_t i = begin; i < end; ++i) found[i] = batches_at(static_cast<std::uint32_t>(i), rounding);
         });
-        for (Level& level : found) {
-            std::move(level.batches.begin(), level.batches.end(), std::back_inserter(batches_));
-            inner_.push_back(std::move(level.inner));
-        }
+        for (auto& level : found) std::move(level.begin(), level.end(), std::back_inserter(batches_));
     }
 
-    // The batches of one level, by the parts of the surface that their rings go round, and what lies a radius within
-    // each.
-    struct Level {
-        std::vector<Batch> batches{};
-        std::vector<Isoline> inner{};
-    };
-    [[nodiscard]] Level batches_at(std::uint32_t number) const {
+    // The batches of one level, by the parts of the surface that their rings go round.
+    [[nodiscard]] std::vector<Batch> batches_at(std::uint32_t number, const Rounding& rounding) const {
         const double level = levels_.at[number];
         const std::uint32_t ring = levels_.ring[number];
         const geodesic::Beyond beyond(s_, field_, level);
-        Level out;
+        std::vector<Batch> out;
         std::vector<std::vector<std::uint32_t>> parts; // per batch
         Batch high{level, ring, {}, {}};
         std::vector<std::uint32_t> high_parts;
-        for (const double share : kScales) high.scales.push_back({share * least_});
+        for (const double share : kScales) high.radii.push_back(share * least_);
         const auto own_lines = std::equal_range(levels_.of.begin(), levels_.of.end(), number);
         const auto line = [&](auto at) { return static_cast<std::size_t>(at - levels_.of.begin()); };
         for (std::size_t i = line(own_lines.first); i < line(own_lines.second); ++i) {
@@ -121,36 +112,38 @@ class Making {
                 static_cast<std::size_t>(std::find(parts.begin(), parts.end(), std::vector{part}) - parts.begin());
             if (own == parts.size()) {
                 parts.push_back({part});
-                out.batches.push_back({level, ring, {}, {{radius}, {0.6 * radius}, {0.35 * radius}, {0.2 * least_}}});
+                out.push_back({level, ring, {}, {radius, 0.6 * radius, 0.35 * radius, 0.2 * least_}});
             }
-            out.batches[own].outer.push_back(&levels_.lines[i]);
+            out[own].outer.push_back(&levels_.lines[i]);
         }
         if (!high.outer.empty()) {
-            out.batches.push_back(std::move(high));
+            out.push_back(std::move(high));
             parts.push_back(std::move(high_parts));
         }
-        find_inner(beyond, level, parts, out);
+        Farther farther;
+        for (std::size_t b = 0; b < out.size(); ++b)
+            rounding.prepare(out[b], [&](double r) { return within(beyond, parts[b], level + r, farther); });
         return out;
     }
 
-    void find_inner(const geodesic::Beyond& beyond, double level, const std::vector<std::vector<std::uint32_t>>& parts,
-                    Level& out) const {
-        std::vector<double> levels;
-        for (const auto& b : out.batches)
-            for (const auto& scale : b.scales) levels.push_back(level + scale.radius);
-        std::sort(levels.begin(), levels.end());
-        levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-        std::vector<geodesic::OnEdge> begins;
-        out.inner = geodesic::isolines(s_, field_, levels, &begins);
-        for (std::size_t i = 0; i < out.inner.size(); ++i) {
-            if (!out.inner[i].closed) continue;
-            const std::uint32_t part = beyond.part(begins[i]);
-            for (std::size_t b = 0; b < out.batches.size(); ++b) {
-                if (std::find(parts[b].begin(), parts[b].end(), part) == parts[b].end()) continue;
-                for (auto& scale : out.batches[b].scales)
-                    if (level + scale.radius == out.inner[i].level) scale.inner.push_back(&out.inner[i]);
-            }
-        }
+    // Isolines by their level, and where they begin; few of the radii are asked for.
+    struct Lines {
+        std::vector<Isoline> lines{};
+        std::vector<geodesic::OnEdge> begins{};
+    };
+    using Farther = std::map<double, Lines>;
+    [[nodiscard]] std::vector<const Isoline*> within(const geodesic::Beyond& beyond,
+                                                     const std::vector<std::uint32_t>& parts, double level,
+                                                     Farther& farther) const {
+        const auto [at, fresh] = farther.try_emplace(level);
+        Lines& found = at->second;
+        if (fresh) found.lines = geodesic::isolines(s_, field_, {&level, 1}, &found.begins);
+        std::vector<const Isoline*> out;
+        for (std::size_t i = 0; i < found.lines.size(); ++i)
+            if (found.lines[i].closed &&
+                std::find(parts.begin(), parts.end(), beyond.part(found.begins[i])) != parts.end())
+                out.push_back(&found.lines[i]);
+        return out;
     }
 
     // How much too tight all turn, rad; finds the floors.  From one level to the next radii may fall by a spacing, or a
@@ -187,7 +180,6 @@ class Making {
     ExactField field_;
     double least_, d_;
     Levels levels_;
-    std::vector<std::vector<Isoline>> inner_;
     std::vector<Batch> batches_;
     std::map<std::uint32_t, double> floor_; // mm: per number of a ring, the least radius
 };

@@ -23,17 +23,17 @@ class Rounder {
     Rounder(const Surface& s, const ExactField& field, double least, double spacing, double edge)
         : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(edge) {}
 
-    void prepare(Batch& b) const {
+    void prepare(Batch& b, const Within& within) const {
         auto& rings = b.rings;
         for (const Isoline* line : b.outer) rings.push_back({surface::curve::line(*line), {}});
         for (Ring& r : rings) r.ways = surface::curve::arc_lengths(r.line);
         const RingTree tree(rings);
         bool more = !rings.empty();
-        for (std::size_t k = 0; k < b.scales.size() && more; ++k) {
+        for (std::size_t k = 0; k < b.radii.size() && more; ++k) {
             for (Ring& r : rings) r.by.emplace_back();
             std::size_t number = 0;
-            for (const Line& line : opened(b.level, b.scales[k]))
-                sort_in(line, number++, b.level, b.scales[k].radius, tree, rings);
+            for (const Line& line : opened(b.level, b.radii[k], within(b.radii[k])))
+                sort_in(line, number++, b.level, b.radii[k], tree, rings);
             more = false;
             for (Ring& r : rings) {
                 check(r);
@@ -49,9 +49,9 @@ class Rounder {
             out.tight += length * std::max(0.0, 1 / radius - 1 / least_);
             out.least = std::min(out.least, radius);
         };
-        for (const Bend& c : bends(b)) add(c.corner->length, b.scales[c.scale].radius);
+        for (const Bend& c : bends(b)) add(c.corner->length, b.radii[c.scale]);
         for (const Ring& r : b.rings)
-            if (gone(r)) add(2 * std::numbers::pi * b.scales[0].radius, b.scales[0].radius);
+            if (gone(r)) add(2 * std::numbers::pi * b.radii[0], b.radii[0]);
         return out;
     }
 
@@ -63,15 +63,16 @@ class Rounder {
 
   private:
     // Lines a radius outside of `inner`.
-    [[nodiscard]] std::vector<Line> opened(double level, const Scale& scale) const {
+    [[nodiscard]] std::vector<Line> opened(double level, double radius,
+                                           const std::vector<const Isoline*>& inner) const {
         std::vector<Line> out;
-        if (scale.inner.empty()) return out;
-        const auto near =
-            geodesic::exact(surface_, as_sources(scale.inner), scale.radius + 1.01 * edge_, field_.ground);
-        const double levels[] = {scale.radius};
+        if (inner.empty()) return out;
+        const auto shut = geodesic::beyond(surface_, field_.distance, level + radius + edge_); // they lie the other way
+        const auto near = geodesic::exact(surface_, as_sources(inner), radius + 1.01 * edge_, field_.ground, shut);
+        const double levels[] = {radius};
         for (const auto& line : geodesic::isolines(surface_, near, levels)) {
             if (!line.closed || line.points.size() < 3) continue;
-            if (height(surface::curve::line(line).places[0]) > level + scale.radius) continue;
+            if (height(surface::curve::line(line).places[0]) > level + radius) continue;
             out.push_back(surface::curve::line(line));
             surface::curve::reverse(out.back()); // what is less lies to its left again
         }
@@ -150,9 +151,7 @@ class Rounder {
 
     // How much tighter than allowed a corner turns, rad.
     [[nodiscard]] double tight(const Corner& c, double radius) const { return c.length * (1 / radius - 1 / least_); }
-    [[nodiscard]] double all_round(const Batch& b) const {
-        return 2 * std::numbers::pi * (1 - b.scales[0].radius / least_);
-    }
+    [[nodiscard]] double all_round(const Batch& b) const { return 2 * std::numbers::pi * (1 - b.radii[0] / least_); }
     // True if rings that are rounded by less than the least radius all round are long enough for that.
     [[nodiscard]] bool worthwhile(const Batch& b) const {
         const double price = all_round(b);
@@ -164,17 +163,17 @@ class Rounder {
     // The corner by this radius, or those within it by the lesser one that gains most.
     void choose(const Ring& r, const Batch& b, std::size_t k, const Corner& c, std::vector<Bend>& out) const {
         const double worth = -gain * least_;
-        double most = c.length + worth * tight(c, b.scales[k].radius);
+        double most = c.length + worth * tight(c, b.radii[k]);
         std::vector<const Corner*> best;
         std::size_t by = k;
-        for (std::size_t f = k + 1; f < r.by.size() && b.scales[f].radius >= floor; ++f) {
+        for (std::size_t f = k + 1; f < r.by.size() && b.radii[f] >= floor; ++f) {
             std::vector<const Corner*> finer;
             double now = r.ahead(c.from, c.to);
             for (const Corner& corner : r.by[f].corners)
                 if (r.within(corner, c)) {
                     finer.push_back(&corner);
                     now += corner.length - r.ahead(corner.from, corner.to);
-                    now += worth * tight(corner, b.scales[f].radius);
+                    now += worth * tight(corner, b.radii[f]);
                 }
             if (!finer.empty() && now > most) {
                 most = now;
@@ -267,7 +266,9 @@ surface::Sources as_sources(const std::vector<const Isoline*>& lines) {
 Rounding::Rounding(const Surface& s, const ExactField& field, double least, double spacing)
     : surface_(s), field_(field), least_(least), spacing_(spacing), edge_(longest_edge(s)) {}
 
-void Rounding::prepare(Batch& b) const { Rounder(surface_, field_, least_, spacing_, edge_).prepare(b); }
+void Rounding::prepare(Batch& b, const Within& within) const {
+    Rounder(surface_, field_, least_, spacing_, edge_).prepare(b, within);
+}
 Rounding::Turns Rounding::turns(const Batch& b, double gain, double floor) const {
     Rounder rounder(surface_, field_, least_, spacing_, edge_);
     rounder.gain = gain;

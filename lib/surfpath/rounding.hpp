@@ -5,6 +5,8 @@
 #include "surface/curve/line.hpp"
 #include "surfpath/ring.hpp"
 
+#include <functional>
+
 namespace filum::surfpath {
 
 using geodesic::ExactField;
@@ -13,21 +15,18 @@ using surface::Isoline;
 // Lines of equal distance, to measure from.
 surface::Sources as_sources(const std::vector<const Isoline*>& lines);
 
-// One radius to round by: `inner` are the lines as much farther away.
-struct Scale {
-    double radius;
-    std::vector<const Isoline*> inner{};
-};
-
 // Isolines of one level that are rounded alike.
 struct Batch {
     double level;
     std::uint32_t ring; // how many rings lie outside of it
     std::vector<const Isoline*> outer;
-    std::vector<Scale> scales; // by falling radii
+    std::vector<double> radii; // to round by, falling
     std::vector<Ring> rings{}; // those, and how their corners may be rounded
     std::vector<Line> lines{}; // what comes of it
 };
+
+// The closed isolines that lie `radius` mm of distance within those of a batch.
+using Within = std::function<std::vector<const Isoline*>(double radius)>;
 
 // Rounds the corners of rings: where a disc, rolling along inside of one, does not come, but for narrow places that
 // lead on to others where it does.  A smaller disc takes over where that gains much length for few tight turns.  Where
@@ -37,7 +36,7 @@ class Rounding {
   public:
     Rounding(const Surface& surface, const ExactField& field, double least_radius, double spacing);
 
-    void prepare(Batch& batch) const; // finds its rings
+    void prepare(Batch& batch, const Within& within) const; // finds its rings
 
     // What its lines turn, if smaller discs, but none below `floor` mm, take over where they gain `gain` least radii of
     // length for each radian that they turn too tight.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace filum::surfpath {
 
@@ -29,6 +31,26 @@ void each_sample(const surface::Surface& s, std::uint32_t t, double apart, const
             const std::uint32_t cell = j / 2;
             f(Sample{a + (i + turn) / k * u + (cell + turn) / k * v, n, part});
         }
+}
+
+// Calls f(samples) for the same points, some of a triangle that lie together at a time; `room` is for them.
+template <class F>
+void each_few(const surface::Surface& s, std::uint32_t t, double apart, std::vector<Sample>& room, const F& f) {
+    constexpr std::size_t kFew = 16; // half of them in a row: not much longer than the paths about them are wide
+    room.clear();
+    each_sample(s, t, apart, [&](const Sample& one) {
+        room.push_back(one);
+        if (room.size() < kFew) return;
+        f(std::span<const Sample>(room));
+        room.clear();
+    });
+    if (!room.empty()) f(std::span<const Sample>(room));
+}
+
+inline geom::Box3 box_of(std::span<const Sample> samples) {
+    geom::Box3 out;
+    for (const Sample& one : samples) out.add(one.p);
+    return out;
 }
 
 } // namespace filum::surfpath

@@ -28,26 +28,29 @@ std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan
     std::vector<Contested> parts((s.triangles.size() + kSampledAtOnce - 1) / kSampledAtOnce);
     parallel::for_chunks(s.triangles.size(), kSampledAtOnce, 0, [&](std::size_t begin, std::size_t end) {
         Contested& out = parts[begin / kSampledAtOnce];
+        std::vector<Sample> room;
+        std::vector<const Stretch*> sure, possible; // near the points
         const auto look = [&](const Sample& at) {
-            bool sure = false;
-            laid.near(at.p, at.normal, width / 2, [&](const Stretch&, double, double) { sure = true; });
-            if (sure) return;
+            if (std::any_of(sure.begin(), sure.end(), [&](const Stretch* l) { return within(*l, at.p, width / 2); }))
+                return;
             const std::size_t first = out.ways.size();
-            maybe.near(at.p, at.normal, width / 2,
-                       [&](const Stretch& l, double, double) { out.ways.push_back(l.stroke); });
-            const auto own = out.ways.begin() + static_cast<std::ptrdiff_t>(first);
-            if (own == out.ways.end()) return;
-            std::sort(own, out.ways.end());
-            out.ways.erase(std::unique(own, out.ways.end()), out.ways.end());
+            for (const Stretch* l : possible) { // by strokes
+                const bool known = out.ways.size() > first && out.ways.back() == l->stroke;
+                if (!known && within(*l, at.p, width / 2)) out.ways.push_back(l->stroke);
+            }
+            if (out.ways.size() == first) return;
             out.area.push_back(at.area);
             out.count.push_back(static_cast<std::uint32_t>(out.ways.size() - first));
         };
-        for (std::size_t t = begin; t < end; ++t) {
-            geom::Box3 about;
-            for (const std::uint32_t v : s.triangles[t]) about.add(s.vertices[v]);
-            if (maybe.any(geom::grown(about, width / 2)))
-                each_sample(s, static_cast<std::uint32_t>(t), kSampleApart * width, look);
-        }
+        for (std::size_t t = begin; t < end; ++t)
+            each_few(s, static_cast<std::uint32_t>(t), kSampleApart * width, room, [&](std::span<const Sample> few) {
+                const auto about = geom::grown(box_of(few), width / 2);
+                maybe.about(about, few[0].normal, possible);
+                if (possible.empty()) return;
+                std::sort(possible.begin(), possible.end()); // as they are listed, which is by strokes
+                laid.about(about, few[0].normal, sure);
+                for (const Sample& one : few) look(one);
+            });
     });
     return parts;
 }

@@ -39,6 +39,13 @@ std::vector<geom::Box3> boxes_of(const std::vector<Stretch>& all) {
 
 Stretches::Stretches(const Surface& s, const Plan& plan) : all_(listed(s, plan)), tree_(boxes_of(all_)) {}
 
+void Stretches::about(const geom::Box3& box, const Vec3& normal, std::vector<const Stretch*>& out) const {
+    out.clear();
+    tree_.visit(box, [&](std::uint32_t k) {
+        if (dot(normal, all_[k].normal) > 0) out.push_back(&all_[k]);
+    });
+}
+
 std::size_t passes(std::vector<double>& ways, double width) {
     std::sort(ways.begin(), ways.end());
     std::size_t out = ways.empty() ? 0 : 1;

@@ -12,6 +12,7 @@ namespace {
 constexpr double kArcStep = 1.0 / 180 * std::numbers::pi;
 constexpr double kHeadingSpan = 0.5; // mm to either side of a point: what says where a row leads there
 constexpr double kAllowed = 0.01;    // mm beyond the bound
+constexpr double kMore = 1 + 1e-9;   // of a distance: more than rounding
 constexpr int kPushes = 6;
 constexpr double kAsWide = 0.97; // of the radius: what a single arc may have instead
 
@@ -140,23 +141,36 @@ FlatTurn bulb(const Sides& s, double r, double top) {
     return out;
 }
 
+// The nearest place of a side of the bound: how far it is, and of which side of it `p` lies.
+struct Off {
+    double far = 1e300, side = 0;
+};
+Off off(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 d = b - a;
+    const double l2 = norm2(d);
+    if (!(l2 > 0)) return {};
+    const double t = std::clamp(dot(p - a, d) / l2, 0.0, 1.0);
+    return {distance(p, a + t * d), cross(d, p - a)};
+}
+
 // How far the turn goes beyond the bound, mm.
 double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
     double out = 0;
+    std::size_t last = 1; // the side that was nearest to the place before: no farther one needs a look
     for (const Vec2 p : turn) {
-        double least = 1e300, side = 0;
+        Off least;
+        const double most = last < bound.size() ? kMore * off(p, bound[last - 1], bound[last]).far : least.far;
         for (std::size_t i = 1; i < bound.size(); ++i) {
-            const Vec2 d = bound[i] - bound[i - 1];
-            const double l2 = norm2(d);
-            if (!(l2 > 0)) continue;
-            const double t = std::clamp(dot(p - bound[i - 1], d) / l2, 0.0, 1.0);
-            const double far = distance(p, bound[i - 1] + t * d);
-            if (far < least) {
-                least = far;
-                side = cross(d, p - bound[i - 1]);
-            }
+            const Vec2 a = bound[i - 1], b = bound[i];
+            const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
+            const double y = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
+            if (x > most || y > most) continue;
+            const Off now = off(p, a, b);
+            if (!(now.far < least.far)) continue;
+            least = now;
+            last = i;
         }
-        if (side > 0 && least < 1e300) out = std::max(out, least);
+        if (least.side > 0) out = std::max(out, least.far);
     }
     return out;
 }

@@ -5,6 +5,7 @@
 #include "cli/progress.hpp"
 #include "geom/angle.hpp"
 #include "machine/profile.hpp"
+#include "parallel/parallel.hpp"
 #include "surfpath/least_strokes.hpp"
 #include "surfpath/outside.hpp"
 #include "surfpath/reach.hpp"
@@ -32,14 +33,23 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
     paper.algorithm = algorithm;
     paper.spacing = asked.spacing;
     if (const auto& p = o.plane; !p.empty()) paper.plane = {{p[0], p[1], p[2]}, p[3]};
-    filum::surfpath::Plan out = asked.method == filum::surfpath::Method::kipping2022
-                                    ? baselines::kipping2022::plan(sheet, paper)
-                                    : filum::surfpath::plan(sheet, asked);
-    if (flange) filum::surfpath::thread(sheet.surface, out);
-    filum::surfpath::finish(sheet.surface, out, asked);
-    filum::surfpath::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr}, out);
-    if (filum::surfpath::runs_round(algorithm))
-        filum::surfpath::tell_reach(sheet.surface, asked.spacing, asked.least_radius, out);
+    filum::surfpath::Plan out;
+    const auto lines = [&] {
+        out = asked.method == filum::surfpath::Method::kipping2022 ? baselines::kipping2022::plan(sheet, paper)
+                                                                   : filum::surfpath::plan(sheet, asked);
+        if (flange) filum::surfpath::thread(sheet.surface, out);
+        filum::surfpath::finish(sheet.surface, out, asked);
+        filum::surfpath::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr}, out);
+    };
+    std::optional<filum::surfpath::Reach> reach; // needs no lines, so it is found beside them
+    const auto bound = [&] { reach = filum::surfpath::reach(sheet.surface, asked.spacing, asked.least_radius); };
+    parallel::for_chunks(filum::surfpath::runs_round(algorithm) ? 2 : 1, 1, 0, [&](std::size_t i, std::size_t) {
+        if (i == 0)
+            lines();
+        else
+            bound();
+    });
+    if (reach) filum::surfpath::tell_reach(*reach, out);
     if (flange) filum::surfpath::tell_trims(*flange, o.plan.turn_outside, out);
     return out;
 }

@@ -1,5 +1,6 @@
 // Exact distances against closed forms, and against unfolding every strip of triangles there is.
 #include "geodesic/exact.hpp"
+#include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
 #include "surfaces.hpp"
 
@@ -52,6 +53,29 @@ TEST(exact, points_anywhere_are_sources) {
             for (const Vec2 p : places) least = std::min(least, distance(p, s.flat[i]));
             ASSERT_NEAR(field.distance[i], least, 1e-9) << seed << " " << i;
         }
+    }
+}
+
+// What is nearer than a line knows how far it is, though windows are kept from what is farther.
+TEST(exact, what_is_shut_costs_nothing_and_changes_nothing_on_the_near_side) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        const auto s = surfaces::sheet(20, 20, 16, 16, seed);
+        const auto from = exact(s.surface, {{0}, {}});
+        const double level = 9;
+        Sources line;
+        for (const Isoline& l : isolines(s.surface, from, std::vector{level}))
+            for (std::size_t i = 0; i < l.triangles.size(); ++i)
+                line.segments.push_back({l.triangles[i], l.points[i], l.points[(i + 1) % l.points.size()]});
+        const auto shut = beyond(s.surface, from.distance, level + surface::longest_edge(s.surface));
+        const auto all = exact(s.surface, line), some = exact(s.surface, line, kInf, from.ground, shut);
+        std::size_t far = 0;
+        for (std::size_t v = 0; v < s.flat.size(); ++v)
+            if (from.distance[v] < level)
+                ASSERT_NEAR(some.distance[v], all.distance[v], 1e-12) << seed << " " << v;
+            else
+                far += std::isfinite(some.distance[v]) ? 0 : 1;
+        EXPECT_GT(far, 50U);
+        EXPECT_LT(some.propagated, all.propagated / 2);
     }
 }
 

@@ -69,7 +69,7 @@ TEST(Reach, narrow_ways_that_lead_on_are_open) {
 TEST(Reach, tells_what_is_beyond) {
     const auto comb = [](Vec2 p) { return p.y < 8 || std::fmod(p.x, 5) < 2; };
     Plan plan;
-    tell_reach(cells_of(40, 30, comb), 1, 2.4, plan);
+    tell_reach(reach(cells_of(40, 30, comb), 1, 2.4), plan);
     EXPECT_LT(fact(plan, "rings-bound"), 0.6);
     ASSERT_EQ(plan.notes.size(), 1U);
     EXPECT_EQ(plan.notes[0].what, "out of reach of rings of the least radius");
