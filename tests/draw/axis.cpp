@@ -6,6 +6,7 @@
 #include "rings/beading.hpp"
 #include "rings/lanes.hpp"
 #include "rings/level.hpp"
+#include "rings/wall_lanes.hpp"
 
 #include <cstdio>
 #include <cstdlib>
