@@ -12,7 +12,7 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kPlaces = 8; // along a ring, where strips are looked for
+constexpr double kPlaces = 12; // along a ring, where strips are looked for
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
 // square of that.
 constexpr double kLink = 0.25;

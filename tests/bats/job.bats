@@ -56,8 +56,7 @@ at() { grep -n "$1" job.ngc | tail -n 1 | cut -d: -f1; }
 @test "a head that is too fat is refused, with the place" {
     box 11 40 12 14 0 10 > wall.off
     sed -n '/^T2 M6/,$p' job.ngc > half.ngc
-    local check=(collide --machine ./machine.toml --part block.off --fixture wall.off --program half.ngc)
-    "${check[@]}" > /dev/null
-    expect 1 "${check[@]}" --cone-angle 40
+    collide --machine ./machine.toml --part block.off --fixture wall.off --program half.ngc > /dev/null
+    expect 1 collide --machine ./machine.toml --fixture wall.off --program half.ngc --cone-angle 40
     [[ $err == *'the nozzle meets the fixture'*'the tip at x 10.2'* ]]
 }
