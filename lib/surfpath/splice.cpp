@@ -14,11 +14,10 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLoopBeside = 1.3;         // spacings: how far from each other lines side by side are, at most
-constexpr double kLoopGrain = 0.25;         // spacings, between the places that are compared
-constexpr double kLoopWider = 1.15;         // of the least radius: what shifts are rounded to, so that samples keep it
-constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
-constexpr double kLoopGive = 0.25;          // spacings: how far lines move to round the shift's corners
+constexpr double kLoopBeside = 1.3; // spacings: how far from each other lines side by side are, at most
+constexpr double kLoopGrain = 0.25; // spacings, between the places that are compared
+constexpr double kLoopWider = 1.15; // of the least radius: what shifts are rounded to, so that samples keep it
+constexpr double kLoopGive = 0.25;  // spacings: how far lines move to round the shift's corners
 
 struct Spot3 {
     std::uint32_t line = surface::kNone;
@@ -211,10 +210,8 @@ std::vector<Vec3> splice_loops(const Surface& s, std::vector<Line>& lines, std::
                      [&](std::uint32_t a, std::uint32_t b) { return length[a] < length[b]; });
     std::vector<Vec3> crossed;
     Splicer splicer(s, lines, spacing);
-    for (const double share : kShares) {
-        splicer.keep_to(share * radius);
-        std::erase_if(loops, [&](std::uint32_t i) { return splicer.take_in(i, crossed); });
-    }
+    splicer.keep_to(radius);
+    for (const std::uint32_t i : loops) splicer.take_in(i, crossed);
     return crossed;
 }
 
