@@ -36,12 +36,13 @@ class Path {
         lay(joined(chains));
         // A chain that comes back to where it began may become a detour of another stroke for less than a way to it.
         if (const auto apart = transited_ > 0 ? led_but_loops(chains) : std::vector<Chain>{}; !apart.empty()) {
-            const auto led = std::tuple(out_, turned_, transited_, crossed_);
+            const auto led = std::tuple(out_, turned_, transited_, wasted_);
             const double before = added();
             const std::size_t strokes = out_.strokes.size();
             lay(apart);
-            if (out_.strokes.size() > strokes || added() >= before) std::tie(out_, turned_, transited_, crossed_) = led;
+            if (out_.strokes.size() > strokes || added() >= before) std::tie(out_, turned_, transited_, wasted_) = led;
         }
+        leave_out_scraps();
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
                       {"", "turns", turned_, ""},
                       {"", "transits", transited_, "mm"}};
@@ -58,10 +59,36 @@ class Path {
     }
 
   private:
+    // A stroke shorter than two radii, as rows that are left out for that, is not worth a cut.  The longest stays.
+    void leave_out_scraps() {
+        std::vector<double> length;
+        for (const Stroke& stroke : out_.strokes) {
+            length.push_back(0);
+            for (const Piece& piece : stroke.pieces) length.back() += surface::curve::length(piece.line);
+        }
+        const auto longest = std::max_element(length.begin(), length.end()) - length.begin();
+        std::vector<Stroke> kept;
+        double scraps = 0;
+        Vec3 at;
+        for (std::size_t i = 0; i < length.size(); ++i) {
+            if (length[i] >= 2 * o_.least_radius || static_cast<std::ptrdiff_t>(i) == longest) {
+                kept.push_back(std::move(out_.strokes[i]));
+                continue;
+            }
+            at = out_.strokes[i].pieces[0].line[0];
+            scraps += length[i];
+        }
+        const std::size_t count = length.size() - kept.size();
+        out_.strokes = std::move(kept);
+        if (count > 0)
+            out_.notes.push_back({"", "stroke shorter than two radii: not worth a cut, left out", scraps * o_.spacing,
+                                  "mm2", count, -1, at.x, at.y, at.z});
+    }
+
     // Makes strokes of chains; anew, whatever was made of others.
     void lay(const std::vector<Chain>& chains) {
         out_ = {};
-        turned_ = transited_ = crossed_ = 0;
+        turned_ = transited_ = wasted_ = 0;
         std::vector<std::vector<LaidTurn>> turns(chains.size());
         for (std::size_t c = 0; c < chains.size(); ++c)
             for (std::size_t i = 1; i < chains[c].size(); ++i)
@@ -71,13 +98,14 @@ class Path {
             out_.strokes.push_back(stroke(chains[c], turns[c]));
             turned_ += static_cast<double>(turns[c].size());
         }
-        const auto crossed = join_strokes(surface_, out_.strokes, o_.spacing, o_.least_radius);
-        crossed_ = static_cast<double>(crossed.size());
-        tell_crossed(crossed, o_.spacing, out_.notes);
+        const auto joined =
+            join_strokes(surface_, out_.strokes, {.spacing = o_.spacing, .radius = o_.least_radius, .tight = o_.tight});
+        wasted_ = joined.waste;
+        tell_crossed(joined.crossed, o_.spacing, out_.notes);
     }
 
-    // What ways and shifts lay twice and leave bare, as mm of fibre: shifts that cross do a spacing each.
-    [[nodiscard]] double added() const { return transited_ + 2 * o_.spacing * crossed_; }
+    // What ways and joins lay twice and leave bare, as mm of fibre.
+    [[nodiscard]] double added() const { return transited_ + wasted_ / o_.spacing; }
 
     // The chains led into each other, but for those whose ends lie near enough to each other to be closed; none if
     // there are no such.
@@ -262,7 +290,7 @@ class Path {
     std::vector<LaidTurn> turns_;
     Turning o_;
     Plan out_;
-    double turned_ = 0, transited_ = 0, crossed_ = 0; // turns; mm of ways; shifts that cross
+    double turned_ = 0, transited_ = 0, wasted_ = 0; // turns; mm of ways; mm2 by joins of strokes
 };
 
 } // namespace

@@ -88,10 +88,12 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         turns.across = kAcross * o.spacing;
         turns.along = o.cut_length;
         turns.staggered = o.beyond.empty();
+        turns.tight = o.algorithm == Algorithm::hybrid;
         Rows found = rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
-        const auto crossed = open_loops(s, found, {o.spacing, gentle, o.cut_length});
+        const auto joined = open_loops(s, found, {o.spacing, gentle, o.cut_length, turns.tight});
         out = boustrophedon(s, found, turns);
-        tell_crossed(crossed, o.spacing, out.notes);
+        tell_crossed(joined.crossed, o.spacing, out.notes);
+        out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
     tell(s, directions, out);
@@ -100,6 +102,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
 
 Plan hybrid(const surface::Sheet& sheet, const Options& options) {
     Options o = options;
+    o.algorithm = Algorithm::hybrid;
     o.follow = {.rings = 1};
     o.keep = Keep::spacing;
     o.turns = RowTurns::usual;

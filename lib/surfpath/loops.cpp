@@ -3,6 +3,7 @@
 #include "geom/point_grid.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/exchange.hpp"
 #include "surfpath/seam.hpp"
 #include "surfpath/splice.hpp"
 #include "surfpath/winding.hpp"
@@ -15,9 +16,13 @@ namespace filum::surfpath {
 
 namespace {
 
+constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
+constexpr double kCrossingWastes = 2;       // square spacings: one bare, one laid twice
+constexpr double kTurnsTake = 2;            // radii: what turns may take of the ends of rows
+
 // Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
-// the line beside it, each costs two shifts that cross, which lay a spacing twice and leave one bare.  So long chains
-// are spirals, and those that are all there is, which need no cut.
+// the line beside it, each costs a join, as much as shifts that cross at most.  So long chains are spirals, and those
+// that are all there is, which need no cut.
 std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std::size_t> chain, const Loops& o) {
     std::map<std::uint32_t, std::size_t> in_component;
     const auto component = [&](std::size_t i) { return s.component[found.rows[i].line.places[0].triangle]; };
@@ -25,7 +30,7 @@ std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std
     std::vector<char> out;
     for (std::size_t i = 0; i < chain.size(); ++i)
         out.push_back(chain[i] > 0 && (chain[i] == in_component[component(i)] ||
-                                       2 * o.spacing * static_cast<double>(chain[i]) > o.cut)
+                                       kCrossingWastes * o.spacing * static_cast<double>(chain[i]) > o.cut)
                           ? 1
                           : 0);
     return out;
@@ -145,14 +150,32 @@ void spiral(const Surface& s, Rows& rows, const Loops& o) {
     std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
 }
 
+// Closed ones part of what lies beside them, without a crossing where that can be.
+Joined join(const Surface& s, std::vector<Line>& lines, const std::vector<char>& keep, double ends, const Loops& o) {
+    Joined out;
+    const auto cross = [&](double radius) {
+        const auto more = splice_loops(s, lines, keep, o.spacing, radius);
+        out.crossed.insert(out.crossed.end(), more.begin(), more.end());
+    };
+    if (!o.tight) cross(o.radius);
+    for (Exchanged more{1, 0}; more.count > 0;) { // what was in the way of one join may be a line to be joined to
+        more = exchange_loops(s, lines, keep, {o.spacing, ends});
+        out.exchanged += more.count;
+        out.waste += more.waste;
+    }
+    for (const double share : kShares) cross(share * o.radius);
+    out.waste += kCrossingWastes * o.spacing * o.spacing * static_cast<double>(out.crossed.size());
+    return out;
+}
+
 } // namespace
 
-std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& o) {
+Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
     close_rows(s, rows, o);
     const auto keep = wound(s, rows, level_rows(s, rows, o.spacing), o);
     std::vector<Line> lines;
     for (Row& row : rows.rows) lines.push_back(std::move(row.line));
-    auto crossed = splice_loops(s, lines, keep, o.spacing, o.radius);
+    auto out = join(s, lines, keep, kTurnsTake * o.radius, o);
     for (std::size_t i = 0; i < lines.size(); ++i) rows.rows[i].line = std::move(lines[i]);
     std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
     level_rows(s, rows, o.spacing);
@@ -164,7 +187,7 @@ std::vector<Vec3> open_loops(const Surface& s, Rows& rows, const Loops& o) {
     spiral(s, rows, o);
     by_level();
     wind(s, rows, o.spacing, false);
-    return crossed;
+    return out;
 }
 
 namespace {
@@ -203,15 +226,15 @@ std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
 
 } // namespace
 
-std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, double spacing, double radius) {
+Joined join_strokes(const Surface& s, std::vector<Stroke>& strokes, const Loops& o) {
     if (strokes.size() < 2) return {};
     std::vector<Line> lines;
     std::vector<double> before;
     for (const Stroke& stroke : strokes) {
-        lines.push_back(whole(s, stroke, 2 * radius));
+        lines.push_back(whole(s, stroke, 2 * o.radius));
         before.push_back(surface::curve::length(lines.back()));
     }
-    auto crossed = splice_loops(s, lines, hosts(s, lines), spacing, radius);
+    auto joined = join(s, lines, hosts(s, lines), o.spacing, o);
     std::vector<Stroke> out;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (lines[i].size() == 0) continue;
@@ -224,7 +247,7 @@ std::vector<Vec3> join_strokes(const Surface& s, std::vector<Stroke>& strokes, d
         out.push_back({{{std::move(lines[i]), false}}});
     }
     strokes = std::move(out);
-    return crossed;
+    return joined;
 }
 
 void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes) {

@@ -14,11 +14,10 @@ namespace filum::surfpath {
 
 namespace {
 
-constexpr double kLoopBeside = 1.3;         // spacings: how far from each other lines side by side are, at most
-constexpr double kLoopGrain = 0.25;         // spacings, between the places that are compared
-constexpr double kLoopWider = 1.15;         // of the least radius: what shifts are rounded to, so that samples keep it
-constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
-constexpr double kLoopGive = 0.25;          // spacings: how far lines move to round the shift's corners
+constexpr double kLoopBeside = 1.3; // spacings: how far from each other lines side by side are, at most
+constexpr double kLoopGrain = 0.25; // spacings, between the places that are compared
+constexpr double kLoopWider = 1.15; // of the least radius: what shifts are rounded to, so that samples keep it
+constexpr double kLoopGive = 0.25;  // spacings: how far lines move to round the shift's corners
 
 struct Spot3 {
     std::uint32_t line = surface::kNone;
@@ -48,10 +47,8 @@ class Splicer {
 
     // Of the shifts from now on, mm.
     void keep_to(double radius) {
-        radius_ = std::max(radius, d_ / 2);
-        // Two arcs of the radius, one after the other, shift by a spacing over twice this length.
-        const double c = std::clamp(1 - d_ / (2 * radius_), 0.0, 1.0);
-        half_ = std::max(radius_ * std::sqrt(1 - c * c), d_ / 2);
+        radius_ = kLoopWider * std::max(radius, d_ / 2);
+        half_ = std::sqrt(radius_ * d_); // two parabolas that bend so at most shift by a spacing over twice this length
     }
 
     // False if there is no place for it.
@@ -156,7 +153,8 @@ class Splicer {
             after = surface::curve::part(other, ways_other, at.other + half_, rest);
         }
         const Line to = other.closed ? before : after;
-        const auto over = shift(before, round), back = shift(round, to);
+        const auto over = shift(before, drift(loop, ways, at, true), round),
+                   back = shift(round, drift(loop, ways, at, false), to);
         if (over.size() < 2 || back.size() < 2) return {};
         const double more = half_, all_round = surface::curve::length(round);
         Line out = cut(before, other.closed ? more : 0, more);
@@ -177,15 +175,34 @@ class Splicer {
         return surface::curve::part(line, ways, begin, ways.back() - end);
     }
 
+    // From the other line over to the loop, or back: evenly with the way.  Empty if nothing leads there.
+    [[nodiscard]] Line drift(std::uint32_t loop, std::span<const double> ways, const Over& at, bool to_loop) const {
+        const Line& other = lines_[at.line];
+        const auto ways_other = surface::curve::arc_lengths(other);
+        const int n = std::max(8, static_cast<int>(std::ceil(2 * half_ / (kLoopGrain * d_))));
+        Line out;
+        for (int i = 0; i <= n; ++i) {
+            const double t = static_cast<double>(i) / n, on = half_ * (2 * t - 1);
+            const double part = t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t);
+            const Line across =
+                surface::curve::join(s_, surface::curve::at(other, ways_other, at.other + on),
+                                     surface::curve::at(lines_[loop], ways, at.loop + (at.same ? on : -on)));
+            if (!surface::curve::leads(s_, across)) return {};
+            const auto ways_across = surface::curve::arc_lengths(across);
+            out.places.push_back(
+                surface::curve::at(across, ways_across, (to_loop ? part : 1 - part) * ways_across.back()));
+        }
+        return surface::curve::threaded(s_, out);
+    }
+
     // From the last stretch of one line over to the first one of another, half_ mm of each included, rounded.
-    [[nodiscard]] Line shift(const Line& from, const Line& to) const {
+    [[nodiscard]] Line shift(const Line& from, const Line& over, const Line& to) const {
+        if (over.size() < 2) return {};
         const auto ways_from = surface::curve::arc_lengths(from), ways_to = surface::curve::arc_lengths(to);
         Line out = surface::curve::part(from, ways_from, ways_from.back() - half_, ways_from.back());
-        const Line over = surface::curve::join(s_, from.places.back(), to.places.front());
-        if (!surface::curve::leads(s_, over)) return {};
         surface::curve::append(out, over);
         surface::curve::append(out, surface::curve::part(to, ways_to, 0, half_));
-        return surface::curve::ease(s_, out, {.radius = kLoopWider * radius_, .corridor = kLoopGive * d_}).line;
+        return surface::curve::ease(s_, out, {.radius = radius_, .corridor = kLoopGive * d_}).line;
     }
 
     const Surface& s_;
@@ -211,10 +228,8 @@ std::vector<Vec3> splice_loops(const Surface& s, std::vector<Line>& lines, std::
                      [&](std::uint32_t a, std::uint32_t b) { return length[a] < length[b]; });
     std::vector<Vec3> crossed;
     Splicer splicer(s, lines, spacing);
-    for (const double share : kShares) {
-        splicer.keep_to(share * radius);
-        std::erase_if(loops, [&](std::uint32_t i) { return splicer.take_in(i, crossed); });
-    }
+    splicer.keep_to(radius);
+    for (const std::uint32_t i : loops) splicer.take_in(i, crossed);
     return crossed;
 }
 

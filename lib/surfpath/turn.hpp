@@ -32,4 +32,8 @@ struct FlatTurn {
 // bound.  Smooth with rows that are.
 FlatTurn turn(const TurnRoom& room, double radius, bool bulbs = true);
 
+// From p along t on to q, where it comes by u, both unit: as a cubic that is an arc, but for a thousandth, where p and
+// q lie on a circle with these tangents.  Points are about `step` mm apart.
+std::vector<Vec2> led(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step);
+
 } // namespace filum::surfpath

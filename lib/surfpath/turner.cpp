@@ -105,15 +105,14 @@ Line Turner::part(std::uint32_t in, double from, double to) const {
 }
 
 LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
-    const double most = kRunUp * o_.least_radius;
+    const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = kRunUp * radius;
     LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}, false};
     Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
     surface::curve::reverse(line);
     for (const Line& l : stretches) surface::curve::append(line, l);
     surface::curve::append(line, surface::curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = surface::curve::threaded(surface_, line);
-    auto eased = surface::curve::ease(
-        surface_, line, {.radius = kEasedWider * o_.least_radius, .corridor = kCorridor * o_.least_radius});
+    auto eased = surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = kCorridor * radius});
     // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
         return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
@@ -193,7 +192,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs
     const auto first = drawn(flat, inwards(a), std::min(reach, length(a / 2) / 2), flip);
     const auto second = drawn(flat, inwards(b), std::min(reach, length(b / 2) / 2), flip);
     const auto bound = drawn(flat, transits_.along(a, b), 1e300, flip);
-    const FlatTurn t = turn({first, second, bound, behind}, kWider * o_.least_radius, bulbs);
+    const FlatTurn t = turn({first, second, bound, behind}, kWider * o_.least_radius, bulbs && !o_.tight);
     if (t.points.empty()) return out;
     out.from_trim = undrawn(ways_inwards(a), first, t.from_first);
     out.to_trim = undrawn(ways_inwards(b), second, t.from_second);
@@ -220,7 +219,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs
 // What a tight turn is as bad as, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return part >= 0.999 ? 0 : part < kHairpin ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
+    return o_.tight || part >= 0.999 ? 0 : part < kHairpin ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
 }
 
 } // namespace filum::surfpath

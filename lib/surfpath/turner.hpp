@@ -15,6 +15,7 @@ struct Turning {               // what is left out has no limit
     double across = 1e300;     // mm: of ways straight over other rows, at most; rather than longer ones a cut
     double along = 1e300;      // mm: likewise, of ways along rims and other rows
     bool staggered = true;     // turns lie behind each other; else all at the rim
+    bool tight = false;        // turns within half a spacing cost no more than wide ones, as they waste less
 };
 
 // Turns are never tighter than those between neighbouring rows.

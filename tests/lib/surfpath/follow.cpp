@@ -212,6 +212,18 @@ TEST(splice, a_loop_becomes_part_of_the_line_beside_it) {
     EXPECT_NEAR(surface::curve::length(lines[0]), before, 2);
     EXPECT_NEAR(lines[0][0].x, 1, 1e-9);
     EXPECT_NEAR(lines[0][lines[0].size() - 1].x, 29, 1e-9);
+    // The loop's own corners apart, nothing turns within less than the radius, by circles through points 0.25 mm apart.
+    const auto ways = surface::curve::arc_lengths(lines[0]);
+    std::size_t shifted = 0;
+    for (double way = 0.25; way + 0.25 < ways.back(); way += 0.05) {
+        const Vec3 p = surface::curve::at(lines[0], ways, way).point;
+        if (p.y > 6.2 || p.x < 6 || p.x > 24) continue;
+        const Vec3 a = surface::curve::at(lines[0], ways, way - 0.25).point,
+                   b = surface::curve::at(lines[0], ways, way + 0.25).point;
+        EXPECT_LT(2 * norm(cross(p - a, b - p)) / (distance(a, p) * distance(p, b) * distance(a, b)), 1 / 2.4);
+        shifted += p.y > 5.1 && p.y < 5.9 ? 1 : 0;
+    }
+    EXPECT_GT(shifted, 20U);
 }
 
 } // namespace
