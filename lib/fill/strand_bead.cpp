@@ -77,7 +77,7 @@ void append_rounded(Vec2 a, Vec2 c, Vec2 b, std::vector<Vec2>& to) {
 void round_corner(Leg& before, Leg& after, double radius) {
     if (before.strand == after.strand || !before.once || !after.once) return;
     const double by = std::min({radius, before.length / 2, after.length / 2});
-    if (by < toolpath::kLeastMove) return;
+    if (by < toolpath::kLeastMove / 2) return;
     const Vec2 corner = before.line.back();
     shorten(before.line, by);
     std::reverse(after.line.begin(), after.line.end());
@@ -95,7 +95,7 @@ void append_leg(const Leg& leg, double taper, toolpath::Curve& to) {
     for (const Vec2 p : leg.line) {
         const Vec2 last = to.points.back();
         const double l = geom::distance(last, p);
-        if (l < toolpath::kLeastMove) continue;
+        if (l < toolpath::kLeastMove / 2) continue;
         if (!same && leg.once) {
             to.points.push_back(geom::lerp(last, p, std::min(0.5, taper / l)));
             to.width.push_back(leg.width);
@@ -129,7 +129,7 @@ bool less_round(const Bead& bead, std::uint32_t segment, std::vector<double>& ra
     bool some = false;
     for (const std::size_t corner : {leg, leg - 1})
         if (corner < radius.size() && radius[corner] > 0) {
-            radius[corner] = radius[corner] < toolpath::kLeastMove ? 0 : radius[corner] / 2;
+            radius[corner] = radius[corner] < toolpath::kLeastMove / 2 ? 0 : radius[corner] / 2;
             some = true;
         }
     return some;

@@ -12,7 +12,7 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kLeastShare = 1.0 / 4000; // of a region: forty corners leave no more than a hundredth of it open
+constexpr double kLeastShare = 1.0 / 2000; // of a region: twenty corners leave no more than a hundredth of it open
 // Of the tolerance, by which beads are wider than their lanes: half of what opens on average between parallel bends
 // whose chords are not in step (parabolas at random places gape by 4/15 of it).
 constexpr double kSeam = 2.0 / 15;
