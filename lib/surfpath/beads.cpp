@@ -83,6 +83,7 @@ std::vector<Bead> Beads::beside(std::uint32_t but, const Vec3& p, const Vec3& no
         if (!first && distance(bead.point, p) < distance(to->second.point, p)) to->second = bead;
     });
     std::vector<Bead> out;
+    out.reserve(nearest.size());
     for (const auto& [line, bead] : nearest) out.push_back(bead);
     return out;
 }
