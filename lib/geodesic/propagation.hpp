@@ -103,9 +103,9 @@ class Propagation {
     bool changed_ = false; // some piece is of the new window
     std::shared_ptr<const Ground> ground_;
     std::span<const char> shut_; // per triangle, or none: windows do not cross it
-    std::vector<char> spreads_; // per vertex: paths may start or bend there, the sources included
-    double slack_;              // mm: smaller differences count as none
-    BucketQueue queue_;         // half-edges, then vertices
+    std::vector<char> spreads_;  // per vertex: paths may start or bend there, the sources included
+    double slack_;               // mm: smaller differences count as none
+    BucketQueue queue_;          // half-edges, then vertices
 };
 
 } // namespace filum::geodesic

@@ -26,9 +26,9 @@ struct Diagram {
     [[nodiscard]] std::uint32_t to(std::uint32_t e) const { return from[e ^ 1]; }
 };
 
-// Boost.Polygon's diagram of the sites' segments: that of boost::polygon::construct_voronoi, sooner, as the circles that
-// its sweep asks for come from circles.hpp where they can.  Throws Error(failure) if Boost's diagram has edges without
-// twins.
+// Boost.Polygon's diagram of the sites' segments: that of boost::polygon::construct_voronoi, sooner, as the circles
+// that its sweep asks for come from circles.hpp where they can.  Throws Error(failure) if Boost's diagram has edges
+// without twins.
 Diagram voronoi(const Sites& sites);
 
 } // namespace filum::polygon
