@@ -53,6 +53,7 @@ class Splicer {
 
     // False if there is no place for it.
     bool take_in(std::uint32_t loop, std::vector<Vec3>& crossed) {
+        if (lines_[loop].size() < 2) return false; // taken in before
         const auto ways = surface::curve::arc_lengths(lines_[loop]);
         if (ways.back() < 6 * half_) return false;
         gather(loop);
