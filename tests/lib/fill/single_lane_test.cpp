@@ -104,7 +104,7 @@ TEST(StackLanes, HairWallsArePassedTwiceOnTheirMiddle) {
             EXPECT_EQ(plain.size(), 1U);
             o.thin = "half-height";
             const auto paths = fill(r, o, notes);
-            for (const Note& n : notes) EXPECT_LT(n.amount, 2) << thickness; // mm: a link where the box narrows
+            for (const Note& n : notes) EXPECT_LT(n.amount, 1.5) << thickness; // mm: a link where the box narrows
             ASSERT_EQ(paths.curves.size(), 1U);
             EXPECT_TRUE(paths.curves[0].closed);
             EXPECT_EQ(crossings(paths.curves), 0U);

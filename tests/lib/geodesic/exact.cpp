@@ -376,29 +376,5 @@ TEST(exact, distances_alone_are_the_same) {
     EXPECT_GT(found, all.size() / 10);
 }
 
-TEST(exact, rays_along_sides_make_no_window_without_numbers) {
-    for (unsigned seed = 0; seed < 60; ++seed) { // plane grids, turned: their sides lie in lines but for rounding
-        const double angle = 0.1 * seed, c = std::cos(angle), d = std::sin(angle);
-        std::vector<Vec3> v;
-        std::vector<mesh::Triangle> t;
-        for (int i = 0; i < 9; ++i)
-            for (int j = 0; j < 9; ++j) v.push_back({c * i - d * j, 0.6 * (d * i + c * j), 0.8 * (d * i + c * j)});
-        for (std::uint32_t i = 0; i < 8; ++i)
-            for (std::uint32_t j = 0; j < 8; ++j) {
-                const std::uint32_t a = 9 * i + j;
-                t.push_back({a, a + 9, a + 10});
-                t.push_back({a, a + 10, a + 1});
-            }
-        v[40].z += 0.3; // so that paths bend
-        const Surface s = surfaces::make(v, t);
-        for (std::uint32_t from = 0; from < s.vertices.size(); from += 7) {
-            const ExactField f = exact(s, {{from}, {}});
-            for (const std::uint32_t list : f.first)
-                for (std::uint32_t w = list; w != surface::kNone; w = f.windows[w].next)
-                    EXPECT_TRUE(f.windows[w].b0 < f.windows[w].b1);
-        }
-    }
-}
-
 } // namespace
 } // namespace filum::geodesic

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace filum::polygon {
@@ -59,6 +60,21 @@ void expect_same(const SiteCircle& c, const Circle& exact) {
     EXPECT_NEAR(c.right, exact.lower_x(), kPlaces * std::abs(exact.lower_x()));
 }
 
+// How many of the two circles, asked for by place 1 and 2, our arithmetic gives; they are as Boost has them.
+template <class Own, class Boost>
+int same_at_both_places(Own&& own, Boost&& boost) {
+    int found = 0;
+    for (const int place : {1, 2}) {
+        const std::optional<SiteCircle> c = own(place == 2);
+        if (!c) continue;
+        Circle as_boost;
+        boost(place, as_boost);
+        expect_same(*c, as_boost);
+        ++found;
+    }
+    return found;
+}
+
 TEST(Circles, OfThreeLinesAreThoseOfIntegersWithoutLimit) {
     Segments all;
     Exact exact;
@@ -93,14 +109,9 @@ TEST(Circles, OfAPointAndTwoLinesAreThoseOfIntegersWithoutLimit) {
         const SiteLine one{a.to, a.from};
         if ((side(one, p) > 0) == (side(b, p) > 0) && side(one, p) != 0 && side(b, p) != 0) continue; // no circle
         ++tried;
-        for (const int place : {1, 2}) {
-            const auto own = touching_circle(p, one, b, place == 2);
-            if (!own) continue;
-            Circle as_boost;
-            exact.pss(point(p), segment(a), segment(b), place, as_boost);
-            expect_same(*own, as_boost);
-            ++found;
-        }
+        found += same_at_both_places(
+            [&](bool second) { return touching_circle(p, one, b, second); },
+            [&](int place, Circle& out) { exact.pss(point(p), segment(a), segment(b), place, out); });
     }
     EXPECT_GT(tried, kTrials / 2);
     EXPECT_GT(found, 2 * tried * 9 / 10);
@@ -119,16 +130,11 @@ TEST(Circles, OfTwoPointsAndALineAreThoseOfIntegersWithoutLimit) {
         if (is_point(line) || is_point({p, q}) || side(line, p) == 0 || side(line, q) == 0) continue;
         if ((side(line, p) > 0) != (side(line, q) > 0)) continue; // no circle
         ++tried;
-        for (const int place : {1, 2}) {
-            const auto own = touching_circle(p, q, line, place == 2);
-            if (!own) continue;
-            Circle as_boost;
-            // which takes the points to lie right of the line
-            const SiteLine seen = side(line, p) < 0 ? line : SiteLine{line.to, line.from};
-            exact.pps(point(p), point(q), segment(seen), place, as_boost);
-            expect_same(*own, as_boost);
-            ++found;
-        }
+        // Boost takes the points to lie right of the line
+        const SiteLine seen = side(line, p) < 0 ? line : SiteLine{line.to, line.from};
+        found += same_at_both_places(
+            [&](bool second) { return touching_circle(p, q, line, second); },
+            [&](int place, Circle& out) { exact.pps(point(p), point(q), segment(seen), place, out); });
     }
     EXPECT_GT(tried, kTrials / 2);
     EXPECT_GT(found, 2 * tried * 9 / 10);

@@ -175,7 +175,7 @@ TEST(FirstLanes, LeaveTheRegionSmallerByTheirWidth) {
     const double w = kWidth;
     const FirstLanes bar = first_lanes(test::rectangle(0, 0, 60, 10), {.width = w, .most = 3});
     ASSERT_EQ(bar.rest.size(), 1U);
-    EXPECT_NEAR(polygon::signed_area(bar.rest[0]), (60 - 6 * w) * (10 - 6 * w), 0.7); // beads overlap by a 512th
+    EXPECT_NEAR(polygon::signed_area(bar.rest[0]), (60 - 6 * w) * (10 - 6 * w), 0.7); // beads overlap a little
     Loops plate = test::rectangle(0, 0, 40, 30);
     plate.add(std::vector<Vec2>{{10, 10}, {10, 20}, {20, 20}, {20, 10}});
     const FirstLanes holed = first_lanes(plate, {.width = w, .most = 2});
