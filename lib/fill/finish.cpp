@@ -61,7 +61,9 @@ void tidy(toolpath::Curve& line) {
 } // namespace
 
 std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how) {
-    const double w = how.bead_width, least = rings::least_void(w, polygon::signed_area(region));
+    const double w = how.bead_width, area = polygon::signed_area(region), least = rings::least_void(w, area);
+    Corners corners{how.open > 0 ? how.open : least, how.tolerance, how.corners == Rounded::everywhere};
+    if (how.open <= 0) corners.open_in_all = rings::kMostOpen * area;
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
     const auto room = [&](geom::Vec2 p) {
@@ -73,9 +75,7 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
     };
     std::vector<toolpath::Curve> out;
     for (ClosedLine& line : join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
-        if (how.corners != Rounded::nowhere)
-            line = rounded(line, w,
-                           {how.open > 0 ? how.open : least, how.tolerance, how.corners == Rounded::everywhere}, room);
+        if (how.corners != Rounded::nowhere) line = rounded(line, w, corners, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
         if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least);
         tidy(curve);

@@ -18,7 +18,8 @@ struct Finish {
     double tolerance = 0.01; // mm: what the edges of beads may be off
     bool wind = true;        // stacks of rings as double spirals
     Rounded corners = Rounded::everywhere;
-    double open = 0;      // mm2 that a rounded right angle leaves at most; 0: the least void that counts
+    double open = 0;      // mm2 that a rounded right angle leaves; 0: the least void that counts, and all rounded
+                          // corners of a curve together no more than rings::kMostOpen of the region
     bool thin_out = true; // leave out the points that are not needed
     Hanging hung{};       // as of join_rings
     double widest = 0;    // mm, of beads; 0: all are alike

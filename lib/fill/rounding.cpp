@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace filum::fill {
 
@@ -75,10 +76,14 @@ class Rounding {
   public:
     Rounding(const BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room)
         : line_(&line), course_(line), width_(width), reach_(reach_for(how.open)),
-          step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.at_outline), room_(&room) {}
+          step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.at_outline), room_(&room) {
+        find_corners();
+    }
+
+    // How many right angles its corners turn by, all together.
+    [[nodiscard]] double right_angles() const { return turned_ / std::numbers::sqrt2; }
 
     BeadLine run() {
-        find_corners();
         if (parts_.empty()) return *line_;
         const std::size_t n = line_->points.size();
         const bool about_begin = parts_.front().begin < 0; // the first stretch holds the line's first point
@@ -115,6 +120,7 @@ class Rounding {
         if ((*room_)(p) > kOuter * w) return reach;
         return outline_ ? reach * std::min(1.0, most / moved) : 0;
     }
+    // By how much the line turns at a vertex: what the unit vectors before and after it differ by.
     [[nodiscard]] double turn(std::size_t i) const {
         const std::size_t n = line_->points.size();
         const Vec2 p = line_->points[i], u = p - line_->points[i == 0 ? n - 1 : i - 1];
@@ -126,7 +132,7 @@ class Rounding {
     // Ascending and apart, all within a turn from the first one's begin.
     void find_corners() {
         const std::size_t n = line_->points.size();
-        std::vector<double> turned{0}; // up to vertex i, of the unit vectors along the segments: less than the angle
+        std::vector<double> turned{0}; // up to vertex i
         for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
         // A window whose unit vectors change by less in all has its mean nearer to its middle than what makes a corner.
         const double least = 2 * rings::kMostOff * width_ / reach_;
@@ -142,6 +148,7 @@ class Rounding {
             if (parts_.empty() || s - reach > parts_.back().end) parts_.push_back({s - reach, s + reach, {}});
             parts_.back().end = std::max(parts_.back().end, s + reach);
             parts_.back().corner.push_back({s, reach});
+            turned_ += turn(i);
         }
         while (parts_.size() > 1 && parts_.back().end >= parts_.front().begin + course_.length()) {
             RoundedStretch& first = parts_.front();
@@ -172,6 +179,7 @@ class Rounding {
     const std::function<double(Vec2)>* room_;
     std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the places asked for last
     std::vector<RoundedStretch> parts_;
+    double turned_ = 0; // at corners, as turn() tells it
     BeadLine out_;
 };
 
@@ -179,7 +187,13 @@ class Rounding {
 
 BeadLine rounded(const BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room) {
     const double length = geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
-    return length < 8 * reach_for(how.open) ? line : Rounding(line, width, how, room).run();
+    if (length < 8 * reach_for(how.open)) return line;
+    Rounding all(line, width, how, room);
+    const double share = how.open_in_all / all.right_angles();
+    if (share >= how.open) return all.run();
+    Corners less = how;
+    less.open = share;
+    return Rounding(line, width, less, room).run();
 }
 
 } // namespace filum::fill

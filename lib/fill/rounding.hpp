@@ -4,6 +4,7 @@
 #include "fill/splices.hpp"
 
 #include <functional>
+#include <limits>
 
 namespace filum::fill {
 
@@ -11,6 +12,8 @@ struct Corners {
     double open;            // mm2 that a rounded right angle leaves beyond it, at most
     double tolerance;       // mm: what beads' edges may be off
     bool at_outline = true; // also where the bead lies along the region's outline; else its corners stay there
+    // mm2 that all of a line's corners leave: where they would leave more, each has its share of it
+    double open_in_all = std::numeric_limits<double>::infinity();
 };
 
 // The closed line with each corner rounded off: its points moved to the mean of what lies within a reach of them along

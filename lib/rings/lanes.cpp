@@ -12,14 +12,14 @@ namespace filum::rings {
 
 namespace {
 
-constexpr double kLeastShare = 1.0 / 2000; // of a region: twenty corners leave no more than a hundredth of it open
+constexpr double kTips = 10; // voids of a small region that together leave kMostOpen of it
 // Of the tolerance, by which beads are wider than their lanes: half of what opens on average between parallel bends
 // whose chords are not in step (parabolas at random places gape by 4/15 of it).
 constexpr double kSeam = 2.0 / 15;
 
 } // namespace
 
-double least_void(double width, double area) { return std::min(kLeastVoid * width * width, kLeastShare * area); }
+double least_void(double width, double area) { return std::min(kLeastVoid * width * width, kMostOpen / kTips * area); }
 
 FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double area = polygon::signed_area(region), width = o.width - kSeam * o.tolerance, wider = o.width / width;

@@ -12,8 +12,11 @@ namespace filum::rings {
 // a detour.
 inline constexpr double kLeastVoid = (1 - std::numbers::pi / 4) / 4;
 
-// The smallest void that counts in a region of `area` mm2, mm2: what the edge of a bead of `width` flows over, or the
-// 2000th part of the region where that is less.
+// The share of a small region that voids too small for a detour may leave open together.
+inline constexpr double kMostOpen = 1.0 / 100;
+
+// The smallest void that counts in a region of `area` mm2, mm2: what the edge of a bead of `width` flows over, or a
+// tenth of kMostOpen of the region where that is less.
 double least_void(double width, double area);
 
 struct LaneOptions {
@@ -24,7 +27,7 @@ struct LaneOptions {
 
 // Rings along the lanes of the region (outer loop, then holes): closed, none crossing another or itself, each point
 // with the width of its lane there.  They share the region: their beads leave nothing out but tips and corners smaller
-// than what the edge of a bead flows over, and than the 2000th part of the region.
+// than what the edge of a bead flows over, and than the thousandth part of the region.
 Rings lanes(const Loops& region, const LaneOptions& options);
 
 // The first lanes and what they leave.

@@ -135,6 +135,31 @@ TEST(Rounded, TurnsCornersIntoCurvesOfTheSameMaterial) {
         EXPECT_NEAR(enclosed(line) - enclosed(rounded(line, kWidth, {open, 1e-5}, anywhere)), 4 * open, 0.02 * open);
 }
 
+TEST(Rounded, LeavesNoMoreThanAskedForInAll) {
+    BeadLine saw; // forty right angles
+    for (int k = 0; k < 20; ++k) {
+        saw.add({2.0 * k, 0}, kWidth);
+        saw.add({2.0 * k + 1, 1}, kWidth);
+    }
+    saw.add({40, 0}, kWidth);
+    saw.add({40, 5}, kWidth);
+    saw.add({0, 5}, kWidth);
+    const auto off = [&](const Corners& how) { // between the lines
+        double out = 0;
+        const BeadLine round = rounded(saw, kWidth, how, anywhere);
+        polygon::Loops a, b;
+        a.add(saw.points), b.add(round.points);
+        for (const auto& [p, q] : {std::pair{&a, &b}, std::pair{&b, &a}})
+            out += polygon::signed_area(polygon::subtract(*p, *q));
+        return out;
+    };
+    Corners how = kCorners;
+    EXPECT_GT(off(how), 38 * how.open);
+    how.open_in_all = 10 * how.open;
+    EXPECT_LT(off(how), 1.1 * how.open_in_all);
+    EXPECT_GT(off(how), 0.8 * how.open_in_all);
+}
+
 TEST(Rounded, LeavesGentleCornersAndMovesThoseOfTheOutlineNoFurtherThanABeadMayBeOff) {
     const auto at_outline = [](Vec2) { return kWidth / 2; };
     for (double turn = 0.05; turn < 3; turn += 0.1) { // rad, at the middle of the upper side

@@ -30,7 +30,7 @@ Filled filled(const Loops& area, const std::string& thin) {
 
 // Where a lane begins beside a thin wall its bead is narrow, for 2 mm at most.
 Notes besides_narrow(Notes notes) {
-    std::erase_if(notes, [](const Note& n) { return n.what == "bead below the least width" && n.amount < 2; });
+    std::erase_if(notes, [](const Note& n) { return n.what == "bead below the least width" && n.amount < 2.5; });
     return notes;
 }
 
