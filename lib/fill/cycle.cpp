@@ -16,14 +16,15 @@ constexpr double kPlaces = 12; // along a ring, where strips are looked for
 // Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
 // square of that.
 constexpr double kLink = 0.25;
+constexpr double kAlike = 3; // two windows: neither is longer than the other by more than this factor
 
 // Two rings facing each other at one place.
 struct Candidate {
     std::uint32_t ring, other;
-    double s;    // on `ring`
-    Vec2 across; // unit, towards the other ring
-    double bead; // mm, the narrower bead of the two
-    double score;
+    double s;      // on `ring`
+    Vec2 across;   // unit, towards the other ring
+    double bead;   // mm, the narrower bead of the two
+    double faults; // mm: the fewer the better
 };
 
 // One exchange: both rings lose their window, two links join the four ends.
@@ -139,7 +140,7 @@ class Joiner {
     // Whether neither the outline nor a link is in the way of this one.
     [[nodiscard]] bool clear(const geom::Segment& l) const {
         if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
-        return !links_.any_nearer(l, 0.1 * width_);
+        return !links_.any_nearer(l, rings::kNarrowest * width_);
     }
 
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
@@ -149,7 +150,7 @@ class Joiner {
         for (std::uint32_t r = 0; r < graph_.size(); ++r) {
             if (groups_.root(r) == largest && all) continue;
             const double l = graph_.length(r);
-            const auto n = static_cast<int>(all ? std::max(kPlaces, l / (0.25 * width_)) : kPlaces);
+            const auto n = static_cast<int>(all ? std::max(kPlaces, l / (kLink * width_)) : kPlaces);
             for (int k = 0; k < n; ++k) {
                 const double s = l * (k + 0.5) / n;
                 const Vec2 here = graph_.at(r, s);
@@ -158,18 +159,15 @@ class Joiner {
                     return groups_.root(other) != groups_.root(r);
                 });
                 if (!there || there->distance == 0) continue;
-                const double gap = there->distance / width_;
-                const double turn = graph_.turning(r, s - 0.6 * width_, s + 0.6 * width_) +
-                                    graph_.turning(there->ring, there->s - 0.6 * width_, there->s + 0.6 * width_);
                 const Vec2 across = (1 / there->distance) * (there->point - here);
                 const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
-                out.push_back(
-                    {r, there->ring, s, across, std::min(bead, width_),
-                     std::abs(gap - 1) + 0.5 * turn + (gap > 1.3 ? 3 : 0) + std::max(0.0, 1 - bead / width_)});
+                // by how much they are not a bead apart, and narrower than one
+                const double faults = std::abs(there->distance - width_) + std::max(0.0, width_ - bead);
+                out.push_back({r, there->ring, s, across, std::min(bead, width_), faults});
             }
         }
         std::stable_sort(out.begin(), out.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+                         [](const Candidate& a, const Candidate& b) { return a.faults < b.faults; });
         return out;
     }
 
@@ -196,7 +194,7 @@ class Joiner {
     // that the two links run side by side like beads.
     bool make(const Candidate& c, double half, Bridge& b) const {
         const double s0 = c.s - half, s1 = c.s + half;
-        if (2 * half > 0.45 * graph_.length(c.ring)) return false;
+        if (4 * half > graph_.length(c.ring)) return false;
         const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
         const auto opposite = [&](Vec2 a) {
             return graph_.first_hit(a, c.across, 0, kNeighbourReach * width_,
@@ -209,7 +207,7 @@ class Joiner {
         if (ahead < 0) ahead += l;
         b.parallel = ahead < l / 2;
         const double gone = b.parallel ? ahead : l - ahead;
-        if (gone < 0.4 * half || gone > 6 * half || gone > 0.45 * l) return false;
+        if (gone < 2 * half / kAlike || gone > 2 * half * kAlike) return false;
         const double t0 = b.parallel ? p->s : q->s;
         b.ring[0] = c.ring;
         b.ring[1] = c.other;

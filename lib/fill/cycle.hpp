@@ -30,7 +30,7 @@ inline constexpr int kHangsMost = 2;
 // out; rings that run there are in no double spiral.
 //
 // Returns one curve if all rings could be joined, else one per connected group, the longest first.
-// Ties: better facing first, then the lower ring, then the earlier place on it.
+// Places come first where rings are a bead apart and a bead wide.  Ties: the lower ring, then the earlier place on it.
 std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline = {},
                                    bool spirals = false, const Hanging& hung = {});
 

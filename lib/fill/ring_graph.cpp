@@ -65,21 +65,6 @@ Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
     return {ring_of_[segment], s_[segment] + t * geom::distance(seg.a, seg.b), q, geom::distance(p, q)};
 }
 
-double RingGraph::turning(std::uint32_t ring, double s0, double s1) const {
-    const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
-    const double s = wrapped(ring, s0), end = s + (s1 - s0);
-    double turned = 0;
-    for (std::uint32_t i = segment_at(ring, s) - first; i <= 2 * n; ++i) {
-        const std::uint32_t here = first + i % n, next = first + (i + 1) % n;
-        const double corner =
-            s_[here] + geom::distance(segments_[here].a, segments_[here].b) + (i >= n ? length_[ring] : 0);
-        if (corner >= end) break;
-        const Vec2 u = segments_[here].b - segments_[here].a, v = segments_[next].b - segments_[next].a;
-        turned += std::abs(std::atan2(geom::cross(u, v), geom::dot(u, v)));
-    }
-    return turned;
-}
-
 void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points,
                        std::vector<double>& width) const {
     const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;

@@ -82,9 +82,6 @@ class RingGraph {
                    });
     }
 
-    // Turning (rad, absolute) of the ring between s0 and s1 > s0.
-    [[nodiscard]] double turning(std::uint32_t ring, double s0, double s1) const;
-
     // Appends the points of the ring from s0 to s1 > s0, both ends included, and their widths.
     void append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points, std::vector<double>& width) const;
 
