@@ -15,14 +15,13 @@ namespace filum::fill {
 
 using geom::Vec2;
 using polygon::Loops;
+using toolpath::kLeastMove; // mm, as thick as a wall: no more than separates two areas
 
 namespace {
 
-constexpr double kRowGive = 0.2;    // how much higher or lower than wanted a row may be
-constexpr double kSlit = 0.0005;    // mm, half a wall's thickness: no more than separates two areas
-constexpr double kRoomBeside = 1.3; // bead widths beside a wall below which it is left out
-constexpr double kOpen = 2.0;       // bead widths that an opening needs
-constexpr double kDoor = 0.95;      // share of kOpen that a door's narrowest place keeps clear
+constexpr double kRowGive = 0.2; // how much higher or lower than wanted a row may be
+constexpr double kOpen = 2.0;    // bead widths that an opening needs
+constexpr double kDoor = 0.95;   // share of kOpen that a door's narrowest place keeps clear
 
 // Where two rows meet.
 struct Border {
@@ -73,7 +72,8 @@ class Maze {
         const auto box = polygon::bounds(region_);
         Loops bands;
         for (std::size_t i = 0; i + 1 < y_.size(); ++i) {
-            const double lo = y_[i] + kSlit, hi = y_[i + 1] - kSlit, l = box.lo.x - 1, r = box.hi.x + 1;
+            const double lo = y_[i] + kLeastMove / 2, hi = y_[i + 1] - kLeastMove / 2, l = box.lo.x - 1,
+                         r = box.hi.x + 1;
             bands.add(std::vector<Vec2>{{l, lo}, {r, lo}, {r, hi}, {l, hi}});
         }
         const Loops rows = polygon::intersect(region_, bands);
@@ -84,8 +84,8 @@ class Maze {
                 const Vec2 a = rows[c][k], b = rows[c][(k + 1) % rows[c].size()];
                 if (a.y != b.y) continue;
                 const auto line =
-                    static_cast<std::size_t>(std::lower_bound(y_.begin(), y_.end(), a.y - 2 * kSlit) - y_.begin());
-                if (line == y_.size() || std::abs(y_[line] - a.y) > 2 * kSlit) continue;
+                    static_cast<std::size_t>(std::lower_bound(y_.begin(), y_.end(), a.y - kLeastMove) - y_.begin());
+                if (line == y_.size() || std::abs(y_[line] - a.y) > kLeastMove) continue;
                 (a.y < y_[line] ? under : over)[line].push_back({std::min(a.x, b.x), std::max(a.x, b.x), c});
             }
         for (std::size_t line = 1; line + 1 < y_.size(); ++line) meet(line, under[line], over[line]);
@@ -97,7 +97,7 @@ class Maze {
         std::sort(over.begin(), over.end(), left);
         for (std::size_t i = 0, j = 0; i < under.size() && j < over.size();) {
             const double from = std::max(under[i].from, over[j].from), to = std::min(under[i].to, over[j].to);
-            if (to - from > 2 * kSlit) borders_.push_back({line, from, to, under[i].cell, over[j].cell, {}});
+            if (to - from > kLeastMove) borders_.push_back({line, from, to, under[i].cell, over[j].cell, {}});
             if (under[i].to < over[j].to)
                 ++i;
             else
@@ -105,10 +105,10 @@ class Maze {
         }
     }
 
-    // Walls along the borders, but for long stretches beside which the region is thin.
+    // Walls along the borders, but for long stretches that have no room for a bead beside them.
     void find_walls() {
         std::vector<std::vector<std::vector<polygon::LevelStretch>>> clear;
-        for (const double by : {-kRoomBeside, -kRoomBeside / 2, kRoomBeside / 2, kRoomBeside}) {
+        for (const double by : {-1.0, -0.5, 0.5, 1.0}) {
             std::vector<double> y = y_;
             for (double& v : y) v += by * width_;
             clear.push_back(polygon::scan(region_, y));
@@ -182,9 +182,10 @@ class Maze {
         Loops slits;
         for (const Border& b : borders_)
             for (const polygon::LevelStretch& s : b.walls) {
-                const double y = y_[b.line], lo = y - kSlit, hi = y + kSlit;
+                const double y = y_[b.line], lo = y - kLeastMove / 2, hi = y + kLeastMove / 2;
                 // into the outline, lest a thread of area is left there
-                const double l = s.from - (s.from == b.from ? 4 * kSlit : 0), r = s.to + (s.to == b.to ? 4 * kSlit : 0);
+                const double l = s.from - (s.from == b.from ? 2 * kLeastMove : 0),
+                             r = s.to + (s.to == b.to ? 2 * kLeastMove : 0);
                 slits.add(std::vector<Vec2>{{l, lo}, {r, lo}, {r, hi}, {l, hi}});
             }
         return polygon::subtract(region_, slits);

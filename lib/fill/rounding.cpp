@@ -11,8 +11,6 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kOuter = 0.75; // widths: beads whose middle is as near to the outline lie along it
-
 // A closed line by arc length.  Asking for places near the last one is quick.
 class Course {
   public:
@@ -117,7 +115,7 @@ class Rounding {
         const double reach = reach_ * std::min(1.0, 2 * w / width_); // narrow lanes are near
         const double moved = geom::distance(p, window(course_.s(vertex), reach).mean);
         if (2 * moved < most) return 0;
-        if ((*room_)(p) > kOuter * w) return reach;
+        if ((*room_)(p) >= std::min(w, width_)) return reach; // else it lies along the outline
         return outline_ ? reach * std::min(1.0, most / moved) : 0;
     }
     // By how much the line turns at a vertex: what the unit vectors before and after it differ by.

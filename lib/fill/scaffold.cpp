@@ -13,9 +13,10 @@
 
 namespace filum::fill {
 
+using toolpath::kLeastMove;
+
 namespace {
 
-constexpr double kEdge = 0.003;  // mm; a strand on the very edge of the area is moved in by this much
 constexpr double kMostRound = 2; // bead widths: the largest radius of a turn
 
 // The heights of the strands in `part`, in the frame where they run along x.
@@ -25,8 +26,9 @@ std::vector<double> heights(const Loops& part, const Loops& frame, const Scaffol
     const double span = std::floor(room / o.spacing + 1e-6) * o.spacing;
     const double base = (whole.lo.y + whole.hi.y - span) / 2 + o.shift * o.spacing;
     std::vector<double> out;
-    for (double k = std::ceil((box.lo.y - kEdge - base) / o.spacing); base + k * o.spacing <= box.hi.y + kEdge; k += 1)
-        out.push_back(std::clamp(base + k * o.spacing, box.lo.y + kEdge, box.hi.y - kEdge));
+    for (double k = std::ceil((box.lo.y - kLeastMove - base) / o.spacing);
+         base + k * o.spacing <= box.hi.y + kLeastMove; k += 1)
+        out.push_back(std::clamp(base + k * o.spacing, box.lo.y + kLeastMove, box.hi.y - kLeastMove));
     if (out.empty()) out.push_back((box.lo.y + box.hi.y) / 2);
     return out;
 }
@@ -38,7 +40,7 @@ void fill_with_strands(const Loops& part, const Loops& frame, std::optional<Vec2
     StrandGraph graph = strand_graph(part, heights(part, frame, o), w, from);
     if (graph.strands == 0) {
         const auto box = polygon::bounds(part);
-        graph = strand_graph(part, std::vector{(box.lo.y + box.hi.y) / 2}, kEdge, from);
+        graph = strand_graph(part, std::vector{(box.lo.y + box.hi.y) / 2}, kLeastMove, from);
     }
     const StrandWalk walk = strand_walk(graph);
     const Passes times = passes(graph, walk);

@@ -1,6 +1,7 @@
 #include "fill/single_lane.hpp"
 
 #include "fill/curve_place.hpp"
+#include "rings/wall_lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,7 @@ namespace {
 
 using toolpath::Curve;
 
-constexpr double kThickMargin = 0.5; // bead widths, from thicker parts
-constexpr double kShort = 3;         // bead widths: shorter walls stay as they are
-constexpr double kNear = 0.2;        // bead widths, of a lane from where it should be
-constexpr double kStray = 0.15;      // share of its length by which a lane may be longer or shorter than the wall
+constexpr double kShort = 3; // bead widths: shorter walls stay as they are
 
 // The closed curve, with the way to each place on it.
 struct Measured {
@@ -92,9 +90,8 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     const CurvePlace a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
     const CurvePlace b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
     for (const CurvePlace& p : {a0, a1, b0, b1})
-        if (p.off > kNear * width) return std::nullopt;
-    const double stray = kStray * lanes.length + width;
-    if (std::abs(m.ahead(a0, a1) - lanes.length) > stray || std::abs(m.ahead(b1, b0) - lanes.length) > stray)
+        if (p.off > rings::kMostOff * width) return std::nullopt;
+    if (std::abs(m.ahead(a0, a1) - lanes.length) > width || std::abs(m.ahead(b1, b0) - lanes.length) > width)
         return std::nullopt;
     if (tip && m.ahead(a1, b1) > 4 * (back + width)) return std::nullopt;
     Curve out;
@@ -141,7 +138,7 @@ bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& 
     const Measured m(curve);
     for (const auto k : order) {
         auto [w, tip] = towards_tip(walls, k, width);
-        w = part(w, kThickMargin * width, tip ? 0 : kThickMargin * width);
+        w = part(w, width / 2, tip ? 0 : width / 2);
         if (w.length < kShort * width || w.line.size() < 2) continue;
         for (const int side : {1, -1})
             if (auto open = to_middle(m, w, tip, width, side, false)) {
@@ -159,8 +156,8 @@ std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls,
         const auto [whole, ends_at_tip] = towards_tip(walls, k, width);
         auto [first, last] = thin_stretch(whole, least);
         const bool tip = ends_at_tip && last > whole.length - 1e-9;
-        if (!tip) last = std::min(last, whole.length - kThickMargin * width);
-        const Wall w = part(whole, std::max(first, kThickMargin * width), whole.length - last);
+        if (!tip) last = std::min(last, whole.length - width / 2);
+        const Wall w = part(whole, std::max(first, width / 2), whole.length - last);
         if (w.length < kShort / 2 * width || w.line.size() < 2) continue;
         const Measured m(curve);
         for (const int side : {1, -1})

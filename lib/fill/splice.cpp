@@ -2,6 +2,7 @@
 
 #include "fill/curve_place.hpp"
 #include "fill/cycle.hpp"
+#include "fill/double_spiral.hpp"
 #include "geom/segment_grid.hpp"
 #include "rings/lanes.hpp"
 
@@ -17,8 +18,6 @@ using geom::Segment;
 using toolpath::Curve;
 
 constexpr double kPlaceStep = 1.0 / 4; // bead widths between the places that are tried
-constexpr double kFarthest = 8;        // bead widths: the longest link
-constexpr double kNextTo = 1.5;        // bead widths: an end so near to a ring can lead on to it
 constexpr double kStraight = 0.9;      // a window must be as straight: chord / length
 constexpr double kTouch = 1e-4;        // of a link's length, at either end, where it may touch
 
@@ -81,7 +80,7 @@ std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::ve
     add_segments(ring, edges);
     const geom::SegmentGrid near(edges, w);
     std::vector<std::pair<double, double>> places; // distance, along
-    const double reach = kFarthest * w;
+    const double reach = kNeighbourReach * w;
     for (double along = w; along < sums.back() - w; along += kPlaceStep * w) {
         const geom::Vec2 p = place_at(curve, sums, along).point;
         double d = reach;
@@ -106,7 +105,7 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
     const auto sums = arc_lengths(ring);
     const geom::Vec2 end = curve.points.back();
     const CurvePlace at = nearest_place(ring, sums, end);
-    if (geom::distance(at.point, end) > kNextTo * w) return std::nullopt;
+    if (geom::distance(at.point, end) > kNeighbourReach * w) return std::nullopt;
     if (!is_free(end, at.point, geom::SegmentGrid(all, w), all)) return std::nullopt;
     Curve out{false, curve.points, {}};
     for (std::size_t i = 0; i < curve.points.size(); ++i) out.width.push_back(curve.width_at(i));

@@ -3,6 +3,7 @@
 #include "fill/crossings.hpp"
 #include "fill/curve_place.hpp"
 #include "polygon/clip.hpp"
+#include "rings/wall_lanes.hpp"
 #include "toolpath/merge.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 namespace filum::fill {
 
 namespace {
-
-constexpr double kTaperLength = 1.0 / 8; // bead widths, from one width to another
 
 struct Leg {
     std::vector<Vec2> line;
@@ -39,7 +38,7 @@ Leg leg(const StrandGraph& g, const Step& s, const Passes& passes, double width)
     const std::uint32_t times = s.strand ? passes.strand[s.id] : passes.arc[s.id];
     out.width = width / times;
     out.once = times == 1;
-    if (!out.once) add_tapers(out, kTaperLength * width);
+    if (!out.once) add_tapers(out, rings::kMostOff * width);
     if (s.against) std::reverse(out.line.begin(), out.line.end());
     return out;
 }
@@ -151,7 +150,7 @@ toolpath::Curve strand_bead(const StrandGraph& graph, std::span<const Step> trai
     std::vector<double> radii(legs.empty() ? 0 : legs.size() - 1, radius);
     toolpath::Curve out;
     for (bool again = true; again;) {
-        const Bead bead = joined(legs, radii, kTaperLength * width);
+        const Bead bead = joined(legs, radii, rings::kMostOff * width);
         again = false;
         for (const auto& [i, j] : crossing_pairs({bead.curve}, width)) {
             again |= less_round(bead, i, radii);

@@ -1,6 +1,7 @@
 #include "fill/thin_edges.hpp"
 
-#include "rings/beading.hpp"
+#include "fill/attempt.hpp"
+#include "rings/wall_lanes.hpp"
 
 #include <algorithm>
 #include <queue>
@@ -9,12 +10,8 @@ namespace filum::fill {
 
 namespace {
 
-constexpr double kFine = 1.0 / 64; // bead widths: what the axis may be off
-
-constexpr double kTipReach = 0.4; // bead widths: shorter tips are not followed
-
 // The edges of the medial axis that a thin wall's bead follows: radius below `most` at one end at least, dead ends
-// shortened until what they reach beyond the disc at their foot is worth following.
+// shortened until they reach farther beyond the disc at their foot than the round end of a bead.
 class ThinAxis {
   public:
     ThinAxis(const polygon::MedialAxis& axis, double width, double most)
@@ -58,7 +55,7 @@ class ThinAxis {
             const std::uint32_t k = *std::find_if(at_[v].begin(), at_[v].end(), [&](auto e) { return kept_[e] != 0; });
             const std::uint32_t u = axis_.from[2 * k] == v ? axis_.to(2 * k) : axis_.from[2 * k];
             const double beyond = reach_[v] + geom::distance(axis_.node[u], axis_.node[v]);
-            if (beyond - axis_.radius[u] > kTipReach * width_) continue;
+            if (beyond - axis_.radius[u] > width_ / 2) continue;
             kept_[k] = 0;
             --degree_[u];
             --degree_[v];
@@ -80,7 +77,8 @@ class ThinAxis {
 } // namespace
 
 polygon::MedialAxis axis_for(const polygon::Loops& area, double width) {
-    return polygon::medial_axis(polygon::sites_of(area, kFine * width), kFine * width, rings::kWallSlope);
+    const double fine = tolerance_for(width) / 2;
+    return polygon::medial_axis(polygon::sites_of(area, fine), fine, rings::kWallSlope);
 }
 
 polygon::MedialAxis split_at(const polygon::MedialAxis& axis, double radius) {

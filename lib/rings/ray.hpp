@@ -43,9 +43,8 @@ inline std::optional<double> share_at(const Beading& b, std::uint32_t h, double 
 // many that chords are off by at most `tolerance` mm.
 template <class Put>
 void each_on_arc(const MedialAxis& axis, std::uint32_t h, Vec2 p, Vec2 q, double tolerance, Put&& put) {
-    constexpr double kSameFoot = 1e-6; // mm
     const Vec2 foot = axis.foot[h];
-    if (geom::norm2(axis.last_foot(h) - foot) > kSameFoot * kSameFoot) return;
+    if (axis.last_foot(h) != foot) return;
     const Vec2 a = p - foot, b = q - foot;
     const double ra = geom::norm(a), rb = geom::norm(b), angle = std::atan2(cross(a, b), dot(a, b));
     const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / std::max(ra, rb)));
