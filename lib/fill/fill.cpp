@@ -3,12 +3,12 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "fill/identify.hpp"
-#include "fill/rectilinear.hpp"
-#include "fill/scaffold.hpp"
-#include "fill/single_lane.hpp"
+#include "fill/rows/rectilinear.hpp"
+#include "fill/rows/zigzag.hpp"
+#include "fill/scaffold/scaffold.hpp"
 #include "fill/spiral.hpp"
-#include "fill/wall_walk.hpp"
-#include "fill/zigzag.hpp"
+#include "fill/walls/single_lane.hpp"
+#include "fill/walls/wall_walk.hpp"
 #include "geom/angle.hpp"
 #include "geom/polyline.hpp"
 
@@ -27,9 +27,9 @@ int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cas
 
 // One pass along the walls of a region that is thin all over; nothing for others.
 std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width, Notes& notes) {
-    const auto graph = wall_graph(r.loops, width);
+    const auto graph = walls::wall_graph(r.loops, width);
     if (!graph) return {};
-    WallWalk walk = wall_walk(*graph);
+    walls::WallWalk walk = walls::wall_walk(*graph);
     if (walk.twice > 0) notes.push_back({"", "wall laid twice", walk.twice, "mm", 1, -1, walk.at.x, walk.at.y});
     if (walk.curves.size() > 1)
         notes.push_back({"", "wall not joined", static_cast<double>(walk.curves.size() - 1), "curves",
@@ -39,9 +39,9 @@ std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width
 
 // Opens the curve of a region that has thin walls, among others, along the longest of them.
 void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve& curve, Notes& notes) {
-    const WallGraph walls = thin_walls(r.loops, width);
+    const walls::WallGraph walls = walls::thin_walls(r.loops, width);
     std::size_t once = walls.walls.size();
-    pass_once(curve, walls, width, once);
+    walls::pass_once(curve, walls, width, once);
     double twice = 0;
     geom::Vec2 at;
     for (std::size_t k = 0; k < walls.walls.size(); ++k)
@@ -66,12 +66,13 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
     }
     if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)});
     if (o.pattern == "rectilinear")
-        return rectilinear(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 0)}, notes);
+        return rows::rectilinear(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 0)}, notes);
     if (o.pattern != "zigzag" && o.pattern != "spiral+zigzag" && o.pattern != "contour+zigzag")
         throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
     const int outer = o.pattern == "zigzag" ? 0 : rings(o, 2);
     const bool linked = o.pattern != "contour+zigzag";
-    return zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = outer, .linked = linked}, notes, &unplaced);
+    return rows::zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = outer, .linked = linked}, notes,
+                        &unplaced);
 }
 
 // Lays walls whose lanes would be narrower than the least width in two passes, one on the other.
@@ -79,7 +80,7 @@ void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, 
                       toolpath::RegionPaths& out) {
     if (out.curves.size() != 1) return;
     const double w = o.bead_width, least = o.min_width > 0 ? o.min_width : w / 4;
-    out.stacked = stack_lanes(out.curves[0], thin_walls(r.loops, w), w, least);
+    out.stacked = walls::stack_lanes(out.curves[0], walls::thin_walls(r.loops, w), w, least);
     double length = 0;
     for (const auto& line : out.stacked) length += geom::length(line);
     for (std::size_t i = first; i < notes.size(); ++i) // those are not narrow any more
@@ -151,14 +152,14 @@ toolpath::RegionPaths fill_scaffold(const polygon::Region& r, const Options& opt
     const std::size_t first = notes.size();
     before.column = column(r, before);
     const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
-    ScaffoldOptions s;
+    scaffold::ScaffoldOptions s;
     s.bead_width = o.bead_width;
     s.spacing = strand_spacing(o);
     s.angle = angle(r, o);
     s.shift = shifted ? o.stagger : 0;
     s.rings = rings(o, 0);
     if (r.join == Join::vertical) s.from = before.exit;
-    out.curves = scaffold(r.loops, before.columns[before.column].region, s, notes);
+    out.curves = scaffold::scaffold(r.loops, before.columns[before.column].region, s, notes);
     place(r, notes, first, out);
     before.exit.reset();
     if (!out.curves.empty() && !out.curves.back().closed) before.exit = out.curves.back().points.back();

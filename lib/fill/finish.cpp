@@ -1,6 +1,6 @@
 #include "fill/finish.hpp"
 
-#include "fill/cycle.hpp"
+#include "fill/join/cycle.hpp"
 #include "fill/rounding.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
@@ -74,7 +74,7 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
         return best;
     };
     std::vector<toolpath::Curve> out;
-    for (ClosedLine& line : join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
+    for (join::ClosedLine& line : join::join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
         if (how.corners != Rounded::nowhere) line = rounded(line, w, corners, room);
         toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
         if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least);

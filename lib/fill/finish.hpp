@@ -1,7 +1,7 @@
 // Rings made curves that a machine can follow: joined, rounded, with few points, on its grid.
 #pragma once
 
-#include "fill/cycle.hpp"
+#include "fill/join/cycle.hpp"
 #include "polygon/loops.hpp"
 #include "rings/rings.hpp"
 #include "toolpath/path.hpp"
@@ -21,7 +21,7 @@ struct Finish {
     double open = 0;      // mm2 that a rounded right angle leaves; 0: the least void that counts, and all rounded
                           // corners of a curve together no more than rings::kMostOpen of the region
     bool thin_out = true; // leave out the points that are not needed
-    Hanging hung{};       // as of join_rings
+    join::Hanging hung{}; // as of join_rings
     double widest = 0;    // mm, of beads; 0: all are alike
 };
 

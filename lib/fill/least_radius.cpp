@@ -1,6 +1,6 @@
 #include "fill/least_radius.hpp"
 
-#include "fill/ring_graph.hpp"
+#include "fill/join/ring_graph.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
 #include "toolpath/radius.hpp"
@@ -9,6 +9,9 @@
 #include <limits>
 
 namespace filum::fill {
+
+using geom::Vec2;
+using polygon::Loops;
 
 namespace {
 
@@ -38,11 +41,11 @@ Loops rounded_off(const Loops& part, double radius, double tolerance) {
 }
 
 // Adds loops as rings of a lane, each point as wide as that lane where it is nearest.
-void add_lane(const Loops& loops, int lane, const rings::Rings& from, const RingGraph& graph, double reach,
+void add_lane(const Loops& loops, int lane, const rings::Rings& from, const join::RingGraph& graph, double reach,
               rings::Rings& out) {
     for (std::size_t l = 0; l < loops.size(); ++l) {
         for (const Vec2 p : loops[l]) {
-            std::optional<Place> at;
+            std::optional<join::Place> at;
             for (double far = reach; !at; far *= 4)
                 at = graph.nearest(p, far, [&](std::uint32_t ring) { return from.lane[ring] == lane; });
             out.points.push_back(p);
@@ -64,7 +67,7 @@ double laid(const Loops& loops, double width) {
 rings::Rings with_round_corners(const rings::Rings& lanes, double width, double tolerance, double radius, Note& open) {
     rings::Rings out;
     if (lanes.size() == 0) return out;
-    const RingGraph graph(lanes, 1.5 * width);
+    const join::RingGraph graph(lanes, 1.5 * width);
     Loops outer; // the lane before, once it has been rounded
     double most = 0;
     for (std::size_t first = 0, next = 0; first < lanes.size(); first = next) {

@@ -1,12 +1,14 @@
 // Corners of a bead rounded off.  Private to lib/fill.
 #pragma once
 
-#include "fill/splices.hpp"
+#include "fill/join/splices.hpp"
 
 #include <functional>
 #include <limits>
 
 namespace filum::fill {
+
+using geom::Vec2;
 
 struct Corners {
     double open;            // mm2 that a rounded right angle leaves beyond it, at most
@@ -24,6 +26,7 @@ struct Corners {
 // room it has: room(p) is the distance from p to the region's outline, or anything larger than a bead.  A line stays as
 // it is if it is so short that the reaches of a square's corners would meet.  May cross itself where it came nearer to
 // itself than the reach.
-BeadLine rounded(const BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room);
+join::BeadLine rounded(const join::BeadLine& line, double width, const Corners& how,
+                       const std::function<double(Vec2)>& room);
 
 } // namespace filum::fill

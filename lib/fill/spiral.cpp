@@ -1,9 +1,9 @@
 #include "fill/spiral.hpp"
 
-#include "fill/attempt.hpp"
-#include "fill/crossings.hpp"
-#include "fill/cycle.hpp"
 #include "fill/finish.hpp"
+#include "fill/join/attempt.hpp"
+#include "fill/join/crossings.hpp"
+#include "fill/join/cycle.hpp"
 #include "fill/least_radius.hpp"
 #include "rings/lanes.hpp"
 #include "toolpath/merge.hpp"
@@ -27,8 +27,8 @@ rings::Rings rings_of(const Loops& region, const SpiralOptions& o, double tolera
                  : all;
 }
 
-Spiral spiral_by(const Loops& region, const SpiralOptions& o, const Attempt& how) {
-    const double w = o.bead_width, tolerance = how.share * tolerance_for(w);
+Spiral spiral_by(const Loops& region, const SpiralOptions& o, const join::Attempt& how) {
+    const double w = o.bead_width, tolerance = how.share * join::tolerance_for(w);
     Spiral out{{}, 0, 0, {"", "left open for the least radius", 0, "mm2", 0}};
     const rings::Rings all = rings_of(region, o, tolerance, out);
     const Rounded corners = how.round ? Rounded::everywhere : Rounded::nowhere;
@@ -61,7 +61,7 @@ Loops without_small_holes(const Loops& region, double least, Notes& notes) {
 }
 
 void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
-    note_unjoined(spiral.curves, notes);
+    join::note_unjoined(spiral.curves, notes);
     double length = 0;
     geom::Vec2 where;
     for (const auto& c : spiral.curves)
@@ -84,9 +84,9 @@ void report(const Spiral& spiral, const SpiralOptions& o, Notes& notes) {
 Spiral certified(const Loops& region, const SpiralOptions& o) {
     const auto faults = [](const Spiral& s) { return std::pair{s.crossings, s.curves.size()}; };
     std::optional<Spiral> best;
-    for (const Attempt& how : kAttempts) {
+    for (const join::Attempt& how : join::kAttempts) {
         Spiral now = spiral_by(region, o, how);
-        now.crossings = crossing_pairs(now.curves, o.bead_width).size();
+        now.crossings = join::crossing_pairs(now.curves, o.bead_width).size();
         if (!best || faults(now) < faults(*best)) best = std::move(now);
         if (best->crossings == 0 && best->curves.size() <= 1) break;
     }
@@ -104,7 +104,7 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
         any.min_radius = 0;
         out = certified(region, any);
     }
-    if (out.crossings > 0) out.crossings = uncross(out.curves, o.bead_width, notes);
+    if (out.crossings > 0) out.crossings = join::uncross(out.curves, o.bead_width, notes);
     out.unplaced += out.open.amount;
     report(out, o, notes);
     return out;
@@ -112,10 +112,10 @@ Spiral spiral(const polygon::Loops& given, const SpiralOptions& o, Notes& notes)
 
 std::vector<toolpath::Curve> contour(const polygon::Loops& region, const ContourOptions& o) {
     std::vector<toolpath::Curve> out;
-    for (const double share : kShares) {
+    for (const double share : join::kShares) {
         out = rings::curves_of(rings::lanes(
-            region, {.width = o.bead_width, .most = o.rings, .tolerance = share * tolerance_for(o.bead_width)}));
-        if (crossing_pairs(out, o.bead_width).empty()) break;
+            region, {.width = o.bead_width, .most = o.rings, .tolerance = share * join::tolerance_for(o.bead_width)}));
+        if (join::crossing_pairs(out, o.bead_width).empty()) break;
     }
     return out;
 }

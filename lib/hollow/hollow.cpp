@@ -1,10 +1,10 @@
 #include "hollow/hollow.hpp"
 
-#include "fill/attempt.hpp"
-#include "fill/crossings.hpp"
-#include "fill/cycle.hpp"
 #include "fill/finish.hpp"
 #include "fill/identify.hpp"
+#include "fill/join/attempt.hpp"
+#include "fill/join/crossings.hpp"
+#include "fill/join/cycle.hpp"
 #include "fill/spiral.hpp"
 #include "geom/segment_grid.hpp"
 #include "hollow/pieces.hpp"
@@ -218,14 +218,14 @@ void tell_features(const Region& r, const Loose& from, double w, std::vector<too
 
 // Tells how beads are carried over the air that bridges of the region span; empty without bridges.  At the rim are the
 // turns of rows that end at a wall, two beads wide.
-fill::Hanging hanging(const Region& r, double w) {
+fill::join::Hanging hanging(const Region& r, double w) {
     Loops all;
     for (const Area& a : r.areas)
         if (a.kind == AreaKind::bridge) all.add(a.loops);
     if (all.empty()) return {};
     return [all, deep = polygon::offset(all, -2 * w, kTolerance)](Vec2 p) {
         if (!polygon::contains(all, p)) return 0;
-        return polygon::contains(deep, p) ? fill::kHangsMost : 1;
+        return polygon::contains(deep, p) ? fill::join::kHangsMost : 1;
     };
 }
 
@@ -242,7 +242,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
     // crossings first, then curves
     constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
     std::pair fewest{kMost, kMost};
-    for (const fill::Attempt& how : fill::kAttempts) {
+    for (const fill::join::Attempt& how : fill::join::kAttempts) {
         const double tolerance = how.share * kTolerance;
         Loose parts = closed_curves(r, o.bead_width, tolerance);
         auto curves = fill::finished(parts.rings, r.loops,
@@ -253,7 +253,7 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
                                       .hung = hung,
                                       .widest = width.widest});
         const double left = fill::leave_tiny(curves, width.narrowest);
-        const std::pair faults{fill::crossing_pairs(curves, width.widest).size(), curves.size()};
+        const std::pair faults{fill::join::crossing_pairs(curves, width.widest).size(), curves.size()};
         if (faults >= fewest) continue;
         fewest = faults;
         loose = std::move(parts);
@@ -261,9 +261,9 @@ toolpath::RegionPaths fill(const Region& r, const Options& o, Notes& notes) {
         out.unplaced = left;
         if (fewest == std::pair<std::size_t, std::size_t>{0, 1}) break;
     }
-    if (fewest.first > 0) fill::uncross(out.curves, width.widest, notes);
+    if (fewest.first > 0) fill::join::uncross(out.curves, width.widest, notes);
     tell_features(r, loose, width.widest, out.curves);
-    fill::note_unjoined(out.curves, notes);
+    fill::join::note_unjoined(out.curves, notes);
     for (std::size_t i = first; i < notes.size(); ++i) notes[i].layer = r.layer;
     return out;
 }

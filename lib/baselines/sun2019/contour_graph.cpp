@@ -1,7 +1,7 @@
 #include "baselines/sun2019/contour_graph.hpp"
 
-#include "fill/inset.hpp"
 #include "geom/point_grid.hpp"
+#include "polygon/inset.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ std::vector<Ring> contours(const polygon::Loops& region, const SpiralOptions& o)
     std::vector<Ring> out;
     double by = o.first * o.offset;
     for (polygon::Loops loops = region; true; by = o.offset) {
-        loops = fill::inset(loops, by);
+        loops = polygon::inset(loops, by);
         if (loops.empty()) return out;
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < loops.size(); ++i) order.emplace_back(-polygon::signed_area(loops[i]), i);

@@ -1,8 +1,8 @@
 #include "baselines/sun2019/spiral.hpp"
 
 #include "baselines/sun2019/contour_graph.hpp"
-#include "fill/inset.hpp"
 #include "geom/principal_axis.hpp"
+#include "polygon/inset.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -146,7 +146,7 @@ std::size_t shifted(const Ring& ring, std::size_t at, double shift) {
 
 std::vector<toolpath::Curve> spiral(const polygon::Loops& region, const SpiralOptions& o, Notes& notes) {
     const double first = o.first * o.offset;
-    fill::note_unplaced(region, fill::inset(fill::inset(region, first), -first), o.offset, notes);
+    polygon::note_unplaced(region, polygon::inset(polygon::inset(region, first), -first), o.offset, notes);
     const auto rings = contours(region, o);
     std::vector<toolpath::Curve> out;
     if (rings.empty()) return out;

@@ -3,6 +3,7 @@
 #include "pattern_check.hpp"
 
 namespace filum::fill {
+
 namespace {
 
 using namespace test;

@@ -1,7 +1,7 @@
 // Few sharp turns: double spirals, rounded corners, widened turns.
-#include "fill/crossings.hpp"
-#include "fill/cycle.hpp"
 #include "fill/finish.hpp"
+#include "fill/join/crossings.hpp"
+#include "fill/join/cycle.hpp"
 #include "fill/rounding.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 namespace filum::fill {
+
+using namespace join;
+
 namespace {
 
 using test::disc;

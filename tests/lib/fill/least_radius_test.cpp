@@ -1,5 +1,5 @@
 // No tighter turns than asked for, and an honest account of those that are.
-#include "fill/crossings.hpp"
+#include "fill/join/crossings.hpp"
 #include "fill/least_radius.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 namespace filum::fill {
+
+using namespace join;
+
 namespace {
 
 using geom::Vec2;

@@ -1,10 +1,13 @@
-#include "fill/rectilinear.hpp"
+#include "fill/rows/rectilinear.hpp"
 
 #include "pattern_check.hpp"
 #include "polygon/stretches.hpp"
 #include "polygon/strips.hpp"
 
 namespace filum::fill {
+
+using namespace rows;
+
 namespace {
 
 using namespace test;

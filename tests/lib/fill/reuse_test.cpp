@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace filum::fill {
+
 namespace {
 
 using namespace test;

@@ -1,14 +1,17 @@
-#include "fill/scaffold.hpp"
+#include "fill/scaffold/scaffold.hpp"
 
 #include "base/error.hpp"
 #include "fill/fill.hpp"
-#include "fill/inset.hpp"
-#include "fill/strand_bead.hpp"
-#include "fill/strand_walk.hpp"
+#include "fill/scaffold/strand_bead.hpp"
+#include "fill/scaffold/strand_walk.hpp"
 #include "pattern_check.hpp"
+#include "polygon/inset.hpp"
 #include "polygon/stretches.hpp"
 
 namespace filum::fill {
+
+using namespace scaffold;
+
 namespace {
 
 using namespace test;
@@ -50,7 +53,7 @@ polygon::Region joined_region(const Loops& loops, std::uint32_t layer, Join join
 TEST(Scaffold, OfASquareIsTheMeanderOfKnownLength) {
     Notes notes;
     const Loops square = rectangle(0, 0, 20, 20);
-    const auto curves = scaffold(square, square, {}, notes);
+    const auto curves = scaffold::scaffold(square, square, {}, notes);
     ASSERT_EQ(curves.size(), 1U);
     EXPECT_FALSE(curves[0].closed);
     EXPECT_TRUE(notes.empty());
@@ -68,7 +71,7 @@ TEST(Scaffold, OfASquareIsTheMeanderOfKnownLength) {
 TEST(Scaffold, StrandsOnTheVeryEdgeAreLaid) {
     Notes notes;
     const Loops square = rectangle(0, 0, 20, 20);
-    const auto curves = scaffold(square, square, {.spacing = 0.98}, notes);
+    const auto curves = scaffold::scaffold(square, square, {.spacing = 0.98}, notes);
     ASSERT_EQ(curves.size(), 1U);
     EXPECT_EQ(strand_lines(curves[0], 0, 5).size(), 21U);
 }
@@ -77,7 +80,7 @@ TEST(Scaffold, StrandsOnTheVeryEdgeAreLaid) {
 void expect_scaffold(const Loops& area, double angle, const std::string& name) {
     const double w = 0.4;
     Notes notes;
-    const auto curves = scaffold(area, area, {.angle = angle}, notes);
+    const auto curves = scaffold::scaffold(area, area, {.angle = angle}, notes);
     expect_sound(curves);
     const Loops reach = polygon::rotated(inset(area, w / 2), -angle);
     EXPECT_EQ(curves.size(), polygon::split(reach).part.size()) << name << " at " << angle;
@@ -112,7 +115,8 @@ TEST(Scaffold, LaysRandomRegions) {
 // What is passed twice is laid in halves: the material is that of strands and boundary passed, each once.
 TEST(Scaffold, LaysTheRightAmountWhereItPassesAgain) {
     Notes notes;
-    const auto curves = scaffold(yoke(), yoke(), {.angle = std::numbers::pi / 2, .from = Vec2{5.8, 19.5}}, notes);
+    const auto curves =
+        scaffold::scaffold(yoke(), yoke(), {.angle = std::numbers::pi / 2, .from = Vec2{5.8, 19.5}}, notes);
     ASSERT_EQ(curves.size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "boundary passed again");
@@ -158,7 +162,7 @@ TEST(Scaffold, ConvexAreasPassNothingAgain) {
         for (const double angle : {0.0, 0.4, 1.2}) {
             Notes notes;
             const Loops area = rectangle(0, 0, 9, height);
-            EXPECT_EQ(scaffold(area, area, {.angle = angle}, notes).size(), 1U);
+            EXPECT_EQ(scaffold::scaffold(area, area, {.angle = angle}, notes).size(), 1U);
             EXPECT_TRUE(notes.empty()) << height << " at " << angle;
         }
 }
@@ -220,7 +224,7 @@ TEST(Scaffold, RingsBelongToTheStroke) {
     for (const auto& [name, area] : hard_regions())
         for (const int rings : {1, 2, 3}) {
             Notes notes, plain_notes;
-            const auto curves = scaffold(area, area, {.rings = rings}, notes);
+            const auto curves = scaffold::scaffold(area, area, {.rings = rings}, notes);
             if (polygon::offset(area, -(rings + 1) * 0.4).empty()) continue;
             expect_sound(curves);
             EXPECT_LE(crossings(curves), 1U)
@@ -248,7 +252,7 @@ TEST(Scaffold, SpacingBelowTheBeadWidthIsRefused) {
 TEST(Scaffold, WhatIsTooThinIsNoted) {
     Notes notes;
     const Loops area = regions_of(polygon::unite(rectangle(0, 0, 6, 6), rectangle(6, 3, 12, 3.3))).at(0);
-    EXPECT_EQ(scaffold(area, area, {}, notes).size(), 1U);
+    EXPECT_EQ(scaffold::scaffold(area, area, {}, notes).size(), 1U);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "not reached by a bead");
     EXPECT_NEAR(notes[0].amount, 1.8, 0.1);
@@ -257,7 +261,8 @@ TEST(Scaffold, WhatIsTooThinIsNoted) {
 TEST(Scaffold, IsTheSameEveryTime) {
     Notes a, b;
     for (const auto& area : random_regions(5))
-        EXPECT_TRUE(same(scaffold(area, area, {.rings = 1}, a), scaffold(area, area, {.rings = 1}, b)));
+        EXPECT_TRUE(
+            same(scaffold::scaffold(area, area, {.rings = 1}, a), scaffold::scaffold(area, area, {.rings = 1}, b)));
 }
 
 } // namespace

@@ -1,10 +1,13 @@
-#include "fill/single_lane.hpp"
+#include "fill/walls/single_lane.hpp"
 
 #include "fill/fill.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
 
 namespace filum::fill {
+
+using namespace walls;
+
 namespace {
 
 using namespace test;

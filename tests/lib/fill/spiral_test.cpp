@@ -1,4 +1,4 @@
-#include "fill/crossings.hpp"
+#include "fill/join/crossings.hpp"
 #include "fill/spiral.hpp"
 
 #include "geom/segment_grid.hpp"
@@ -60,7 +60,7 @@ double coverage(const Loops& region, const Spiral& s, int n = 4000) {
 void expect_one_clean_curve(const Loops& region, const Spiral& s) {
     ASSERT_EQ(s.curves.size(), 1U);
     EXPECT_TRUE(s.curves[0].closed);
-    EXPECT_EQ(fill::crossing_pairs(s.curves, kWidth).size(), 0U);
+    EXPECT_EQ(fill::join::crossing_pairs(s.curves, kWidth).size(), 0U);
     for (const Vec2 p : s.curves[0].points) {
         bool inside = polygon::contains(region, p);
         for (std::size_t l = 0; l < region.size() && !inside; ++l)
@@ -156,7 +156,7 @@ TEST(Spiral, ReportsBeadsBelowTheLeastWidth) {
 
 TEST(Crossings, AreCounted) {
     toolpath::Curve eight{true, {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {0.4}};
-    EXPECT_EQ(fill::crossing_pairs({eight}, 0.4).size(), 1U);
+    EXPECT_EQ(fill::join::crossing_pairs({eight}, 0.4).size(), 1U);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // Tips without room for two lanes, and what becomes of a curve on the micrometre grid.
-#include "fill/crossings.hpp"
+#include "fill/join/crossings.hpp"
 #include "fill/spiral.hpp"
 #include "shapes.hpp"
 
@@ -30,7 +30,7 @@ TEST(Tips, OfNeighboursDoNotCross) {
             ASSERT_EQ(s.curves.size(), 1U);
             curves.insert(curves.end(), s.curves.begin(), s.curves.end());
         }
-        EXPECT_EQ(fill::crossing_pairs(curves, 0.4).size(), 0U) << "tips of " << 2 * half << " rad, turned by " << a;
+        EXPECT_EQ(fill::join::crossing_pairs(curves, 0.4).size(), 0U) << "tips of " << 2 * half << " rad, turned by " << a;
     }
 }
 

@@ -1,10 +1,13 @@
-#include "fill/crossings.hpp"
+#include "fill/join/crossings.hpp"
 
 #include "pattern_check.hpp"
 
 #include <random>
 
 namespace filum::fill {
+
+using namespace join;
+
 namespace {
 
 double length(const toolpath::Curve& c) {

@@ -1,4 +1,4 @@
-#include "fill/wall_walk.hpp"
+#include "fill/walls/wall_walk.hpp"
 
 #include "fill/fill.hpp"
 #include "pattern_check.hpp"
@@ -6,6 +6,9 @@
 #include <numeric>
 
 namespace filum::fill {
+
+using namespace walls;
+
 namespace {
 
 using namespace test;

@@ -1,9 +1,12 @@
-#include "fill/zigzag.hpp"
+#include "fill/rows/zigzag.hpp"
 
-#include "fill/maze.hpp"
+#include "fill/rows/maze.hpp"
 #include "pattern_check.hpp"
 
 namespace filum::fill {
+
+using namespace rows;
+
 namespace {
 
 using namespace test;

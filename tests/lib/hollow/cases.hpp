@@ -3,7 +3,7 @@
 
 #include "../fill/pattern_check.hpp"
 #include "../trials.hpp"
-#include "fill/crossings.hpp"
+#include "fill/join/crossings.hpp"
 #include "hollow/hollow.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ inline std::size_t sound_curves(const Case& c) {
     const auto paths = fill(c.region, {.bead_width = kBead}, notes);
     EXPECT_FALSE(paths.curves.empty()) << c.seed;
     for (const auto& curve : paths.curves) EXPECT_TRUE(curve.closed);
-    EXPECT_EQ(fill::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;
+    EXPECT_EQ(fill::join::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;
     EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
     // acute tips may be moved a little
     EXPECT_LT(test::farthest_outside(c.region.loops, paths.curves), 0.12) << c.seed;

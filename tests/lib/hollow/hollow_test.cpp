@@ -49,7 +49,7 @@ TEST(Hollow, ConcentricLinesAreOneCurveWithWallsAndSkins) {
             if (a.kind == AreaKind::sparse) a = {a.kind, a.loops, 0, 1.5 + 0.2 * (c.seed % 10), Pattern::concentric};
         Notes notes;
         const auto paths = fill(c.region, {.bead_width = kBead}, notes);
-        EXPECT_EQ(fill::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;
+        EXPECT_EQ(fill::join::crossing_pairs(paths.curves, kBead).size(), 0U) << c.seed;
         EXPECT_EQ(paths.curves.size() > 1, !notes.empty() && notes.back().what == "ring not joined") << c.seed;
         more += paths.curves.size() > 1 ? 1 : 0;
         ++all;
@@ -115,7 +115,7 @@ TEST(Hollow, RowsOfABridgeRunAlongItAndTurnWhereItIsCarried) {
         Notes notes;
         const auto paths = fill(r, {.bead_width = kBead}, notes);
         ASSERT_EQ(paths.curves.size(), 1U);
-        EXPECT_EQ(fill::crossing_pairs(paths.curves, kBead).size(), 0U);
+        EXPECT_EQ(fill::join::crossing_pairs(paths.curves, kBead).size(), 0U);
         const auto& c = paths.curves[0];
         const geom::Vec2 along{std::cos(direction), std::sin(direction)};
         double all = 0, askew = 0, other = 0;

@@ -1,0 +1,136 @@
+#include "fill/join/crossings.hpp"
+
+#include "geom/segment.hpp"
+#include "geom/segment_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::fill::join {
+
+namespace {
+
+using geom::Vec2;
+
+// A point of a curve, or a crossing that becomes one.
+struct Knot {
+    Vec2 at;
+    double width;
+};
+
+struct OnCurve {
+    std::size_t curve, segment;
+};
+
+OnCurve place_of(const std::vector<toolpath::Curve>& curves, std::size_t segment) {
+    std::size_t c = 0;
+    for (; segment >= curves[c].points.size(); ++c) segment -= curves[c].points.size();
+    return {c, segment};
+}
+
+// Where segment i of a crosses segment j of b, in whole micrometres.
+Knot crossing(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b, std::size_t j) {
+    const std::size_t i2 = (i + 1) % a.points.size(), j2 = (j + 1) % b.points.size();
+    const Vec2 p = a.points[i], u = a.points[i2] - p, q = b.points[j], v = b.points[j2] - q;
+    const double t = std::clamp(cross(q - p, v) / cross(u, v), 0.0, 1.0);
+    const Vec2 at = p + t * u;
+    return {{std::round(at.x * 1e3) / 1e3, std::round(at.y * 1e3) / 1e3},
+            std::min(std::lerp(a.width[i], a.width[i2], t), std::max(b.width[j], b.width[j2]))};
+}
+
+void append(const toolpath::Curve& from, std::size_t i, toolpath::Curve& to) {
+    if (!to.points.empty() && to.points.back() == from.points[i]) return;
+    to.points.push_back(from.points[i]);
+    to.width.push_back(from.width[i]);
+}
+
+void append(const Knot& knot, toolpath::Curve& to) {
+    if (to.points.back() == knot.at) return;
+    to.points.push_back(knot.at);
+    to.width.push_back(knot.width);
+}
+
+void drop_repeated_end(toolpath::Curve& curve) {
+    while (curve.points.size() > 3 && curve.points.back() == curve.points.front()) {
+        curve.points.pop_back();
+        curve.width.pop_back();
+    }
+}
+
+// The curve with what lies between its segments i < j run the other way round.
+toolpath::Curve turned(const toolpath::Curve& c, std::size_t i, std::size_t j, const Knot& x) {
+    toolpath::Curve out;
+    out.closed = true;
+    for (std::size_t k = 0; k <= i; ++k) append(c, k, out);
+    append(x, out);
+    for (std::size_t k = j; k > i; --k) append(c, k, out);
+    append(x, out);
+    for (std::size_t k = j + 1; k < c.points.size(); ++k) append(c, k, out);
+    drop_repeated_end(out);
+    return out;
+}
+
+// The curve a with b run through where segment j of b crosses its segment i.
+toolpath::Curve merged(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b, std::size_t j,
+                       const Knot& x) {
+    toolpath::Curve out;
+    out.closed = true;
+    for (std::size_t k = 0; k <= i; ++k) append(a, k, out);
+    append(x, out);
+    for (std::size_t k = 1; k <= b.points.size(); ++k) append(b, (j + k) % b.points.size(), out);
+    append(x, out);
+    for (std::size_t k = i + 1; k < a.points.size(); ++k) append(a, k, out);
+    drop_repeated_end(out);
+    return out;
+}
+
+} // namespace
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<toolpath::Curve>& curves,
+                                                                    double cell) {
+    std::vector<geom::Segment> all;
+    for (const auto& c : curves)
+        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
+            all.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
+    const geom::SegmentGrid grid(all, cell);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        const geom::Vec2 a = all[i].a, b = all[i].b;
+        grid.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
+                  [&](std::uint32_t j) {
+                      if (j > i && geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
+                  });
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end()); // a pair may share several cells
+    return out;
+}
+
+void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Notes& notes) {
+    const auto pairs = crossing_pairs(curves, cell);
+    if (pairs.empty()) return;
+    std::size_t curve = 0, point = pairs[0].first;
+    for (; point >= curves[curve].points.size(); ++curve) point -= curves[curve].points.size();
+    const geom::Vec2 at = curves[curve].points[point];
+    const auto n = static_cast<double>(pairs.size());
+    notes.push_back({"", "curve crosses itself", n, "places", pairs.size(), -1, at.x, at.y});
+}
+
+std::size_t uncross(std::vector<toolpath::Curve>& curves, double cell, Notes& notes) {
+    auto pairs = crossing_pairs(curves, cell);
+    for (std::size_t left = 4 * pairs.size(); left > 0 && !pairs.empty(); --left) {
+        const OnCurve a = place_of(curves, pairs[0].first), b = place_of(curves, pairs[0].second);
+        const Knot x = crossing(curves[a.curve], a.segment, curves[b.curve], b.segment);
+        if (a.curve == b.curve) {
+            curves[a.curve] = turned(curves[a.curve], a.segment, b.segment, x);
+        } else {
+            curves[a.curve] = merged(curves[a.curve], a.segment, curves[b.curve], b.segment, x);
+            curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(b.curve));
+        }
+        pairs = crossing_pairs(curves, cell);
+    }
+    if (!pairs.empty()) note_crossings(curves, cell, notes);
+    return pairs.size();
+}
+
+} // namespace filum::fill::join

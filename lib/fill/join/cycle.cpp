@@ -1,0 +1,273 @@
+#include "fill/join/cycle.hpp"
+
+#include "fill/join/double_spiral.hpp"
+#include "fill/join/links.hpp"
+#include "fill/join/ring_graph.hpp"
+#include "geom/disjoint_sets.hpp"
+#include "polygon/segments.hpp"
+
+#include <algorithm>
+
+namespace filum::fill::join {
+
+namespace {
+
+constexpr double kPlaces = 12; // along a ring, where strips are looked for
+// Half a link's width, of its beads': beside the turn from a bead into two links a void is left, which grows with the
+// square of that.
+constexpr double kLink = 0.25;
+constexpr double kAlike = 3; // two windows: neither is longer than the other by more than this factor
+
+// Two rings facing each other at one place.
+struct Candidate {
+    std::uint32_t ring, other;
+    double s;      // on `ring`
+    Vec2 across;   // unit, towards the other ring
+    double bead;   // mm, the narrower bead of the two
+    double faults; // mm: the fewer the better
+};
+
+// One exchange: both rings lose their window, two links join the four ends.
+struct Bridge {
+    std::uint32_t ring[2];
+    double s0[2], s1[2];   // windows, s1 > s0
+    Vec2 begin[2], end[2]; // the points at s0 and s1
+    bool parallel;         // links run begin-begin and end-end, else begin-end
+    [[nodiscard]] geom::Segment link(int k) const {
+        if (parallel) return k == 0 ? geom::Segment{begin[0], begin[1]} : geom::Segment{end[0], end[1]};
+        return k == 0 ? geom::Segment{begin[0], end[1]} : geom::Segment{end[0], begin[1]};
+    }
+    // The links are as wide as they are apart.
+    [[nodiscard]] Splice splice(double width) const {
+        Splice out{{{ring[0], s0[0], s1[0]}, {ring[1], s0[1], s1[1]}},
+                   {{{0, false}, {1, !parallel}, {}}, {{0, true}, {1, parallel}, {}}}};
+        for (const int k : {0, 1})
+            for (const double t : {kLinkEnd, 1 - kLinkEnd})
+                out.links[static_cast<std::size_t>(k)].bead.add(geom::lerp(link(k).a, link(k).b, t), width);
+        return out;
+    }
+};
+
+class Joiner {
+  public:
+    Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
+        : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
+          width_(width), groups_(graph_.size()), splices_(graph_), links_(1.5 * width), hung_(&hung) {
+        if (!hung) return;
+        for (std::uint32_t r = 0; r < rings.size(); ++r)
+            over_air_.push_back(std::any_of(rings.points.begin() + rings.start[r],
+                                            rings.points.begin() + rings.start[r + 1],
+                                            [&](Vec2 p) { return hung(p) > 0; })
+                                    ? 1
+                                    : 0);
+    }
+
+    std::vector<ClosedLine> run(bool spirals) {
+        if (spirals) wind();
+        // few places first: most rings face their neighbours all the way round
+        for (const bool all : {false, true}) {
+            if (groups_.sets() <= 1) break;
+            link(all, {kLink});
+        }
+        for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_) link(true, {kLink});
+        if (groups_.sets() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
+            stay_inside_ = false;
+            link(true, {kLink, rings::kNarrowest});
+        }
+        return splices_.trace();
+    }
+
+  private:
+    // Exchanges where a few places of a ring, or all, see another, the wide ones first.
+    void link(bool all, std::initializer_list<double> halves) {
+        const auto found = candidates(all);
+        for (const double half : halves) accept(found, half);
+    }
+
+    // Double spirals wherever three rings or more that are still apart run side by side.  From the outside in, so that
+    // most begin at an outline and end at a centre.
+    void wind() {
+        std::vector<char> wound(graph_.size(), 0);
+        for (std::uint32_t r = 0; r < graph_.size() && groups_.sets() > 1; ++r) {
+            if (wound[r] || runs_over_air(r)) continue;
+            const auto splice = best_spiral(r);
+            if (!splice) continue;
+            for (const Window& w : splice->windows) {
+                groups_.unite(r, w.ring);
+                wound[w.ring] = 1;
+            }
+            for (const Link& l : splice->links) links_.push_back({rim(*splice, l.from), rim(*splice, l.to)});
+            splices_.add(*splice);
+        }
+    }
+
+    [[nodiscard]] bool runs_over_air(std::uint32_t ring) const { return !over_air_.empty() && over_air_[ring] != 0; }
+
+    [[nodiscard]] Vec2 rim(const Splice& splice, Rim r) const {
+        const Window& w = splice.windows[r.window];
+        return graph_.at(w.ring, r.end ? w.s1 : w.s0);
+    }
+
+    // The one of most lanes across ring r among a few places.
+    [[nodiscard]] std::optional<Splice> best_spiral(std::uint32_t r) {
+        const double l = graph_.length(r);
+        const auto n = static_cast<int>(std::clamp(l / (2 * width_), 1.0, kPlaces));
+        std::vector<Lanes> found;
+        for (int k = 0; k < n; ++k) {
+            std::vector<std::uint32_t> roots{groups_.root(r)};
+            found.push_back(lanes_across(graph_, r, l * (k + 0.5) / n, k % 2 == 0, width_, [&](std::uint32_t other) {
+                const std::uint32_t root = groups_.root(other);
+                if (runs_over_air(other) || std::find(roots.begin(), roots.end(), root) != roots.end()) return false;
+                roots.push_back(root);
+                return true;
+            }));
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Lanes& a, const Lanes& b) { return a.lane.size() > b.lane.size(); });
+        const Room room{[&](std::uint32_t ring, double s0, double s1) { return splices_.free(ring, s0, s1); },
+                        [&](Vec2 a, Vec2 b) {
+                            return clear({a, b});
+                        }};
+        std::optional<Splice> best;
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            if (best && best->windows.size() >= found[k].lane.size()) break;
+            auto splice = double_spiral(graph_, found[k], width_, room);
+            if (splice && (!best || splice->windows.size() > best->windows.size())) best = std::move(splice);
+        }
+        return best;
+    }
+
+    // Whether neither the outline nor a link is in the way of this one.
+    [[nodiscard]] bool clear(const geom::Segment& l) const {
+        if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
+        return !links_.any_nearer(l, rings::kNarrowest * width_);
+    }
+
+    // Places, evenly spread over every ring that still stands apart, where another ring is near.
+    std::vector<Candidate> candidates(bool all) {
+        std::vector<Candidate> out;
+        const std::uint32_t largest = largest_group();
+        for (std::uint32_t r = 0; r < graph_.size(); ++r) {
+            if (groups_.root(r) == largest && all) continue;
+            const double l = graph_.length(r);
+            const auto n = static_cast<int>(all ? std::max(kPlaces, l / (kLink * width_)) : kPlaces);
+            for (int k = 0; k < n; ++k) {
+                const double s = l * (k + 0.5) / n;
+                const Vec2 here = graph_.at(r, s);
+                if (*hung_ && (*hung_)(here) > may_hang_) continue;
+                const auto there = graph_.nearest(here, kNeighbourReach * width_, [&](std::uint32_t other) {
+                    return groups_.root(other) != groups_.root(r);
+                });
+                if (!there || there->distance == 0) continue;
+                const Vec2 across = (1 / there->distance) * (there->point - here);
+                const double bead = std::min(graph_.width(r, s), graph_.width(there->ring, there->s));
+                // by how much they are not a bead apart, and narrower than one
+                const double faults = std::abs(there->distance - width_) + std::max(0.0, width_ - bead);
+                out.push_back({r, there->ring, s, across, std::min(bead, width_), faults});
+            }
+        }
+        std::stable_sort(out.begin(), out.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.faults < b.faults; });
+        return out;
+    }
+
+    std::uint32_t largest_group() {
+        std::vector<std::uint32_t> count(graph_.size(), 0);
+        for (std::uint32_t r = 0; r < graph_.size(); ++r) ++count[groups_.root(r)];
+        return static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
+    }
+
+    void accept(const std::vector<Candidate>& found, double half) {
+        for (const Candidate& c : found) {
+            if (groups_.sets() <= 1) return;
+            if (groups_.root(c.ring) == groups_.root(c.other)) continue;
+            Bridge b;
+            const double window = half * c.bead;
+            if (!make(c, window, b) || !fits(b, window)) continue;
+            splices_.add(b.splice(2 * window));
+            for (const int k : {0, 1}) links_.push_back(b.link(k));
+            groups_.unite(c.ring, c.other);
+        }
+    }
+
+    // The window of `half` on each side of the candidate's place, and the one straight across on the other ring, so
+    // that the two links run side by side like beads.
+    bool make(const Candidate& c, double half, Bridge& b) const {
+        const double s0 = c.s - half, s1 = c.s + half;
+        if (4 * half > graph_.length(c.ring)) return false;
+        const Vec2 a0 = graph_.at(c.ring, s0), a1 = graph_.at(c.ring, s1);
+        const auto opposite = [&](Vec2 a) {
+            return graph_.first_hit(a, c.across, 0, kNeighbourReach * width_,
+                                    [&](std::uint32_t ring) { return ring == c.other; });
+        };
+        const auto p = opposite(a0), q = opposite(a1);
+        if (!p || !q) return false;
+        const double l = graph_.length(c.other);
+        double ahead = std::fmod(q->s - p->s, l); // from p forward to q
+        if (ahead < 0) ahead += l;
+        b.parallel = ahead < l / 2;
+        const double gone = b.parallel ? ahead : l - ahead;
+        if (gone < 2 * half / kAlike || gone > 2 * half * kAlike) return false;
+        const double t0 = b.parallel ? p->s : q->s;
+        b.ring[0] = c.ring;
+        b.ring[1] = c.other;
+        b.s0[0] = s0;
+        b.s1[0] = s1;
+        b.s0[1] = t0;
+        b.s1[1] = t0 + gone;
+        for (const int k : {0, 1}) {
+            b.begin[k] = graph_.at(b.ring[k], b.s0[k]);
+            b.end[k] = graph_.at(b.ring[k], b.s1[k]);
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool fits(const Bridge& b, double half) const {
+        for (const int k : {0, 1})
+            if (!splices_.free(b.ring[k], b.s0[k] - half / 2, b.s1[k] + half / 2)) return false;
+        const geom::Segment u = b.link(0), v = b.link(1);
+        if (geom::cross_properly(u.a, u.b, v.a, v.b)) return false;
+        for (const auto& l : {u, v}) {
+            if (geom::distance(l.a, l.b) > kNeighbourReach * width_) return false;
+            // not quite to the ends, which lie on rings
+            if (graph_.crosses(geom::lerp(l.a, l.b, kLinkEnd), geom::lerp(l.b, l.a, kLinkEnd))) return false;
+            if (!clear(l)) return false;
+        }
+        return true;
+    }
+
+    RingGraph graph_;
+    std::vector<geom::Segment> outline_;
+    geom::SegmentGrid outline_grid_;
+    double width_;
+    bool stay_inside_ = true;
+    int may_hang_ = 0;          // links, as hung_ says
+    geom::DisjointSets groups_; // of rings
+    Splices splices_;
+    Links links_;
+    const Hanging* hung_;
+    std::vector<char> over_air_; // per ring; none if nothing hangs
+};
+
+} // namespace
+
+std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals,
+                                   const Hanging& hung) {
+    if (rings.size() == 0) return {};
+    return Joiner(rings, width, outline, hung).run(spirals);
+}
+
+std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines) {
+    std::vector<toolpath::Curve> out;
+    for (ClosedLine& line : lines) out.push_back({true, std::move(line.points), std::move(line.width)});
+    return out;
+}
+
+void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes) {
+    if (curves.size() < 2) return;
+    const auto more = curves.size() - 1;
+    const Vec2 p = curves.back().points.front();
+    notes.push_back({"", "ring not joined", static_cast<double>(more), "curves", more, -1, p.x, p.y});
+}
+
+} // namespace filum::fill::join

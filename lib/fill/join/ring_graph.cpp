@@ -1,0 +1,86 @@
+#include "fill/join/ring_graph.hpp"
+
+namespace filum::fill::join {
+
+namespace {
+
+std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
+    std::vector<geom::Segment> out;
+    for (std::uint32_t r = 0; r < rings.size(); ++r)
+        for (std::uint32_t i = rings.start[r]; i < rings.start[r + 1]; ++i)
+            out.push_back({rings.points[i], rings.points[i + 1 == rings.start[r + 1] ? rings.start[r] : i + 1]});
+    return out;
+}
+
+} // namespace
+
+RingGraph::RingGraph(const rings::Rings& rings, double cell)
+    : segments_(segments_of(rings)), start_(rings.start), width_(rings.width), grid_(segments_, cell) {
+    ring_of_.resize(segments_.size());
+    s_.resize(segments_.size());
+    for (std::uint32_t r = 0; r < rings.size(); ++r) {
+        double s = 0;
+        for (std::uint32_t i = start_[r]; i < start_[r + 1]; ++i) {
+            ring_of_[i] = r;
+            s_[i] = s;
+            s += geom::distance(segments_[i].a, segments_[i].b);
+        }
+        length_.push_back(s);
+    }
+}
+
+double RingGraph::wrapped(std::uint32_t ring, double s) const {
+    const double l = length_[ring];
+    s = std::fmod(s, l);
+    return s < 0 ? s + l : s;
+}
+
+std::uint32_t RingGraph::segment_at(std::uint32_t ring, double s) const {
+    const auto first = s_.begin() + start_[ring], last = s_.begin() + start_[ring + 1];
+    return static_cast<std::uint32_t>(std::upper_bound(first, last, s) - s_.begin() - 1);
+}
+
+std::pair<std::uint32_t, double> RingGraph::locate(std::uint32_t ring, double s) const {
+    s = wrapped(ring, s);
+    const std::uint32_t i = segment_at(ring, s);
+    const double l = geom::distance(segments_[i].a, segments_[i].b);
+    return {i, l > 0 ? std::min(1.0, (s - s_[i]) / l) : 0.0};
+}
+
+Vec2 RingGraph::at(std::uint32_t ring, double s) const {
+    const auto [i, t] = locate(ring, s);
+    return geom::lerp(segments_[i].a, segments_[i].b, t);
+}
+
+double RingGraph::width_of(std::pair<std::uint32_t, double> at) const {
+    const std::uint32_t i = at.first, ring = ring_of_[i];
+    const std::uint32_t next = i + 1 == start_[ring + 1] ? start_[ring] : i + 1;
+    return (1 - at.second) * width_[i] + at.second * width_[next];
+}
+
+Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
+    const auto& seg = segments_[segment];
+    const double t = geom::nearest_parameter(seg.a, seg.b, p);
+    const Vec2 q = geom::lerp(seg.a, seg.b, t);
+    return {ring_of_[segment], s_[segment] + t * geom::distance(seg.a, seg.b), q, geom::distance(p, q)};
+}
+
+void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points,
+                       std::vector<double>& width) const {
+    const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
+    const double from = wrapped(ring, s0), end = from + (s1 - s0);
+    const double close = 1e-7; // mm: no second point there
+    const auto put = [&](Vec2 p, double w) {
+        points.push_back(p);
+        width.push_back(w);
+    };
+    put(at(ring, from), width_of(locate(ring, from)));
+    for (std::uint32_t i = segment_at(ring, from) - first + 1; i <= 2 * n; ++i) {
+        const double s = s_[first + i % n] + (i >= n ? length_[ring] : 0) + (i >= 2 * n ? length_[ring] : 0);
+        if (s >= end - close) break;
+        if (s > from + close) put(segments_[first + i % n].a, width_[first + i % n]);
+    }
+    put(at(ring, end), width_of(locate(ring, end)));
+}
+
+} // namespace filum::fill::join

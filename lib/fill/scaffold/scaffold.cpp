@@ -1,0 +1,94 @@
+#include "fill/scaffold/scaffold.hpp"
+
+#include "fill/scaffold/splice.hpp"
+#include "fill/scaffold/strand_bead.hpp"
+#include "geom/segment.hpp"
+#include "polygon/clip.hpp"
+#include "polygon/inset.hpp"
+#include "polygon/stretches.hpp"
+#include "toolpath/merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace filum::fill::scaffold {
+
+using toolpath::kLeastMove;
+
+namespace {
+
+constexpr double kMostRound = 2; // bead widths: the largest radius of a turn
+
+// The heights of the strands in `part`, in the frame where they run along x.
+std::vector<double> heights(const Loops& part, const Loops& frame, const ScaffoldOptions& o) {
+    const auto whole = polygon::bounds(frame), box = polygon::bounds(part);
+    const double room = std::max(0.0, whole.hi.y - whole.lo.y - (1 + 2 * o.rings) * o.bead_width);
+    const double span = std::floor(room / o.spacing + 1e-6) * o.spacing;
+    const double base = (whole.lo.y + whole.hi.y - span) / 2 + o.shift * o.spacing;
+    std::vector<double> out;
+    for (double k = std::ceil((box.lo.y - kLeastMove - base) / o.spacing);
+         base + k * o.spacing <= box.hi.y + kLeastMove; k += 1)
+        out.push_back(std::clamp(base + k * o.spacing, box.lo.y + kLeastMove, box.hi.y - kLeastMove));
+    if (out.empty()) out.push_back((box.lo.y + box.hi.y) / 2);
+    return out;
+}
+
+// The strands of one connected part and what joins them.
+void fill_with_strands(const Loops& part, const Loops& frame, std::optional<Vec2> from, const ScaffoldOptions& o,
+                       std::vector<toolpath::Curve>& out, double& again) {
+    const double w = o.bead_width;
+    StrandGraph graph = strand_graph(part, heights(part, frame, o), w, from);
+    if (graph.strands == 0) {
+        const auto box = polygon::bounds(part);
+        graph = strand_graph(part, std::vector{(box.lo.y + box.hi.y) / 2}, kLeastMove, from);
+    }
+    const StrandWalk walk = strand_walk(graph);
+    const Passes times = passes(graph, walk);
+    again += walk.again;
+    for (const auto& trail : walk.trails)
+        out.push_back(strand_bead(graph, trail, times, w, std::min(o.spacing / 2, kMostRound * w)));
+}
+
+double distance_to(const Loops& part, Vec2 p) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t l = 0; l < part.size(); ++l)
+        for (std::size_t i = 0; i < part[l].size(); ++i)
+            least = std::min(least, geom::point_segment_distance(part[l][i], part[l][(i + 1) % part[l].size()], p));
+    return least;
+}
+
+} // namespace
+
+std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, const ScaffoldOptions& o, Notes& notes) {
+    const double w = o.bead_width;
+    const Loops first = polygon::inset(region, w / 2),
+                area = polygon::rotated(polygon::inset(region, (o.rings + 0.5) * w), -o.angle);
+    const Loops turned = polygon::rotated(frame, -o.angle);
+    std::vector<Vec2> at;
+    if (o.from) at.push_back(*o.from);
+    polygon::rotate(at, -o.angle);
+    std::vector<toolpath::Curve> out;
+    double again = 0;
+    // the part next to the nozzle first, then always the next one
+    for (auto parts = polygon::split(area).part; !parts.empty();) {
+        auto next = parts.begin();
+        if (!at.empty())
+            next = std::min_element(parts.begin(), parts.end(), [&](const Loops& a, const Loops& b) {
+                return distance_to(a, at[0]) < distance_to(b, at[0]);
+            });
+        fill_with_strands(*next, turned, at.empty() ? std::nullopt : std::optional(at[0]), o, out, again);
+        if (!out.empty()) at = {out.back().points.back()};
+        parts.erase(next);
+    }
+    for (auto& curve : out) polygon::rotate(curve.points, o.angle);
+    if (o.rings > 0) splice_rings(region, w, o.rings, out, notes);
+    if (again > 0) {
+        const Vec2 p = out.front().points.front();
+        notes.push_back({"", "boundary passed again", again, "mm", 1, -1, p.x, p.y});
+    }
+    polygon::note_unplaced(region, polygon::inset(first, -w / 2), w, notes);
+    return out;
+}
+
+} // namespace filum::fill::scaffold

@@ -1,0 +1,41 @@
+// Strands across an area, and the stretches of its boundary between their ends: the graph that a scaffold's layer runs
+// through.
+#pragma once
+
+#include "polygon/loops.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace filum::fill::scaffold {
+
+using geom::Vec2;
+using polygon::Loops;
+
+// A stretch of the boundary from one node to the next along its loop, both ends in `line`.
+struct Arc {
+    std::uint32_t from = 0, to = 0;
+    std::vector<Vec2> line;
+    double length = 0; // mm
+};
+
+// Node 2k is the left end of strand k, node 2k + 1 its right end; a node behind those is a place to begin at.
+struct StrandGraph {
+    std::size_t strands = 0;                           // ascending y, then x
+    std::vector<Vec2> node;                            //
+    std::vector<Arc> arcs;                             //
+    std::vector<std::array<std::uint32_t, 2>> arcs_at; // per node: the arc that ends there, the arc that begins there
+    std::optional<std::uint32_t> start;                // the node to begin at
+
+    [[nodiscard]] double strand_length(std::size_t k) const { return node[2 * k + 1].x - node[2 * k].x; }
+};
+
+// The stretches of the lines y = const (ascending) inside `area` that are at least `shortest` mm long, as strands, and
+// the boundary loops that they end on, cut there.  With `start` they are cut at the place nearest to it, too.
+// An edge belongs to the lines lower <= y < upper.
+StrandGraph strand_graph(const Loops& area, std::span<const double> y, double shortest, std::optional<Vec2> start);
+
+} // namespace filum::fill::scaffold

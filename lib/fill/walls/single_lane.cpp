@@ -1,0 +1,173 @@
+#include "fill/walls/single_lane.hpp"
+
+#include "rings/wall_lanes.hpp"
+#include "toolpath/curve_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace filum::fill::walls {
+
+namespace {
+
+using toolpath::Curve;
+
+constexpr double kShort = 3; // bead widths: shorter walls stay as they are
+
+// The closed curve, with the way to each place on it.
+struct Measured {
+    const Curve& curve;
+    std::vector<double> sums;
+
+    explicit Measured(const Curve& c) : curve(c), sums(toolpath::arc_lengths(c)) {}
+    [[nodiscard]] double ahead(const toolpath::CurvePlace& a, const toolpath::CurvePlace& b) const {
+        return b.along >= a.along ? b.along - a.along : b.along - a.along + sums.back();
+    }
+    [[nodiscard]] toolpath::CurvePlace nearest(Vec2 p) const { return toolpath::nearest_place(curve, sums, p); }
+    [[nodiscard]] double width(const toolpath::CurvePlace& p) const { return toolpath::width_at(curve, p); }
+};
+
+// From one place on to another.
+void follow(const Measured& m, const toolpath::CurvePlace& from, const toolpath::CurvePlace& to, Curve& out) {
+    const std::size_t n = m.curve.points.size();
+    toolpath::add_point(out, from.point, m.width(from));
+    double left = m.ahead(from, to);
+    for (std::size_t i = from.i, k = 0; k <= n; ++k, i = (i + 1) % n) {
+        const double step = m.sums[i + 1] - (k == 0 ? from.along : m.sums[i]);
+        if (step >= left) break;
+        left -= step;
+        toolpath::add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n));
+    }
+    toolpath::add_point(out, to.point, m.width(to));
+}
+
+// The wall without `first` mm at its start and `last` mm at its end.
+Wall part(const Wall& w, double first, double last) {
+    Wall out;
+    const auto add = [&](Vec2 p, double r) {
+        if (!out.line.empty()) out.length += geom::distance(out.line.back(), p);
+        out.line.push_back(p);
+        out.radius.push_back(r);
+    };
+    double along = 0;
+    const double end = w.length - last;
+    for (std::size_t i = 0; i + 1 < w.line.size(); ++i) {
+        const double l = geom::distance(w.line[i], w.line[i + 1]);
+        const auto at = [&](double s) {
+            const double t = l > 0 ? (s - along) / l : 0;
+            add(geom::lerp(w.line[i], w.line[i + 1], t), w.radius[i] + t * (w.radius[i + 1] - w.radius[i]));
+        };
+        if (along + l > first && along < end) {
+            if (out.line.empty()) at(std::max(first, along));
+            at(std::min(end, along + l));
+        }
+        along += l;
+    }
+    return out;
+}
+
+Wall reversed(Wall w) {
+    std::swap(w.a, w.b);
+    std::reverse(w.line.begin(), w.line.end());
+    std::reverse(w.radius.begin(), w.radius.end());
+    return w;
+}
+
+// Left (side 1) or right (-1) of the wall's end at `i`, where a lane runs.
+Vec2 beside(const Wall& w, std::size_t i, int side) {
+    const Vec2 d = i == 0 ? w.line[1] - w.line[0] : w.line[i] - w.line[i - 1];
+    return w.line[i] + side * w.radius[i] / 2 / geom::norm(d) * geom::left_of(d);
+}
+
+// The curve that keeps only the lane on `side` of the wall, or both, in its middle; if its lanes are there.
+std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, double width, int side, bool both) {
+    const double back = tip ? std::min(w.length / 4, w.radius.back()) : 0; // lanes turn round before the tip
+    const Wall lanes = part(w, 0, back);
+    if (lanes.line.size() < 2) return std::nullopt;
+    const std::size_t last = lanes.line.size() - 1;
+    const toolpath::CurvePlace a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
+    const toolpath::CurvePlace b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
+    for (const toolpath::CurvePlace& p : {a0, a1, b0, b1})
+        if (p.off > rings::kMostOff * width) return std::nullopt;
+    if (std::abs(m.ahead(a0, a1) - lanes.length) > width || std::abs(m.ahead(b1, b0) - lanes.length) > width)
+        return std::nullopt;
+    if (tip && m.ahead(a1, b1) > 4 * (back + width)) return std::nullopt;
+    Curve out;
+    out.closed = both;
+    follow(m, b0, a0, out);
+    for (std::size_t i = 0; i < w.line.size(); ++i) toolpath::add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
+    if (!tip) follow(m, a1, b1, out);
+    for (std::size_t i = w.line.size(); both && i-- > 0;) toolpath::add_point(out, w.line[i], w.radius[i]);
+    return out;
+}
+
+// The longest stretch that is thinner than 2 * `least`: from where to where, mm.
+std::pair<double, double> thin_stretch(const Wall& w, double least) {
+    std::pair<double, double> best{0, 0};
+    double along = 0, first = 0;
+    for (std::size_t i = 0; i + 1 < w.line.size(); ++i) {
+        along += geom::distance(w.line[i], w.line[i + 1]);
+        if (std::max(w.radius[i], w.radius[i + 1]) >= least) first = along;
+        if (along - first > best.second - best.first) best = {first, along};
+    }
+    return best;
+}
+
+// A wall that ends at a tip, if it has one, and whether it has.
+std::pair<Wall, bool> towards_tip(const WallGraph& walls, std::size_t k, double width) {
+    const auto is_tip = [&](std::uint32_t v, double radius) {
+        const auto at =
+            std::count_if(walls.walls.begin(), walls.walls.end(), [&](const Wall& w) { return w.a == v || w.b == v; });
+        return at == 1 && radius < 0.495 * width;
+    };
+    const Wall& w = walls.walls[k];
+    if (is_tip(w.b, w.radius.back())) return {w, true};
+    if (is_tip(w.a, w.radius.front())) return {reversed(w), true};
+    return {w, false};
+}
+
+} // namespace
+
+bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& index) {
+    std::vector<std::size_t> order(walls.walls.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto i, auto k) { return walls.walls[i].length > walls.walls[k].length; });
+    const Measured m(curve);
+    for (const auto k : order) {
+        auto [w, tip] = towards_tip(walls, k, width);
+        w = part(w, width / 2, tip ? 0 : width / 2);
+        if (w.length < kShort * width || w.line.size() < 2) continue;
+        for (const int side : {1, -1})
+            if (auto open = to_middle(m, w, tip, width, side, false)) {
+                curve = std::move(*open);
+                index = k;
+                return true;
+            }
+    }
+    return false;
+}
+
+std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls, double width, double least) {
+    std::vector<std::vector<Vec2>> out;
+    for (std::size_t k = 0; k < walls.walls.size(); ++k) {
+        const auto [whole, ends_at_tip] = towards_tip(walls, k, width);
+        auto [first, last] = thin_stretch(whole, least);
+        const bool tip = ends_at_tip && last > whole.length - 1e-9;
+        if (!tip) last = std::min(last, whole.length - width / 2);
+        const Wall w = part(whole, std::max(first, width / 2), whole.length - last);
+        if (w.length < kShort / 2 * width || w.line.size() < 2) continue;
+        const Measured m(curve);
+        for (const int side : {1, -1})
+            if (auto stacked = to_middle(m, w, tip, width, side, true)) {
+                curve = std::move(*stacked);
+                out.push_back(w.line);
+                break;
+            }
+    }
+    return out;
+}
+
+} // namespace filum::fill::walls

@@ -1,0 +1,277 @@
+#include "fill/walls/wall_walk.hpp"
+#include "base/none.hpp"
+#include "fill/join/crossings.hpp"
+
+#include "fill/join/splices.hpp"
+#include "geom/disjoint_sets.hpp"
+#include "geom/polyline.hpp"
+#include "geom/segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <tuple>
+
+namespace filum::fill::walls {
+
+namespace {
+
+// One pass along a wall.  Its end at the wall's node a is number 2 * track, that at node b 2 * track + 1.
+struct Track {
+    std::uint32_t wall = 0;
+    int side = 0; // 0: in the middle; 1: left of the wall from a to b; -1: right of it
+};
+
+class Circuit {
+  public:
+    Circuit(const WallGraph& g, const std::vector<int>& passes) : g_(g), at_(g.node.size()) {
+        for (std::uint32_t k = 0; k < g.walls.size(); ++k) {
+            if (passes[k] == 1) tracks_.push_back({k, 0});
+            if (passes[k] == 2) {
+                tracks_.push_back({k, 1});
+                tracks_.push_back({k, -1});
+            }
+        }
+        for (std::uint32_t t = 0; t < tracks_.size(); ++t) {
+            at_[g.walls[tracks_[t].wall].a].push_back(2 * t);
+            at_[g.walls[tracks_[t].wall].b].push_back(2 * t + 1);
+        }
+        partner_.assign(2 * tracks_.size(), kNone);
+        circuits_ = geom::DisjointSets(tracks_.size());
+    }
+
+    // The ends in the order in which they are entered, of each circuit; the open one first.
+    std::vector<std::vector<std::uint32_t>> run() {
+        for (auto& ends : at_) pair_up(ends);
+        for (bool joined = true; joined;) {
+            joined = false;
+            for (const auto& ends : at_) joined = join(ends) || joined;
+        }
+        std::vector<std::uint32_t> starts;
+        for (std::uint32_t e = 0; e < partner_.size(); ++e)
+            if (partner_[e] == kNone) starts.push_back(e);
+        for (std::uint32_t e = 0; e < partner_.size(); e += 2) starts.push_back(e);
+        std::vector<char> done(tracks_.size(), 0);
+        std::vector<std::vector<std::uint32_t>> out;
+        for (const auto start : starts) {
+            if (done[start / 2] != 0) continue;
+            out.emplace_back();
+            for (auto e = start; e != kNone && done[e / 2] == 0; e = partner_[e ^ 1U]) {
+                done[e / 2] = 1;
+                out.back().push_back(e);
+            }
+        }
+        return out;
+    }
+
+    [[nodiscard]] bool closed(const std::vector<std::uint32_t>& ends) const { return partner_[ends[0]] != kNone; }
+    [[nodiscard]] const Track& track(std::uint32_t end) const { return tracks_[end / 2]; }
+
+  private:
+    // Direction in which an end leaves its node, and its place beside its twin.
+    [[nodiscard]] std::tuple<double, int, std::uint32_t> order(std::uint32_t end) const {
+        const Track& t = tracks_[end / 2];
+        const Wall& w = g_.walls[t.wall];
+        const bool at_b = end % 2 != 0;
+        const std::size_t n = w.line.size();
+        const Vec2 from = at_b ? w.line[n - 1] : w.line[0], to = at_b ? w.line[n - 2] : w.line[1];
+        return {std::atan2(to.y - from.y, to.x - from.x), at_b ? -t.side : t.side, end};
+    }
+
+    // Neighbours around the node; of an odd number a pass in the middle of its wall is left over.
+    void pair_up(std::vector<std::uint32_t>& ends) {
+        std::sort(ends.begin(), ends.end(), [&](auto e, auto f) { return order(e) < order(f); });
+        std::vector<std::uint32_t> rest = ends;
+        if (rest.size() % 2 != 0) {
+            const auto single =
+                std::find_if(rest.begin(), rest.end(), [&](auto e) { return tracks_[e / 2].side == 0; });
+            rest.erase(single == rest.end() ? rest.begin() : single);
+        }
+        for (std::size_t i = 0; i + 1 < rest.size(); i += 2) connect(rest[i], rest[i + 1]);
+    }
+
+    void connect(std::uint32_t e, std::uint32_t f) {
+        partner_[e] = f;
+        partner_[f] = e;
+        circuits_.unite(e / 2, f / 2);
+    }
+
+    // Whether the pairs (a, b) and (c, d), places around a node, cross.
+    static bool cross(std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+        if (a > b) std::swap(a, b);
+        return (c > a && c < b) != (d > a && d < b);
+    }
+
+    // Joins two circuits at the node, if two of its pairs, or a pair and the end of the curve, belong to different
+    // ones.
+    bool join(const std::vector<std::uint32_t>& ends) {
+        const std::size_t n = ends.size();
+        std::vector<std::size_t> mate(n, n); // n: where the curve begins or ends
+        for (std::size_t i = 0; i < n; ++i)
+            if (const auto f = std::find(ends.begin(), ends.end(), partner_[ends[i]]); f != ends.end())
+                mate[i] = static_cast<std::size_t>(f - ends.begin());
+        const auto free = [&](std::size_t p, std::size_t q, std::initializer_list<std::size_t> but) {
+            for (std::size_t i = 0; i < n; ++i)
+                if (mate[i] < n && std::find(but.begin(), but.end(), i) == but.end() && cross(p, q, i, mate[i]))
+                    return false;
+            return true;
+        };
+        for (std::size_t a = 0; a < n; ++a)
+            for (std::size_t c = 0; c < n; ++c) {
+                const std::size_t b = mate[a], d = mate[c];
+                if (b == n || b < a || circuits_.root(ends[a] / 2) == circuits_.root(ends[c] / 2)) continue;
+                if (d == n) { // the curve goes on into the circuit, and ends where that came back
+                    for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, a}}) {
+                        if (!free(p, c, {a, b, c})) continue;
+                        connect(ends[p], ends[c]);
+                        partner_[ends[q]] = kNone;
+                        return true;
+                    }
+                    continue;
+                }
+                for (const auto& [p, q, r, s] : {std::tuple{a, c, b, d}, std::tuple{a, d, b, c}}) {
+                    if (cross(p, q, r, s) || !free(p, q, {a, b, c, d}) || !free(r, s, {a, b, c, d})) continue;
+                    connect(ends[p], ends[q]);
+                    connect(ends[r], ends[s]);
+                    return true;
+                }
+            }
+        return false;
+    }
+
+    const WallGraph& g_;
+    std::vector<Track> tracks_;
+    std::vector<std::vector<std::uint32_t>> at_; // per node: ends, in their order around it
+    std::vector<std::uint32_t> partner_;         // per end: what follows it, kNone: the curve begins or ends there
+    geom::DisjointSets circuits_;                // of tracks
+};
+
+Vec2 unit(Vec2 v) {
+    const double l = geom::norm(v);
+    return l > 0 ? (1 / l) * v : Vec2{1, 0};
+}
+
+// Cuts `by` mm off the start, at most a third of the line.
+void trim(join::BeadLine& l, double by) {
+    by = std::min(by, geom::length(l.points) / 3);
+    while (l.points.size() > 2 && geom::distance(l.points[0], l.points[1]) <= by) {
+        by -= geom::distance(l.points[0], l.points[1]);
+        l.points.erase(l.points.begin());
+        l.width.erase(l.width.begin());
+    }
+    if (const double d = geom::distance(l.points[0], l.points[1]); d > by) {
+        l.points[0] = geom::lerp(l.points[0], l.points[1], by / d);
+        l.width[0] += by / d * (l.width[1] - l.width[0]);
+    }
+}
+
+// Drops points of a lane that lie too near to the middle line: inside its bends they would fold over.
+void unfold(const Wall& w, join::BeadLine& lane) {
+    const std::size_t n = w.line.size();
+    join::BeadLine out;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double least = 0.98 * w.radius[i] / 2;
+        const auto far = [&](std::size_t k) { // from segment k, or no longer in reach
+            return geom::point_segment_distance(w.line[k], w.line[k + 1], lane.points[i]) >= least;
+        };
+        bool free = true;
+        double along = 0;
+        for (std::size_t k = i; k + 1 < n && free && along < 4 * w.radius[i]; ++k) {
+            free = far(k);
+            along += geom::distance(w.line[k], w.line[k + 1]);
+        }
+        along = 0;
+        for (std::size_t k = i; k > 0 && free && along < 4 * w.radius[i]; --k) {
+            free = far(k - 1);
+            along += geom::distance(w.line[k - 1], w.line[k]);
+        }
+        if (!free && i > 0 && i + 1 < n) continue;
+        out.points.push_back(lane.points[i]);
+        out.width.push_back(lane.width[i]);
+    }
+    lane = std::move(out);
+}
+
+// The pass as it lies, from the wall's node a to b.  `dead`: the node is the wall's dead end; lanes turn there.
+join::BeadLine line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
+    join::BeadLine out{w.line, {}};
+    for (const double r : w.radius) out.width.push_back(side == 0 ? 2 * r : r);
+    if (side == 0 || !apart) return out;
+    const std::size_t n = w.line.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 before = i > 0 ? unit(w.line[i] - w.line[i - 1]) : Vec2{},
+                   after = i + 1 < n ? unit(w.line[i + 1] - w.line[i]) : Vec2{};
+        const Vec2 along = unit(before + after);
+        out.points[i] = w.line[i] + side * w.radius[i] / 2 * geom::left_of(along);
+        // lanes reach to the end of the wall
+        if (i == 0 && dead_a) out.points[i] = out.points[i] - w.radius[i] / 2 * along;
+        if (i + 1 == n && dead_b) out.points[i] = out.points[i] + w.radius[i] / 2 * along;
+    }
+    unfold(w, out);
+    const auto reverse = [&] {
+        std::reverse(out.points.begin(), out.points.end());
+        std::reverse(out.width.begin(), out.width.end());
+    };
+    if (!dead_a) trim(out, w.radius.front());
+    reverse();
+    if (!dead_b) trim(out, w.radius.back());
+    reverse();
+    return out;
+}
+
+toolpath::Curve lay_walls(const WallGraph& g, const Circuit& circuit, const std::vector<std::uint32_t>& ends,
+                          bool closed, bool apart) {
+    std::vector<int> degree(g.node.size(), 0);
+    for (const Wall& w : g.walls) {
+        ++degree[w.a];
+        ++degree[w.b];
+    }
+    toolpath::Curve out;
+    out.closed = closed;
+    const auto push = [&](Vec2 p, double width) {
+        p = {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3};
+        if (!out.points.empty() && out.points.back() == p) return;
+        out.points.push_back(p);
+        out.width.push_back(width);
+    };
+    for (const auto e : ends) {
+        const Track& t = circuit.track(e);
+        const Wall& w = g.walls[t.wall];
+        join::BeadLine l = line(w, t.side, apart, degree[w.a] == 1, degree[w.b] == 1);
+        if (e % 2 != 0) {
+            std::reverse(l.points.begin(), l.points.end());
+            std::reverse(l.width.begin(), l.width.end());
+        }
+        const auto first = e % 2 != 0 ? w.b : w.a, last = e % 2 != 0 ? w.a : w.b;
+        if (t.side != 0 && degree[first] > 1) push(g.node[first], l.width.front());
+        for (std::size_t i = 0; i < l.points.size(); ++i) push(l.points[i], l.width[i]);
+        if (t.side != 0 && degree[last] > 1) push(g.node[last], l.width.back());
+    }
+    if (closed && out.points.size() > 3 && out.points.front() == out.points.back()) {
+        out.points.pop_back();
+        out.width.pop_back();
+    }
+    return out;
+}
+
+} // namespace
+
+WallWalk wall_walk(const WallGraph& g) {
+    const auto passes = passes_of_walls(g);
+    Circuit circuit(g, passes);
+    const auto all = circuit.run();
+    WallWalk out;
+    for (const bool apart : {true, false}) { // lanes that cross are laid on one line
+        out.curves.clear();
+        for (const auto& ends : all) out.curves.push_back(lay_walls(g, circuit, ends, circuit.closed(ends), apart));
+        if (join::crossing_pairs(out.curves, 0.5).empty()) break;
+    }
+    for (std::size_t k = 0; k < g.walls.size(); ++k)
+        if (passes[k] > 1) {
+            out.twice += g.walls[k].length;
+            out.at = g.walls[k].line.front();
+        }
+    return out;
+}
+
+} // namespace filum::fill::walls
