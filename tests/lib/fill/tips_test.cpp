@@ -30,7 +30,8 @@ TEST(Tips, OfNeighboursDoNotCross) {
             ASSERT_EQ(s.curves.size(), 1U);
             curves.insert(curves.end(), s.curves.begin(), s.curves.end());
         }
-        EXPECT_EQ(fill::join::crossing_pairs(curves, 0.4).size(), 0U) << "tips of " << 2 * half << " rad, turned by " << a;
+        EXPECT_EQ(fill::join::crossing_pairs(curves, 0.4).size(), 0U)
+            << "tips of " << 2 * half << " rad, turned by " << a;
     }
 }
 
