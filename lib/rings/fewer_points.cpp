@@ -180,7 +180,7 @@ class Thinning {
 } // namespace
 
 int parts_of_taper(double change, double length, double least_void) {
-    return static_cast<int>(std::ceil(std::sqrt(std::abs(change) * length / 8 / least_void)));
+    return static_cast<int>(std::ceil(std::sqrt(std::abs(change) * length / 16 / least_void)));
 }
 
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void) {
