@@ -105,7 +105,7 @@ Linker::Entry Linker::drift(const Entry& nearest) {
     if (!r.paths.curves[nearest.place.curve].closed || r.paths.curves.size() > 1) return nearest;
     for (std::size_t k = 1, n = climbing(); k <= n; ++k) {
         const auto goal = nearest_entry(window_[k], from, std::numeric_limits<double>::infinity(), {});
-        if (goal->place.distance <= window_[k].width / 2) continue;
+        if (goal->place.distance <= options_.reach / 2 * window_[k].width) continue; // with as much to spare
         const Vec2 to = goal->place.point;
         const double step =
             std::min(options_.reach * r.width, std::max(r.width, 1.5 * goal->place.distance / static_cast<double>(k)));
@@ -114,13 +114,6 @@ Linker::Entry Linker::drift(const Entry& nearest) {
         return entry;
     }
     return nearest;
-}
-
-// True if a place lies inside its segment, not next to an end of it.
-bool Linker::within_segment(const Place& place) const {
-    const auto& points = window_.front().paths.curves[place.curve].points;
-    const Vec2 a = points[place.segment], b = points[(place.segment + 1) % points.size()];
-    return std::min(geom::distance(place.point, a), geom::distance(place.point, b)) > 2 * kOn;
 }
 
 // The jog a -> b keeps off all beads of the front region's one curve but the segment that it begins on, up to where it
@@ -137,7 +130,8 @@ bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     box.hi = box.hi + Vec2{kMargin, kMargin};
     bool free = true;
     window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
-        const bool apart = l <= kEnds || geom::segment_distance(a, off, c, d) > kMargin;
+        const bool meets = on && geom::point_segment_distance(c, d, a) <= 2 * kOn; // begins at a vertex between them
+        const bool apart = l <= kEnds || meets || geom::segment_distance(a, off, c, d) > kMargin;
         return free = s == on || (apart && !geom::cross_properly(a, last, c, d));
     });
     if (l <= kEnds) return free;
@@ -159,7 +153,6 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
     };
     std::vector<Candidate> candidates;
     const bool on = nearest.place.distance < kOn;
-    if (on && !within_segment(nearest.place)) return nearest;
     const double least = geom::distance(nearest.place.point, to) - 0.1 * r.width;
     r.index.within({from - Vec2{step, step}, from + Vec2{step, step}}, [&](std::uint32_t s, Vec2 a, Vec2 b) {
         // the part of a -> b inside the circle, and its point nearest to the goal

@@ -162,7 +162,6 @@ class Linker {
     [[nodiscard]] std::size_t climbing() const;
     [[nodiscard]] Entry start_entry() const;
     [[nodiscard]] Entry drift(const Entry& nearest);
-    [[nodiscard]] bool within_segment(const Place& place) const;
     [[nodiscard]] bool leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const;
     [[nodiscard]] Entry step_towards(const Entry& nearest, Vec2 to, double step) const;
 
