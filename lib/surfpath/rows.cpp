@@ -15,16 +15,19 @@ namespace {
 
 using surface::kNone;
 
-constexpr double kDetour = 1.1;     // of the way that is replaced, at most
-constexpr double kClosed = 0.9;     // of the margin: what closed lines keep
-constexpr double kMostShort = 0.1;  // of the length of all: short rows that may be dropped
-constexpr double kFollowing = 0.4;  // of the margin: what lines keep that follow the inset instead
+constexpr double kDetour = 1.1;    // of the way that is replaced, at most
+constexpr double kClosed = 0.9;    // of the margin: what closed lines keep
+constexpr double kMostShort = 0.1; // of the length of all: short rows that may be dropped
+constexpr double kFollowing = 0.4; // of the margin: what lines keep that follow the inset instead
+// Slope of the distance from rims along a line that lies between two of them: as steep as leads from the margin to
+// kFollowing of it within a spacing, two margins.
+constexpr double kBeside = (1 - kFollowing) / 2;
 constexpr double kCameRound = 1e-6; // mm: ends of a line that came round
 
 // Cuts lines where they come nearer to a rim than the margin.
 class Cutter {
   public:
-    Cutter(const Surface& s, double margin) : surface_(s), margin_(margin) {
+    Cutter(const Surface& s, double margin, double give) : surface_(s), margin_(margin), give_(give) {
         inset_.margin = margin;
         if (s.rims.empty()) return;
         inset_.field = geodesic::exact(s, surface::rim_sources(s), margin + 2 * longest_edge(s));
@@ -36,19 +39,28 @@ class Cutter {
 
     [[nodiscard]] Inset& inset() { return inset_; }
 
-    // The stretches of the line that keep a share of the margin, mm along it.
+    // The stretches of the line that keep a share of the margin, or lie in the middle where the face is narrower; mm
+    // along it.
     [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways,
                                                               double share) const {
-        const auto room = [&](const Place& p) { return this->room(p) - share * margin_; };
+        const auto keeps = [&](const Place& p, double way) {
+            const double room = this->room(p);
+            return room >= share * margin_ || (room >= kFollowing * margin_ && in_middle(line, ways, way));
+        };
         std::vector<std::pair<double, double>> out;
         const std::size_t n = line.size(), stretches = ways.size() - 1;
-        bool in = room(line.places[0]) >= 0;
+        bool in = keeps(line.places[0], 0);
         double begin = 0;
         for (std::size_t i = 0; i < stretches; ++i) {
-            const Place& next = line.places[(i + 1) % n];
-            const bool then = room({line.places[i].triangle, next.point}) >= 0;
+            const Place &here = line.places[i], &next = line.places[(i + 1) % n];
+            const bool then = keeps({here.triangle, next.point}, ways[i + 1]);
             if (in == then) continue;
-            const double way = ways[i] + crossing(line.places[i], next, in, room) * (ways[i + 1] - ways[i]);
+            const double step = ways[i + 1] - ways[i];
+            const double way =
+                ways[i] +
+                step * crossing(in, [&](double part) {
+                    return keeps({here.triangle, here.point + part * (next.point - here.point)}, ways[i] + part * step);
+                });
             if (in)
                 out.emplace_back(begin, way);
             else
@@ -69,7 +81,7 @@ class Cutter {
                 const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
                 const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
                 const double far = distance(p, a + t * d);
-                if (far < least) {
+                if (far < least && far < margin_) {
                     least = far;
                     out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
                 }
@@ -118,20 +130,38 @@ class Cutter {
     [[nodiscard]] double room(const Place& p) const { return inset_.room(surface_, p); }
 
   private:
-    // Where the stretch from `a` to `b`, within a's triangle, crosses the margin: part of it.
-    template <class Room>
-    [[nodiscard]] static double crossing(const Place& a, const Place& b, bool from_inside, const Room& room) {
+    // Whether the line is as far from rims as one can get there, with rims beside it rather than ahead: a step to
+    // either side, twice as far as lines are moved, leads towards one.
+    [[nodiscard]] bool in_middle(const Line& line, std::span<const double> ways, double way) const {
+        const double reach = 2 * give_;
+        const Place p = surface::curve::at(line, ways, way);
+        const Place ahead =
+            surface::curve::at(line, ways, line.closed ? way + reach : std::min(way + reach, ways.back()));
+        const Place back = surface::curve::at(line, ways, line.closed ? way - reach : std::max(way - reach, 0.0));
+        const Vec3 on = ahead.point - back.point;
+        const double l = norm(on), here = room(p);
+        if (!(l > 0) || std::abs(room(ahead) - room(back)) > kBeside * l) return false;
+        const auto& [a, b, c] = surface_.triangles[p.triangle];
+        const Vec3 &u = surface_.vertices[a], &v = surface_.vertices[b], &w = surface_.vertices[c];
+        const Vec3 across = cross(cross(v - u, w - u), on);
+        const Vec3 step = reach / norm(across) * across;
+        return room(surface::curve::step(surface_, p, step)) <= here &&
+               room(surface::curve::step(surface_, p, -1 * step)) <= here;
+    }
+
+    // Up to where what holds at the begin of a stretch holds: part of it.
+    template <class Keeps>
+    [[nodiscard]] static double crossing(bool from_inside, const Keeps& keeps) {
         double lo = 0, hi = 1;
         for (int i = 0; i < 30; ++i) {
             const double mid = (lo + hi) / 2;
-            const bool in = room({a.triangle, a.point + mid * (b.point - a.point)}) >= 0;
-            (in == from_inside ? lo : hi) = mid;
+            (keeps(mid) == from_inside ? lo : hi) = mid;
         }
         return from_inside ? lo : hi;
     }
 
     const Surface& surface_;
-    double margin_;
+    double margin_, give_; // mm
     Inset inset_;
 };
 
@@ -152,7 +182,12 @@ class Hugger {
                 if (begin < from || end > to) continue;
                 const bool first = now.size() == 0;
                 const Line way = ring(at, begin, first, false);
-                if (!first && way.size() < 2) out.push_back(std::exchange(now, {}));
+                if (!first && way.size() < 2) {
+                    if (begin - at < 2 * margin_) // a mouth of another narrow place
+                        surface::curve::append(now, surface::curve::part(line_, ways_, at, begin));
+                    else
+                        out.push_back(std::exchange(now, {}));
+                }
                 if (way.size() >= 2) surface::curve::append(now, way);
                 surface::curve::append(now, surface::curve::part(line_, ways_, begin, end));
                 at = end;
@@ -242,7 +277,7 @@ void leave_out(std::vector<Raw>& lines, std::span<const char> marked) {
 Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits) {
     const double margin = limits.margin;
     Rows out;
-    Cutter cutter(s, margin);
+    Cutter cutter(s, margin, limits.give);
     double all = 0, too_short = 0;
     for (const Raw& raw : lines) {
         const auto ways = surface::curve::arc_lengths(raw.line);
