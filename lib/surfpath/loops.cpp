@@ -17,7 +17,6 @@ namespace filum::surfpath {
 namespace {
 
 constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
-constexpr double kCrossingWastes = 2;       // square spacings: one bare, one laid twice
 constexpr double kTurnsTake = 2;            // radii: what turns may take of the ends of rows
 
 // Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
