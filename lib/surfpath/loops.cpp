@@ -106,7 +106,7 @@ std::vector<Row> close_rows(const Surface& s, Rows& rows, const Loops& o) {
     std::vector<std::size_t> ends(rows.inset.rings.size(), 0);
     for (const Row& row : rows.rows)
         if (!row.line.closed)
-            for (const Port* p : {&row.begin, &row.end})
+            for (const RingPlace* p : {&row.begin, &row.end})
                 if (p->ring != surface::kNone) ++ends[p->ring];
     std::vector<Row> kept, before;
     for (Row& row : rows.rows) {

@@ -136,7 +136,7 @@ std::vector<double> Turner::turning(const Line& line, std::span<const double> w)
     return out;
 }
 
-const Port& Turner::port(std::uint32_t end) const {
+const RingPlace& Turner::ring_place(std::uint32_t end) const {
     const Row& row = rows_.rows[end / 2];
     return end % 2 == 0 ? row.begin : row.end;
 }
@@ -159,7 +159,7 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 
 // Whether two ends lie as those of rows do between which one may turn.
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
-    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
     const double two = 2 * o_.least_radius;
     const double most = std::max(std::min(1.6 * two, two + 3.2 * o_.spacing), 2.4 * o_.spacing);
@@ -175,7 +175,7 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
 // Whether one line ends at a hole in `a` and goes on beyond it in `b`.
 bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     if (a / 2 == b / 2 || rows_.rows[a / 2].level != rows_.rows[b / 2].level) return false;
-    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 u = tangent(a), v = tangent(b), d = inwards(b)[0] - inwards(a)[0];
     return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }

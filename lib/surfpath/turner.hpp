@@ -58,7 +58,7 @@ class Turner {
     [[nodiscard]] Line part(std::uint32_t in, double from, double to) const;
 
   private:
-    [[nodiscard]] const Port& port(std::uint32_t end) const;
+    [[nodiscard]] const RingPlace& ring_place(std::uint32_t end) const;
     [[nodiscard]] const Line& inwards(std::uint32_t end) const;
     [[nodiscard]] std::span<const double> ways_inwards(std::uint32_t end) const;
     [[nodiscard]] double length(std::uint32_t row) const { return ways_[row].back(); }
