@@ -151,7 +151,7 @@ void spiral(const Surface& s, Rows& rows, const Loops& o) {
             for (const std::size_t i : which) rows.rows[i].level *= -1;
         const Lanes lanes(s, lines, o.spacing);
         Weave weave(lanes);
-        const Rungs seam = seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing), kSeamLength * o.spacing);
+        const Rungs seam = seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
         if (seam.lanes() < lines.size()) continue;
         shift(weave, lanes, seam, 1);
         auto courses = weave.courses();
