@@ -9,6 +9,8 @@
 
 namespace filum::surfpath {
 
+inline constexpr double kTight = 20; // mm: what a tight turn costs at least
+
 struct Turning {               // what is left out has no limit
     double spacing = 1;        // mm, between rows
     double least_radius = 2.4; // mm, of turns, where there is room
