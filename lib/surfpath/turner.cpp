@@ -24,12 +24,13 @@ constexpr double kSameRadius = 1e-6;  // mm: less is rounding
 constexpr double kHairpin = 0.75;     // of the least radius: what is tighter costs as much as a hairpin
 constexpr double kBulb = 2 * kTight;  // mm: what a bulb is as bad as, for the voids beside it
 constexpr double kSharp = 3 * kTight; // mm: likewise, a hairpin
-// Which ends may be turned between; lengths in spacings across the rows.
-constexpr double kNearest = 0.3; // nearer ones are of one line
-constexpr double kNextButOne = 2.5;
-constexpr double kStraight = 3; // what turns may be wider than two radii
-constexpr double kAlike = 0.5;  // cosine of the angle between rows
-constexpr double kAskew = 3;    // along the rows, of that across
+// Which ends may be turned between: across the rows, spacings unless said.  More of them cost time; an order may be
+// found that is better, or one that is worse, as the search keeps so many states only.
+constexpr double kNearest = 0.3;                 // nearer ones are of one line
+constexpr double kNextButOne = 2.5;              // up to the next row but one
+constexpr double kWidest = 1.6, kStraight = 3.2; // of two radii; what turns may be wider than these: the lesser counts
+constexpr double kAlike = 0.5;                   // cosine of the angle between rows
+constexpr double kAskew = 3;                     // along the rows, of that across
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -167,7 +168,8 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
-    const double spacing = o_.spacing, two = 2 * o_.least_radius, most = two + kStraight * spacing;
+    const double spacing = o_.spacing, two = 2 * o_.least_radius,
+                 most = std::max(std::min(kWidest * two, two + kStraight * spacing), kNextButOne * spacing);
     if (norm(d) > kAskew * most + spacing) return false;
     const Vec3 u = tangent(a);
     if (dot(u, tangent(b)) < kAlike) return false;
