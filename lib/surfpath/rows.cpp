@@ -18,12 +18,12 @@ using surface::kNone;
 
 // Of the way that is replaced, at most: half a circle over it is no detour yet.
 constexpr double kDetour = std::numbers::pi / 2;
-// Of the margin: what lines keep that follow the inset instead; they come no nearer to the next than .7 spacings so.  By
+// Of the margin: what lines keep that follow the inset instead; they come no nearer to the next than .7 spacings so. By
 // trial: half of it covers .001 of faces more, and lays .004 twice.
 constexpr double kFollowing = 0.4;
 // Slope of the distance from rims along a line that lies between two of them: as steep as leads from the margin to
 // kFollowing of it within a spacing, two margins.
-constexpr double kBeside = (1 - kFollowing) / 2;
+constexpr double kRimsBeside = (1 - kFollowing) / 2;
 constexpr double kCameRound = 1e-6; // mm: ends of a line that came round
 
 // Cuts lines where they come nearer to a rim than the margin.
@@ -143,7 +143,7 @@ class InsetClipper {
         const Place back = surface::curve::at(line, ways, line.closed ? way - reach : std::max(way - reach, 0.0));
         const Vec3 on = ahead.point - back.point;
         const double l = norm(on), here = room(p);
-        if (!(l > 0) || std::abs(room(ahead) - room(back)) > kBeside * l) return false;
+        if (!(l > 0) || std::abs(room(ahead) - room(back)) > kRimsBeside * l) return false;
         const auto& [a, b, c] = surface_.triangles[p.triangle];
         const Vec3 &u = surface_.vertices[a], &v = surface_.vertices[b], &w = surface_.vertices[c];
         const Vec3 across = cross(cross(v - u, w - u), on);

@@ -26,11 +26,11 @@ constexpr double kBulb = 2 * kTight;  // mm: what a bulb is as bad as, for the v
 constexpr double kSharp = 3 * kTight; // mm: likewise, a hairpin
 // Which ends may be turned between: across the rows, spacings unless said.  More of them cost time; an order may be
 // found that is better, or one that is worse, as the search keeps so many states only.
-constexpr double kNearest = 0.3;                 // nearer ones are of one line
-constexpr double kNextButOne = 2.5;              // up to the next row but one
-constexpr double kWidest = 1.6, kStraight = 3.2; // of two radii; what turns may be wider than these: the lesser counts
-constexpr double kAlike = 0.5;                   // cosine of the angle between rows
-constexpr double kAskew = 3;                     // along the rows, of that across
+constexpr double kSameRow = 0.3;                // nearer ones are of one line
+constexpr double kNextButOne = 2.5;             // up to the next row but one
+constexpr double kWidest = 1.6, kWiderBy = 3.2; // of two radii; what turns may be wider than these: the lesser counts
+constexpr double kAlike = 0.5;                  // cosine of the angle between rows
+constexpr double kAskew = 3;                    // along the rows, of that across
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -169,14 +169,14 @@ bool Turner::near(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
     const double spacing = o_.spacing, two = 2 * o_.least_radius,
-                 most = std::max(std::min(kWidest * two, two + kStraight * spacing), kNextButOne * spacing);
+                 most = std::max(std::min(kWidest * two, two + kWiderBy * spacing), kNextButOne * spacing);
     if (norm(d) > kAskew * most + spacing) return false;
     const Vec3 u = tangent(a);
     if (dot(u, tangent(b)) < kAlike) return false;
     const double w = norm(d - dot(d, u) * u);
     // Of what is too near for an arc only the nearest, for hairpins and bulbs.
     if (w > kNextButOne * spacing && w < kHairpin * two) return false;
-    return w > kNearest * spacing && w < most && norm(d) < kAskew * w + spacing;
+    return w > kSameRow * spacing && w < most && norm(d) < kAskew * w + spacing;
 }
 
 // Whether one line ends at a hole in `a` and goes on beyond it in `b`.
