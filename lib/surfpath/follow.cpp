@@ -97,7 +97,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
-    out.facts.push_back({"", "births", static_cast<double>(field::births(s, stripes)), ""});
+    out.facts.push_back({"", "births", static_cast<double>(field::count_births(s, stripes)), ""});
     tell(s, directions, out);
     return out;
 }

@@ -229,7 +229,7 @@ bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle) 
     return !turns || std::abs(*turns) > kPi;
 }
 
-std::size_t births(const Surface& s, const Stripes& stripes) {
+std::size_t count_births(const Surface& s, const Stripes& stripes) {
     std::size_t out = 0;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto turns = winding(s, stripes, t);
