@@ -67,7 +67,7 @@ std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std:
 // The first rungs of a run: as many as the shortest lane takes to be as long as wanted, if there are so many.
 Rungs first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, double step) {
     for (std::size_t count = 3;;) {
-        const Rungs out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
+        Rungs out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
         const double l = shortest(lanes, out);
         if (l >= wanted || count == run.size()) return out;
         const double more = l > 0 ? wanted / l * static_cast<double>(count) : 0;

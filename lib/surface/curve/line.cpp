@@ -72,7 +72,8 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
     out.places.push_back(at(line, ways, from));
     const std::size_t n = ways.size() - 1;
     for (std::size_t i = stretch(ways, from) + 1; n > 0; ++i) {
-        const double here = ways[i % n] + (i >= n && line.closed ? all * static_cast<double>(i / n) : 0);
+        const std::size_t laps = i / n;
+        const double here = ways[i % n] + (line.closed ? all * static_cast<double>(laps) : 0);
         if (!(here < to - kSame) || (!line.closed && i >= n)) break;
         // A point just behind the begin takes its place: the next stretch lies in that one's triangle.
         if (here > from + kSame)
