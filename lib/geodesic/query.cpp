@@ -81,8 +81,9 @@ void level_crossings(const Surface& s, const ExactField& field, std::uint32_t h,
         i = {std::max(i.a, lo), std::min(i.b, hi)};
         if (i.a < i.b) parts.push_back(i);
     };
-    if (tail < level) add({0, level - tail});
-    if (head < level) add({l - (level - head), l});
+    // An end that is nearer, by rounding only, is so for a stretch: else the number of places would not be even.
+    if (tail < level) add({0, std::max(level - tail, kEnd * l)});
+    if (head < level) add({l - std::max(level - head, kEnd * l), l});
     for (std::uint32_t w = field.first[h]; w != surface::kNone; w = field.windows[w].next)
         add(below(field.windows[w], level));
     for (std::uint32_t w = field.first[field.ground->across[h]]; w != surface::kNone; w = field.windows[w].next) {

@@ -17,7 +17,6 @@ namespace {
 constexpr double kDepthsApart = 0.25; // spacings, of the depths tried: finer shifts less than a bead covers
 constexpr double kBreak = 200;        // mm: as bad as a chain that must be led to another
 
-constexpr double kTight = 20;                       // mm: what a tight turn costs at least
 constexpr std::size_t kBeams[] = {500, 3000, 8000}; // states that the search for an order keeps
 constexpr std::size_t kMostWork = 300'000;          // states in all: from where on it is left at what it found
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <queue>
 
 namespace filum::surfpath {
@@ -20,19 +21,21 @@ namespace {
 
 using geom::Vec2;
 
-constexpr double kBeadGrain = 0.125;   // spacings, between the points by which lines are judged
-constexpr double kBesideAt = 1.5;      // spacings: how far from each other lines side by side are, at most
-constexpr double kPlacesApart = 0.5;   // spacings, between places that are tried
-constexpr double kSwathHalf = 3;       // spacings: how far about a place what is covered can change
-constexpr double kMostWaste = 2;       // square spacings: what shifts that cross waste
-constexpr std::size_t kMostTried = 12; // places of two lines that are judged by what they waste
-// Half of what is cut of each, spacings.  Of lines side by side 0.8 wastes least: half circles, 0.6 from tip to tip,
-// leave 0.38 square spacings bare and lay 0.33 twice.
-constexpr double kSideBySide = 0.8;
+// Lengths in spacings.
+// Between the points by which lines are judged: so what is half a spacing from a line is off by .4 % of that.
+constexpr double kBeadGrain = 0.125;
+// How far from each other lines side by side are, at most: from there on another one fits between.
+constexpr double kBesideAt = 2;
+// Half of what is cut of each, tried: from tips that lead straight on to a gap that turns just leave bare.
 constexpr double kCuts[] = {0.4, 0.6, 0.8, 1, 1.2, 1.4};
-constexpr double kSlips[] = {0, -0.25, 0.25}; // spacings along the other line
-constexpr double kBetweenCuts = 0.25;         // spacings of line that stay between two cuts
-constexpr double kSameWaste = 1e-6;           // mm, mm2: less is rounding
+// Likewise, by which places are ranked first: two half turns are as long as what they replace.
+constexpr double kFirstCut = std::numbers::pi / 4;
+constexpr double kPlacesApart = 0.5;                                  // between places that are tried
+constexpr double kSlips[] = {0, -kPlacesApart / 2, kPlacesApart / 2}; // of one line along the other: half way there
+// How far about a place what is covered can change: the farthest cut, what a turn bulges beyond it, half a bead.
+constexpr double kSwathHalf = kCuts[5] + kPlacesApart / 2 + 0.5 + 0.5;
+constexpr std::size_t kMostTried = 12; // places of two lines that are judged by what they waste: a limit of work
+constexpr double kSameWaste = 1e-6;    // mm, mm2: less is rounding
 
 // Where two lines are to be cut: about these ways, by half of the cuts to both sides.
 struct Exchange {
@@ -129,14 +132,14 @@ class Exchanger {
                              [](const Exchange& x, const Exchange& y) { return x.waste < y.waste; });
             if (all.size() > kMostTried) all.resize(kMostTried);
             for (Exchange& e : all) {
-                judge(look(lanes_.at(e.a, e.at_a)), e, std::span(&kSideBySide, 1), std::span(kSlips, 1));
+                judge(look(lanes_.at(e.a, e.at_a)), e, std::span(&kFirstCut, 1), std::span(kSlips, 1));
                 propose(e);
             }
         }
     }
 
     void propose(const Exchange& e) {
-        if (e.waste < kMostWaste * d_ * d_) queue_.push(e);
+        if (e.waste < kCrossingWastes * d_ * d_) queue_.push(e);
     }
 
     // One for every line beside this place, by how much longer the lines get; as if nothing else lay about.
@@ -145,7 +148,7 @@ class Exchanger {
         const auto chart = chart_at(at);
         std::vector<Exchange> out;
         for (const Bead& bead : beads_.beside(a, at.point, chart.normal, kBesideAt * d_)) {
-            out.push_back({0, a, bead.line, way, bead.way, kSideBySide * d_, kSideBySide * d_});
+            out.push_back({0, a, bead.line, way, bead.way, kFirstCut * d_, kFirstCut * d_});
             out.back().waste = d_ * longer(out.back(), turns(chart, out.back()));
         }
         return out;
@@ -158,7 +161,10 @@ class Exchanger {
         return surface::curve::chart(at, normal, next - corner);
     }
 
-    [[nodiscard]] View look(const Place& at) const { return beads_.look(chart_at(at), 1.5 * kSwathHalf * d_); }
+    // What lies within the square of the swath, and half a bead about it.
+    [[nodiscard]] View look(const Place& at) const {
+        return beads_.look(chart_at(at), (std::numbers::sqrt2 * kSwathHalf + 0.5) * d_);
+    }
 
     [[nodiscard]] double longer(const Exchange& e, const Turns& t) const {
         return geom::length(t.there) + geom::length(t.back) - 2 * e.cut_a - 2 * e.cut_b;
@@ -196,7 +202,7 @@ class Exchanger {
         const auto there = [&](std::uint32_t line, double at, double cut) {
             const double all = beads_.length(line);
             const bool inside = given_[line].closed || (at - cut >= ends_ && at + cut <= all - ends_);
-            return inside && 2 * cut + 2 * d_ <= all && beads_.whole(line, at, cut, kBetweenCuts * d_);
+            return inside && 2 * cut + 2 * d_ <= all && beads_.whole(line, at, cut, kBeadGrain * d_);
         };
         return there(e.a, e.at_a, e.cut_a) && there(e.b, e.at_b, e.cut_b);
     }

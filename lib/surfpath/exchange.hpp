@@ -5,6 +5,9 @@
 
 namespace filum::surfpath {
 
+// Square spacings: what shifts that cross waste (splice.hpp), of one left bare, one laid twice.
+inline constexpr double kCrossingWastes = 2;
+
 struct Exchanges {
     double spacing = 1; // mm
     double ends = 0;    // mm: how far from the ends of open lines, at least

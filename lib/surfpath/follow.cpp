@@ -70,7 +70,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         like = field::phase(field::rings(sheet, cells), directions.along, o.spacing);
         striping.like = like;
     }
-    auto all = field::lines(s, field::stripes(s, cells, directions.along, striping));
+    const auto stripes = field::stripes(s, cells, directions.along, striping);
+    auto all = field::lines(s, stripes);
     const double gentle = std::max(o.least_radius, o.spacing / 2);
     for (Line& l : all)
         l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
@@ -96,6 +97,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
+    out.facts.push_back({"", "births", static_cast<double>(field::count_births(s, stripes)), ""});
     tell(s, directions, out);
     return out;
 }

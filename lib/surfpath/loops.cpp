@@ -17,7 +17,6 @@ namespace filum::surfpath {
 namespace {
 
 constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
-constexpr double kCrossingWastes = 2;       // square spacings: one bare, one laid twice
 constexpr double kTurnsTake = 2;            // radii: what turns may take of the ends of rows
 
 // Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
@@ -80,9 +79,9 @@ class Laid {
     geom::PointGrid<Vec3> grid_;
 };
 
-// The row with the way along the ring from its end on to its begin: of both the one that lies less on rows; of equal
-// ones the shorter.
-Line closed_along(const Surface& s, const Row& row, const Inset& inset, const Laid& laid, double radius) {
+// The way along the ring from a row's end on to its begin: of both the one that lies less on rows; of equal ones the
+// shorter.
+Line way_back(const Surface& s, const Row& row, const Inset& inset, const Laid& laid) {
     const Line& ring = inset.rings[row.end.ring];
     const auto& ways = inset.ways[row.end.ring];
     const double from = row.end.way, to = row.begin.way, all = ways.back();
@@ -90,37 +89,50 @@ Line closed_along(const Surface& s, const Row& row, const Inset& inset, const La
     Line back = surface::curve::part(ring, ways, to, from < to ? from + all : from);
     surface::curve::reverse(back);
     const auto cost = [&](const Line& l) { return std::pair(laid.on_rows(l), surface::curve::length(l)); };
+    return surface::curve::threaded(s, cost(ahead) <= cost(back) ? ahead : back);
+}
+
+Line closed_by(const Surface& s, const Row& row, const Line& way, const Inset& inset, double radius) {
     Line out = row.line;
-    surface::curve::append(out, surface::curve::threaded(s, cost(ahead) <= cost(back) ? ahead : back));
+    surface::curve::append(out, way);
     out.places.pop_back(); // the first one again
     out.closed = true;
     return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.margin / 2}).line;
 }
 
-void close_rows(const Surface& s, Rows& rows, const Loops& o) {
+// Per row that is left, as it was before if it was closed by a way that lies on rows for the most part; else empty.
+std::vector<Row> close_rows(const Surface& s, Rows& rows, const Loops& o) {
     const Laid laid(rows, o.spacing);
     std::vector<std::size_t> ends(rows.inset.rings.size(), 0);
     for (const Row& row : rows.rows)
         if (!row.line.closed)
-            for (const Port* p : {&row.begin, &row.end})
+            for (const RingPlace* p : {&row.begin, &row.end})
                 if (p->ring != surface::kNone) ++ends[p->ring];
+    std::vector<Row> kept, before;
     for (Row& row : rows.rows) {
+        Row open;
         const std::uint32_t ring = row.begin.ring;
-        if (row.line.closed || ring == surface::kNone || ring != row.end.ring || !rows.inset.rings[ring].closed)
-            continue;
+        const bool comes_back =
+            !row.line.closed && ring != surface::kNone && ring == row.end.ring && rows.inset.rings[ring].closed;
         const double l = surface::curve::length(row.line);
-        if (l >= 2 * o.radius) {
-            Line loop = closed_along(s, row, rows.inset, laid, o.radius);
-            if (ends[ring] > 2 && surface::curve::length(loop) - l > 2 * o.radius) continue;
-            row.line = std::move(loop);
-            row.begin = row.end = {};
+        if (comes_back && l >= 2 * o.radius) {
+            const Line way = way_back(s, row, rows.inset, laid);
+            const double twice = laid.on_rows(way);
+            Line loop = closed_by(s, row, way, rows.inset, o.radius);
+            if (twice <= o.cut && (ends[ring] <= 2 || surface::curve::length(loop) - l <= 2 * o.radius)) {
+                if (2 * twice > surface::curve::length(way)) open = row;
+                row.line = std::move(loop);
+                row.begin = row.end = {};
+            }
+        } else if (comes_back && ends[ring] <= 2) {
+            rows.drop(row.line);
             continue;
         }
-        if (ends[ring] > 2) continue;
-        rows.drop(row.line);
-        row.line.places.clear();
+        kept.push_back(std::move(row));
+        before.push_back(std::move(open));
     }
-    std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
+    rows.rows = std::move(kept);
+    return before;
 }
 
 // Closed rows that are all of a component and lie within each other, as a spiral that goes over from each to the next
@@ -139,7 +151,7 @@ void spiral(const Surface& s, Rows& rows, const Loops& o) {
             for (const std::size_t i : which) rows.rows[i].level *= -1;
         const Lanes lanes(s, lines, o.spacing);
         Weave weave(lanes);
-        const Rungs seam = seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing), kSeamLength * o.spacing);
+        const Rungs seam = seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
         if (seam.lanes() < lines.size()) continue;
         shift(weave, lanes, seam, 1);
         auto courses = weave.courses();
@@ -171,12 +183,22 @@ Joined join(const Surface& s, std::vector<Line>& lines, const std::vector<char>&
 } // namespace
 
 Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
-    close_rows(s, rows, o);
+    auto open = close_rows(s, rows, o);
     const auto keep = wound(s, rows, level_rows(s, rows, o.spacing), o);
     std::vector<Line> lines;
-    for (Row& row : rows.rows) lines.push_back(std::move(row.line));
+    std::vector<double> length;
+    for (Row& row : rows.rows) {
+        length.push_back(surface::curve::length(row.line));
+        lines.push_back(std::move(row.line));
+    }
     auto out = join(s, lines, keep, kTurnsTake * o.radius, o);
-    for (std::size_t i = 0; i < lines.size(); ++i) rows.rows[i].line = std::move(lines[i]);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Row& row = rows.rows[i];
+        row.line = std::move(lines[i]);
+        // A way back that lies on rows saved no cut.
+        const bool alone = row.line.closed && surface::curve::length(row.line) == length[i];
+        if (alone && open[i].line.size() > 0) row = std::move(open[i]);
+    }
     std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
     level_rows(s, rows, o.spacing);
     const auto by_level = [&] {

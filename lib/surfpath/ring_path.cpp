@@ -74,8 +74,7 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
     std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
-        const Rungs seam =
-            seam_place(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by), kSeamLength * by * o.spacing);
+        const Rungs seam = seam_place(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
         if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
             shift(weave, lanes, seam, by);
             merged = seam.lane;

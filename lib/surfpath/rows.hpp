@@ -18,16 +18,16 @@ struct Inset {
     [[nodiscard]] double room(const Surface& s, const Place& p) const;
 };
 
-// Where a row ends: on a ring of the inset.
-struct Port {
+// Where a row ends: on a ring of the inset; on none where the face is narrower than two margins.
+struct RingPlace {
     std::uint32_t ring = surface::kNone;
     double way = 0; // mm along the ring
 };
 
 struct Row {
-    Line line;        // threaded; open, or closed if it meets no rim
-    double level = 0; // mm: by which rows are ordered
-    Port begin, end;  // of an open line
+    Line line;            // threaded; open, or closed if it meets no rim
+    double level = 0;     // mm: by which rows are ordered
+    RingPlace begin, end; // of an open line
 };
 
 // Lines of one family that still run up to the rims.  All of them have what is less to the same side.
@@ -56,13 +56,14 @@ struct Rows {
 
 struct RowLimits {
     double margin = 0;   // mm: from every rim
-    double shortest = 0; // mm: what is left of a line and shorter is dropped, unless that is more than a tenth of all
+    double shortest = 0; // mm: what is left of a line and shorter is dropped, unless all are
     double radius = 0;   // mm: what lines that were cut are eased to,
     double give = 0;     // mm: by so much at most
 };
 
 // The parts of `lines` that keep the margin, along the surface; exact.  Where a line comes nearer to a rim that it runs
-// along, it follows the inset instead; closed ones stay closed by that where they can.
+// along, it follows the inset instead; closed ones stay closed by that where they can.  Where the face is too narrow
+// for any place to keep the margin, lines in its middle stay.
 Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits);
 
 } // namespace filum::surfpath

@@ -6,22 +6,21 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 namespace filum::surfpath {
 
 namespace {
 
-constexpr double kSearch = 1;         // spacings between rungs that are tried
-constexpr double kFarthest = 2;       // spacings between neighbouring lanes of a seam
-constexpr int kPoints = 3;            // of a line, per rung
-constexpr double kMargin = 0.5;       // spacings of lane between windows
-constexpr double kShare = 0.4;        // of a lane that a seam may take
-constexpr double kRidge = 3;          // spacings between lanes that a line goes along the middle of, at most
-constexpr double kLeastRidge = 1.3;   // and at least
-constexpr double kAhead = 0.6;        // cosine of how far a lane turns beside it
-constexpr double kRidgeDrift = 6;     // spacings that it takes to go there
-constexpr double kFarthestJoined = 8; // spacings between lanes that are joined, at most
-constexpr double kNeighbouring = 1.6; // spacings: how far a neighbouring lane may be
+// Lengths in spacings.
+constexpr double kFarthest = 2; // between neighbouring lanes of a seam: from there on another one fits between
+constexpr double kWanted = 2;   // of the least length of a seam: so it bends a quarter as much as it may
+constexpr int kPoints = 2;      // of a line, per rung
+constexpr double kMargin = 0.5; // of lane between windows: half a bead
+constexpr double kRidge = 3;    // between lanes that a line goes along the middle of: another lane fits from there on
+constexpr double kLeastRidge = 4. / 3; // likewise: what is left bare there is half of what the line lays twice
+constexpr double kRidgeDrift = 6;      // that it takes to go there: it bends by less than a sixth per spacing
+constexpr double kFarthestJoined = 4;  // between lanes that are joined, at most: a limit
 
 // From 0 to 1 with the least curvature: two parabolas.
 double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
@@ -54,62 +53,70 @@ std::vector<Vec2> straight(double u, double v0, double v1) {
 
 } // namespace
 
-// True if no lane gives up more than its part.
-static bool fits(const Lanes& lanes, const Rungs& r) {
-    for (std::size_t k = 0; k < r.lanes(); ++k)
-        if (lanes.ahead(r.lane[k], r.ways.front()[k], r.ways.back()[k], r.sense[k]) > kShare * lanes.length(r.lane[k]))
-            return false;
-    return true;
+namespace {
+
+// What follows rung `i` on its lanes, rung by rung, but for itself; at least rung `i`.
+std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std::size_t i, double step) {
+    const std::size_t n = rungs.size();
+    std::vector<Rung> out{rungs[i]};
+    while (out.size() + 1 < n && follows(lanes, out.back(), rungs[(i + out.size()) % n], step))
+        out.push_back(rungs[(i + out.size()) % n]);
+    return out;
 }
 
-Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double wanted) {
-    const double all = lanes.length(start), step = kSearch * lanes.spacing();
-    const auto n = static_cast<std::size_t>(all / step);
-    std::vector<Rung> rungs;
-    for (std::size_t i = 0; i < n; ++i)
-        rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, kFarthest, lanes.size()));
-    // runs of rungs that follow each other, over as many lanes as may be
+// The first rungs of a run: as many as the shortest lane takes to be as long as wanted, if there are so many.
+Rungs first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, double step) {
+    for (std::size_t count = 3;;) {
+        Rungs out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
+        const double l = shortest(lanes, out);
+        if (l >= wanted || count == run.size()) return out;
+        const double more = l > 0 ? wanted / l * static_cast<double>(count) : 0;
+        count = std::min(run.size(), std::max(count + 1, static_cast<std::size_t>(more)));
+    }
+}
+
+// The longest of the ladders over just so many lanes, up to what is wanted; none if all are shorter than they must be.
+Rungs best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least, double step) {
     Rungs best;
-    double most = 0;
-    std::size_t longest = 0;
-    for (const auto& r : rungs) longest = std::max(longest, r.places.size());
-    for (std::size_t count = longest; count >= 2; --count) {
-        if (static_cast<double>(count) <= most) break;
-        auto cropped = rungs;
-        for (auto& r : cropped)
-            if (r.places.size() > count) {
-                r.places.resize(count);
-                r.sense.resize(count);
-            }
-        for (std::size_t i = 0; i < n;) {
-            if (cropped[i].places.size() < count) {
-                ++i;
-                continue;
-            }
-            std::size_t j = i + 1;
-            while (j < i + n && follows(lanes, cropped[(j - 1) % n], cropped[j % n], step)) ++j;
-            std::vector<Rung> run;
-            for (std::size_t k = i; k < j && k < i + n - 1; ++k) run.push_back(cropped[k % n]);
-            i = j;
-            if (run.size() < 3) continue;
-            // its begin, as long as wanted and as lanes have room
-            for (double part = wanted; part >= least; part *= 0.7) {
-                const auto keep = std::min(run.size(), static_cast<std::size_t>(part / step) + 1);
-                if (keep < 3) break;
-                const Rungs r = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(keep)}, step);
-                const double l = shortest(lanes, r);
-                if (l < least) break;
-                if (!fits(lanes, r)) continue;
-                const double worth = static_cast<double>(count) * (0.9 + 0.1 * std::min(1.0, l / wanted));
-                if (worth > most) {
-                    most = worth;
-                    best = r;
-                }
-                break;
-            }
+    double longest = 0;
+    for (std::size_t i = 0; i < rungs.size();) {
+        if (rungs[i].places.empty()) {
+            ++i;
+            continue;
         }
+        const auto run = run_from(lanes, rungs, i, step);
+        i += run.size();
+        if (run.size() < 3) continue;
+        Rungs r = first_of(lanes, run, kWanted * least, step);
+        const double l = std::min(shortest(lanes, r), kWanted * least);
+        if (l < least || l <= longest) continue;
+        longest = l;
+        best = std::move(r);
     }
     return best;
+}
+
+} // namespace
+
+Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least) {
+    const double step = lanes.spacing();
+    const auto n = static_cast<std::size_t>(lanes.length(start) / step);
+    std::vector<Rung> rungs;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, kFarthest, lanes.size()));
+        most = std::max(most, rungs.back().places.size());
+    }
+    for (std::size_t count = most; count >= 2; --count) {
+        auto cropped = rungs;
+        for (Rung& r : cropped) {
+            const std::size_t kept = r.places.size() < count ? 0 : count;
+            r.places.resize(kept);
+            r.sense.resize(kept);
+        }
+        if (Rungs best = best_ladder(lanes, cropped, least, step); best.lanes() > 0) return best;
+    }
+    return {};
 }
 
 // From a place on the innermost lane over to the middle between it and itself, and on there as far as there is room for
@@ -122,7 +129,7 @@ static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, doub
         const double here = way + sense * on;
         const auto over = lanes.across(lane, here, 1, kRidge);
         if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
-        if (dot(lanes.tangent(lane, here), begin) < kAhead) break; // the lane turns round the ridge's end
+        if (dot(lanes.tangent(lane, here), begin) < 0) break; // the lane turns round the ridge's end
         const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
         const auto ways = surface::curve::arc_lengths(line);
         out.places.push_back(
@@ -194,12 +201,7 @@ class Crossover {
 
     void find_spots() {
         spots_across(
-            [&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kNeighbouring); });
-        if (spots_.empty() || !reachable())
-            spots_across([&](std::uint32_t l, double way, double side) {
-                const bool beside = lanes_.across(l, way, side, kNeighbouring).has_value();
-                return beside ? std::nullopt : lanes_.across(l, way, side, kFarthestJoined);
-            });
+            [&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kFarthestJoined); });
         sort_spots();
     }
     // Adds what `across` finds on either side of each lane, unless both are joined.
@@ -225,7 +227,7 @@ class Crossover {
             for (std::size_t i = 0; i < n; ++i) {
                 const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
                 const auto other = [&](std::uint32_t o, double) { return find(o) != find(l); };
-                for (const double reach : {1.0, 2.0, 4.0})
+                for (const double reach : {1.0, 2.0, kFarthestJoined})
                     if (const auto near = lanes_.nearest(lanes_.at(l, way), reach * d, other)) {
                         spots_.push_back({near->distance, l, near->lane, way, 0, near->distance, near->way});
                         break;
@@ -239,14 +241,6 @@ class Crossover {
             return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
         });
     }
-    // Whether the spots would join all.
-    bool reachable() {
-        geom::DisjointSets sets = sets_;
-        std::size_t apart = apart_;
-        for (const Changeover& s : spots_) apart -= sets.unite(s.a, s.b) ? 1 : 0;
-        return apart <= 1;
-    }
-
     void add(std::uint32_t l, double way, double side, const LanePlace& next) {
         const double gap = next.distance / lanes_.spacing();
         const double bend = std::max(lanes_.curvature(l, way), lanes_.curvature(next.lane, next.way));

@@ -6,11 +6,9 @@
 
 namespace filum::surfpath {
 
-inline constexpr double kSeamLength = 25; // spacings, per lane that lanes go over by
-
-// Rungs over as many lanes as may be, from `start` inwards (on its right), where they run side by side for a long way,
-// at most `wanted` mm; empty if there is no place as long as `least` mm.
-Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least, double wanted);
+// Rungs over as many lanes as may be, from `start` inwards (on its right), where they run side by side for at least
+// `least` mm, if they can for twice as long; empty if there is no such place.
+Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least);
 
 // Each lane goes over to the one `by` (1 or 2) further on, from the first rung to the last.  By 1: one spiral, from the
 // first lane to the last.  By 2: two, side by side, of which the inner ends turn back into each other: both ends of the

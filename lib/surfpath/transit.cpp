@@ -121,8 +121,8 @@ Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
 }
 
 Line Transits::along(std::uint32_t from, std::uint32_t to) const {
-    const auto port = [&](std::uint32_t e) { return e % 2 == 0 ? rows_.rows[e / 2].begin : rows_.rows[e / 2].end; };
-    const Port a = port(from), b = port(to);
+    const auto place = [&](std::uint32_t e) { return e % 2 == 0 ? rows_.rows[e / 2].begin : rows_.rows[e / 2].end; };
+    const RingPlace a = place(from), b = place(to);
     if (a.ring != b.ring || a.ring == kNone) return {};
     const Line& ring = rows_.inset.rings[a.ring];
     const auto& ways = rows_.inset.ways[a.ring];

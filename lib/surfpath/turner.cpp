@@ -13,17 +13,24 @@ using surface::curve::Chart;
 
 namespace {
 
-constexpr double kRunUp = 4;         // radii of a row that may be rounded where it goes over into a way along the rim
-constexpr double kCorridor = 2;      // radii
-constexpr double kWider = 1.07;      // of the least radius: what turns are made with, so that samples of them keep it
-constexpr double kBulb = 40;         // mm: what a bulb is as bad as, for the voids beside it
-constexpr double kEasedWider = 1.15; // likewise, of ways along rims
-constexpr double kRoom = 0.94;       // of the margin: what turns keep from rims
-constexpr double kEasedRoom = 0.8;   // likewise, of ways along rims
-constexpr double kTurning = 0.25;    // mm
-constexpr double kDeepestTurn = 2;   // radii: how deep behind the rim turns may lie
-constexpr double kSameRadius = 1e-6; // mm: less is rounding
-constexpr double kHairpin = 0.75;    // of the least radius: what is tighter costs much
+constexpr double kEasing = 2; // radii: how far a way along a rim may go off, and into rows, to be rounded: a half turn
+// Of the least radius: what turns, and ways along rims, are made with, so that they keep it when measured in steps of a
+// quarter of a millimetre on triangles.
+constexpr double kWider = 1.07, kEasedWider = 1.15;
+constexpr double kRoom = 0.8;      // of the margin: what turns keep from rims: a tenth of a spacing less, as eased rows
+constexpr double kTurning = 0.25;  // mm: steps that turning is measured in, as by metrics
+constexpr double kDeepestTurn = 2; // radii: how deep behind the rim turns may lie: the next arc is beside this one
+constexpr double kSameRadius = 1e-6;  // mm: less is rounding
+constexpr double kHairpin = 0.75;     // of the least radius: what is tighter costs as much as a hairpin
+constexpr double kBulb = 2 * kTight;  // mm: what a bulb is as bad as, for the voids beside it
+constexpr double kSharp = 3 * kTight; // mm: likewise, a hairpin
+// Which ends may be turned between: across the rows, spacings unless said.  More of them cost time; an order may be
+// found that is better, or one that is worse, as the search keeps so many states only.
+constexpr double kSameRow = 0.3;                // nearer ones are of one line
+constexpr double kNextButOne = 2.5;             // up to the next row but one
+constexpr double kWidest = 1.6, kWiderBy = 3.2; // of two radii; what turns may be wider than these: the lesser counts
+constexpr double kAlike = 0.5;                  // cosine of the angle between rows
+constexpr double kAskew = 3;                    // along the rows, of that across
 
 // A line drawn on a chart, up to `length` mm of it; `flip`: upside down.
 std::vector<Vec2> drawn(const Chart& chart, const Line& line, double length, bool flip) {
@@ -105,17 +112,17 @@ Line Turner::part(std::uint32_t in, double from, double to) const {
 }
 
 LaidTurn Turner::eased(std::uint32_t from, const std::vector<Line>& stretches, std::uint32_t to) const {
-    const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = kRunUp * radius;
+    const double radius = o_.tight ? o_.spacing / 2 : o_.least_radius, most = kEasing * radius;
     LaidTurn out{from, to, std::min(most, length(from / 2) / 2), std::min(most, length(to / 2) / 2), 0, 0, {}, false};
     Line line = surface::curve::part(inwards(from), ways_inwards(from), 0, out.from_trim);
     surface::curve::reverse(line);
     for (const Line& l : stretches) surface::curve::append(line, l);
     surface::curve::append(line, surface::curve::part(inwards(to), ways_inwards(to), 0, out.to_trim));
     line = surface::curve::threaded(surface_, line);
-    auto eased = surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = kCorridor * radius});
+    auto eased = surface::curve::ease(surface_, line, {.radius = kEasedWider * radius, .corridor = kEasing * radius});
     // Round what juts out, like a corner of a hole, it comes too near to the rim: then rather tight.
     const bool inside = std::all_of(eased.line.places.begin(), eased.line.places.end(), [&](const Place& p) {
-        return rows_.inset.room(surface_, p) >= kEasedRoom * rows_.inset.margin;
+        return rows_.inset.room(surface_, p) >= kRoom * rows_.inset.margin;
     });
     out.line = inside ? std::move(eased.line) : std::move(line);
     const auto k = turning(out.line, surface::curve::arc_lengths(out.line));
@@ -136,7 +143,7 @@ std::vector<double> Turner::turning(const Line& line, std::span<const double> w)
     return out;
 }
 
-const Port& Turner::port(std::uint32_t end) const {
+const RingPlace& Turner::ring_place(std::uint32_t end) const {
     const Row& row = rows_.rows[end / 2];
     return end % 2 == 0 ? row.begin : row.end;
 }
@@ -159,23 +166,23 @@ Vec3 Turner::tangent(std::uint32_t end) const {
 
 // Whether two ends lie as those of rows do between which one may turn.
 bool Turner::near(std::uint32_t a, std::uint32_t b) const {
-    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 d = inwards(b)[0] - inwards(a)[0];
-    const double two = 2 * o_.least_radius;
-    const double most = std::max(std::min(1.6 * two, two + 3.2 * o_.spacing), 2.4 * o_.spacing);
-    if (norm(d) > 3 * most + o_.spacing) return false;
+    const double spacing = o_.spacing, two = 2 * o_.least_radius,
+                 most = std::max(std::min(kWidest * two, two + kWiderBy * spacing), kNextButOne * spacing);
+    if (norm(d) > kAskew * most + spacing) return false;
     const Vec3 u = tangent(a);
-    if (dot(u, tangent(b)) < 0.5) return false;
+    if (dot(u, tangent(b)) < kAlike) return false;
     const double w = norm(d - dot(d, u) * u);
     // Of what is too near for an arc only the nearest, for hairpins and bulbs.
-    if (w > 2.5 * o_.spacing && w < 0.75 * two) return false;
-    return w > 0.3 * o_.spacing && w < most && norm(d) < 3 * w + o_.spacing;
+    if (w > kNextButOne * spacing && w < kHairpin * two) return false;
+    return w > kSameRow * spacing && w < most && norm(d) < kAskew * w + spacing;
 }
 
 // Whether one line ends at a hole in `a` and goes on beyond it in `b`.
 bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     if (a / 2 == b / 2 || rows_.rows[a / 2].level != rows_.rows[b / 2].level) return false;
-    if (port(a).ring != port(b).ring || port(a).ring == surface::kNone) return false;
+    if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 u = tangent(a), v = tangent(b), d = inwards(b)[0] - inwards(a)[0];
     return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
@@ -219,7 +226,7 @@ LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs
 // What a tight turn is as bad as, mm.
 double Turner::tightness(double radius) const {
     const double part = radius / o_.least_radius;
-    return o_.tight || part >= 0.999 ? 0 : part < kHairpin ? 60 + 20 * (1 - part) : 20 + 20 * (1 - part);
+    return o_.tight || part >= 0.999 ? 0 : (part < kHairpin ? kSharp : kTight) + kTight * (1 - part);
 }
 
 } // namespace filum::surfpath

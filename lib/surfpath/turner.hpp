@@ -9,6 +9,8 @@
 
 namespace filum::surfpath {
 
+inline constexpr double kTight = 20; // mm: what a tight turn costs at least
+
 struct Turning {               // what is left out has no limit
     double spacing = 1;        // mm, between rows
     double least_radius = 2.4; // mm, of turns, where there is room
@@ -58,7 +60,7 @@ class Turner {
     [[nodiscard]] Line part(std::uint32_t in, double from, double to) const;
 
   private:
-    [[nodiscard]] const Port& port(std::uint32_t end) const;
+    [[nodiscard]] const RingPlace& ring_place(std::uint32_t end) const;
     [[nodiscard]] const Line& inwards(std::uint32_t end) const;
     [[nodiscard]] std::span<const double> ways_inwards(std::uint32_t end) const;
     [[nodiscard]] double length(std::uint32_t row) const { return ways_[row].back(); }

@@ -90,7 +90,7 @@ class Winder {
     [[nodiscard]] Row wound(const std::vector<Contour>& chain, bool from_rim) const {
         Row out;
         out.level = chain.front().level;
-        const auto [port, to_inset] = landing(chain.back());
+        const auto [place, to_inset] = landing(chain.back());
         double at = start(chain);
         Line line;
         if (from_rim || chain.size() == 1) {
@@ -104,7 +104,7 @@ class Winder {
         }
         const Contour& last = chain.back();
         if (chain.size() > 1) {
-            double to = port.ring == surface::kNone ? at + last.ways.back() : to_inset;
+            double to = place.ring == surface::kNone ? at + last.ways.back() : to_inset;
             const double lap = last.ways.back();
             while (to < at + 0.25 * lap) to += lap;
             while (to > at + 1.25 * lap) to -= lap;
@@ -114,18 +114,18 @@ class Winder {
             }
             if (to > at) surface::curve::append(line, surface::curve::part(last.line, last.ways, at, to));
         }
-        if (port.ring != surface::kNone)
+        if (place.ring != surface::kNone)
             line.places.push_back(
-                surface::curve::at(rows_.inset.rings[port.ring], rows_.inset.ways[port.ring], port.way));
+                surface::curve::at(rows_.inset.rings[place.ring], rows_.inset.ways[place.ring], place.way));
         out.line = surface::curve::threaded(surface_, line);
-        out.end = port;
+        out.end = place;
         return out;
     }
 
   private:
     // Where the spiral that ends on `ring` lands on the inset, and from where on the ring.
-    [[nodiscard]] std::pair<Port, double> landing(const Contour& ring) const {
-        Port port;
+    [[nodiscard]] std::pair<RingPlace, double> landing(const Contour& ring) const {
+        RingPlace place;
         double least = kNearInset * spacing_, from = 0;
         for (std::uint32_t r = 0; r < rows_.inset.rings.size(); ++r)
             for (std::size_t i = 0; i < ring.line.size();) {
@@ -133,20 +133,20 @@ class Winder {
                 const double nearer = ring.ways[i] + f.far - least; // not before that far on
                 if (f.far < least) {
                     least = f.far;
-                    port = {r, f.way};
+                    place = {r, f.way};
                     from = ring.ways[i];
                 }
                 for (++i; i < ring.line.size() && ring.ways[i] < nearer;) ++i;
             }
-        return {port, from};
+        return {place, from};
     }
 
     // Where on the first ring to begin, so that the last lap comes to be half a lap before its end; of a single ring,
     // at its end.
     [[nodiscard]] double start(const std::vector<Contour>& chain) const {
-        const auto [port, to_inset] = landing(chain.back());
+        const auto [place, to_inset] = landing(chain.back());
         if (chain.size() == 1) return to_inset;
-        double way = port.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
+        double way = place.ring == surface::kNone ? 0 : to_inset + chain.back().ways.back() / 2;
         for (std::size_t i = chain.size() - 1; i-- > 0;)
             way =
                 foot(chain[i].line, chain[i].ways, surface::curve::at(chain[i + 1].line, chain[i + 1].ways, way).point)

@@ -9,7 +9,8 @@ namespace filum::surface::curve {
 
 namespace {
 
-constexpr double kSame = 1e-9; // mm
+constexpr double kSame = 1e-9;     // mm
+constexpr double kNoNormal = 1e-6; // rad: of the sum of unit normals by their angles; less is none
 
 // `way` between 0 and the end, or round again.
 double wrapped(const Line& line, std::span<const double> ways, double way) {
@@ -71,7 +72,8 @@ Line part(const Line& line, std::span<const double> ways, double from, double to
     out.places.push_back(at(line, ways, from));
     const std::size_t n = ways.size() - 1;
     for (std::size_t i = stretch(ways, from) + 1; n > 0; ++i) {
-        const double here = ways[i % n] + (i >= n && line.closed ? all * static_cast<double>(i / n) : 0);
+        const std::size_t laps = i / n;
+        const double here = ways[i % n] + (line.closed ? all * static_cast<double>(laps) : 0);
         if (!(here < to - kSame) || (!line.closed && i >= n)) break;
         // A point just behind the begin takes its place: the next stretch lies in that one's triangle.
         if (here > from + kSame)
@@ -110,6 +112,22 @@ void append(Line& line, const Line& more) {
     line.places.insert(line.places.end(), more.places.begin(), more.places.end());
 }
 
+// Where a sliver lies folded over what is beside it, normals by angles may cancel: there by areas.
+static void by_area(const Surface& s, std::vector<Vec3>& normals) {
+    std::vector<char> none(normals.size(), 0);
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        if (!(norm(normals[v]) > kNoNormal)) {
+            none[v] = 1;
+            normals[v] = {};
+        }
+    if (std::find(none.begin(), none.end(), 1) == none.end()) return;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+        for (const std::uint32_t v : s.triangles[t])
+            if (none[v] != 0) normals[v] = normals[v] + surface::area(s, t) * surface::normal(s, t);
+    for (std::size_t v = 0; v < normals.size(); ++v)
+        if (const double l = norm(normals[v]); none[v] != 0 && l > 0) normals[v] = 1 / l * normals[v];
+}
+
 std::vector<Vec3> vertex_normals(const Surface& s) {
     std::vector<Vec3> out(s.vertices.size());
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
@@ -123,7 +141,8 @@ std::vector<Vec3> vertex_normals(const Surface& s) {
         }
     }
     for (Vec3& n : out)
-        if (const double l = norm(n); l > 0) n = 1 / l * n;
+        if (const double l = norm(n); l > kNoNormal) n = 1 / l * n;
+    by_area(s, out);
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace filum::surfpath::field {
 
@@ -211,14 +212,30 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
     return out;
 }
 
-bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle) {
-    double sum = 0, sign = 1; // as the first corner counts
+// rad: by how much the angle grows once round a triangle, as the first corner counts; none where directions have no
+// sign that all three agree on.
+static std::optional<double> winding(const Surface& s, const Stripes& stripes, std::uint32_t triangle) {
+    double sum = 0, sign = 1;
     for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const bool ahead = s.tail(h) < s.head(h), flipped = stripes.flipped[h] != 0;
         sum += sign * (ahead || flipped ? stripes.growth[h] : -stripes.growth[h]);
         sign = flipped ? -sign : sign;
     }
-    return sign < 0 || std::abs(sum) > kPi;
+    return sign < 0 ? std::nullopt : std::optional(sum);
+}
+
+bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle) {
+    const auto turns = winding(s, stripes, triangle);
+    return !turns || std::abs(*turns) > kPi;
+}
+
+std::size_t count_births(const Surface& s, const Stripes& stripes) {
+    std::size_t out = 0;
+    for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
+        const auto turns = winding(s, stripes, t);
+        out += turns && std::abs(*turns) > kPi ? 1 : 0;
+    }
+    return out;
 }
 
 } // namespace filum::surfpath::field

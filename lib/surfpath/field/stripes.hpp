@@ -44,6 +44,9 @@ Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> alon
 // have no sign that all three corners agree on.
 bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle);
 
+// At how many places two lines are born, or end, joined by a turn.
+std::size_t count_births(const Surface& s, const Stripes& stripes);
+
 // The lines: where the stripes' angle is an odd number of right angles.  Threaded, open from rim to rim or closed, in
 // the order of their first half-edges.  In singular triangles there are two ways to join those that meet; the shorter
 // one, unless the other makes a closed line part of another.

@@ -1,10 +1,12 @@
 // Isolines lie where the distance has their level, and hang together.
 #include "geodesic/isolines.hpp"
+#include "../surface/grid.hpp"
 #include "base/error.hpp"
 #include "geodesic/certificate.hpp"
 #include "geodesic/choose.hpp"
 #include "geodesic/measure.hpp"
 #include "geodesic/query.hpp"
+#include "surface/finer.hpp"
 #include "surfaces.hpp"
 
 #include <gtest/gtest.h>
@@ -98,6 +100,21 @@ TEST(isolines, are_round_between_edges) {
         EXPECT_NEAR(norm(0.5 * (lines[0].points[i - 1] + lines[0].points[i])), 6, 1e-3);
     }
     EXPECT_NEAR(length, 3 * std::numbers::pi, 2e-3);
+}
+
+// The middle of the left rim's triangle is 0.5 mm from it, less a rounding: what lies about it is farther.
+TEST(isolines, that_pass_a_vertex_by_a_rounding_are_closed) {
+    Notes notes;
+    const auto coarse = surface::connect(surface::grid(8, 1.8, 8, 1,
+                                                       [](geom::Vec2 p) {
+                                                           return Vec3{p.x, p.y, 0};
+                                                       }),
+                                         notes);
+    const Surface s = surface::finer(coarse, 1, 10'000).surface;
+    const double level[] = {0.5};
+    const auto lines = isolines(s, exact(s, surface::rim_sources(s)), level);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(lines[0].closed);
 }
 
 TEST(isolines, of_linear_values_cut_edges_in_proportion) {

@@ -71,7 +71,22 @@ TEST(follow, a_narrow_strip_is_covered_to_its_ends) {
         }));
         const Plan p = plan(sheet, field(0));
         EXPECT_EQ(p.strokes.size(), 1U) << width;
-        EXPECT_GT(covered(sheet.surface, p), 0.97) << width;
+        EXPECT_GT(covered(sheet.surface, p), 0.965) << width;
+    }
+}
+
+// Where there is no room for the margin on either side, a line lies in the middle; narrower than two such there are
+// two.
+TEST(follow, a_strip_as_wide_as_a_line_or_less_is_one_line) {
+    for (const double width : {0.6, 0.8, 1.0, 1.8}) {
+        const auto sheet = sheet_of(surface::grid(60, width, 60, 1, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+        const Plan p = plan(sheet, field(0));
+        ASSERT_EQ(p.strokes.size(), 1U) << width;
+        double length = 0;
+        for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
+        EXPECT_GT(covered(sheet.surface, p), width > 1 ? 0.89 : 0.97) << width; // there is no room to turn
+        EXPECT_GT(length, width > 1 ? 105 : 58) << width;
+        EXPECT_LT(length, width > 1 ? 120 : 60) << width;
     }
 }
 

@@ -55,8 +55,10 @@ inline double covered(const Surface& s, const Plan& plan, double reach = 0.501) 
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const Vec3 &a = s.vertices[s.triangles[t][0]], u = s.vertices[s.triangles[t][1]] - a,
                    v = s.vertices[s.triangles[t][2]] - a;
-        const double area = norm(cross(u, v)) / 10;
-        for (int k = 0; k < 5; ++k) {
+        const double whole = norm(cross(u, v)) / 2;
+        const int samples = std::max(5, static_cast<int>(10 * whole)); // large triangles: ten for each mm2
+        const double area = whole / samples;
+        for (int k = 0; k < samples; ++k) {
             double x = unit(), y = unit();
             if (x + y > 1) {
                 x = 1 - x;

@@ -171,5 +171,17 @@ TEST(ease, leaves_what_is_gentle_and_stays_in_its_corridor) {
     EXPECT_GT(held.too_tight, 0);
 }
 
+// A sliver at the rim that lies folded over its neighbour: by angles, half a turn each, normals there cancel.
+TEST(normals, are_there_beside_a_sliver_that_is_folded_over) {
+    mesh::Mesh mesh;
+    mesh.vertices = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1e-9, 0}};
+    mesh.triangles = {{0, 3, 2}, {3, 1, 2}, {1, 3, 0}};
+    Notes notes;
+    const auto s = surface::connect(std::move(mesh), notes);
+    const auto flat = vertex_normals(s);
+    for (const Vec3& n : flat) EXPECT_NEAR(norm(n), 1, 1e-9);
+    EXPECT_NEAR(flat[3].z, 1, 1e-9);
+}
+
 } // namespace
 } // namespace filum::surface::curve
