@@ -15,12 +15,14 @@ Bvh::Bvh(const std::vector<Box3>& boxes) : order_(boxes.size()) {
     std::iota(order_.begin(), order_.end(), 0U);
     if (order_.empty()) return;
     nodes_.push_back({{}, 0, static_cast<std::uint32_t>(order_.size())});
-    for (std::uint32_t n = 0; n < nodes_.size(); ++n) split(boxes, n);
+    std::vector<Middle> room(order_.size());
+    for (std::uint32_t n = 0; n < nodes_.size(); ++n) split(boxes, n, room);
     boxes_.reserve(boxes.size());
     for (const std::uint32_t i : order_) boxes_.push_back(boxes[i]);
 }
 
-void Bvh::split(const std::vector<Box3>& boxes, std::uint32_t node) {
+// `room` is for a middle of every box: sorting asks for each many times.
+void Bvh::split(const std::vector<Box3>& boxes, std::uint32_t node, std::vector<Middle>& room) {
     const std::uint32_t first = nodes_[node].first, count = nodes_[node].count;
     const auto middle = [&](std::uint32_t i) { return 0.5 * (boxes[i].lo + boxes[i].hi); };
     Box3 all, middles;
@@ -31,11 +33,12 @@ void Bvh::split(const std::vector<Box3>& boxes, std::uint32_t node) {
     nodes_[node].box = all;
     if (count <= kLeaf) return;
     const int axis = longest_axis(middles.size());
-    const auto begin = order_.begin() + first, half = begin + count / 2;
-    std::nth_element(begin, half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-        const double ma = coordinate(middle(a), axis), mb = coordinate(middle(b), axis);
-        return ma != mb ? ma < mb : a < b;
-    });
+    for (std::uint32_t k = 0; k < count; ++k)
+        room[k] = {coordinate(middle(order_[first + k]), axis), order_[first + k]};
+    const auto begin = room.begin(), end = begin + count;
+    std::nth_element(begin, begin + count / 2, end,
+                     [](const Middle& a, const Middle& b) { return a.at != b.at ? a.at < b.at : a.box < b.box; });
+    for (std::uint32_t k = 0; k < count; ++k) order_[first + k] = room[k].box;
     nodes_[node].first = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node].count = 0;
     nodes_.push_back({{}, first, count / 2});

@@ -43,7 +43,11 @@ class Bvh {
         Box3 box;
         std::uint32_t first, count; // leaf: boxes order_[first, first + count); else children `first`, `first` + 1
     };
-    void split(const std::vector<Box3>& boxes, std::uint32_t node);
+    struct Middle {
+        double at; // along the axis that is halved
+        std::uint32_t box;
+    };
+    void split(const std::vector<Box3>& boxes, std::uint32_t node, std::vector<Middle>& room);
 
     template <class F>
     void descend(std::uint32_t at, const Vec3& p, double& bound, const F& f) const {
