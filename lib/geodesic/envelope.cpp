@@ -22,9 +22,11 @@ bool same_source(const Window& a, const Window& b, double b0, double b1, double 
 // no number.
 bool wide(const Window& w, double b0, double b1, double length) {
     const double width = b1 - b0;
-    if (width > kNarrow * length) return true; // mostly, and without a root
-    const double away = w.is_line() ? length : std::hypot((b0 + b1) / 2 - w.sx, w.sy);
-    return width > std::max(kRounding * length, kNarrow * std::min(length, away));
+    if (width > kNarrow * length) return true;                      // mostly, and without a root
+    if (!(width > kRounding * length) || w.is_line()) return false; // a line's source is as far as the edge is long
+    const double x = (b0 + b1) / 2 - w.sx;
+    if (width < kNarrow * 0.9 * std::max(std::abs(x), std::abs(w.sy))) return false; // without a root
+    return width > kNarrow * std::hypot(x, w.sy);
 }
 
 } // namespace

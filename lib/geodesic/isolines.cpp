@@ -113,10 +113,10 @@ void Tracer::trace(std::vector<Isoline>& out, std::vector<OnEdge>& begins) {
         if (seen[c] == 0) add(c);
 }
 
-} // namespace
-
-std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance, std::span<const double> levels,
-                              const Crosser& cross, const Inside& at, std::vector<OnEdge>* begins) {
+// length(half-edge), mm.
+template <class Length>
+std::vector<Isoline> traced(const Surface& s, std::span<const double> distance, std::span<const double> levels,
+                            const Length& length, const Crosser& cross, const Inside& at, std::vector<OnEdge>* begins) {
     std::vector<Tracer> tracers;
     tracers.reserve(levels.size());
     for (const double level : levels) tracers.emplace_back(s, distance, level, at);
@@ -125,7 +125,7 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
         if (s.twin[h] < h) continue;
         const double a = distance[s.tail(h)], b = distance[s.head(h)];
         if (!std::isfinite(a) || !std::isfinite(b)) continue;
-        const double l = surface::side_length(s, h);
+        const double l = length(h);
         auto level = std::lower_bound(levels.begin(), levels.end(), std::min({a, b, (a + b - l) / 2}));
         for (; level != levels.end() && within_reach(a, b, l, *level); ++level) {
             cross(h, *level, places);
@@ -150,13 +150,23 @@ std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance
     return out;
 }
 
+} // namespace
+
+std::vector<Isoline> isolines(const Surface& s, std::span<const double> distance, std::span<const double> levels,
+                              const Crosser& cross, const Inside& at, std::vector<OnEdge>* begins) {
+    return traced(
+        s, distance, levels, [&](std::uint32_t h) { return surface::side_length(s, h); }, cross, at, begins);
+}
+
 std::vector<Isoline> isolines(const Surface& s, const ExactField& field, std::span<const double> levels,
                               std::vector<OnEdge>* begins) {
     const Inside at = [&](std::uint32_t t, const Vec3& p) { return distance_at(s, field, t, p); };
     const Crosser cross = [&](std::uint32_t h, double level, std::vector<double>& out) {
         level_crossings(s, field, h, level, out);
     };
-    auto out = isolines(s, field.distance, levels, cross, at, begins);
+    const auto& frame = field.ground->frame;
+    auto out = traced(
+        s, field.distance, levels, [&](std::uint32_t h) { return frame[h].length; }, cross, at, begins);
     for (Isoline& line : out) refine(s, line, at, kTolerance);
     return out;
 }

@@ -21,8 +21,9 @@ double through(const Window& w, double px, double py, double least) {
     const double x = dy > 0 ? px - dx / dy * py : px;
     if (x >= w.b0 && x <= w.b1)
         return w.is_line() ? w.sigma + w.sx * px + w.sy * py : w.sigma + std::sqrt(dx * dx + dy * dy);
-    const double b = std::clamp(x, w.b0, w.b1);
-    return w.at(b) + std::hypot(px - b, py);
+    const double b = std::clamp(x, w.b0, w.b1), end = w.at(b), away = std::max(std::abs(px - b), py);
+    if (end + (1 - kRounding) * away > least) return least; // without a root: hypot is no less than either side
+    return end + std::hypot(px - b, py);
 }
 
 double to_segment(const Segment& s, const Vec3& p) {
