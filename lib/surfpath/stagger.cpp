@@ -31,8 +31,12 @@ std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan
         std::vector<Sample> room;
         std::vector<const Stretch*> sure, possible; // near the points
         const auto look = [&](const Sample& at) {
-            if (std::any_of(sure.begin(), sure.end(), [&](const Stretch* l) { return within(*l, at.p, width / 2); }))
+            const auto covering =
+                std::find_if(sure.begin(), sure.end(), [&](const Stretch* l) { return within(*l, at.p, width / 2); });
+            if (covering != sure.end()) {
+                std::iter_swap(sure.begin(), covering); // it is asked first for the next point, which lies beside
                 return;
+            }
             const std::size_t first = out.ways.size();
             for (const Stretch* l : possible) { // by strokes
                 const bool known = out.ways.size() > first && out.ways.back() == l->stroke;
