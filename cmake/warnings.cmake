@@ -9,6 +9,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # the compiler that counts; clang build
 endif()
 # -ffp-contract=off: the same bytes whether or not the compiler finds a fused multiply-add.
 add_compile_options(-ffp-contract=off)
+# Roots and roundings are single instructions if nobody asks errno or traps for what went wrong in them; same values.
+add_compile_options(-fno-math-errno -fno-trapping-math)
 # A program asks only for the shared libraries that it uses.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_link_options(LINKER:--as-needed)
