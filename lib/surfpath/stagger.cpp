@@ -22,6 +22,21 @@ struct Contested {
     std::vector<std::uint32_t> ways;  // of each point ascending
 };
 
+// Puts those of the points into `open` that no stretch comes as near to as `reach`, mm.  Changes the order of
+// stretches.
+void uncovered(std::span<const Sample> points, std::vector<const Stretch*>& stretches, double reach,
+               std::vector<const Sample*>& open) {
+    open.clear();
+    for (const Sample& at : points) {
+        const auto covering =
+            std::find_if(stretches.begin(), stretches.end(), [&](const Stretch* l) { return within(*l, at.p, reach); });
+        if (covering == stretches.end())
+            open.push_back(&at);
+        else
+            std::iter_swap(stretches.begin(), covering); // asked first for the next point, which lies beside
+    }
+}
+
 // In the order of triangles, piece by piece.
 std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan& ways, double width) {
     const Stretches laid(s, fixed), maybe(s, ways);
@@ -30,13 +45,8 @@ std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan
         Contested& out = parts[begin / kSampledAtOnce];
         std::vector<Sample> room;
         std::vector<const Stretch*> sure, possible; // near the points
+        std::vector<const Sample*> open;            // of the points, those that nothing sure covers
         const auto look = [&](const Sample& at) {
-            const auto covering =
-                std::find_if(sure.begin(), sure.end(), [&](const Stretch* l) { return within(*l, at.p, width / 2); });
-            if (covering != sure.end()) {
-                std::iter_swap(sure.begin(), covering); // it is asked first for the next point, which lies beside
-                return;
-            }
             const std::size_t first = out.ways.size();
             for (const Stretch* l : possible) { // by strokes
                 const bool known = out.ways.size() > first && out.ways.back() == l->stroke;
@@ -51,9 +61,11 @@ std::vector<Contested> contested(const Surface& s, const Plan& fixed, const Plan
                 const auto about = geom::grown(box_of(few), width / 2);
                 maybe.about(about, few[0].normal, possible);
                 if (possible.empty()) return;
-                std::sort(possible.begin(), possible.end()); // as they are listed, which is by strokes
                 laid.about(about, few[0].normal, sure);
-                for (const Sample& one : few) look(one);
+                uncovered(few, sure, width / 2, open);
+                if (open.empty()) return;
+                std::sort(possible.begin(), possible.end()); // as they are listed, which is by strokes
+                for (const Sample* one : open) look(*one);
             });
     });
     return parts;

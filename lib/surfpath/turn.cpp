@@ -161,7 +161,7 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
     std::size_t last = 1; // the side that was nearest to the place before: no farther one needs a look
     for (const Vec2 p : turn) {
         Off least;
-        const double most = last < bound.size() ? kMore * off(p, bound[last - 1], bound[last]).far : least.far;
+        double most = last < bound.size() ? kMore * off(p, bound[last - 1], bound[last]).far : least.far;
         for (std::size_t i = 1; i < bound.size(); ++i) {
             const Vec2 a = bound[i - 1], b = bound[i];
             const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
@@ -170,6 +170,7 @@ double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
             const Off now = off(p, a, b);
             if (!(now.far < least.far)) continue;
             least = now;
+            most = std::min(most, kMore * now.far);
             last = i;
         }
         if (least.side > 0) out = std::max(out, least.far);
