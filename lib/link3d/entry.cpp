@@ -122,7 +122,8 @@ Linker::Entry Linker::drift(const Entry& nearest) {
 bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     const double l = geom::distance(a, b);
     if (l <= kSamePoint) return true;
-    const Vec2 last = geom::lerp(b, a, kSamePoint / l), off = geom::lerp(b, a, std::min(1.0, kEnds / l));
+    const double ends = std::min(1.0, kEnds / l);
+    const Vec2 last = geom::lerp(b, a, kSamePoint / l), off = geom::lerp(b, a, ends), away = geom::lerp(a, b, ends);
     Box2 box;
     box.add(a);
     box.add(last);
@@ -130,8 +131,8 @@ bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     box.hi = box.hi + Vec2{kMargin, kMargin};
     bool free = true;
     window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
-        const bool meets = on && geom::point_segment_distance(c, d, a) <= 2 * kOn; // begins at a vertex between them
-        const bool apart = l <= kEnds || meets || geom::segment_distance(a, off, c, d) > kMargin;
+        const bool meets = on && geom::point_segment_distance(c, d, a) <= 2 * kOn; // begins at the vertex between them
+        const bool apart = l <= kEnds || geom::segment_distance(meets ? away : a, off, c, d) > kMargin;
         return free = s == on || (apart && !geom::cross_properly(a, last, c, d));
     });
     if (l <= kEnds) return free;
@@ -163,7 +164,7 @@ Linker::Entry Linker::step_towards(const Entry& nearest, Vec2 to, double step) c
         const double lo = std::max(0.0, foot - half), hi = std::min(1.0, foot + half);
         if (lo > hi) return true;
         const double t = std::clamp(geom::nearest_parameter(a, b, to), lo, hi);
-        if (on && s == nearest.place.segment) return true; // along the bead
+        if (on && geom::point_segment_distance(a, b, from) <= 2 * kOn) return true; // along the bead
         if (const double left = geom::distance(geom::lerp(a, b, t), to); left < least)
             candidates.push_back({left, s, t});
         return true;
