@@ -112,7 +112,11 @@ void pin(Bead& bead, Vec2 p, double reach) {
             best = i;
         }
     if (least > reach) return;
-    if (bead.points[best] == p || bead.points[best + 1] == p) return;
+    for (const std::size_t i : {best, best + 1}) {
+        if (geom::distance(bead.points[i], p) >= kCorner) continue;
+        if (i > 0 && i + 1 < bead.points.size()) bead.points[i] = p;
+        return;
+    }
     const double t = geom::nearest_parameter(bead.points[best], bead.points[best + 1], p);
     const auto at = static_cast<std::ptrdiff_t>(best + 1);
     if (bead.width.size() > 1)

@@ -8,9 +8,8 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kInside = 0.8;   // bead widths: farther from all beads of a region is outside it
-constexpr double kFar = 100;      // sizes of a region: from there, what lies farther back is nearer
-constexpr double kCorner = 0.005; // mm: a curve entered so near to a corner is entered at the corner
+constexpr double kInside = 0.8; // bead widths: farther from all beads of a region is outside it
+constexpr double kFar = 100;    // sizes of a region: from there, what lies farther back is nearer
 
 // A shorter piece before a sharp corner would fold over its neighbours where machine code rounds it.
 Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from) {
@@ -116,14 +115,14 @@ Linker::Entry Linker::drift(const Entry& nearest) {
     return nearest;
 }
 
-// The jog a -> b keeps off all beads of the front region's one curve but the segment that it begins on, up to where it
-// comes near its end; it crosses none there either.  And it stays so near to that curve that it cannot meet a neighbour
-// of the region.
+// The jog a -> b keeps off all beads of the front region's one curve but where it begins and ends, and crosses none but
+// the segment that it begins on.  And it stays so near to that curve that it cannot meet a neighbour of the region.
 bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     const double l = geom::distance(a, b);
     if (l <= kSamePoint) return true;
     const double ends = std::min(1.0, kEnds / l);
-    const Vec2 last = geom::lerp(b, a, kSamePoint / l), off = geom::lerp(b, a, ends), away = geom::lerp(a, b, ends);
+    const Vec2 last = geom::lerp(b, a, kSamePoint / l), off = geom::lerp(b, a, ends),
+               away = geom::lerp(a, b, std::min(1.0, 2 * kOn / l));
     Box2 box;
     box.add(a);
     box.add(last);
@@ -131,9 +130,9 @@ bool Linker::leads_free(Vec2 a, Vec2 b, std::optional<std::uint32_t> on) const {
     box.hi = box.hi + Vec2{kMargin, kMargin};
     bool free = true;
     window_.front().index.within(box, [&](std::uint32_t s, Vec2 c, Vec2 d) {
-        const bool meets = on && geom::point_segment_distance(c, d, a) <= 2 * kOn; // begins at the vertex between them
-        const bool apart = l <= kEnds || geom::segment_distance(meets ? away : a, off, c, d) > kMargin;
-        return free = s == on || (apart && !geom::cross_properly(a, last, c, d));
+        const bool at_begin = on && geom::point_segment_distance(c, d, a) <= 2 * kOn;
+        const bool apart = l <= kEnds || geom::segment_distance(at_begin ? away : a, off, c, d) > kMargin;
+        return free = apart && (s == on || !geom::cross_properly(a, last, c, d));
     });
     if (l <= kEnds) return free;
     const auto& r = window_.front();

@@ -86,6 +86,35 @@ TEST(Linker, FollowsAColumnThatLeansAndShrinks) {
     EXPECT_TRUE(r.notes.empty());
 }
 
+// The nozzle stands at a corner of the curve as often as not: it leaves it across, not along a bead that begins there.
+TEST(Linker, DriftsFromCornersAcrossBeadsOnly) {
+    std::size_t drifted = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random{seed};
+        const Curve disc = refined(rings({0, 0}, 4, 8), 0.6, random);
+        std::vector<std::vector<Curve>> layers(12, {disc});
+        layers.push_back({rings({3.3 * std::cos(seed), 3.3 * std::sin(seed)}, 0.4, 1)});
+        const auto regions = column(layers);
+        Options options;
+        options.look_ahead = 11;
+        const auto r = link(regions, options);
+        check(regions, r);
+        for (const auto& s : r.spans) {
+            if (s.role != toolpath::Role::lift || s.points.back().z > 12.5 * kHeight) continue;
+            const Vec2 a = s.points[s.points.size() - 2].xy(), b = s.points.back().xy();
+            if (geom::distance(a, b) < kWidth / 8) continue;
+            ++drifted;
+            double off = 1e9;
+            for (std::size_t i = 0; i < disc.points.size(); ++i)
+                off = std::min(off,
+                               geom::point_segment_distance(disc.points[i], disc.points[(i + 1) % disc.points.size()],
+                                                            geom::lerp(a, b, 0.5)));
+            EXPECT_GT(off, kWidth / 20) << seed;
+        }
+    }
+    EXPECT_GT(drifted, 20U);
+}
+
 // A leaning column with teeth a few micrometres deep all round: a join that ends on one does not run through another.
 TEST(Linker, CrossesNoFineTeeth) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
