@@ -64,7 +64,16 @@ std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std:
     return out;
 }
 
-// The first rungs of a run: as many as the shortest lane takes to be as long as wanted, if there are so many.
+// True if every lane keeps at least as much as it gives up.
+bool fits(const Lanes& lanes, const Rungs& r) {
+    for (std::size_t k = 0; k < r.lanes(); ++k)
+        if (2 * lanes.ahead(r.lane[k], r.ways.front()[k], r.ways.back()[k], r.sense[k]) > lanes.length(r.lane[k]))
+            return false;
+    return true;
+}
+
+// The first rungs of a run: as many as the shortest lane takes to be as long as wanted, if there are so many and every
+// lane has room for them; at least three.
 Rungs first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, double step) {
     for (std::size_t count = 3;;) {
         Rungs out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
@@ -89,7 +98,7 @@ Rungs best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least,
         if (run.size() < 3) continue;
         Rungs r = first_of(lanes, run, kWanted * least, step);
         const double l = std::min(shortest(lanes, r), kWanted * least);
-        if (l < least || l <= longest) continue;
+        if (l < least || l <= longest || !fits(lanes, r)) continue;
         longest = l;
         best = std::move(r);
     }
