@@ -7,8 +7,8 @@
 namespace filum::rings {
 
 // A machine lays each segment with one width.  Into how many to divide one of `length` mm along which the width changes
-// by `change` mm, so that none leaves more than `least_void` mm2 open on either side: each of n leaves there a triangle,
-// length / (2 n) long and change / (4 n) high.
+// by `change` mm, so that none leaves more than `least_void` mm2 open on either side: each of n leaves there a
+// triangle, length / (2 n) long and change / (4 n) high.
 int parts_of_taper(double change, double length, double least_void);
 
 // The closed bead with few points.  A chord runs, greedily from the first point, as far as the line keeps to a strip
