@@ -39,15 +39,15 @@ std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width
 
 // Opens the curve of a region that has thin walls, among others, along the longest of them.
 void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve& curve, Notes& notes) {
-    const walls::WallGraph walls = walls::thin_walls(r.loops, width);
-    std::size_t once = walls.walls.size();
-    walls::pass_once(curve, walls, width, once);
+    const walls::WallGraph thin = walls::thin_walls(r.loops, width);
+    std::size_t once = thin.walls.size();
+    walls::pass_once(curve, thin, width, once);
     double twice = 0;
     geom::Vec2 at;
-    for (std::size_t k = 0; k < walls.walls.size(); ++k)
+    for (std::size_t k = 0; k < thin.walls.size(); ++k)
         if (k != once) {
-            twice += walls.walls[k].length;
-            at = walls.walls[k].line.front();
+            twice += thin.walls[k].length;
+            at = thin.walls[k].line.front();
         }
     if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
 }

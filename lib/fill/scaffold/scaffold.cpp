@@ -14,7 +14,7 @@
 
 namespace filum::fill::scaffold {
 
-using toolpath::kLeastMove;
+using toolpath::kLeastMove; // mm, by which a strand on the very edge of the area is moved in
 
 namespace {
 

@@ -15,7 +15,13 @@ namespace filum::fill::scaffold {
 namespace {
 
 using geom::Segment;
+using toolpath::add_point;
+using toolpath::arc_lengths;
 using toolpath::Curve;
+using toolpath::CurvePlace;
+using toolpath::nearest_place;
+using toolpath::place_at;
+using toolpath::width_at;
 
 constexpr double kPlaceStep = 1.0 / 4; // bead widths between the places that are tried
 constexpr double kStraight = 0.9;      // a window must be as straight: chord / length
@@ -28,19 +34,19 @@ void add_segments(const Curve& c, std::vector<Segment>& to) {
 
 // A window of the curve and one of the ring: where the curve leaves for the ring and comes back to.
 struct Detour {
-    toolpath::CurvePlace out, back;    // on the curve
-    toolpath::CurvePlace enter, leave; // on the ring
-    bool against = false;              // the ring is run against its order
+    CurvePlace out, back;    // on the curve
+    CurvePlace enter, leave; // on the ring
+    bool against = false;    // the ring is run against its order
 };
 
 // The window around the place `along` of the curve, if the links can be laid there.
 std::optional<Detour> detour(const Curve& curve, const std::vector<double>& sums, const Curve& ring,
                              const std::vector<double>& ring_sums, double along, double w) {
     if (along < w || along > sums.back() - w) return std::nullopt;
-    Detour v{toolpath::place_at(curve, sums, along - w / 2), toolpath::place_at(curve, sums, along + w / 2), {}, {}};
+    Detour v{place_at(curve, sums, along - w / 2), place_at(curve, sums, along + w / 2), {}, {}};
     if (geom::distance(v.out.point, v.back.point) < kStraight * w) return std::nullopt;
-    v.enter = toolpath::nearest_place(ring, ring_sums, v.out.point);
-    v.leave = toolpath::nearest_place(ring, ring_sums, v.back.point);
+    v.enter = nearest_place(ring, ring_sums, v.out.point);
+    v.leave = nearest_place(ring, ring_sums, v.back.point);
     // the short way from enter to leave is given up
     const double all = ring_sums.back();
     double ahead = v.leave.along - v.enter.along;
@@ -57,33 +63,32 @@ bool is_free(geom::Vec2 a, geom::Vec2 b, const geom::SegmentGrid& grid, const st
 
 Curve spliced(const Curve& curve, const Curve& ring, const Detour& v) {
     Curve out;
-    for (std::size_t i = 0; i <= v.out.i; ++i) toolpath::add_point(out, curve.points[i], curve.width_at(i));
-    toolpath::add_point(out, v.out.point, toolpath::width_at(curve, v.out));
-    toolpath::add_point(out, v.enter.point, toolpath::width_at(ring, v.enter));
+    for (std::size_t i = 0; i <= v.out.i; ++i) add_point(out, curve.points[i], curve.width_at(i));
+    add_point(out, v.out.point, width_at(curve, v.out));
+    add_point(out, v.enter.point, width_at(ring, v.enter));
     const std::size_t n = ring.points.size();
     const std::size_t from = v.against ? v.enter.i : v.enter.i + 1;
     const std::size_t to = v.against ? v.leave.i + 1 : v.leave.i;
     for (std::size_t i = from % n, k = 0; k <= n; ++k, i = v.against ? (i + n - 1) % n : (i + 1) % n) {
-        toolpath::add_point(out, ring.points[i], ring.width_at(i));
+        add_point(out, ring.points[i], ring.width_at(i));
         if (i == to % n) break;
     }
-    toolpath::add_point(out, v.leave.point, toolpath::width_at(ring, v.leave));
-    toolpath::add_point(out, v.back.point, toolpath::width_at(curve, v.back));
-    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i)
-        toolpath::add_point(out, curve.points[i], curve.width_at(i));
+    add_point(out, v.leave.point, width_at(ring, v.leave));
+    add_point(out, v.back.point, width_at(curve, v.back));
+    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i) add_point(out, curve.points[i], curve.width_at(i));
     return out;
 }
 
 // The curve with the ring in it, by the shortest links that cross nothing.
 std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::vector<Segment>& all, double w) {
-    const auto sums = toolpath::arc_lengths(curve), ring_sums = toolpath::arc_lengths(ring);
+    const auto sums = arc_lengths(curve), ring_sums = arc_lengths(ring);
     std::vector<Segment> edges;
     add_segments(ring, edges);
     const geom::SegmentGrid near(edges, w);
     std::vector<std::pair<double, double>> places; // distance, along
     const double reach = join::kNeighbourReach * w;
     for (double along = w; along < sums.back() - w; along += kPlaceStep * w) {
-        const geom::Vec2 p = toolpath::place_at(curve, sums, along).point;
+        const geom::Vec2 p = place_at(curve, sums, along).point;
         double d = reach;
         near.near(p - geom::Vec2{reach, reach}, p + geom::Vec2{reach, reach},
                   [&](std::uint32_t i) { d = std::min(d, geom::point_segment_distance(edges[i].a, edges[i].b, p)); });
@@ -103,24 +108,23 @@ std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::ve
 
 // The curve led on from its end to the ring and once around it, if the end is next to the ring.
 std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::vector<Segment>& all, double w) {
-    const auto sums = toolpath::arc_lengths(ring);
+    const auto sums = arc_lengths(ring);
     const geom::Vec2 end = curve.points.back();
-    const toolpath::CurvePlace at = toolpath::nearest_place(ring, sums, end);
+    const CurvePlace at = nearest_place(ring, sums, end);
     if (geom::distance(at.point, end) > join::kNeighbourReach * w) return std::nullopt;
     if (!is_free(end, at.point, geom::SegmentGrid(all, w), all)) return std::nullopt;
     Curve out{false, curve.points, {}};
     for (std::size_t i = 0; i < curve.points.size(); ++i) out.width.push_back(curve.width_at(i));
-    toolpath::add_point(out, at.point, toolpath::width_at(ring, at));
+    add_point(out, at.point, width_at(ring, at));
     const std::size_t n = ring.points.size();
-    for (std::size_t k = 1; k <= n; ++k)
-        toolpath::add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n));
+    for (std::size_t k = 1; k <= n; ++k) add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n));
     const double gap = sums.back() - w / 4; // two round ends fill it
-    const toolpath::CurvePlace last = toolpath::place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
+    const CurvePlace last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
     while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4) {
         out.points.pop_back();
         out.width.pop_back();
     }
-    toolpath::add_point(out, last.point, toolpath::width_at(ring, last));
+    add_point(out, last.point, width_at(ring, last));
     return out;
 }
 

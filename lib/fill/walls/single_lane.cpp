@@ -12,7 +12,12 @@ namespace filum::fill::walls {
 
 namespace {
 
+using toolpath::add_point;
+using toolpath::arc_lengths;
 using toolpath::Curve;
+using toolpath::CurvePlace;
+using toolpath::nearest_place;
+using toolpath::width_at;
 
 constexpr double kShort = 3; // bead widths: shorter walls stay as they are
 
@@ -21,26 +26,26 @@ struct Measured {
     const Curve& curve;
     std::vector<double> sums;
 
-    explicit Measured(const Curve& c) : curve(c), sums(toolpath::arc_lengths(c)) {}
-    [[nodiscard]] double ahead(const toolpath::CurvePlace& a, const toolpath::CurvePlace& b) const {
+    explicit Measured(const Curve& c) : curve(c), sums(arc_lengths(c)) {}
+    [[nodiscard]] double ahead(const CurvePlace& a, const CurvePlace& b) const {
         return b.along >= a.along ? b.along - a.along : b.along - a.along + sums.back();
     }
-    [[nodiscard]] toolpath::CurvePlace nearest(Vec2 p) const { return toolpath::nearest_place(curve, sums, p); }
-    [[nodiscard]] double width(const toolpath::CurvePlace& p) const { return toolpath::width_at(curve, p); }
+    [[nodiscard]] CurvePlace nearest(Vec2 p) const { return nearest_place(curve, sums, p); }
+    [[nodiscard]] double width(const CurvePlace& p) const { return width_at(curve, p); }
 };
 
 // From one place on to another.
-void follow(const Measured& m, const toolpath::CurvePlace& from, const toolpath::CurvePlace& to, Curve& out) {
+void follow(const Measured& m, const CurvePlace& from, const CurvePlace& to, Curve& out) {
     const std::size_t n = m.curve.points.size();
-    toolpath::add_point(out, from.point, m.width(from));
+    add_point(out, from.point, m.width(from));
     double left = m.ahead(from, to);
     for (std::size_t i = from.i, k = 0; k <= n; ++k, i = (i + 1) % n) {
         const double step = m.sums[i + 1] - (k == 0 ? from.along : m.sums[i]);
         if (step >= left) break;
         left -= step;
-        toolpath::add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n));
+        add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n));
     }
-    toolpath::add_point(out, to.point, m.width(to));
+    add_point(out, to.point, m.width(to));
 }
 
 // The wall without `first` mm at its start and `last` mm at its end.
@@ -87,9 +92,9 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     const Wall lanes = part(w, 0, back);
     if (lanes.line.size() < 2) return std::nullopt;
     const std::size_t last = lanes.line.size() - 1;
-    const toolpath::CurvePlace a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
-    const toolpath::CurvePlace b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
-    for (const toolpath::CurvePlace& p : {a0, a1, b0, b1})
+    const CurvePlace a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
+    const CurvePlace b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
+    for (const CurvePlace& p : {a0, a1, b0, b1})
         if (p.off > rings::kMostOff * width) return std::nullopt;
     if (std::abs(m.ahead(a0, a1) - lanes.length) > width || std::abs(m.ahead(b1, b0) - lanes.length) > width)
         return std::nullopt;
@@ -97,9 +102,9 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     Curve out;
     out.closed = both;
     follow(m, b0, a0, out);
-    for (std::size_t i = 0; i < w.line.size(); ++i) toolpath::add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
+    for (std::size_t i = 0; i < w.line.size(); ++i) add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
     if (!tip) follow(m, a1, b1, out);
-    for (std::size_t i = w.line.size(); both && i-- > 0;) toolpath::add_point(out, w.line[i], w.radius[i]);
+    for (std::size_t i = w.line.size(); both && i-- > 0;) add_point(out, w.line[i], w.radius[i]);
     return out;
 }
 
