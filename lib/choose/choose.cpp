@@ -6,7 +6,7 @@
 #include "surface/curve/transfer.hpp"
 #include "surface/remesh.hpp"
 #include "surfpath/outside.hpp"
-#include "surfpath/reach.hpp"
+#include "surfpath/rings/reach.hpp"
 
 #include <algorithm>
 #include <map>
@@ -63,9 +63,9 @@ Criteria lay(const Ground& ground, const Candidate& candidate) {
     if (flange) plan = surfpath::on_flange(*flange, std::move(plan));
     const Sheet& on = flange ? flange->sheet : sheet;
     metrics::surface::Fibres fibres;
-    surfpath::Laying laying;
+    surfpath::plan::Laying laying;
     laying.width = plan.spacing;
-    for (const auto& span : surfpath::spans(on.surface, surfpath::plan(on, plan), laying))
+    for (const auto& span : surfpath::plan::spans(on.surface, surfpath::plan_paths(on, plan), laying))
         metrics::surface::add(fibres, span);
     return measure(fibres, ground.sheet, plan.spacing, ground.stable);
 }
@@ -155,7 +155,7 @@ std::vector<Candidate> by_hand(const Options& o) {
 Choice choose(Sheet& sheet, const Options& o, int threads, Notes& notes) {
     Choice out;
     out.area = surface::area(sheet.surface);
-    out.rings_bound = surfpath::reach(sheet.surface, o.plan.spacing, o.plan.least_radius).share();
+    out.rings_bound = surfpath::rings::reach(sheet.surface, o.plan.spacing, o.plan.least_radius).share();
     const bool rings = o.plan.algorithm == Algorithm::geo_fiso || o.plan.algorithm == Algorithm::geo_contour;
     if (o.by_hand && rings && sheet.sources.empty()) sheet.sources = sources(sheet, {}, {});
     const Ground ground{sheet, pulls(sheet), o.plan, kStable[1]};

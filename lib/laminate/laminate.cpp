@@ -146,7 +146,7 @@ void lay(const surfpath::Options& how, Made& out) {
     else
         sheet.surface = to.edge.empty() ? to.ground : surface::cut(to.ground, to.edge, out.notes);
     const auto asked = outside ? surfpath::on_flange(*outside, how) : how;
-    to.plan = surfpath::plan(sheet, asked);
+    to.plan = surfpath::plan_paths(sheet, asked);
     if (outside) surfpath::thread(sheet.surface, to.plan);
     surfpath::finish(sheet.surface, to.plan, asked);
     if (outside) {
@@ -292,9 +292,9 @@ void add_spans(const Laminate& l, std::span<const Ply> plies, const Options& o, 
     for (std::size_t k = 0; k < l.plies.size(); ++k) {
         const std::uint32_t stroke = out.empty() ? 0 : out.back().stroke + 1;
         const auto begin = out.size();
-        surfpath::Laying laying{
+        surfpath::plan::Laying laying{
             plies[k].spacing, plies[k].height, o.lift, 0, layer + static_cast<std::uint32_t>(k), stroke};
-        surfpath::add_spans(l.plies[k].sheet, l.plies[k].plan, laying, out);
+        surfpath::plan::add_spans(l.plies[k].sheet, l.plies[k].plan, laying, out);
         for (std::size_t i = begin; i < out.size(); ++i) out[i].tool = plies[k].tool;
     }
 }

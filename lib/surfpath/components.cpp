@@ -4,7 +4,7 @@
 #include "parallel/parallel.hpp"
 #include "surface/components.hpp"
 #include "surfpath/fexa.hpp"
-#include "surfpath/in_turn.hpp"
+#include "surfpath/plan/in_turn.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -98,12 +98,12 @@ Plan together(std::vector<Plan> plans) {
         std::move(plan.notes.begin(), plan.notes.end(), std::back_inserter(out.notes));
     }
     std::erase_if(plans, [](const Plan& plan) { return plan.strokes.empty(); });
-    std::vector<Ends> ends;
+    std::vector<plan::Ends> ends;
     ends.reserve(plans.size());
     for (const Plan& plan : plans)
         ends.push_back({plan.strokes.front().pieces.front().line.places.front().point,
                         plan.strokes.back().pieces.back().line.places.back().point});
-    for (const Visit& visit : in_turn(ends)) {
+    for (const plan::Visit& visit : plan::in_turn(ends)) {
         auto& strokes = plans[visit.row].strokes;
         if (visit.reversed) turn_round(strokes);
         std::move(strokes.begin(), strokes.end(), std::back_inserter(out.strokes));

@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "geodesic/isolines.hpp"
-#include "surfpath/boustrophedon.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
+#include "surfpath/rows/winding.hpp"
 #include "surfpath/seed_side.hpp"
-#include "surfpath/winding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,7 +141,7 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         const auto& [a, b, c] = s.triangles[t];
         sides.of[t] = height[a] + height[b] + height[c] >= 0 ? 0 : 1;
     }
-    std::vector<Raw> raw;
+    std::vector<rows::Raw> raw;
     Gaps gaps;
     for (std::uint32_t side = 0; side < 2; ++side) {
         const double sign = side == 0 ? 1 : -1;
@@ -156,12 +156,12 @@ Plan fexa(const surface::Sheet& sheet, const Options& o) {
         add(raw, geodesic::isolines(s, above, at), sign);
         find_gaps(s, sides, side, above, spread, d > 0 ? d : o.spacing, gaps);
     }
-    leave_out(raw, o.beyond);
-    Turning turns = turning(o.spacing, o.least_radius);
+    rows::leave_out(raw, o.beyond);
+    rows::Turning turns = rows::turning(o.spacing, o.least_radius);
     turns.staggered = o.beyond.empty();
-    Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
-    wind(s, all, o.spacing, true);
-    Plan out = boustrophedon(s, all, turns);
+    rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
+    rows::wind(s, all, o.spacing, true);
+    Plan out = rows::boustrophedon(s, all, turns);
     if (gaps.area > 0)
         out.notes.push_back({"", "rows more than 1.1 spacings apart: the surface leans towards the plane", gaps.area,
                              "mm2", 1, -1, gaps.at.x, gaps.at.y, gaps.at.z});

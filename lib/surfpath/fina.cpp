@@ -1,10 +1,10 @@
 #include "surfpath/fina.hpp"
 
 #include "base/error.hpp"
-#include "surfpath/boustrophedon.hpp"
 #include "surfpath/capped.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
+#include "surfpath/rows/winding.hpp"
 #include "surfpath/seed_side.hpp"
-#include "surfpath/winding.hpp"
 
 namespace filum::surfpath {
 
@@ -15,18 +15,18 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     // Distances are measured past holes as if there were none: so rows stay straight behind them.
     const Surface closed = capped(s);
     const auto field = geodesic::exact(closed, bridged(s, closed, sheet.sources));
-    std::vector<Raw> raw;
+    std::vector<rows::Raw> raw;
     double sign = 1;
     for (const auto& side : side_rows(s, closed, field, sheet.sources, o.spacing)) {
         add(raw, side, sign);
         sign = -sign;
     }
-    leave_out(raw, o.beyond);
-    Turning turns = turning(o.spacing, o.least_radius);
+    rows::leave_out(raw, o.beyond);
+    rows::Turning turns = rows::turning(o.spacing, o.least_radius);
     turns.staggered = o.beyond.empty();
-    Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
-    wind(s, all, o.spacing, true);
-    return boustrophedon(s, all, turns);
+    rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
+    rows::wind(s, all, o.spacing, true);
+    return rows::boustrophedon(s, all, turns);
 }
 
 } // namespace filum::surfpath

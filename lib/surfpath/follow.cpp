@@ -1,11 +1,11 @@
 #include "surfpath/follow.hpp"
 
 #include "surface/curve/ease.hpp"
-#include "surfpath/boustrophedon.hpp"
 #include "surfpath/field/rings.hpp"
 #include "surfpath/field/stripes.hpp"
-#include "surfpath/in_turn.hpp"
-#include "surfpath/loops.hpp"
+#include "surfpath/plan/in_turn.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
+#include "surfpath/rows/loops.hpp"
 
 #include <algorithm>
 
@@ -32,11 +32,11 @@ field::Sources sources(const surface::Sheet& sheet, field::Sources given) {
 
 // Each a stroke by itself.
 std::vector<Stroke> apart(std::vector<Line> lines) {
-    std::vector<Ends> ends;
+    std::vector<plan::Ends> ends;
     ends.reserve(lines.size());
     for (const Line& l : lines) ends.push_back({l[0], l.closed ? l[0] : l[l.size() - 1]});
     std::vector<Stroke> out;
-    for (const Visit& visit : in_turn(ends)) {
+    for (const plan::Visit& visit : plan::in_turn(ends)) {
         if (visit.reversed) surface::curve::reverse(lines[visit.row]);
         out.push_back({{{std::move(lines[visit.row]), false}}});
     }
@@ -81,19 +81,19 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "rows", static_cast<double>(out.strokes.size()), ""});
     } else {
         if (o.backwards) std::reverse(all.begin(), all.end());
-        std::vector<Raw> raw;
+        std::vector<rows::Raw> raw;
         raw.reserve(all.size());
         for (Line& l : all) raw.push_back({std::move(l), o.spacing * static_cast<double>(raw.size())});
-        leave_out(raw, o.beyond);
-        Turning turns = turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
+        rows::leave_out(raw, o.beyond);
+        rows::Turning turns = rows::turning(o.spacing, o.turns == RowTurns::hairpin ? 0 : o.least_radius);
         turns.across = kAcross * o.spacing;
         turns.along = o.cut_length;
         turns.staggered = o.beyond.empty();
         turns.tight = o.algorithm == Algorithm::hybrid;
-        Rows found = rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
-        const auto joined = open_loops(s, found, {o.spacing, gentle, o.cut_length, turns.tight});
-        out = boustrophedon(s, found, turns);
-        tell_crossed(joined.crossed, o.spacing, out.notes);
+        rows::Rows found = rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
+        const auto joined = rows::open_loops(s, found, {o.spacing, gentle, o.cut_length, turns.tight});
+        out = rows::boustrophedon(s, found, turns);
+        rows::tell_crossed(joined.crossed, o.spacing, out.notes);
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});

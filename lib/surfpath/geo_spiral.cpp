@@ -2,10 +2,10 @@
 
 #include "base/error.hpp"
 #include "geodesic/isolines.hpp"
-#include "surfpath/boustrophedon.hpp"
-#include "surfpath/branches.hpp"
 #include "surfpath/capped.hpp"
-#include "surfpath/winding.hpp"
+#include "surfpath/rings/branches.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
+#include "surfpath/rows/winding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ bool is_point(const surface::Sources& sources) {
 }
 
 // Levels from `first` on, a spacing apart, but for a tenth so that the last lies half a spacing before the farthest
-// place (branches.hpp), if the front is as long there as a turn all round by the least radius.  Else it ends in a
+// place (rings/branches.hpp), if the front is as long there as a turn all round by the least radius.  Else it ends in a
 // corner.
 std::vector<double> laps(const Surface& s, const geodesic::ExactField& field, double first, const Options& o,
                          Facts& facts) {
@@ -33,12 +33,12 @@ std::vector<double> laps(const Surface& s, const geodesic::ExactField& field, do
         if (std::isfinite(d)) farthest = std::max(farthest, d);
     std::vector<double> even;
     for (double i = 0; first + i * spacing < farthest; ++i) even.push_back(first + i * spacing);
-    std::vector<Isle> isles;
+    std::vector<rings::Isle> isles;
     const double before = first - spacing / 2;
     for (std::uint32_t i = 0; i < even.size(); ++i)
         isles.push_back({i, i == 0 ? surface::kNone : i - 1, farthest - before, 0, 0, {}});
     for (const auto& line : geodesic::isolines(s, field, even)) {
-        Isle& own =
+        rings::Isle& own =
             isles[static_cast<std::size_t>(std::lower_bound(even.begin(), even.end(), line.level) - even.begin())];
         const double length = surface::curve::length(surface::curve::line(line));
         own.around += length;
@@ -46,7 +46,7 @@ std::vector<double> laps(const Surface& s, const geodesic::ExactField& field, do
     }
     if (isles.empty() || isles.back().longest < 2 * std::numbers::pi * o.least_radius) return even;
     std::vector<std::uint32_t> of;
-    Branch only = branches(isles, {spacing, 0, false}, of).at(0);
+    rings::Branch only = branches(isles, {spacing, 0, false}, of).at(0);
     facts.push_back({"", "spacing-change", only.widest / spacing, ""});
     for (double& level : only.levels) level += before;
     return std::move(only.levels);
@@ -62,12 +62,12 @@ Plan geo_spiral(const surface::Sheet& sheet, const Options& o) {
     const double first = std::max(o.spacing / 2, kFirst * o.least_radius);
     Facts facts;
     const auto levels = laps(s, field, first, o, facts);
-    std::vector<Raw> raw;
+    std::vector<rows::Raw> raw;
     add(raw, geodesic::isolines(s, field, levels), 1);
-    const Turning turns = turning(o.spacing, o.least_radius);
-    Rows all = rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
-    wind(s, all, o.spacing, false);
-    Plan out = boustrophedon(s, all, turns);
+    const rows::Turning turns = rows::turning(o.spacing, o.least_radius);
+    rows::Rows all = rows::rows(s, raw, {o.spacing / 2, 2 * turns.least_radius, turns.least_radius, o.spacing / 4});
+    rows::wind(s, all, o.spacing, false);
+    Plan out = rows::boustrophedon(s, all, turns);
     out.facts.insert(out.facts.end(), facts.begin(), facts.end());
     return out;
 }

@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/boustrophedon.hpp"
-#include "surfpath/strands.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
+#include "surfpath/strands/strands.hpp"
 
 #include <array>
 #include <map>
@@ -19,18 +19,18 @@ constexpr double kFrontStep = 0.5; // spacings, from front to front
 constexpr double kGrain = 0.5;     // spacings, between the lines that tell where all others lead
 
 // The strand as a line, from its first spot on.
-Line drawn(const Fronts& fronts, const Strand& s) {
+Line drawn(const strands::Fronts& fronts, const strands::Strand& s) {
     Line out{{fronts.place(s.first, s.spots[0])}, false};
     for (std::size_t j = 1; j < s.spots.size(); ++j)
         surface::curve::append(
             out, surface::curve::join(fronts.surface(), out.places.back(), fronts.place(s.first + j, s.spots[j])));
-    if (s.end != StrandEnd::law) surface::curve::append(out, fronts.last(s.last(), s.spots.back()));
+    if (s.end != strands::StrandEnd::law) surface::curve::append(out, fronts.last(s.last(), s.spots.back()));
     return out;
 }
 
 // Who goes on where a strand begins (0) and where it ends (1): the one from the other side of the source, and the one
 // of two that are born, or die, together.
-std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<Strand>& strands) {
+std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<strands::Strand>& strands) {
     std::vector<std::array<std::uint32_t, 2>> out(strands.size(), {kNone, kNone});
     std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> waiting; // by group and side
     for (std::uint32_t i = 0; i < strands.size(); ++i) {
@@ -49,7 +49,7 @@ std::vector<std::array<std::uint32_t, 2>> partners(const std::vector<Strand>& st
 }
 
 // All lines, from strand to strand as far as they go on, in the order of their first strands.
-std::vector<Line> lines(const Fronts& fronts, const std::vector<Strand>& strands, double spacing) {
+std::vector<Line> lines(const strands::Fronts& fronts, const std::vector<strands::Strand>& strands, double spacing) {
     const auto next = partners(strands);
     std::vector<char> used(strands.size(), 0);
     std::vector<Line> out;
@@ -95,30 +95,31 @@ Plan ortheo(const surface::Sheet& sheet, const Options& o) {
         throw Error(Exit::bad_input, "cannot lay lines upright on a seed curve without one; run geodesic --source "
                                      "plane:NX,NY,NZ,D first");
     const Surface& s = sheet.surface;
-    const Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
+    const strands::Fronts fronts(s, sheet.sources, kFrontStep * o.spacing, kGrain * o.spacing);
     const bool alone = o.turns == RowTurns::none || o.turns == RowTurns::usual;
-    const Strands found = strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
+    const strands::Strands found =
+        strands::strands(fronts, {o.spacing, o.turns == RowTurns::hairpin ? 2U : 1U, o.min_length});
     auto all = lines(fronts, found.strands, o.spacing);
-    std::vector<Raw> raw;
+    std::vector<rows::Raw> raw;
     for (std::size_t i = 0; i < all.size(); ++i) raw.push_back({std::move(all[i]), o.spacing * static_cast<double>(i)});
-    leave_out(raw, o.beyond);
+    rows::leave_out(raw, o.beyond);
     Plan out;
     if (alone) {
-        for (Raw& row : raw) {
+        for (rows::Raw& row : raw) {
             if (out.strokes.size() % 2 == 1) surface::curve::reverse(row.line);
             out.strokes.push_back({{{std::move(row.line), false}}});
         }
         fact(out, "rows", out.strokes.size());
     } else {
         const double radius = o.turns == RowTurns::wide ? o.least_radius : o.spacing / 2;
-        out = boustrophedon(s, rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}),
-                            {.spacing = o.spacing, .least_radius = radius, .staggered = o.beyond.empty()});
+        out = rows::boustrophedon(s, rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, o.spacing / 4, o.spacing / 4}),
+                                  {.spacing = o.spacing, .least_radius = radius, .staggered = o.beyond.empty()});
     }
     fact(out, "births", found.born);
     fact(out, "deaths", found.died);
     fact(out, "births-lower-bound", found.bound);
     fact(out, "cuts", out.strokes.empty() ? 0 : out.strokes.size() - 1);
-    for (const Strands::Short& left : found.left_out) {
+    for (const strands::Strands::Short& left : found.left_out) {
         const Vec3 p = fronts.place(left.level, left.spot).point;
         Note note{.stage = "", .what = "line left out: too short", .amount = left.length, .unit = "mm"};
         note.x = p.x;

@@ -19,7 +19,7 @@ Note unplanned(const surface::Sheet& sheet) {
 }
 
 // As error of one patch of several.
-Plan told(const std::function<Plan(std::size_t)>& plan, std::size_t k, const std::string& name) {
+plan::Plan told(const std::function<plan::Plan(std::size_t)>& plan, std::size_t k, const std::string& name) {
     try {
         return plan(k);
     } catch (const Error& e) {
@@ -48,7 +48,7 @@ Algorithms algorithms(std::span<const surface::Sheet> sheets, std::optional<Algo
 }
 
 Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& algorithms, int threads,
-                   const std::function<Plan(std::size_t)>& plan) {
+                   const std::function<plan::Plan(std::size_t)>& plan) {
     const bool several = sheets.size() > 1;
     Patches out;
     out.plans.resize(sheets.size());
@@ -73,12 +73,12 @@ Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& alg
     return out;
 }
 
-std::vector<toolpath::Span> spans(std::span<const surface::Sheet> sheets, std::span<const Plan> plans,
-                                  const Laying& laying) {
+std::vector<toolpath::Span> spans(std::span<const surface::Sheet> sheets, std::span<const plan::Plan> plans,
+                                  const plan::Laying& laying) {
     std::vector<toolpath::Span> out;
-    Laying now = laying;
+    plan::Laying now = laying;
     for (std::size_t k = 0; k < sheets.size(); ++k) {
-        add_spans(sheets[k].surface, plans[k], now, out);
+        plan::add_spans(sheets[k].surface, plans[k], now, out);
         now.stroke += static_cast<std::uint32_t>(plans[k].strokes.size());
     }
     return out;

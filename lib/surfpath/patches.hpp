@@ -3,7 +3,7 @@
 
 #include "surface/sheet.hpp"
 #include "surfpath/algorithm.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 #include <functional>
 #include <span>
@@ -21,7 +21,7 @@ using Algorithms = std::vector<std::optional<Algorithm>>;
 Algorithms algorithms(std::span<const surface::Sheet> sheets, std::optional<Algorithm> asked);
 
 struct Patches {
-    std::vector<Plan> plans; // per surface; notes and facts moved out
+    std::vector<plan::Plan> plans; // per surface; notes and facts moved out
     Notes notes;
     Facts facts;
 };
@@ -30,10 +30,10 @@ struct Patches {
 // notes end with "on patch PATCH", and errors begin with "patch 'PATCH':".  A surface without an algorithm has an empty
 // plan and a note, "patch without a plan", with its area and place.  The first error, by patches, is thrown.
 Patches each_patch(std::span<const surface::Sheet> sheets, const Algorithms& algorithms, int threads,
-                   const std::function<Plan(std::size_t)>& plan);
+                   const std::function<plan::Plan(std::size_t)>& plan);
 
 // The toolpaths of all, one after the other, strokes numbered on; travels lead from each to the next.
-std::vector<toolpath::Span> spans(std::span<const surface::Sheet> sheets, std::span<const Plan> plans,
-                                  const Laying& laying);
+std::vector<toolpath::Span> spans(std::span<const surface::Sheet> sheets, std::span<const plan::Plan> plans,
+                                  const plan::Laying& laying);
 
 } // namespace filum::surfpath

@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "surface/curve/ease.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/rings.hpp"
-#include "surfpath/seam.hpp"
+#include "surfpath/lanes/seam.hpp"
+#include "surfpath/rings/rings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ Line gentle(const Surface& s, const Line& line, double radius, double spacing) {
 }
 
 // Notes strokes that are more than the components with rings, where the shortest begins.
-void tell_apart(const Surface& s, const Rings& made, Plan& plan) {
+void tell_apart(const Surface& s, const rings::Rings& made, Plan& plan) {
     std::set<std::uint32_t> components;
     for (const Line& line : made.lines) components.insert(s.component[line.places[0].triangle]);
     const std::size_t apart = plan.strokes.size() - components.size();
@@ -66,24 +66,24 @@ Plan ring_path(const surface::Sheet& sheet, const Options& given, int by) {
     Options o = given;
     o.least_radius = std::max(o.least_radius, kLeast * o.spacing);
     const Surface& s = sheet.surface;
-    Rings made = rings(sheet, o, by == 1, out.facts, out.notes);
-    const Lanes lanes(s, made.lines, o.spacing);
-    Weave weave(lanes);
+    rings::Rings made = rings::rings(sheet, {o.spacing, o.least_radius, by == 1}, out.facts, out.notes);
+    const lanes::Lanes lanes(s, made.lines, o.spacing);
+    lanes::Weave weave(lanes);
     std::uint32_t start = surface::kNone;
     for (std::uint32_t l = 0; l < lanes.size(); ++l)
         if (made.level[l] == 0 && (start == surface::kNone || lanes.length(l) > lanes.length(start))) start = l;
     std::vector<std::uint32_t> merged;
     if (start != surface::kNone) {
-        const Rungs seam = seam_place(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
+        const lanes::Rungs seam = lanes::seam_place(lanes, start, 2 * std::sqrt(o.least_radius * o.spacing * by));
         if (seam.lanes() >= static_cast<std::size_t>(by) + 1) {
-            shift(weave, lanes, seam, by);
+            lanes::shift(weave, lanes, seam, by);
             merged = seam.lane;
         }
         out.facts.push_back({"", "seam-lanes", static_cast<double>(seam.lanes()), ""});
         if (seam.lanes()) out.facts.push_back({"", "seam-length", shortest(lanes, seam), "mm"});
     }
     if (merged.empty() && start != surface::kNone) merged = {start};
-    cross_over(weave, lanes, merged, o.least_radius);
+    lanes::cross_over(weave, lanes, merged, o.least_radius);
     for (auto& course : weave.courses())
         out.strokes.push_back({{{gentle(s, course.line, o.least_radius, o.spacing), false}}});
     if (out.strokes.empty())

@@ -3,19 +3,19 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "surface/curve/transfer.hpp"
-#include "surfpath/bare.hpp"
 #include "surfpath/components.hpp"
-#include "surfpath/declare.hpp"
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
-#include "surfpath/fine.hpp"
 #include "surfpath/follow.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
 #include "surfpath/geo_spiral.hpp"
-#include "surfpath/ground.hpp"
 #include "surfpath/opened.hpp"
 #include "surfpath/ortheo.hpp"
+#include "surfpath/plan/bare.hpp"
+#include "surfpath/plan/declare.hpp"
+#include "surfpath/plan/fine.hpp"
+#include "surfpath/plan/ground.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ std::vector<surface::Field> directions(const surface::Sheet& sheet) {
 Plan of_component(const surface::Sheet& sheet, const Options& options) {
     const bool by_field = options.algorithm == Algorithm::field || options.algorithm == Algorithm::hybrid;
     const double longest = !by_field ? kLongest : keeps_angle(options) ? kLongestTrue : kLongestStriped;
-    Fine small = fine(sheet, longest * options.spacing);
+    plan::Fine small = plan::fine(sheet, longest * options.spacing);
     if (by_field)
         small.sheet.fields = surface::curve::transferred(sheet.surface, directions(sheet), small.sheet.surface);
     Options on_small = options;
@@ -85,8 +85,8 @@ Plan of_component(const surface::Sheet& sheet, const Options& options) {
     }
     Plan out = lines(small.sheet, on_small);
     out.notes.insert(out.notes.end(), opened.begin(), opened.end());
-    back(out, small);
-    keep_to_surface(sheet.surface, out);
+    plan::back(out, small);
+    plan::keep_to_surface(sheet.surface, out);
     return out;
 }
 
@@ -94,13 +94,13 @@ std::string text(const Vec3& p) { return fixed_text(p.x, 2) + "," + fixed_text(p
 
 } // namespace
 
-Plan plan(const surface::Sheet& sheet, const Options& options) {
+Plan plan_paths(const surface::Sheet& sheet, const Options& options) {
     return sheet.surface.components > 1 ? each_component(sheet, options, of_component) : of_component(sheet, options);
 }
 
 void finish(const Surface& surface, Plan& plan, const Options& o) {
     const double beside = std::max(kBeside, o.spacing / 2);
-    const Tight tight = declare(surface, plan, o.least_radius, beside, o.offset);
+    const plan::Tight tight = plan::declare(surface, plan, o.least_radius, beside, o.offset);
     if (o.strict && tight.count > 0)
         throw Error(Exit::failure, "cannot keep turns to " + shortest_text(o.least_radius) + " mm: one of " +
                                        fixed_text(tight.least, 2) + " mm at " + text(tight.at) + ", " +
@@ -112,7 +112,7 @@ void finish(const Surface& surface, Plan& plan, const Options& o) {
     if (tight.count > 0)
         plan.notes.push_back({"", "turn tighter than the least radius", tight.length, "mm", tight.count, -1, tight.at.x,
                               tight.at.y, tight.at.z});
-    tell_cover(surface, plan, o.spacing, o.part);
+    plan::tell_cover(surface, plan, o.spacing, o.part);
 }
 
 } // namespace filum::surfpath

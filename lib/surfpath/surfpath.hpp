@@ -4,11 +4,20 @@
 #include "surface/sheet.hpp"
 #include "surfpath/algorithm.hpp"
 #include "surfpath/field/directions.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 #include <optional>
 
 namespace filum::surfpath {
+
+using geom::Vec2;
+using geom::Vec3;
+using plan::Piece;
+using plan::Plan;
+using plan::Stroke;
+using surface::Surface;
+using surface::curve::Line;
+using surface::curve::Place;
 
 enum class Method : std::uint8_t { filum, kipping2022 }; // ours, or as the paper says
 // Of ortheo and field: lines end at the rim, or go on; usual: of ortheo they end, of field they go on by wide turns.
@@ -46,12 +55,12 @@ struct Options {
 // note.
 // Throws Error(usage) for options that cannot be followed, Error(bad_input) if the sheet lacks what the algorithm
 // needs: "needs a seed curve; run geodesic --source plane:NX,NY,NZ,D first".
-Plan plan(const surface::Sheet& sheet, const Options& options);
+Plan plan_paths(const surface::Sheet& sheet, const Options& options);
 
-// What is to be said of a plan, whoever made it: declares what turns within less than the least radius (declare.hpp),
-// in facts "hairpins", "hairpin-length" and "least-radius" and the note "turn tighter than the least radius", and tells
-// what is bare and what is laid twice (bare.hpp).
-// Throws Error(failure) with the place if a turn is too tight and the options are strict.
+// What is to be said of a plan, whoever made it: declares what turns within less than the least radius
+// (plan/declare.hpp), in facts "hairpins", "hairpin-length" and "least-radius" and the note "turn tighter than the
+// least radius", and tells what is bare and what is laid twice (plan/bare.hpp). Throws Error(failure) with the place if
+// a turn is too tight and the options are strict.
 void finish(const Surface& surface, Plan& plan, const Options& options);
 
 } // namespace filum::surfpath

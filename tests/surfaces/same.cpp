@@ -53,11 +53,11 @@ Filled fill(Mesh mesh, surfpath::Options o, const From& from, const Motion& moti
     surface::Sheet sheet;
     sheet.surface = surface::connect(std::move(mesh), notes);
     geodesic::measure(sheet, geodesic::choose(sheet.surface, source(o.algorithm, from, motion), notes), {}, notes);
-    surfpath::Plan plan = surfpath::plan(sheet, o);
+    surfpath::Plan plan = surfpath::plan_paths(sheet, o);
     surfpath::finish(sheet.surface, plan, o);
-    surfpath::Laying laying;
+    surfpath::plan::Laying laying;
     laying.width = o.spacing;
-    return {judge(sheet.surface, surfpath::spans(sheet.surface, plan, laying),
+    return {judge(sheet.surface, surfpath::plan::spans(sheet.surface, plan, laying),
                   {o.spacing, o.least_radius, true, false, {}}),
             plan.strokes.size()};
 }

@@ -7,7 +7,7 @@
 #include "geodesic/lines.hpp"
 #include "geodesic/measure.hpp"
 #include "surface/remesh.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 #include "shapes.hpp"
 
@@ -150,11 +150,11 @@ Outcome run(const Trial& t) {
     const Asked asked{t.options.spacing, t.options.least_radius, ours, rings, t.sheet.sources};
     try {
         surfpath::Plan plan =
-            ours ? surfpath::plan(t.sheet, t.options) : baselines::kipping2022::plan(t.sheet, t.paper);
+            ours ? surfpath::plan_paths(t.sheet, t.options) : baselines::kipping2022::plan(t.sheet, t.paper);
         surfpath::finish(t.sheet.surface, plan, t.options);
-        surfpath::Laying laying;
+        surfpath::plan::Laying laying;
         laying.width = t.options.spacing;
-        const auto spans = surfpath::spans(t.sheet.surface, plan, laying);
+        const auto spans = surfpath::plan::spans(t.sheet.surface, plan, laying);
         out.judged = judge(t.sheet.surface, spans, asked);
         out.faults = faults(t.sheet.surface, spans, out.judged, plan.notes, asked);
     } catch (const Error& e) {

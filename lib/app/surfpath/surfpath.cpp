@@ -6,9 +6,9 @@
 #include "geom/angle.hpp"
 #include "machine/profile.hpp"
 #include "parallel/parallel.hpp"
-#include "surfpath/least_strokes.hpp"
 #include "surfpath/outside.hpp"
-#include "surfpath/reach.hpp"
+#include "surfpath/plan/least_strokes.hpp"
+#include "surfpath/rings/reach.hpp"
 #include "wire/planar.hpp"
 #include "wire/surface.hpp"
 
@@ -36,20 +36,21 @@ filum::surfpath::Plan lay(const surface::Sheet& sheet, const Flange* flange, con
     filum::surfpath::Plan out;
     const auto lines = [&] {
         out = asked.method == filum::surfpath::Method::kipping2022 ? baselines::kipping2022::plan(sheet, paper)
-                                                                   : filum::surfpath::plan(sheet, asked);
+                                                                   : filum::surfpath::plan_paths(sheet, asked);
         if (flange) filum::surfpath::thread(sheet.surface, out);
         filum::surfpath::finish(sheet.surface, out, asked);
-        filum::surfpath::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr}, out);
+        filum::surfpath::plan::tell_least_cuts(sheet.surface, {asked.spacing, asked.cut_length, flange == nullptr},
+                                               out);
     };
-    std::optional<filum::surfpath::Reach> reach; // needs no lines, so it is found beside them
-    const auto bound = [&] { reach = filum::surfpath::reach(sheet.surface, asked.spacing, asked.least_radius); };
+    std::optional<filum::surfpath::rings::Reach> reach; // needs no lines, so it is found beside them
+    const auto bound = [&] { reach = filum::surfpath::rings::reach(sheet.surface, asked.spacing, asked.least_radius); };
     parallel::for_chunks(filum::surfpath::runs_round(algorithm) ? 2 : 1, 1, 0, [&](std::size_t i, std::size_t) {
         if (i == 0)
             lines();
         else
             bound();
     });
-    if (reach) filum::surfpath::tell_reach(*reach, out);
+    if (reach) filum::surfpath::rings::tell_reach(*reach, out);
     if (flange) filum::surfpath::tell_trims(*flange, o.plan.turn_outside, out);
     return out;
 }
@@ -177,7 +178,7 @@ void run(const Options& o, const cli::Io& io) {
         if (progress) progress->step();
         return plan;
     });
-    filum::surfpath::Laying laying = o.laying;
+    filum::surfpath::plan::Laying laying = o.laying;
     laying.width = o.plan.spacing;
     laying.layer = static_cast<std::uint32_t>(o.ply);
     const auto spans = filum::surfpath::spans(sheets, patches.plans, laying);

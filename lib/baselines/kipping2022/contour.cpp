@@ -9,7 +9,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-using surfpath::Plan;
+using surfpath::plan::Plan;
 
 constexpr double kAtMaximum = 0.1; // d: of what counts as the greatest distance
 constexpr double kApart = 0.25;    // d: between points there

@@ -8,7 +8,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-using surfpath::Plan;
+using surfpath::plan::Plan;
 
 constexpr const char* kNeedsBoundary = "run geodesic --source boundary first";
 

@@ -13,7 +13,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-surfpath::Plan run(const surface::Sheet& sheet, const Options& o) {
+surfpath::plan::Plan run(const surface::Sheet& sheet, const Options& o) {
     using surfpath::Algorithm;
     switch (o.algorithm) {
     case Algorithm::fina:
@@ -52,11 +52,11 @@ Options settled(Options o) {
     return o;
 }
 
-surfpath::Plan plan(const surface::Sheet& sheet, const Options& options) {
+surfpath::plan::Plan plan(const surface::Sheet& sheet, const Options& options) {
     const Options o = settled(options);
     if (o.plane && !(norm(o.plane->normal) > 0))
         throw Error(Exit::usage, "cannot use a --plane whose normal has no length; give NX,NY,NZ,D");
-    surfpath::Plan out = run(sheet, o);
+    surfpath::plan::Plan out = run(sheet, o);
     if (out.strokes.empty())
         throw Error(Exit::usage, "cannot lay a path: every line is shorter than a step of it; lower --resample");
     const Facts given = {{"", "resample", o.resample, "mm"},

@@ -12,20 +12,20 @@
 //    as scipy's default does.  r_resample, window and degree are not given: options.
 //    By default d / 4, 5 and 2: of windows 5 to 11 and degrees 2 and 3 what brings the curvatures of samples like the
 //    authors' nearest to those of their Table 1.
-//  - "offsetting the respective boundary point by the travel height along the normal": surfpath::spans does that.
+//  - "offsetting the respective boundary point by the travel height along the normal": surfpath::plan::spans does that.
 //  - what is dropped or not reached is noted with its length or area.
 // More stand at the head of rows.hpp, ortheo.hpp, rings.hpp and spiral.hpp.
 #pragma once
 
 #include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
 
 // Strokes on the surface, resampled and smoothed: their points may lie off it, their triangles are the nearest ones.
 // Throws Error(usage) for options that cannot be followed, or where no level lies on the surface; Error(bad_input) if
 // the sheet lacks what the algorithm needs.
-surfpath::Plan plan(const surface::Sheet& sheet, const Options& options);
+surfpath::plan::Plan plan(const surface::Sheet& sheet, const Options& options);
 
 } // namespace filum::baselines::kipping2022

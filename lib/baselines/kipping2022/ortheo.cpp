@@ -13,7 +13,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-using surfpath::Plan;
+using surfpath::plan::Plan;
 
 constexpr double kFarthest = 2; // d_iso: to the next isocontour
 constexpr double kNoise = 0.01; // of d: of what still does not exceed it

@@ -16,10 +16,10 @@
 
 #include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
 
-surfpath::Plan ortheo(const surface::Sheet& sheet, const Options& settled);
+surfpath::plan::Plan ortheo(const surface::Sheet& sheet, const Options& settled);
 
 } // namespace filum::baselines::kipping2022

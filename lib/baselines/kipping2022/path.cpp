@@ -58,7 +58,7 @@ Points smoothed(std::span<const Vec3> points, std::size_t window, std::size_t de
     return out;
 }
 
-void Strokes::lay(std::span<const Vec3> points, surfpath::Plan& to) const {
+void Strokes::lay(std::span<const Vec3> points, surfpath::plan::Plan& to) const {
     const double l = length(points, false);
     if (points.size() < 2 || l < o_.resample) {
         if (!points.empty())
@@ -66,7 +66,7 @@ void Strokes::lay(std::span<const Vec3> points, surfpath::Plan& to) const {
         return;
     }
     const Points even = resampled(points, false, o_.resample);
-    surfpath::Piece piece;
+    surfpath::plan::Piece piece;
     for (const Vec3& p : smoothed(even, static_cast<std::size_t>(o_.window), static_cast<std::size_t>(o_.degree)))
         piece.line.places.push_back({locator_.nearest(p).triangle, p});
     to.strokes.push_back({{std::move(piece)}});

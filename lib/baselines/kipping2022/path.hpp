@@ -4,7 +4,7 @@
 #include "baselines/kipping2022/contours.hpp"
 #include "baselines/kipping2022/options.hpp"
 #include "surface/curve/locate.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
 
@@ -24,7 +24,7 @@ class Strokes {
     Strokes(const Surface& surface, const Options& settled) : locator_(surface), o_(settled) {}
 
     // Resampled and smoothed.  Shorter than a step: noted and left out.
-    void lay(std::span<const Vec3> points, surfpath::Plan& to) const;
+    void lay(std::span<const Vec3> points, surfpath::plan::Plan& to) const;
 
   private:
     surface::curve::Locator locator_;

@@ -24,14 +24,14 @@
 
 #include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
 
 // One path into all maxima and out again.
-surfpath::Plan geo_fiso(const surface::Sheet& sheet, const Options& settled);
+surfpath::plan::Plan geo_fiso(const surface::Sheet& sheet, const Options& settled);
 
 // Spirals into the maxima, each up to a last line at its maximum, and the contours between them.
-surfpath::Plan geo_contour(const surface::Sheet& sheet, const Options& settled);
+surfpath::plan::Plan geo_contour(const surface::Sheet& sheet, const Options& settled);
 
 } // namespace filum::baselines::kipping2022

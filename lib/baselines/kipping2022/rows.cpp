@@ -13,7 +13,7 @@ namespace filum::baselines::kipping2022 {
 namespace {
 
 using surface::Plane;
-using surfpath::Plan;
+using surfpath::plan::Plan;
 
 constexpr const char* kNeedsPlane = "run geodesic --source plane:NX,NY,NZ,D first";
 

@@ -14,14 +14,14 @@
 
 #include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
 
 // Rows of equal geodesic distance from the seed curve.
-surfpath::Plan fina(const surface::Sheet& sheet, const Options& settled);
+surfpath::plan::Plan fina(const surface::Sheet& sheet, const Options& settled);
 
 // The same with the distance from the plane in space; the sheet needs no field if the options name a plane.
-surfpath::Plan fexa(const surface::Sheet& sheet, const Options& settled);
+surfpath::plan::Plan fexa(const surface::Sheet& sheet, const Options& settled);
 
 } // namespace filum::baselines::kipping2022

@@ -10,7 +10,7 @@ namespace filum::baselines::kipping2022 {
 
 namespace {
 
-using surfpath::Plan;
+using surfpath::plan::Plan;
 
 // One seed point: a vertex, or a segment without length.
 Vec3 seed(const surface::Sheet& sheet) {

@@ -14,10 +14,10 @@
 
 #include "baselines/kipping2022/options.hpp"
 #include "surface/sheet.hpp"
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 namespace filum::baselines::kipping2022 {
 
-surfpath::Plan geo_spiral(const surface::Sheet& sheet, const Options& settled);
+surfpath::plan::Plan geo_spiral(const surface::Sheet& sheet, const Options& settled);
 
 } // namespace filum::baselines::kipping2022

@@ -1,5 +1,5 @@
 // What a plan leaves without a bead, and what it lays twice, is told, with area and place.
-#include "surfpath/bare.hpp"
+#include "surfpath/plan/bare.hpp"
 
 #include "surface/curve/locate.hpp"
 
@@ -9,6 +9,8 @@
 #include <array>
 
 namespace filum::surfpath {
+
+using namespace plan;
 namespace {
 
 Surface square(double size, double z = 0) {

@@ -1,5 +1,5 @@
 // Levels of rings on trees whose answers are known, and on random ones.
-#include "surfpath/branches.hpp"
+#include "surfpath/rings/branches.hpp"
 
 #include "surface/surface.hpp"
 
@@ -11,6 +11,8 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace rings;
 namespace {
 
 using surface::kNone;

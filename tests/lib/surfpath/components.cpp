@@ -4,9 +4,9 @@
 #include "base/error.hpp"
 #include "geodesic/choose.hpp"
 #include "surfpath/fexa.hpp"
-#include "surfpath/in_turn.hpp"
-#include "surfpath/least_strokes.hpp"
 #include "surfpath/outside.hpp"
+#include "surfpath/plan/in_turn.hpp"
+#include "surfpath/plan/least_strokes.hpp"
 
 #include "../surface/grid.hpp"
 #include "../trials.hpp"
@@ -101,11 +101,11 @@ TEST(components, each_is_laid_as_if_it_were_alone) {
         o.follow.turn = 0.4;
         const std::string source = has_rows(a) && a != Algorithm::field ? "plane:1,0.3,0,9.7" : "";
         const auto both = sheet_from(all_of({kLower, kUpper}), source);
-        const Plan laid = plan(both, o);
+        const Plan laid = plan_paths(both, o);
         if (a == Algorithm::fexa) o.plane = plane_of(both.surface, both.sources);
         double rows = 0;
         for (const std::uint32_t c : {0U, 1U}) {
-            const Plan alone = plan(sheet_from(c == 0 ? kLower : kUpper, source), o);
+            const Plan alone = plan_paths(sheet_from(c == 0 ? kLower : kUpper, source), o);
             const auto found = strokes_on(both.surface, laid, c), asked = strokes_of(alone);
             ASSERT_FALSE(asked.empty()) << name(a);
             EXPECT_TRUE(same(found, asked) || same(found, the_other_way_round(asked))) << name(a) << ' ' << c;
@@ -121,7 +121,7 @@ TEST(components, each_is_laid_as_if_it_were_alone) {
 TEST(components, bounds_and_cover_are_those_of_the_whole) {
     const auto both = sheet_from(all_of({kLower, plate_at(12, 12, {40, 0, 0})}), "");
     Options o{.algorithm = Algorithm::hybrid, .least_radius = 1};
-    Plan laid = plan(both, o);
+    Plan laid = plan_paths(both, o);
     EXPECT_EQ(fact(laid, "cuts"), static_cast<double>(laid.strokes.size() - 1));
     finish(both.surface, laid, o);
     tell_least_cuts(both.surface, {o.spacing, o.cut_length, true}, laid);
@@ -138,7 +138,7 @@ TEST(components, are_laid_in_turn) {
     std::mt19937 random(5);
     for (int trial = 0; trial < 3; ++trial) {
         const auto sheet = sheet_from(all_of(parts), "");
-        const Plan laid = plan(sheet, o);
+        const Plan laid = plan_paths(sheet, o);
         ASSERT_EQ(laid.strokes.size(), parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i)
             EXPECT_EQ(std::floor(points(laid.strokes[i])[0].x / 10), static_cast<double>(i));
@@ -153,7 +153,7 @@ TEST(components, are_laid_in_turn) {
 TEST(components, what_cannot_be_laid_is_left_out_and_told) {
     const mesh::Mesh narrow = plate_at(20, 1, {0, 30, 0});
     const auto some = sheet_from(all_of({kLower, narrow}), "");
-    const Plan laid = plan(some, {.algorithm = Algorithm::geo_contour});
+    const Plan laid = plan_paths(some, {.algorithm = Algorithm::geo_contour});
     EXPECT_EQ(laid.strokes.size(), 1U);
     EXPECT_EQ(noted(laid, "component left out: cannot lay a ring"), 1U);
     for (const Note& note : laid.notes)
@@ -162,18 +162,18 @@ TEST(components, what_cannot_be_laid_is_left_out_and_told) {
             EXPECT_EQ(note.y, 30);
         }
     const auto none = sheet_from(all_of({narrow, plate_at(15, 1, {0, 40, 0})}), "");
-    EXPECT_THROW((void)plan(none, {.algorithm = Algorithm::geo_contour}), Error);
+    EXPECT_THROW((void)plan_paths(none, {.algorithm = Algorithm::geo_contour}), Error);
 }
 
 TEST(components, without_a_source_are_left_out_where_one_is_needed) {
     const auto sheet = sheet_from(all_of({kLower, plate_at(20, 14, {0, 30, 0})}), "plane:0,1,0,7");
-    const Plan laid = plan(sheet, {.algorithm = Algorithm::fina, .least_radius = 1});
+    const Plan laid = plan_paths(sheet, {.algorithm = Algorithm::fina, .least_radius = 1});
     EXPECT_EQ(laid.strokes.size(), 1U);
     EXPECT_EQ(noted(laid, "component left out: no source lies on it"), 1U);
-    EXPECT_EQ(noted(plan(sheet, {.algorithm = Algorithm::fexa, .least_radius = 1}), "component left out"), 0U);
+    EXPECT_EQ(noted(plan_paths(sheet, {.algorithm = Algorithm::fexa, .least_radius = 1}), "component left out"), 0U);
     const auto unseeded = sheet_from(all_of({kLower, kUpper}), "");
-    EXPECT_THROW((void)plan(unseeded, {.algorithm = Algorithm::fina}), Error);
-    EXPECT_THROW((void)plan(unseeded, {.algorithm = Algorithm::fexa}), Error);
+    EXPECT_THROW((void)plan_paths(unseeded, {.algorithm = Algorithm::fina}), Error);
+    EXPECT_THROW((void)plan_paths(unseeded, {.algorithm = Algorithm::fexa}), Error);
 }
 
 // Against looking at all that is left.

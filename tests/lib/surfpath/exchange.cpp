@@ -1,10 +1,10 @@
 // Loops become part of what lies beside them: nothing crosses, nothing is lost, and little is wasted.
-#include "surfpath/exchange.hpp"
+#include "surfpath/rows/exchange.hpp"
 
 #include "geom/segment.hpp"
 #include "surface/curve/locate.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/bare.hpp"
+#include "surfpath/plan/bare.hpp"
 
 #include "../surface/grid.hpp"
 #include "../trials.hpp"
@@ -16,6 +16,9 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace rows;
+using namespace plan;
 namespace {
 
 Surface sheet_to_join_on() {

@@ -1,5 +1,5 @@
 // The sheet that lines are found on is the given one, in triangles of its own.
-#include "surfpath/fine.hpp"
+#include "surfpath/plan/fine.hpp"
 
 #include "../surface/grid.hpp"
 
@@ -9,6 +9,8 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace plan;
 namespace {
 
 Vec3 bent(geom::Vec2 p) { return {p.x, p.y, 0.02 * p.x * p.x}; }

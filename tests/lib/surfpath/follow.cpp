@@ -4,8 +4,8 @@
 #include "../surface/grid.hpp"
 #include "geom/angle.hpp"
 #include "surface/curve/walk.hpp"
-#include "surfpath/rows.hpp"
-#include "surfpath/splice.hpp"
+#include "surfpath/rows/rows.hpp"
+#include "surfpath/rows/splice.hpp"
 
 #include "../trials.hpp"
 #include "plans.hpp"
@@ -16,6 +16,8 @@
 #include <numbers>
 
 namespace filum::surfpath {
+
+using namespace rows;
 namespace {
 
 surface::Sheet sheet_of(const mesh::Mesh& mesh) {
@@ -56,7 +58,7 @@ TEST(follow, a_plate_at_any_angle_is_one_path_of_straight_rows) {
         const auto sheet = sheet_of(plate());
         Options o = field(degrees * geom::kDegree);
         o.least_radius = 0.5; // turns are small beside the plate
-        const Plan p = plan(sheet, o);
+        const Plan p = plan_paths(sheet, o);
         EXPECT_EQ(p.strokes.size(), 1U) << degrees;
         EXPECT_GT(covered(sheet.surface, p), 0.9) << degrees;
         EXPECT_LT(fact(p, "tightest-bend"), 1e-3) << degrees;
@@ -69,7 +71,7 @@ TEST(follow, a_narrow_strip_is_covered_to_its_ends) {
         const auto sheet = sheet_of(surface::grid(50, width, 50, static_cast<int>(width), [](geom::Vec2 p) {
             return Vec3{p.x, p.y, 0};
         }));
-        const Plan p = plan(sheet, field(0));
+        const Plan p = plan_paths(sheet, field(0));
         EXPECT_EQ(p.strokes.size(), 1U) << width;
         EXPECT_GT(covered(sheet.surface, p), 0.965) << width;
     }
@@ -80,7 +82,7 @@ TEST(follow, a_narrow_strip_is_covered_to_its_ends) {
 TEST(follow, a_strip_as_wide_as_a_line_or_less_is_one_line) {
     for (const double width : {0.6, 0.8, 1.0, 1.8}) {
         const auto sheet = sheet_of(surface::grid(60, width, 60, 1, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
-        const Plan p = plan(sheet, field(0));
+        const Plan p = plan_paths(sheet, field(0));
         ASSERT_EQ(p.strokes.size(), 1U) << width;
         double length = 0;
         for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
@@ -94,7 +96,7 @@ TEST(follow, lines_alone_cover_all_and_nothing_twice) {
     const auto sheet = sheet_of(plate());
     Options o = field(25 * geom::kDegree);
     o.turns = RowTurns::none;
-    const Plan p = plan(sheet, o);
+    const Plan p = plan_paths(sheet, o);
     double length = 0;
     for (const Stroke& s : p.strokes) length += surface::curve::length(s.pieces.at(0).line);
     EXPECT_NEAR(length, 600, 12);
@@ -106,7 +108,7 @@ TEST(follow, round_a_tube_is_one_helix) {
     const auto sheet = sheet_of(tube());
     Options o = field(90 * geom::kDegree);
     o.follow.reference = {0, 0, 1};
-    const Plan p = plan(sheet, o);
+    const Plan p = plan_paths(sheet, o);
     ASSERT_EQ(p.strokes.size(), 1U);
     EXPECT_GT(covered(sheet.surface, p), 0.97);
     double length = 0;
@@ -118,9 +120,9 @@ TEST(follow, round_a_tube_is_one_helix) {
 TEST(follow, the_order_of_triangles_does_not_matter) {
     FILUM_NOT_SANITIZED();
     auto mesh = plate();
-    const Plan one = plan(sheet_of(mesh), field(0.5));
+    const Plan one = plan_paths(sheet_of(mesh), field(0.5));
     std::rotate(mesh.triangles.begin(), mesh.triangles.begin() + 1000, mesh.triangles.end());
-    const Plan other = plan(sheet_of(mesh), field(0.5));
+    const Plan other = plan_paths(sheet_of(mesh), field(0.5));
     ASSERT_EQ(one.strokes.size(), other.strokes.size());
     ASSERT_EQ(one.strokes[0].pieces.size(), other.strokes[0].pieces.size());
     for (std::size_t i = 0; i < one.strokes[0].pieces.size(); ++i)
@@ -146,7 +148,7 @@ mesh::Mesh washer(double aside) {
 
 TEST(hybrid, rings_alone_are_one_spiral_that_goes_over_at_a_seam) {
     const auto sheet = sheet_of(washer(0));
-    const Plan p = plan(sheet, {.algorithm = Algorithm::hybrid});
+    const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
     ASSERT_EQ(p.strokes.size(), 1U);
     EXPECT_GT(covered(sheet.surface, p), 0.985);
     double length = 0;
@@ -158,7 +160,7 @@ TEST(hybrid, rings_alone_are_one_spiral_that_goes_over_at_a_seam) {
 TEST(hybrid, rings_that_meet_are_one_stroke) {
     for (const double aside : kSanitized ? std::vector{4.0} : std::vector{3.0, 4.0, 6.0}) {
         const auto sheet = sheet_of(washer(aside));
-        const Plan p = plan(sheet, {.algorithm = Algorithm::hybrid});
+        const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
         EXPECT_EQ(p.strokes.size(), 1U) << aside;
         EXPECT_GT(covered(sheet.surface, p), 0.95) << aside;
     }
@@ -174,7 +176,7 @@ TEST(hybrid, a_chain_that_comes_round_is_no_way_along_the_rim) {
         const double r = 15 + 40 * std::sin(slope) * p.y;
         return Vec3{r * std::cos(a), r * std::sin(a), 40 * std::cos(slope) * p.y};
     }));
-    const Plan p = plan(sheet, {.algorithm = Algorithm::hybrid});
+    const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
     EXPECT_EQ(p.strokes.size(), 1U);
     EXPECT_LT(fact(p, "transits"), 2 * 2.4);
 }

@@ -1,5 +1,5 @@
 // Bounds on strokes, where it is plain how few there can be.
-#include "surfpath/least_strokes.hpp"
+#include "surfpath/plan/least_strokes.hpp"
 
 #include "../surface/grid.hpp"
 #include "surfpath/surfpath.hpp"
@@ -63,7 +63,7 @@ TEST(least_strokes, are_no_more_than_hybrid_takes_and_one_less_at_least) {
         for (const double radius : {0.5, 2.4}) {
             const surface::Sheet sheet{of(comb(tooth, 1)), {}, {}};
             const Options o{.algorithm = Algorithm::hybrid, .least_radius = radius};
-            Plan p = plan(sheet, o);
+            Plan p = plan_paths(sheet, o);
             tell_least_cuts(sheet.surface, {o.spacing, o.cut_length}, p);
             EXPECT_EQ(fact(p, "cuts-bound"), tooth > 50 ? 2 : 0);
             const auto cuts = static_cast<double>(p.strokes.size()) - 1;

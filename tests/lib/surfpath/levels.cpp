@@ -1,5 +1,5 @@
 // Rings of distances with several maxima: each is covered.
-#include "surfpath/levels.hpp"
+#include "surfpath/rings/levels.hpp"
 
 #include "geodesic/exact.hpp"
 #include "geom/disjoint_sets.hpp"
@@ -16,6 +16,8 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace rings;
 namespace {
 
 using geom::Vec2;

@@ -2,7 +2,7 @@
 #include "surfpath/opened.hpp"
 
 #include "surfpath/seed_side.hpp"
-#include "surfpath/source_lines.hpp"
+#include "surfpath/strands/source_lines.hpp"
 #include "surfpath/surfpath.hpp"
 
 #include "../trials.hpp"
@@ -14,6 +14,8 @@
 #include <numbers>
 
 namespace filum::surfpath {
+
+using namespace strands;
 namespace {
 
 using std::numbers::pi;
@@ -142,7 +144,7 @@ TEST(opened, closed_surfaces_of_all_kinds_are_one_stroke_of_rings) {
     }
     for (const Case& c : cases) {
         const auto sheet = closed_sheet(c.mesh);
-        const Plan p = plan(sheet, {.algorithm = c.algorithm});
+        const Plan p = plan_paths(sheet, {.algorithm = c.algorithm});
         EXPECT_EQ(p.strokes.size(), 1U) << name(c.algorithm);
         EXPECT_GT(covered(sheet.surface, p), c.least) << name(c.algorithm);
         EXPECT_GT(opened(p.notes), 10) << name(c.algorithm);

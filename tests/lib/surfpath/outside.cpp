@@ -41,7 +41,7 @@ Plan planned(const surface::Sheet& sheet, Options o, double depth) {
     o.turn_outside = depth;
     const Flange f = flange(sheet, o).value();
     o = on_flange(f, o);
-    Plan out = plan(f.sheet, o);
+    Plan out = plan_paths(f.sheet, o);
     thread(f.sheet.surface, out);
     finish(f.sheet.surface, out, o);
     tell_trims(f, depth, out);

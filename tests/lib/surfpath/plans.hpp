@@ -1,7 +1,7 @@
 // What the tests ask of plans.
 #pragma once
 
-#include "surfpath/plan.hpp"
+#include "surfpath/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace filum::surfpath {
+
+using namespace plan;
 
 inline double fact(const Plan& plan, const std::string& name) {
     for (const Fact& f : plan.facts)

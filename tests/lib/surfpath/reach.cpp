@@ -1,5 +1,5 @@
 // How much rings can cover: shapes whose answers are known, and rings on random ones, none of which may cover more.
-#include "surfpath/reach.hpp"
+#include "surfpath/rings/reach.hpp"
 
 #include "geodesic/isolines.hpp"
 #include "geodesic/query.hpp"
@@ -17,6 +17,8 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace rings;
 namespace {
 
 using std::numbers::pi;
@@ -158,7 +160,7 @@ TEST(Reach, no_path_of_rings_covers_more_at_the_radius_that_it_keeps) {
         const surface::Sheet sheet{s, {}, {}};
         Plan p;
         try {
-            p = plan(sheet, o);
+            p = plan_paths(sheet, o);
         } catch (const std::exception&) {
             continue; // no room for a ring
         }

@@ -3,7 +3,7 @@
 #include "surface/curve/walk.hpp"
 #include "surfpath/geo_contour.hpp"
 #include "surfpath/geo_fiso.hpp"
-#include "surfpath/ring.hpp"
+#include "surfpath/rings/ring.hpp"
 #include "surfpath/surfpath.hpp"
 
 #include "../surface/grid.hpp"
@@ -16,6 +16,8 @@
 #include <numbers>
 
 namespace filum::surfpath {
+
+using namespace rings;
 namespace {
 
 using std::numbers::pi;
@@ -81,7 +83,7 @@ class Rings : public testing::TestWithParam<Case> {};
 
 Plan finished(const surface::Sheet& sheet, Algorithm algorithm) {
     const Options o{.algorithm = algorithm};
-    Plan out = plan(sheet, o);
+    Plan out = plan_paths(sheet, o);
     finish(sheet.surface, out, o);
     return out;
 }
@@ -176,7 +178,7 @@ TEST(geo_spiral, ends_half_a_spacing_from_a_rim_that_its_front_meets_at_once) {
         for (std::uint32_t v = 0; v < s.surface.vertices.size(); ++v)
             if (distance(s.surface.vertices[v], middle) < distance(s.surface.vertices[nearest], middle)) nearest = v;
         s.sources.vertices = {nearest};
-        const Plan p = plan(s, {.algorithm = Algorithm::geo_spiral});
+        const Plan p = plan_paths(s, {.algorithm = Algorithm::geo_spiral});
         double farthest = 0;
         for (const Stroke& stroke : p.strokes)
             for (const Place& at : whole(stroke).places)
@@ -189,7 +191,7 @@ TEST(geo_spiral, ends_half_a_spacing_from_a_rim_that_its_front_meets_at_once) {
 // A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
 TEST(geo_contour, rings_through_vertices_are_whole) {
     const auto s = patch(32, 24, everywhere);
-    const Plan p = plan(s, {.algorithm = Algorithm::geo_contour, .spacing = 1.6});
+    const Plan p = plan_paths(s, {.algorithm = Algorithm::geo_contour, .spacing = 1.6});
     ASSERT_EQ(p.strokes.size(), 1);
     double length = 0;
     for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);

@@ -5,8 +5,8 @@
 #include "surfpath/fexa.hpp"
 #include "surfpath/fina.hpp"
 #include "surfpath/geo_spiral.hpp"
-#include "surfpath/order.hpp"
-#include "surfpath/turn.hpp"
+#include "surfpath/plan/order.hpp"
+#include "surfpath/rows/turn.hpp"
 
 #include "../surface/grid.hpp"
 #include "../trials.hpp"
@@ -19,6 +19,8 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace rows;
 namespace {
 
 using std::numbers::pi;

@@ -1,9 +1,9 @@
 // Turns behind each other: what is laid twice at rims, against turns that all lie at the rim.
-#include "surfpath/stagger.hpp"
+#include "surfpath/plan/stagger.hpp"
 
 #include "surface/curve/walk.hpp"
-#include "surfpath/bare.hpp"
-#include "surfpath/boustrophedon.hpp"
+#include "surfpath/plan/bare.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
 
 #include "../surface/grid.hpp"
 #include "../trials.hpp"
@@ -14,6 +14,9 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace plan;
+using namespace rows;
 namespace {
 
 using Bending = Vec3 (*)(Vec2);

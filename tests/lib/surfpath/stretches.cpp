@@ -1,5 +1,5 @@
 // Whether a stretch comes near is told as its distance tells it.
-#include "surfpath/stretches.hpp"
+#include "surfpath/plan/stretches.hpp"
 
 #include "../trials.hpp"
 
@@ -8,6 +8,8 @@
 #include <random>
 
 namespace filum::surfpath {
+
+using namespace plan;
 namespace {
 
 TEST(Stretches, WithinIsWhatTheDistanceSays) {

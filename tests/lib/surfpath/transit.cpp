@@ -1,5 +1,5 @@
 // Ways along rims: what is counted is what is laid.
-#include "surfpath/transit.hpp"
+#include "surfpath/rows/transit.hpp"
 
 #include "geom/angle.hpp"
 
@@ -9,6 +9,8 @@
 #include <numbers>
 
 namespace filum::surfpath {
+
+using namespace rows;
 namespace {
 
 constexpr double kRadius = 20; // mm, of the rim

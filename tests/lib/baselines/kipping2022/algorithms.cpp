@@ -30,7 +30,7 @@ std::string refused(const surface::Sheet& sheet, const Options& o, Exit exit) {
 }
 
 // Whether two stretches of the plan that do not follow each other cross, seen from above.
-std::size_t crossings(const surfpath::Plan& plan) {
+std::size_t crossings(const surfpath::plan::Plan& plan) {
     std::vector<std::pair<Vec2, Vec2>> all;
     for (const auto& stroke : plan.strokes)
         for (const auto& piece : stroke.pieces)
@@ -121,7 +121,7 @@ TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     const auto lines = [](double from, double to, const char* rim) {
         return plan(measured(zone(5, from, to), rim), options(Algorithm::ortheo, 0.5));
     };
-    const auto first = [](const surfpath::Plan& p) {
+    const auto first = [](const surfpath::plan::Plan& p) {
         return static_cast<double>(p.strokes.size()) - fact(p, "insertions");
     };
     auto outwards = lines(0.5, 1.2, "boundary:0"); // from 15.06 mm to 29.28 mm

@@ -68,18 +68,18 @@ inline surface::Sheet measured(Surface s, const char* source) {
     return sheet;
 }
 
-inline double length(const surfpath::Stroke& stroke) {
+inline double length(const surfpath::plan::Stroke& stroke) {
     double out = 0;
     for (const auto& piece : stroke.pieces) out += surface::curve::length(piece.line);
     return out;
 }
-inline double length(const surfpath::Plan& plan) {
+inline double length(const surfpath::plan::Plan& plan) {
     double out = 0;
     for (const auto& stroke : plan.strokes) out += length(stroke);
     return out;
 }
 
-inline double fact(const surfpath::Plan& plan, const std::string& name) {
+inline double fact(const surfpath::plan::Plan& plan, const std::string& name) {
     for (const auto& f : plan.facts)
         if (f.name == name) return f.value;
     return std::nan("");

@@ -1,0 +1,325 @@
+#include "surfpath/lanes/seam.hpp"
+
+#include "geom/disjoint_sets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+namespace filum::surfpath::lanes {
+
+namespace {
+
+// Lengths in spacings.
+constexpr double kFarthest = 2; // between neighbouring lanes of a seam: from there on another one fits between
+constexpr double kWanted = 2;   // of the least length of a seam: so it bends a quarter as much as it may
+constexpr int kPoints = 2;      // of a line, per rung
+constexpr double kMargin = 0.5; // of lane between windows: half a bead
+constexpr double kRidge = 3;    // between lanes that a line goes along the middle of: another lane fits from there on
+constexpr double kLeastRidge = 4. / 3; // likewise: what is left bare there is half of what the line lays twice
+constexpr double kRidgeDrift = 6;      // that it takes to go there: it bends by less than a sixth per spacing
+constexpr double kFarthestJoined = 4;  // between lanes that are joined, at most: a limit
+
+// From 0 to 1 with the least curvature: two parabolas.
+double eased(double t) { return t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t); }
+
+LaneEnd first_rung(std::uint32_t window, double sense) { return {window, sense < 0}; }
+LaneEnd last_rung(std::uint32_t window, double sense) { return {window, sense > 0}; }
+
+std::uint32_t cut(Weave& weave, const Rungs& r, std::size_t k) {
+    const double a = r.ways.front()[k], b = r.ways.back()[k];
+    return r.sense[k] > 0 ? weave.cut(r.lane[k], a, b) : weave.cut(r.lane[k], b, a);
+}
+
+// From lane u0 to lane u1 between the rungs v0 and v1.
+std::vector<Vec2> change(const Rungs& r, double u0, double u1, double v0, double v1) {
+    std::vector<Vec2> out;
+    const int n = std::max(2, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
+    for (int i = 0; i <= n; ++i) {
+        const double t = static_cast<double>(i) / n, v = v0 + t * (v1 - v0);
+        out.push_back({u0 + (u1 - u0) * eased(v / r.last()), v});
+    }
+    return out;
+}
+
+std::vector<Vec2> straight(double u, double v0, double v1) {
+    std::vector<Vec2> out;
+    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(v1 - v0) * kPoints)));
+    for (int i = 0; i <= n; ++i) out.push_back({u, v0 + (v1 - v0) * i / n});
+    return out;
+}
+
+} // namespace
+
+namespace {
+
+// What follows rung `i` on its lanes, rung by rung, but for itself; at least rung `i`.
+std::vector<Rung> run_from(const Lanes& lanes, std::span<const Rung> rungs, std::size_t i, double step) {
+    const std::size_t n = rungs.size();
+    std::vector<Rung> out{rungs[i]};
+    while (out.size() + 1 < n && follows(lanes, out.back(), rungs[(i + out.size()) % n], step))
+        out.push_back(rungs[(i + out.size()) % n]);
+    return out;
+}
+
+// True if every lane keeps at least as much as it gives up.
+bool fits(const Lanes& lanes, const Rungs& r) {
+    for (std::size_t k = 0; k < r.lanes(); ++k)
+        if (2 * lanes.ahead(r.lane[k], r.ways.front()[k], r.ways.back()[k], r.sense[k]) > lanes.length(r.lane[k]))
+            return false;
+    return true;
+}
+
+// The first rungs of a run: as many as the shortest lane takes to be as long as wanted, if there are so many and every
+// lane has room for them; at least three.
+Rungs first_of(const Lanes& lanes, std::span<const Rung> run, double wanted, double step) {
+    for (std::size_t count = 3;;) {
+        Rungs out = ladder({run.begin(), run.begin() + static_cast<std::ptrdiff_t>(count)}, step);
+        const double l = shortest(lanes, out);
+        if (l >= wanted || count == run.size()) return out;
+        const double more = l > 0 ? wanted / l * static_cast<double>(count) : 0;
+        count = std::min(run.size(), std::max(count + 1, static_cast<std::size_t>(more)));
+    }
+}
+
+// The longest of the ladders over just so many lanes, up to what is wanted; none if all are shorter than they must be.
+Rungs best_ladder(const Lanes& lanes, std::span<const Rung> rungs, double least, double step) {
+    Rungs best;
+    double longest = 0;
+    for (std::size_t i = 0; i < rungs.size();) {
+        if (rungs[i].places.empty()) {
+            ++i;
+            continue;
+        }
+        const auto run = run_from(lanes, rungs, i, step);
+        i += run.size();
+        if (run.size() < 3) continue;
+        Rungs r = first_of(lanes, run, kWanted * least, step);
+        const double l = std::min(shortest(lanes, r), kWanted * least);
+        if (l < least || l <= longest || !fits(lanes, r)) continue;
+        longest = l;
+        best = std::move(r);
+    }
+    return best;
+}
+
+} // namespace
+
+Rungs seam_place(const Lanes& lanes, std::uint32_t start, double least) {
+    const double step = lanes.spacing();
+    const auto n = static_cast<std::size_t>(lanes.length(start) / step);
+    std::vector<Rung> rungs;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        rungs.push_back(rung(lanes, start, step * static_cast<double>(i), 1, kFarthest, lanes.size()));
+        most = std::max(most, rungs.back().places.size());
+    }
+    for (std::size_t count = most; count >= 2; --count) {
+        auto cropped = rungs;
+        for (Rung& r : cropped) {
+            const std::size_t kept = r.places.size() < count ? 0 : count;
+            r.places.resize(kept);
+            r.sense.resize(kept);
+        }
+        if (Rungs best = best_ladder(lanes, cropped, least, step); best.lanes() > 0) return best;
+    }
+    return {};
+}
+
+// From a place on the innermost lane over to the middle between it and itself, and on there as far as there is room for
+// a line; empty if there is none.
+static Line along_ridge(const Lanes& lanes, std::uint32_t lane, double way, double sense) {
+    Line out;
+    const double d = lanes.spacing(), step = 0.3 * d;
+    const Vec3 begin = lanes.tangent(lane, way);
+    for (double on = 0; on < lanes.length(lane) / 2; on += step) {
+        const double here = way + sense * on;
+        const auto over = lanes.across(lane, here, 1, kRidge);
+        if (!over || over->lane != lane || over->distance < kLeastRidge * d) break;
+        if (dot(lanes.tangent(lane, here), begin) < 0) break; // the lane turns round the ridge's end
+        const Line line = surface::curve::join(lanes.surface(), lanes.at(lane, here), lanes.at(lane, over->way));
+        const auto ways = surface::curve::arc_lengths(line);
+        out.places.push_back(
+            surface::curve::at(line, ways, 0.5 * eased(std::min(1.0, on / (kRidgeDrift * d))) * ways.back()));
+    }
+    return surface::curve::threaded(lanes.surface(), out);
+}
+
+void shift(Weave& weave, const Lanes& lanes, const Rungs& r, int by) {
+    const std::size_t n = r.lanes(), s = static_cast<std::size_t>(by);
+    std::vector<std::uint32_t> window;
+    for (std::size_t k = 0; k < n; ++k) window.push_back(cut(weave, r, k));
+    for (std::size_t k = 0; k + s < n; ++k)
+        weave.link(first_rung(window[k], r.sense[k]), last_rung(window[k + s], r.sense[k + s]),
+                   drawn(lanes, r, change(r, static_cast<double>(k), static_cast<double>(k + s), 0, r.last())));
+    const double half = r.last() / 2, end = r.last();
+    weave.tail(last_rung(window[0], r.sense[0]), drawn(lanes, r, straight(0, end, by == 1 ? half : 0.4 * end)));
+    const auto inner = static_cast<double>(n - 1);
+    if (by == 1) {
+        Line end_line = along_ridge(lanes, r.lane[n - 1], r.ways[0][n - 1], r.sense[n - 1]);
+        if (end_line.size() < 2) end_line = drawn(lanes, r, straight(inner, 0, half));
+        weave.tail(first_rung(window[n - 1], r.sense[n - 1]), std::move(end_line));
+        return;
+    }
+    weave.tail(last_rung(window[1], r.sense[1]), drawn(lanes, r, straight(1, end, 0.8 * end)));
+    std::vector<Vec2> turn;
+    const double deep = 0.5 * lanes.spacing() / r.step;
+    for (int i = 0; i <= 24; ++i) {
+        const double a = std::numbers::pi * i / 24;
+        turn.push_back({inner - 0.5 - 0.5 * std::cos(a), deep * std::sin(a)});
+    }
+    weave.link(first_rung(window[n - 2], r.sense[n - 2]), first_rung(window[n - 1], r.sense[n - 1]),
+               drawn(lanes, r, turn));
+}
+
+namespace {
+
+// A place where two lanes may change over into each other.
+struct Changeover {
+    double cost;
+    std::uint32_t a, b;
+    double way, side, gap;
+    double over = -1; // way on the other, if it is known
+};
+
+class Crossover {
+  public:
+    Crossover(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius)
+        : weave_(weave), lanes_(lanes), radius_(radius), sets_(lanes.size()), apart_(lanes.size()) {
+        for (const auto l : merged) unite(l, merged[0]);
+    }
+
+    void run() {
+        find_spots();
+        const auto all = [&](const auto& join) {
+            for (const Changeover& s : spots_)
+                if (apart_ > 1 && find(s.a) != find(s.b) && join(s)) unite(s.a, s.b);
+        };
+        for (const double share : {1.0, 0.5, 0.2}) all([&](const Changeover& s) { return join(s, share * radius_); });
+        for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
+        if (apart_ == 1) return;
+        near_spots();
+        for (const double part : {0.15, 0.05}) all([&](const Changeover& s) { return turn_back(s, part); });
+    }
+
+  private:
+    std::uint32_t find(std::uint32_t l) { return sets_.root(l); }
+    void unite(std::uint32_t a, std::uint32_t b) { apart_ -= sets_.unite(a, b) ? 1 : 0; }
+
+    void find_spots() {
+        spots_across(
+            [&](std::uint32_t l, double way, double side) { return lanes_.across(l, way, side, kFarthestJoined); });
+        sort_spots();
+    }
+    // Adds what `across` finds on either side of each lane, unless both are joined.
+    template <class Across>
+    void spots_across(const Across& across) {
+        const double d = lanes_.spacing();
+        for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
+            const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.5 * d)));
+            for (std::size_t i = 0; i < n; ++i) {
+                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                for (const double side : {1.0, -1.0})
+                    if (const auto next = across(l, way, side); next && find(next->lane) != find(l))
+                        add(l, way, side, *next);
+            }
+        }
+    }
+    // Whatever lies near what it is not joined to, in whichever direction.
+    void near_spots() {
+        const double d = lanes_.spacing();
+        spots_.clear();
+        for (std::uint32_t l = 0; l < lanes_.size(); ++l) {
+            const auto n = static_cast<std::size_t>(std::ceil(lanes_.length(l) / (0.2 * d)));
+            for (std::size_t i = 0; i < n; ++i) {
+                const double way = lanes_.length(l) * static_cast<double>(i) / static_cast<double>(n);
+                const auto other = [&](std::uint32_t o, double) { return find(o) != find(l); };
+                for (const double reach : {1.0, 2.0, kFarthestJoined})
+                    if (const auto near = lanes_.nearest(lanes_.at(l, way), reach * d, other)) {
+                        spots_.push_back({near->distance, l, near->lane, way, 0, near->distance, near->way});
+                        break;
+                    }
+            }
+        }
+        sort_spots();
+    }
+    void sort_spots() {
+        std::sort(spots_.begin(), spots_.end(), [](const Changeover& a, const Changeover& b) {
+            return std::tie(a.cost, a.a, a.way, a.side) < std::tie(b.cost, b.a, b.way, b.side);
+        });
+    }
+    void add(std::uint32_t l, double way, double side, const LanePlace& next) {
+        const double gap = next.distance / lanes_.spacing();
+        const double bend = std::max(lanes_.curvature(l, way), lanes_.curvature(next.lane, next.way));
+        spots_.push_back({std::abs(gap - 1) + 4 * bend * lanes_.spacing(), l, next.lane, way, side, next.distance, -1});
+    }
+
+    // Where there is no room for that: each turns back into the other, twice.
+    bool turn_back(const Changeover& s, double part) {
+        const double d = lanes_.spacing(), half = part * d;
+        double there = s.over;
+        if (there < 0) {
+            const auto over = lanes_.across(s.a, s.way, s.side, std::max(1.7, s.gap / d + 0.7));
+            if (!over || over->lane != s.b) return false;
+            there = over->way;
+        }
+        const double sense = dot(lanes_.tangent(s.a, s.way), lanes_.tangent(s.b, there)) > 0 ? 1 : -1;
+        for (const auto& [lane, way] : {std::pair{s.a, s.way}, std::pair{s.b, there}})
+            if (!weave_.free(lane, way - half, way + half, half)) return false;
+        Line links[2];
+        for (const int k : {0, 1}) {
+            const double end = k == 0 ? -half : half;
+            links[k] = surface::curve::join(lanes_.surface(), lanes_.at(s.a, s.way + end),
+                                            lanes_.at(s.b, there + end * sense));
+            if (!surface::curve::leads(lanes_.surface(), links[k])) return false;
+        }
+        const std::uint32_t a = weave_.cut(s.a, s.way - half, s.way + half);
+        const std::uint32_t b = weave_.cut(s.b, there - half, there + half);
+        for (const int k : {0, 1}) weave_.link({a, k == 1}, {b, (k == 1) == (sense > 0)}, std::move(links[k]));
+        return true;
+    }
+
+    bool join(const Changeover& s, double radius) {
+        const double long_ = 2.1 * std::sqrt(radius * s.gap), d = lanes_.spacing();
+        const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(long_ / (0.25 * d))));
+        const double step = long_ / static_cast<double>(n);
+        if (long_ > 0.7 * std::min(lanes_.length(s.a), lanes_.length(s.b))) return false;
+        std::vector<Rung> rungs;
+        for (std::size_t i = 0; i <= n; ++i) {
+            const double way = s.way + step * (static_cast<double>(i) - static_cast<double>(n) / 2);
+            rungs.push_back(rung(lanes_, s.a, way, s.side, std::max(1.7, s.gap / d + 0.7), 2));
+            if (rungs[i].places.size() < 2 || rungs[i].places[1].lane != s.b) return false;
+            if (i > 0 && !follows(lanes_, rungs[i - 1], rungs[i], step)) return false;
+        }
+        const Rungs r = ladder(rungs, step);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double a = r.ways.front()[k], b = r.ways.back()[k];
+            if (!(r.sense[k] > 0 ? weave_.free(r.lane[k], a, b, kMargin * d)
+                                 : weave_.free(r.lane[k], b, a, kMargin * d)))
+                return false;
+        }
+        const std::uint32_t w[2] = {cut(weave_, r, 0), cut(weave_, r, 1)};
+        weave_.link(first_rung(w[0], r.sense[0]), last_rung(w[1], r.sense[1]),
+                    drawn(lanes_, r, change(r, 0, 1, 0, r.last())));
+        weave_.link(first_rung(w[1], r.sense[1]), last_rung(w[0], r.sense[0]),
+                    drawn(lanes_, r, change(r, 1, 0, 0, r.last())));
+        return true;
+    }
+
+    Weave& weave_;
+    const Lanes& lanes_;
+    double radius_;
+    geom::DisjointSets sets_;
+    std::size_t apart_;
+    std::vector<Changeover> spots_;
+};
+
+} // namespace
+
+void cross_over(Weave& weave, const Lanes& lanes, const std::vector<std::uint32_t>& merged, double radius) {
+    Crossover(weave, lanes, merged, radius).run();
+}
+
+} // namespace filum::surfpath::lanes

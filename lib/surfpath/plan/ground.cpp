@@ -1,0 +1,94 @@
+#include "surfpath/plan/ground.hpp"
+
+#include "surface/curve/strip.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace filum::surfpath::plan {
+
+namespace {
+
+constexpr double kOff = 0.01;     // mm
+constexpr double kRoundabout = 2; // straight distances: no longer is the way between two places
+constexpr double kSame = 1e-6;    // mm: places that are one
+
+double off_line(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 d = b - a;
+    const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
+    return distance(p, a + t * d);
+}
+
+enum class Step { whole, bent, none };
+
+// How the surface leads from one place to the next; `way`: the places between if it is bent.
+Step step(const Surface& s, const Place& a, const Place& b, Line& way) {
+    if (surface::curve::lies_in(s, a.triangle, b.point) || distance(a.point, b.point) < kSame) return Step::whole;
+    way = surface::curve::join(s, a, b);
+    if (!surface::curve::leads(s, way)) { // as over a crease
+        const double longest = kRoundabout * distance(a.point, b.point);
+        way = surface::curve::through_strip(s, a, b, longest);
+        if (way.size() == 0 || surface::curve::length(way) > longest) return Step::none;
+    }
+    double most = 0;
+    for (const Place& p : way.places) most = std::max(most, off_line(p.point, a.point, b.point));
+    return most > kOff ? Step::bent : Step::whole;
+}
+
+struct Breaks {
+    std::size_t count = 0;
+    double longest = 0; // mm
+    Vec3 at;
+};
+
+// The stroke in pieces that hang together.
+std::vector<Stroke> parted(const Surface& s, const Stroke& stroke, Breaks& breaks) {
+    std::vector<Stroke> out(1);
+    std::optional<Place> before;
+    for (const Piece& piece : stroke.pieces) {
+        Piece now{{}, piece.hairpin};
+        const auto close = [&] {
+            if (now.line.size() > 1) out.back().pieces.push_back(now);
+            now.line.places.clear();
+        };
+        for (const Place& given : piece.line.places) {
+            const Place p = surface::curve::settled(s, given);
+            Line way;
+            const Step to = before ? step(s, *before, p, way) : Step::whole;
+            if (to == Step::none) {
+                const double l = distance(before->point, p.point);
+                if (l > breaks.longest) {
+                    breaks.longest = l;
+                    breaks.at = before->point;
+                }
+                ++breaks.count;
+                close();
+                if (!out.back().pieces.empty()) out.emplace_back();
+            }
+            if (to == Step::bent)
+                now.line.places.insert(now.line.places.end(), way.places.begin() + 1, way.places.end() - 1);
+            now.line.places.push_back(p);
+            before = p;
+        }
+        close();
+    }
+    if (out.back().pieces.empty()) out.pop_back();
+    return out;
+}
+
+} // namespace
+
+std::size_t keep_to_surface(const Surface& s, Plan& plan) {
+    Breaks breaks;
+    std::vector<Stroke> kept;
+    for (const Stroke& stroke : plan.strokes)
+        for (Stroke& part : parted(s, stroke, breaks)) kept.push_back(std::move(part));
+    plan.strokes = std::move(kept);
+    if (breaks.count > 0)
+        plan.notes.push_back({"", "no way on along the surface: cut", breaks.longest, "mm", breaks.count, -1,
+                              breaks.at.x, breaks.at.y, breaks.at.z});
+    return breaks.count;
+}
+
+} // namespace filum::surfpath::plan

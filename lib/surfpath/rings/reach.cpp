@@ -1,0 +1,257 @@
+#include "surfpath/rings/reach.hpp"
+
+#include "geodesic/isolines.hpp"
+#include "geodesic/query.hpp"
+#include "geom/disjoint_sets.hpp"
+#include "geom/point_grid.hpp"
+#include "surface/finer.hpp"
+#include "surfpath/plan/samples.hpp"
+#include "surfpath/rings/rounding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace filum::surfpath::rings {
+
+namespace {
+
+using surface::kNone;
+
+constexpr double kEdge = 0.5;               // spacings: sides of triangles that are told apart
+constexpr std::size_t kMostParts = 300'000; // triangles; larger ones only weaken the bound
+constexpr double kWithin = 0.58;            // edges: no place of a triangle is farther from all of its corners
+constexpr double kTried = 1.0 / 6;          // spacings between places that are tried
+constexpr double kToldOut = 0.01;           // of the surface
+constexpr double kOutOfReach = std::numeric_limits<double>::infinity();
+
+// Radians by which the triangles about each vertex within the surface fall short of a full turn.
+std::vector<double> defects(const Surface& s) {
+    std::vector<double> out(s.vertices.size(), 0);
+    for (std::uint32_t v = 0; v < out.size(); ++v) {
+        if (s.on_rim(v)) continue;
+        out[v] = 2 * std::numbers::pi;
+        surface::each_outgoing(s, v, [&](std::uint32_t h) {
+            const Vec3 a = s.vertices[s.head(h)] - s.vertices[v];
+            const Vec3 b = s.vertices[s.tail(surface::prev(h))] - s.vertices[v];
+            out[v] -= std::atan2(norm(cross(a, b)), dot(a, b));
+        });
+    }
+    return out;
+}
+
+// mm: of a circle that bends by 1 / radius along a ball that is as much bent as the surface is in any disc of that
+// radius near a rim.
+double on_ball(const Surface& s, std::span<const double> from_rim, double radius, double near) {
+    const auto bent = defects(s);
+    const geom::PointGrid<Vec3> grid(s.vertices, radius);
+    double most = 0;
+    for (std::uint32_t v = 0; v < bent.size(); ++v) {
+        if (!(from_rim[v] <= near)) continue;
+        double sum = 0;
+        grid.near(s.vertices[v], 1, [&](std::uint32_t w) {
+            if (distance(s.vertices[w], s.vertices[v]) <= radius) sum += bent[w];
+        });
+        most = std::max(most, sum);
+    }
+    const double x = std::sqrt(most / std::numbers::pi); // radii of the disc over one of the ball
+    return x > 0 ? radius * std::atan(x) / x : radius;
+}
+
+enum class Kind : std::uint8_t { margin, open, narrow }; // nearer to the rim; where discs are; what is left
+
+class Reaching {
+  public:
+    Reaching(const Surface& s, double spacing, double radius)
+        : s_(s), half_(spacing / 2), edge_(surface::longest_edge(s)), slack_(kWithin * edge_), radius_(radius) {
+        const auto from = geodesic::exact(s, surface::rim_sources(s), half_ + 2 * radius + 2 * edge_);
+        ground_ = from.ground;
+        radius_ = on_ball(s, from.distance, radius, half_ + 2 * radius);
+        find_open(from);
+        find_kinds(from.distance);
+        find_dead();
+        find_beside();
+    }
+
+    [[nodiscard]] Reach run() const {
+        Reach out;
+        std::vector<double> bare(sizes_.size(), 0);
+        std::vector<std::uint32_t> first(sizes_.size(), kNone); // triangle that is bare all over
+        for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) {
+            const double area = surface::area(s_, t), in = covered(t, area);
+            out.surface += area;
+            out.reached += in;
+            if (piece_[t] == kNone || dead_[piece_[t]] == 0) continue;
+            bare[piece_[t]] += area - in;
+            if (in == 0) first[piece_[t]] = std::min(first[piece_[t]], t);
+        }
+        for (std::uint32_t p = 0; p < bare.size(); ++p) {
+            out.dead += first[p] != kNone ? 1 : 0;
+            if (first[p] == kNone || !(bare[p] > out.largest)) continue;
+            out.largest = bare[p];
+            const auto& [a, b, c] = s_.triangles[first[p]];
+            out.at = 1.0 / 3 * (s_.vertices[a] + s_.vertices[b] + s_.vertices[c]);
+        }
+        return out;
+    }
+
+  private:
+    // What is not farther from where the middles of discs may be than their radius.
+    void find_open(const geodesic::ExactField& from) {
+        const double level = half_ + radius_;
+        const double levels[] = {level};
+        const auto lines = geodesic::isolines(s_, from, levels);
+        std::vector<const Isoline*> all;
+        all.reserve(lines.size());
+        for (const Isoline& l : lines) all.push_back(&l);
+        if (all.empty())
+            off_.distance.assign(s_.vertices.size(), kOutOfReach);
+        else
+            off_ = geodesic::exact(s_, as_sources(all), radius_ + std::max(half_, slack_) + 2 * edge_, from.ground,
+                                   geodesic::beyond(s_, from.distance, level + edge_)); // within there it is not asked
+        field_ = !all.empty();
+        inside_.resize(s_.vertices.size());
+        for (std::size_t v = 0; v < inside_.size(); ++v) inside_[v] = from.distance[v] >= level ? 1 : 0;
+    }
+    [[nodiscard]] double off(std::uint32_t v) const { return inside_[v] != 0 ? 0 : off_.distance[v]; }
+
+    void find_kinds(std::span<const double> from_rim) {
+        for (const auto& corners : s_.triangles) {
+            double least = kOutOfReach, most = 0;
+            for (const std::uint32_t v : corners) {
+                least = std::min(least, off(v));
+                most = std::max(most, from_rim[v]);
+            }
+            kind_.push_back(least <= radius_ + slack_ ? Kind::open
+                            : most < half_ - slack_   ? Kind::margin
+                                                      : Kind::narrow);
+        }
+        geom::DisjointSets sets(s_.triangles.size());
+        for (std::uint32_t h = 0; h < s_.twin.size(); ++h)
+            if (joined(h)) sets.unite(h / 3, s_.twin[h] / 3);
+        std::vector<std::uint32_t> number(s_.triangles.size(), kNone);
+        piece_.assign(s_.triangles.size(), kNone);
+        for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) {
+            if (kind_[t] != Kind::narrow) continue;
+            std::uint32_t& own = number[sets.root(t)];
+            if (own == kNone) {
+                own = static_cast<std::uint32_t>(sizes_.size());
+                sizes_.push_back({});
+            }
+            piece_[t] = own;
+        }
+    }
+    [[nodiscard]] bool joined(std::uint32_t h) const {
+        return s_.twin[h] != kNone && kind_[h / 3] == Kind::narrow && kind_[s_.twin[h] / 3] == Kind::narrow;
+    }
+
+    // A piece is a dead end if it is a disc whose border is one loop with one stretch of what is open at most, and some
+    // of what is not.
+    void find_dead() {
+        std::vector<std::set<std::uint32_t>> corners(sizes_.size());
+        for (std::uint32_t t = 0; t < s_.triangles.size(); ++t) {
+            if (piece_[t] == kNone) continue;
+            ++sizes_[piece_[t]].euler;
+            corners[piece_[t]].insert(s_.triangles[t].begin(), s_.triangles[t].end());
+        }
+        std::vector<char> seen(s_.twin.size(), 0);
+        for (std::uint32_t h = 0; h < s_.twin.size(); ++h) {
+            if (piece_[h / 3] == kNone) continue;
+            Size& own = sizes_[piece_[h / 3]];
+            if (!joined(h) || h < s_.twin[h]) --own.euler;
+            if (!joined(h) && seen[h] == 0) walk(h, seen, own);
+        }
+        for (std::size_t p = 0; p < sizes_.size(); ++p) {
+            const Size& own = sizes_[p];
+            const long euler = own.euler + static_cast<long>(corners[p].size());
+            dead_.push_back(own.loops == 1 && own.mouths <= 1 && own.closed && euler == 1 ? 1 : 0);
+        }
+    }
+    struct Size {
+        long euler = 0; // triangles - edges
+        int loops = 0, mouths = 0;
+        bool closed = false; // there is a stretch of what is not open
+    };
+    // Round the loop of the border that half-edge `first` is part of.
+    void walk(std::uint32_t first, std::vector<char>& seen, Size& own) const {
+        const auto opens = [&](std::uint32_t h) { return s_.twin[h] != kNone && kind_[s_.twin[h] / 3] == Kind::open; };
+        ++own.loops;
+        int mouths = 0;
+        bool closed = false;
+        for (std::uint32_t h = first; seen[h] == 0;) {
+            seen[h] = 1;
+            std::uint32_t to = surface::next(h);
+            while (joined(to)) to = surface::next(s_.twin[to]);
+            mouths += opens(to) && !opens(h) ? 1 : 0;
+            closed |= !opens(h);
+            h = to;
+        }
+        own.mouths += mouths;
+        own.closed |= closed;
+    }
+
+    // Distances from the pieces that are no dead ends.
+    void find_beside() {
+        surface::Sources from;
+        for (std::uint32_t t = 0; t < s_.triangles.size(); ++t)
+            if (piece_[t] != kNone && dead_[piece_[t]] == 0)
+                from.vertices.insert(from.vertices.end(), s_.triangles[t].begin(), s_.triangles[t].end());
+        std::sort(from.vertices.begin(), from.vertices.end());
+        from.vertices.erase(std::unique(from.vertices.begin(), from.vertices.end()), from.vertices.end());
+        beside_.assign(s_.vertices.size(), kOutOfReach);
+        if (!from.empty()) beside_ = geodesic::exact(s_, from, half_ + slack_ + edge_, ground_).distance;
+    }
+
+    // mm2 of a triangle.
+    [[nodiscard]] double covered(std::uint32_t t, double area) const {
+        const double reach = radius_ + std::max(half_, slack_);
+        double least = kOutOfReach, most = 0;
+        for (const std::uint32_t v : s_.triangles[t]) {
+            if (beside_[v] <= half_ + slack_) return area;
+            least = std::min(least, off(v));
+            most = std::max(most, off(v));
+        }
+        if (most <= reach - edge_) return area;
+        if (least > reach + edge_ || !field_) return 0;
+        double in = 0;
+        plan::each_sample(s_, t, 2 * half_ * kTried, [&](const plan::Sample& p) {
+            if (geodesic::distance_at(s_, off_, t, p.p) <= reach) in += p.area;
+        });
+        return in;
+    }
+
+    const Surface& s_;
+    double half_, edge_, slack_, radius_; // mm; half of the spacing
+    std::shared_ptr<const geodesic::Ground> ground_;
+    geodesic::ExactField off_;         // from the border of where discs' middles may be
+    bool field_ = false;               // there is such a border
+    std::vector<char> inside_;         // per vertex: within that
+    std::vector<Kind> kind_;           // per triangle
+    std::vector<std::uint32_t> piece_; // per triangle: of those that are narrow
+    std::vector<Size> sizes_;          // per piece
+    std::vector<char> dead_;
+    std::vector<double> beside_; // per vertex
+};
+
+} // namespace
+
+Reach reach(const Surface& s, double spacing, double radius) {
+    if (s.rims.empty() || !(radius > 0)) {
+        const double all = surface::area(s);
+        return {all, all, 0, 0, {}};
+    }
+    const auto fine = surface::finer(s, kEdge * spacing, std::max(kMostParts, s.triangles.size()));
+    return Reaching(fine.surface, spacing, radius).run();
+}
+
+void tell_reach(const Reach& r, plan::Plan& plan) {
+    plan.facts.push_back({"", "rings-bound", r.share(), ""});
+    if (r.surface - r.reached > kToldOut * r.surface)
+        plan.notes.push_back({"", "out of reach of rings of the least radius", r.surface - r.reached, "mm2", r.dead, -1,
+                              r.at.x, r.at.y, r.at.z});
+}
+
+} // namespace filum::surfpath::rings

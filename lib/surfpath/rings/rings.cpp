@@ -1,0 +1,200 @@
+#include "surfpath/rings/rings.hpp"
+
+#include "base/error.hpp"
+#include "geodesic/beyond.hpp"
+#include "geodesic/exact.hpp"
+#include "geodesic/query.hpp"
+#include "parallel/parallel.hpp"
+#include "surfpath/rings/levels.hpp"
+#include "surfpath/rings/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace filum::surfpath::rings {
+
+namespace {
+
+using surface::kNone;
+
+constexpr double kOfRidge = 0.9;  // of the way to the ridge that a turn of a ring takes, where the ridge is near
+constexpr double kRounder = 1.08; // least radii: what corners are rounded by, so that little remains to be eased
+constexpr double kScales[] = {1, 0.65, 0.4, 0.2}; // of the least radius, that corners are rounded by
+constexpr double kGains[] = {1,   1.3, 1.7, 2,  2.3,
+                             2.6, 2.9, 3.2, 3.5};   // least radii of length for a radian of tight turn
+constexpr double kTightPart = 0.01, kTighter = 0.8; // of the length, may turn tighter by so much on average
+constexpr double kFall = 1.1;                       // spacings that radii may fall by from one level to the next
+constexpr double kFarthestPlace = 1e4;              // spacings from the sources to the farthest place
+constexpr double kTightest = 0.3;                   // spacings: no ring turns tighter
+
+// The sources, and all sides of rims that are none yet.
+surface::Sources all_sources(const surface::Sheet& sheet) {
+    const Surface& s = sheet.surface;
+    surface::Sources out = sheet.sources;
+    const auto key = [](const surface::Segment& g) {
+        return std::tie(g.triangle, g.a.x, g.a.y, g.a.z, g.b.x, g.b.y, g.b.z);
+    };
+    const auto less = [&](const surface::Segment& x, const surface::Segment& y) { return key(x) < key(y); };
+    auto have = out.segments;
+    std::sort(have.begin(), have.end(), less);
+    for (const surface::Segment& side : surface::rim_sources(s).segments)
+        if (!std::binary_search(have.begin(), have.end(), side, less)) out.segments.push_back(side);
+    return out;
+}
+
+class Making {
+  public:
+    Making(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes)
+        : s_(sheet.surface), field_(geodesic::exact(s_, all_sources(sheet))), least_(kRounder * limits.least_radius),
+          d_(limits.spacing) {
+        if (geodesic::farthest(s_, field_) > kFarthestPlace * d_)
+            throw Error(Exit::usage, "cannot lay more than 10000 rings inside each other; raise --spacing");
+        levels_ = levels(s_, field_, {d_, least_, limits.ridge}, facts, notes);
+    }
+
+    Rings run() {
+        const Rounding rounding(s_, field_, least_, d_);
+        find_batches(rounding);
+        const double gain = affordable(rounding);
+        each([&](Batch& b) { rounding.finish(b, gain, floor_.at(b.ring)); });
+        Rings out;
+        for (auto& b : batches_)
+            for (auto& line : b.lines) {
+                out.lines.push_back(std::move(line));
+                out.level.push_back(b.ring);
+                out.radius.push_back(b.radii[0]);
+            }
+        return out;
+    }
+
+  private:
+    template <class F>
+    void each(const F& f) {
+        parallel::for_chunks(batches_.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) f(batches_[i]);
+        });
+    }
+
+    // Rings by level, those within low ridges apart.
+    void find_batches(const Rounding& rounding) {
+        std::vector<std::vector<Batch>> found(levels_.at.size());
+        parallel::for_chunks(found.size(), 1, 0, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) found[i] = batches_at(static_cast<std::uint32_t>(i), rounding);
+        });
+        for (auto& level : found) std::move(level.begin(), level.end(), std::back_inserter(batches_));
+    }
+
+    // The batches of one level, by the parts of the surface that their rings go round.
+    [[nodiscard]] std::vector<Batch> batches_at(std::uint32_t number, const Rounding& rounding) const {
+        const double level = levels_.at[number];
+        const std::uint32_t ring = levels_.ring[number];
+        const geodesic::Beyond beyond(s_, field_, level);
+        std::vector<Batch> out;
+        std::vector<std::vector<std::uint32_t>> parts; // per batch
+        Batch high{level, ring, {}, {}};
+        std::vector<std::uint32_t> high_parts;
+        for (const double share : kScales) high.radii.push_back(share * least_);
+        const auto own_lines = std::equal_range(levels_.of.begin(), levels_.of.end(), number);
+        const auto line = [&](auto at) { return static_cast<std::size_t>(at - levels_.of.begin()); };
+        for (std::size_t i = line(own_lines.first); i < line(own_lines.second); ++i) {
+            const std::uint32_t part = beyond.part(levels_.begins[i]);
+            if (part == kNone) continue;
+            const double rise = beyond.highest(part) - level, radius = kOfRidge * rise;
+            if (rise > least_) {
+                high.outer.push_back(&levels_.lines[i]);
+                high_parts.push_back(part);
+                continue;
+            }
+            if (radius < kTightest * d_) continue;
+            const auto own =
+                static_cast<std::size_t>(std::find(parts.begin(), parts.end(), std::vector{part}) - parts.begin());
+            if (own == parts.size()) {
+                parts.push_back({part});
+                out.push_back({level, ring, {}, {radius, 0.6 * radius, 0.35 * radius, 0.2 * least_}});
+            }
+            out[own].outer.push_back(&levels_.lines[i]);
+        }
+        if (!high.outer.empty()) {
+            out.push_back(std::move(high));
+            parts.push_back(std::move(high_parts));
+        }
+        Farther farther;
+        for (std::size_t b = 0; b < out.size(); ++b)
+            rounding.prepare(out[b], [&](double r) { return within(beyond, parts[b], level + r, farther); });
+        return out;
+    }
+
+    // Isolines by their level, and where they begin; few of the radii are asked for.
+    struct Lines {
+        std::vector<Isoline> lines{};
+        std::vector<geodesic::OnEdge> begins{};
+    };
+    using Farther = std::map<double, Lines>;
+    [[nodiscard]] std::vector<const Isoline*> within(const geodesic::Beyond& beyond,
+                                                     const std::vector<std::uint32_t>& parts, double level,
+                                                     Farther& farther) const {
+        const auto [at, fresh] = farther.try_emplace(level);
+        Lines& found = at->second;
+        if (fresh) found.lines = geodesic::isolines(s_, field_, {&level, 1}, &found.begins);
+        std::vector<const Isoline*> out;
+        for (std::size_t i = 0; i < found.lines.size(); ++i)
+            if (found.lines[i].closed &&
+                std::find(parts.begin(), parts.end(), beyond.part(found.begins[i])) != parts.end())
+                out.push_back(&found.lines[i]);
+        return out;
+    }
+
+    // How much too tight all turn, rad; finds the floors.  From one level to the next radii may fall by a spacing, or a
+    // tip would reach over the one outside of it.
+    double tight(const Rounding& rounding, double gain) {
+        std::map<std::uint32_t, std::vector<const Batch*>> rings;
+        for (const Batch& b : batches_) rings[b.ring].push_back(&b);
+        double out = 0, before = least_;
+        floor_.clear();
+        for (const auto& [ring, own] : rings) {
+            const double floor = floor_[ring] = before - kFall * d_;
+            before = least_;
+            for (const Batch* b : own) {
+                const auto turns = rounding.turns(*b, gain, floor);
+                out += turns.tight;
+                before = std::min(before, turns.least);
+            }
+        }
+        return out;
+    }
+
+    // The least gain that is taken for tight turns, so that they do not make the tightest part of the path much
+    // tighter.
+    [[nodiscard]] double affordable(const Rounding& rounding) {
+        double length = 0;
+        for (const auto& line : levels_.lines) length += surface::curve::length(surface::curve::line(line));
+        const double most = kTightPart * length * kTighter / least_;
+        for (const double gain : kGains)
+            if (tight(rounding, gain) <= most) return gain;
+        return kGains[std::size(kGains) - 1];
+    }
+
+    const Surface& s_;
+    ExactField field_;
+    double least_, d_;
+    Levels levels_;
+    std::vector<Batch> batches_;
+    std::map<std::uint32_t, double> floor_; // mm: per number of a ring, the least radius
+};
+
+} // namespace
+
+Rings rings(const surface::Sheet& sheet, const RingLimits& limits, Facts& facts, Notes& notes) {
+    Rings out = Making(sheet, limits, facts, notes).run();
+    if (out.lines.empty())
+        throw Error(
+            Exit::bad_input,
+            "cannot lay a ring: nowhere between the sources is there room for one, half a spacing from them and round "
+            "a third of one; lower --spacing");
+    facts.push_back({"", "rings", static_cast<double>(out.lines.size()), ""});
+    return out;
+}
+
+} // namespace filum::surfpath::rings

@@ -1,0 +1,282 @@
+#include "surfpath/rows/loops.hpp"
+
+#include "geom/point_grid.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
+#include "surfpath/lanes/seam.hpp"
+#include "surfpath/rows/exchange.hpp"
+#include "surfpath/rows/splice.hpp"
+#include "surfpath/rows/winding.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace filum::surfpath::rows {
+
+namespace {
+
+constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
+constexpr double kTurnsTake = 2;            // radii: what turns may take of the ends of rows
+
+// Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
+// the line beside it, each costs a join, as much as shifts that cross at most.  So long chains are spirals, and those
+// that are all there is, which need no cut.
+std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std::size_t> chain, const Loops& o) {
+    std::map<std::uint32_t, std::size_t> in_component;
+    const auto component = [&](std::size_t i) { return s.component[found.rows[i].line.places[0].triangle]; };
+    for (std::size_t i = 0; i < chain.size(); ++i) ++in_component[component(i)];
+    std::vector<char> out;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+        out.push_back(chain[i] > 0 && (chain[i] == in_component[component(i)] ||
+                                       kCrossingWastes * o.spacing * static_cast<double>(chain[i]) > o.cut)
+                          ? 1
+                          : 0);
+    return out;
+}
+
+// Gives closed rows the levels by which wind() finds them; how many each row's chain has.
+std::vector<std::size_t> level_rows(const Surface& s, Rows& found, double spacing) {
+    std::vector<Raw> rings;
+    for (std::size_t i = 0; i < found.rows.size(); ++i)
+        rings.push_back({std::move(found.rows[i].line), spacing * static_cast<double>(i)});
+    auto out = level_rings(s, rings, spacing);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        found.rows[i].line = std::move(rings[i].line);
+        found.rows[i].level = rings[i].level;
+    }
+    return out;
+}
+
+constexpr double kLookGrain = 0.5; // spacings, between places that are looked at
+constexpr double kLaid = 0.5;      // spacings: what is nearer to a row lies half on it
+
+// Where rows lie.
+class Laid {
+  public:
+    Laid(const Rows& rows, double spacing) : spacing_(spacing) {
+        for (const Row& row : rows.rows)
+            for (const Place& p : surface::curve::resampled(row.line, kLookGrain * spacing / 2).places)
+                points_.push_back(p.point);
+        grid_ = geom::PointGrid<Vec3>(points_, kLaid * spacing);
+    }
+
+    // How much of a line would lie on rows, mm.
+    [[nodiscard]] double on_rows(const Line& line) const {
+        double out = 0;
+        for (const Place& p : surface::curve::resampled(line, kLookGrain * spacing_).places) {
+            bool near = false;
+            grid_.near(p.point, 1,
+                       [&](std::uint32_t i) { near = near || distance(points_[i], p.point) < kLaid * spacing_; });
+            out += near ? kLookGrain * spacing_ : 0;
+        }
+        return out;
+    }
+
+  private:
+    double spacing_;
+    std::vector<Vec3> points_;
+    geom::PointGrid<Vec3> grid_;
+};
+
+// The way along the ring from a row's end on to its begin: of both the one that lies less on rows; of equal ones the
+// shorter.
+Line way_back(const Surface& s, const Row& row, const Inset& inset, const Laid& laid) {
+    const Line& ring = inset.rings[row.end.ring];
+    const auto& ways = inset.ways[row.end.ring];
+    const double from = row.end.way, to = row.begin.way, all = ways.back();
+    Line ahead = surface::curve::part(ring, ways, from, to < from ? to + all : to);
+    Line back = surface::curve::part(ring, ways, to, from < to ? from + all : from);
+    surface::curve::reverse(back);
+    const auto cost = [&](const Line& l) { return std::pair(laid.on_rows(l), surface::curve::length(l)); };
+    return surface::curve::threaded(s, cost(ahead) <= cost(back) ? ahead : back);
+}
+
+Line closed_by(const Surface& s, const Row& row, const Line& way, const Inset& inset, double radius) {
+    Line out = row.line;
+    surface::curve::append(out, way);
+    out.places.pop_back(); // the first one again
+    out.closed = true;
+    return surface::curve::ease(s, out, {.radius = radius, .corridor = inset.margin / 2}).line;
+}
+
+// Per row that is left, as it was before if it was closed by a way that lies on rows for the most part; else empty.
+std::vector<Row> close_rows(const Surface& s, Rows& rows, const Loops& o) {
+    const Laid laid(rows, o.spacing);
+    std::vector<std::size_t> ends(rows.inset.rings.size(), 0);
+    for (const Row& row : rows.rows)
+        if (!row.line.closed)
+            for (const RingPlace* p : {&row.begin, &row.end})
+                if (p->ring != surface::kNone) ++ends[p->ring];
+    std::vector<Row> kept, before;
+    for (Row& row : rows.rows) {
+        Row open;
+        const std::uint32_t ring = row.begin.ring;
+        const bool comes_back =
+            !row.line.closed && ring != surface::kNone && ring == row.end.ring && rows.inset.rings[ring].closed;
+        const double l = surface::curve::length(row.line);
+        if (comes_back && l >= 2 * o.radius) {
+            const Line way = way_back(s, row, rows.inset, laid);
+            const double twice = laid.on_rows(way);
+            Line loop = closed_by(s, row, way, rows.inset, o.radius);
+            if (twice <= o.cut && (ends[ring] <= 2 || surface::curve::length(loop) - l <= 2 * o.radius)) {
+                if (2 * twice > surface::curve::length(way)) open = row;
+                row.line = std::move(loop);
+                row.begin = row.end = {};
+            }
+        } else if (comes_back && ends[ring] <= 2) {
+            rows.drop(row.line);
+            continue;
+        }
+        kept.push_back(std::move(row));
+        before.push_back(std::move(open));
+    }
+    rows.rows = std::move(kept);
+    return before;
+}
+
+// Closed rows that are all of a component and lie within each other, as a spiral that goes over from each to the next
+// at one seam: it begins with all of the first and ends with all of the last.  Where no seam leads over all they stay,
+// from the shorter end on: where wind() begins it leaves a wedge of half a lap bare.
+void spiral(const Surface& s, Rows& rows, const Loops& o) {
+    std::map<std::uint32_t, std::vector<std::size_t>> in_component;
+    for (std::size_t i = 0; i < rows.rows.size(); ++i)
+        in_component[s.component[rows.rows[i].line.places[0].triangle]].push_back(i);
+    for (const auto& [component, which] : in_component) {
+        std::vector<Line> lines;
+        for (const std::size_t i : which)
+            if (rows.rows[i].line.closed) lines.push_back(rows.rows[i].line);
+        if (lines.size() < std::max<std::size_t>(2, which.size())) continue;
+        if (surface::curve::length(lines.front()) > surface::curve::length(lines.back()))
+            for (const std::size_t i : which) rows.rows[i].level *= -1;
+        const lanes::Lanes lanes(s, lines, o.spacing);
+        lanes::Weave weave(lanes);
+        const lanes::Rungs seam = lanes::seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
+        if (seam.lanes() < lines.size()) continue;
+        lanes::shift(weave, lanes, seam, 1);
+        auto courses = weave.courses();
+        if (courses.size() != 1 || courses[0].closed) continue;
+        rows.rows[which[0]].line = std::move(courses[0].line);
+        for (std::size_t i = 1; i < which.size(); ++i) rows.rows[which[i]].line.places.clear();
+    }
+    std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
+}
+
+// Closed ones part of what lies beside them, without a crossing where that can be.
+Joined join(const Surface& s, std::vector<Line>& lines, const std::vector<char>& keep, double ends, const Loops& o) {
+    Joined out;
+    const auto cross = [&](double radius) {
+        const auto more = splice_loops(s, lines, keep, o.spacing, radius);
+        out.crossed.insert(out.crossed.end(), more.begin(), more.end());
+    };
+    if (!o.tight) cross(o.radius);
+    for (Exchanged more{1, 0}; more.count > 0;) { // what was in the way of one join may be a line to be joined to
+        more = exchange_loops(s, lines, keep, {o.spacing, ends});
+        out.exchanged += more.count;
+        out.waste += more.waste;
+    }
+    for (const double share : kShares) cross(share * o.radius);
+    out.waste += kCrossingWastes * o.spacing * o.spacing * static_cast<double>(out.crossed.size());
+    return out;
+}
+
+} // namespace
+
+Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
+    auto open = close_rows(s, rows, o);
+    const auto keep = wound(s, rows, level_rows(s, rows, o.spacing), o);
+    std::vector<Line> lines;
+    std::vector<double> length;
+    for (Row& row : rows.rows) {
+        length.push_back(surface::curve::length(row.line));
+        lines.push_back(std::move(row.line));
+    }
+    auto out = join(s, lines, keep, kTurnsTake * o.radius, o);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        Row& row = rows.rows[i];
+        row.line = std::move(lines[i]);
+        // A way back that lies on rows saved no cut.
+        const bool alone = row.line.closed && surface::curve::length(row.line) == length[i];
+        if (alone && open[i].line.size() > 0) row = std::move(open[i]);
+    }
+    std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });
+    level_rows(s, rows, o.spacing);
+    const auto by_level = [&] {
+        std::stable_sort(rows.rows.begin(), rows.rows.end(),
+                         [](const Row& a, const Row& b) { return a.level < b.level; });
+    };
+    by_level();
+    spiral(s, rows, o);
+    by_level();
+    wind(s, rows, o.spacing, false);
+    return out;
+}
+
+namespace {
+
+// All of a stroke as one line, closed straight if its ends are near enough.
+Line whole(const Surface& s, const plan::Stroke& stroke, double reach) {
+    Line out;
+    for (const plan::Piece& piece : stroke.pieces) {
+        if (out.size() == 0)
+            out = piece.line;
+        else
+            surface::curve::append(out, piece.line);
+    }
+    if (out.size() < 2 || distance(out[0], out.places.back().point) > reach) return out;
+    const Line over = surface::curve::join(s, out.places.back(), out.places.front());
+    if (!surface::curve::leads(s, over)) return out;
+    surface::curve::append(out, over);
+    out.places.pop_back(); // the first one again
+    out.closed = true;
+    return out;
+}
+
+// Per line whether it is not to be taken in: the longest open one of each component, or the longest loop if none is
+// open.
+std::vector<char> hosts(const Surface& s, const std::vector<Line>& lines) {
+    std::map<std::uint32_t, std::size_t> best;
+    const auto rank = [&](std::size_t i) { return std::pair(!lines[i].closed, surface::curve::length(lines[i])); };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto [at, first] = best.emplace(s.component[lines[i].places[0].triangle], i);
+        if (!first && rank(i) > rank(at->second)) at->second = i;
+    }
+    std::vector<char> out(lines.size(), 0);
+    for (const auto& [component, i] : best) out[i] = 1;
+    return out;
+}
+
+} // namespace
+
+Joined join_strokes(const Surface& s, std::vector<plan::Stroke>& strokes, const Loops& o) {
+    if (strokes.size() < 2) return {};
+    std::vector<Line> lines;
+    std::vector<double> before;
+    for (const plan::Stroke& stroke : strokes) {
+        lines.push_back(whole(s, stroke, 2 * o.radius));
+        before.push_back(surface::curve::length(lines.back()));
+    }
+    auto joined = join(s, lines, hosts(s, lines), o.spacing, o);
+    std::vector<plan::Stroke> out;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i].size() == 0) continue;
+        if (surface::curve::length(lines[i]) == before[i]) {
+            out.push_back(std::move(strokes[i]));
+            continue;
+        }
+        if (lines[i].closed) lines[i].places.push_back(lines[i].places.front());
+        lines[i].closed = false;
+        out.push_back({{{std::move(lines[i]), false}}});
+    }
+    strokes = std::move(out);
+    return joined;
+}
+
+void tell_crossed(const std::vector<Vec3>& crossed, double spacing, Notes& notes) {
+    if (!crossed.empty())
+        notes.push_back({"", "loop joined by shifts that cross",
+                         spacing * spacing * static_cast<double>(crossed.size()), "mm2", crossed.size(), -1,
+                         crossed[0].x, crossed[0].y, crossed[0].z});
+}
+
+} // namespace filum::surfpath::rows

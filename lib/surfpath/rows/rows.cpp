@@ -1,0 +1,313 @@
+#include "surfpath/rows/rows.hpp"
+
+#include "geodesic/isolines.hpp"
+#include "geodesic/query.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace filum::surfpath::rows {
+
+namespace {
+
+using surface::kNone;
+
+// Of the way that is replaced, at most: half a circle over it is no detour yet.
+constexpr double kDetour = std::numbers::pi / 2;
+// Of the margin: what lines keep that follow the inset instead; they come no nearer to the next than .7 spacings so. By
+// trial: half of it covers .001 of faces more, and lays .004 twice.
+constexpr double kFollowing = 0.4;
+// Slope of the distance from rims along a line that lies between two of them: as steep as leads from the margin to
+// kFollowing of it within a spacing, two margins.
+constexpr double kRimsBeside = (1 - kFollowing) / 2;
+constexpr double kCameRound = 1e-6; // mm: ends of a line that came round
+
+// Cuts lines where they come nearer to a rim than the margin.
+class InsetClipper {
+  public:
+    InsetClipper(const Surface& s, double margin, double give) : surface_(s), margin_(margin), give_(give) {
+        inset_.margin = margin;
+        if (s.rims.empty()) return;
+        inset_.field = geodesic::exact(s, surface::rim_sources(s), margin + 2 * longest_edge(s));
+        const double level[] = {margin};
+        for (const auto& isoline : geodesic::isolines(s, inset_.field, level))
+            inset_.rings.push_back(surface::curve::line(isoline));
+        for (const Line& ring : inset_.rings) inset_.ways.push_back(surface::curve::arc_lengths(ring));
+    }
+
+    [[nodiscard]] Inset& inset() { return inset_; }
+
+    // The stretches of the line that keep a share of the margin, or lie in the middle where the face is narrower; mm
+    // along it.
+    [[nodiscard]] std::vector<std::pair<double, double>> kept(const Line& line, std::span<const double> ways,
+                                                              double share) const {
+        const auto keeps = [&](const Place& p, double way) {
+            const double room = this->room(p);
+            return room >= share * margin_ || (room >= kFollowing * margin_ && in_middle(line, ways, way));
+        };
+        std::vector<std::pair<double, double>> out;
+        const std::size_t n = line.size(), stretches = ways.size() - 1;
+        bool in = keeps(line.places[0], 0);
+        double begin = 0;
+        for (std::size_t i = 0; i < stretches; ++i) {
+            const Place &here = line.places[i], &next = line.places[(i + 1) % n];
+            const bool then = keeps({here.triangle, next.point}, ways[i + 1]);
+            if (in == then) continue;
+            const double step = ways[i + 1] - ways[i];
+            const double way =
+                ways[i] +
+                step * crossing(in, [&](double part) {
+                    return keeps({here.triangle, here.point + part * (next.point - here.point)}, ways[i] + part * step);
+                });
+            if (in)
+                out.emplace_back(begin, way);
+            else
+                begin = way;
+            in = then;
+        }
+        if (in) out.emplace_back(begin, ways.back());
+        return out;
+    }
+
+    // The place of the inset's rings that is nearest, within a margin.
+    [[nodiscard]] RingPlace nearest(const Vec3& p) const {
+        RingPlace out;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::uint32_t r = 0; r < inset_.rings.size(); ++r) {
+            const Line& ring = inset_.rings[r];
+            const std::size_t n = ring.size();
+            for (std::size_t i = 0; i + 1 < inset_.ways[r].size(); ++i) {
+                const Vec3 &a = ring[i], d = ring[(i + 1) % n] - a;
+                const double l2 = dot(d, d), t = l2 > 0 ? std::clamp(dot(p - a, d) / l2, 0.0, 1.0) : 0;
+                const double far = distance(p, a + t * d);
+                if (far < least && far < margin_) {
+                    least = far;
+                    out = {r, inset_.ways[r][i] + t * std::sqrt(l2)};
+                }
+            }
+        }
+        return out;
+    }
+
+    // Where the line is nearest to a rim, and where it is farthest from all, mm along it.
+    [[nodiscard]] std::pair<double, double> extremes(const Line& line, std::span<const double> ways) const {
+        std::size_t near = 0, far = 0;
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            if (room(line.places[i]) < room(line.places[near])) near = i;
+            if (room(line.places[i]) > room(line.places[far])) far = i;
+        }
+        return {ways[near], ways[far]};
+    }
+
+    // The ring of the inset that is nearest to a place; none if none is within a margin.
+    [[nodiscard]] const Line* ring(const Place& p) const {
+        const RingPlace at = nearest(p.point);
+        return at.ring == kNone ? nullptr : &inset_.rings[at.ring];
+    }
+
+    // What leads along a ring beside the stretch of a line from one way to another; empty if that is a detour.
+    [[nodiscard]] Line along(const Line& line, std::span<const double> ways, double from, double to) const {
+        const auto at = [&](double way) { return surface::curve::at(line, ways, way).point; };
+        const RingPlace a = nearest(at(from)), b = nearest(at(to));
+        if (a.ring != b.ring || a.ring == kNone) return {};
+        const Line& ring = inset_.rings[a.ring];
+        const auto& of_ring = inset_.ways[a.ring];
+        const double on = b.way - a.way, all = of_ring.back();
+        const double ahead = ring.closed && on < 0 ? on + all : on, back = ring.closed && on > 0 ? all - on : -on;
+        // Of both ways round, the one whose middle is nearer to the stretch's.
+        const auto off = [&](double way) {
+            return distance(surface::curve::at(ring, of_ring, way).point, at((from + to) / 2));
+        };
+        const bool forward = ahead >= 0 && (back < 0 || off(a.way + ahead / 2) <= off(a.way - back / 2));
+        if (!((forward ? ahead : back) < kDetour * (to - from))) return {};
+        if (forward) return surface::curve::part(ring, of_ring, a.way, a.way + ahead);
+        Line out = surface::curve::part(ring, of_ring, b.way, b.way + back);
+        surface::curve::reverse(out);
+        return out;
+    }
+
+    [[nodiscard]] double room(const Place& p) const { return inset_.room(surface_, p); }
+
+  private:
+    // Whether the line is as far from rims as one can get there, with rims beside it rather than ahead: a step to
+    // either side, twice as far as lines are moved, leads towards one.
+    [[nodiscard]] bool in_middle(const Line& line, std::span<const double> ways, double way) const {
+        const double reach = 2 * give_;
+        const Place p = surface::curve::at(line, ways, way);
+        const Place ahead =
+            surface::curve::at(line, ways, line.closed ? way + reach : std::min(way + reach, ways.back()));
+        const Place back = surface::curve::at(line, ways, line.closed ? way - reach : std::max(way - reach, 0.0));
+        const Vec3 on = ahead.point - back.point;
+        const double l = norm(on), here = room(p);
+        if (!(l > 0) || std::abs(room(ahead) - room(back)) > kRimsBeside * l) return false;
+        const auto& [a, b, c] = surface_.triangles[p.triangle];
+        const Vec3 &u = surface_.vertices[a], &v = surface_.vertices[b], &w = surface_.vertices[c];
+        const Vec3 across = cross(cross(v - u, w - u), on);
+        const Vec3 step = reach / norm(across) * across;
+        return room(surface::curve::step(surface_, p, step)) <= here &&
+               room(surface::curve::step(surface_, p, -1 * step)) <= here;
+    }
+
+    // Up to where what holds at the begin of a stretch holds: part of it.
+    template <class Keeps>
+    [[nodiscard]] static double crossing(bool from_inside, const Keeps& keeps) {
+        double lo = 0, hi = 1;
+        for (int i = 0; i < 30; ++i) {
+            const double mid = (lo + hi) / 2;
+            (keeps(mid) == from_inside ? lo : hi) = mid;
+        }
+        return from_inside ? lo : hi;
+    }
+
+    const Surface& surface_;
+    double margin_, give_; // mm
+    Inset inset_;
+};
+
+// A line as open ones that keep the margin: where it is at least kFollowing of the margin from a rim it follows the
+// inset.
+class RingFollower {
+  public:
+    RingFollower(const Surface& s, const InsetClipper& clipper, const Line& line, std::span<const double> ways,
+                 double margin)
+        : surface_(s), clipper_(clipper), line_(line), ways_(ways), margin_(margin) {}
+
+    [[nodiscard]] std::vector<Line> stretches() const {
+        const auto kept = clipper_.kept(line_, ways_, 1);
+        std::vector<Line> out;
+        for (const auto& [from, to] : clipper_.kept(line_, ways_, kFollowing)) {
+            Line now;
+            double at = from;
+            for (const auto& [begin, end] : kept) {
+                if (begin < from || end > to) continue;
+                const bool first = now.size() == 0;
+                const Line way = ring(at, begin, first, false);
+                if (!first && way.size() < 2) {
+                    if (begin - at < 2 * margin_) // a mouth of another narrow place
+                        surface::curve::append(now, surface::curve::part(line_, ways_, at, begin));
+                    else
+                        out.push_back(std::exchange(now, {}));
+                }
+                if (way.size() >= 2) surface::curve::append(now, way);
+                surface::curve::append(now, surface::curve::part(line_, ways_, begin, end));
+                at = end;
+            }
+            if (const Line way = ring(at, to, now.size() == 0, true); way.size() >= 2) surface::curve::append(now, way);
+            if (now.size() >= 2) out.push_back(surface::curve::threaded(surface_, now));
+        }
+        return out;
+    }
+
+  private:
+    // What leads along the inset instead of the stretch; from and up to a margin before it where the line ends there.
+    [[nodiscard]] Line ring(double from, double to, bool begins, bool ends) const {
+        if (to - from < (begins || ends ? 2 * margin_ : 0)) return {};
+        Line way = clipper_.along(line_, ways_, from, to);
+        const auto w = surface::curve::arc_lengths(way);
+        if (way.size() < 2 || w.back() < 2 * margin_) return begins || ends ? Line{} : way;
+        return surface::curve::part(way, w, begins ? margin_ : 0, w.back() - (ends ? margin_ : 0));
+    }
+
+    const Surface& surface_;
+    const InsetClipper& clipper_;
+    const Line& line_;
+    std::span<const double> ways_;
+    double margin_;
+};
+
+// A closed line that follows the inset where it comes nearer to a rim, still closed; empty if it cannot.
+Line closed_within(const Surface& s, const InsetClipper& clipper, const Line& line, std::span<const double> ways,
+                   double margin, double begin) {
+    if (clipper.kept(line, ways, kFollowing).size() != 1 || clipper.room(line.places[0]) < kFollowing * margin)
+        return {};
+    const Place first = surface::curve::at(line, ways, begin);
+    if (clipper.room(first) < margin) { // nowhere far enough: the ring instead, if that is as long
+        const Line* ring = clipper.ring(first);
+        const bool alike = ring && ring->closed && surface::curve::length(*ring) < kDetour * ways.back();
+        return alike ? *ring : Line{};
+    }
+    const Line open = surface::curve::part(line, ways, begin, begin + ways.back());
+    auto found = RingFollower(s, clipper, open, surface::curve::arc_lengths(open), margin).stretches();
+    if (found.size() != 1 || distance(found[0][0], found[0].places.back().point) > kCameRound) return {};
+    found[0].places.pop_back();
+    found[0].closed = true;
+    return std::move(found[0]);
+}
+
+std::vector<Line> stretches(const Surface& s, const InsetClipper& clipper, const Line& line,
+                            std::span<const double> ways, double margin) {
+    if (!line.closed) return RingFollower(s, clipper, line, ways, margin).stretches();
+    if (const auto kept = clipper.kept(line, ways, 1); kept.size() == 1 && kept[0] == std::pair(0.0, ways.back()))
+        return {line};
+    const auto [nearest, farthest] = clipper.extremes(line, ways);
+    if (Line whole = closed_within(s, clipper, line, ways, margin, farthest); whole.size() > 2) return {whole};
+    // Opened where it is nearest to a rim.
+    const Line open = surface::curve::part(line, ways, nearest, nearest + ways.back());
+    return RingFollower(s, clipper, open, surface::curve::arc_lengths(open), margin).stretches();
+}
+
+} // namespace
+
+double Inset::room(const Surface& s, const Place& p) const {
+    if (s.rims.empty()) return std::numeric_limits<double>::infinity();
+    return geodesic::distance_at(s, field, p.triangle, p.point);
+}
+
+void Rows::drop(const Line& row) {
+    const double l = surface::curve::length(row);
+    dropped += l;
+    ++drops;
+    if (!(l > longest_dropped)) return;
+    longest_dropped = l;
+    dropped_at = row[row.size() / 2];
+}
+
+void add(std::vector<Raw>& to, const std::vector<surface::Isoline>& isolines, double sign) {
+    for (const auto& isoline : isolines) {
+        to.push_back({surface::curve::line(isoline), sign * isoline.level});
+        if (sign < 0) surface::curve::reverse(to.back().line);
+    }
+}
+
+void leave_out(std::vector<Raw>& lines, std::span<const char> marked) {
+    if (marked.empty()) return;
+    std::erase_if(lines, [&](const Raw& raw) {
+        const auto& places = raw.line.places;
+        return std::all_of(places.begin(), places.end(), [&](const Place& p) { return marked[p.triangle] != 0; });
+    });
+}
+
+Rows rows(const Surface& s, const std::vector<Raw>& lines, const RowLimits& limits) {
+    const double margin = limits.margin;
+    Rows out;
+    InsetClipper clipper(s, margin, limits.give);
+    double least = margin; // where all are short; else
+    for (const Raw& raw : lines) {
+        auto parts = stretches(s, clipper, raw.line, surface::curve::arc_lengths(raw.line), margin);
+        for (Line& line : parts) {
+            const bool as_given = line.closed && line.size() == raw.line.size();
+            if (!as_given)
+                line = surface::curve::ease(s, line, {.radius = limits.radius, .corridor = limits.give}).line;
+            if (surface::curve::length(line) >= limits.shortest) least = limits.shortest;
+            Row row{std::move(line), raw.level, {}, {}};
+            row.begin = clipper.nearest(row.line.places.front().point);
+            row.end = clipper.nearest(row.line.places.back().point);
+            out.rows.push_back(std::move(row));
+        }
+    }
+    std::erase_if(out.rows, [&](const Row& row) {
+        const double l = surface::curve::length(row.line);
+        if (l >= least) return false;
+        if (l >= margin) out.drop(row.line);
+        return true;
+    });
+    std::stable_sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.level < b.level; });
+    out.inset = std::move(clipper.inset());
+    return out;
+}
+
+} // namespace filum::surfpath::rows

@@ -1,0 +1,237 @@
+#include "surfpath/rows/splice.hpp"
+
+#include "geom/point_grid.hpp"
+#include "surface/curve/ease.hpp"
+#include "surface/curve/walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace filum::surfpath::rows {
+
+namespace {
+
+constexpr double kLoopBeside = 1.3; // spacings: how far from each other lines side by side are, at most
+constexpr double kLoopGrain = 0.25; // spacings, between the places that are compared
+constexpr double kLoopWider = 1.15; // of the least radius: what shifts are rounded to, so that samples keep it
+constexpr double kLoopGive = 0.25;  // spacings: how far lines move to round the shift's corners
+
+struct Spot3 {
+    std::uint32_t line = surface::kNone;
+    double way = 0, far = std::numeric_limits<double>::infinity();
+};
+
+// Where to go over: the loop's place, that of the other line, and whether they run the same way there.
+struct Over {
+    double loop = 0, other = 0;
+    std::uint32_t line = surface::kNone;
+    bool same = true;
+};
+
+// A line by places kLoopGrain apart.
+struct Samples {
+    std::vector<Vec3> points;
+    geom::Box3 box;
+    double length = 0; // mm
+};
+
+class Splicer {
+  public:
+    Splicer(const Surface& s, std::vector<Line>& lines, double spacing)
+        : s_(s), lines_(lines), d_(spacing), samples_(lines.size()) {
+        for (std::uint32_t i = 0; i < lines.size(); ++i) sample(i);
+    }
+
+    // Of the shifts from now on, mm.
+    void keep_to(double radius) {
+        radius_ = kLoopWider * std::max(radius, d_ / 2);
+        half_ = std::sqrt(radius_ * d_); // two parabolas that bend so at most shift by a spacing over twice this length
+    }
+
+    // False if there is no place for it.
+    bool take_in(std::uint32_t loop, std::vector<Vec3>& crossed) {
+        if (lines_[loop].size() < 2) return false; // taken in before
+        const auto ways = surface::curve::arc_lengths(lines_[loop]);
+        if (ways.back() < 6 * half_) return false;
+        gather(loop);
+        const Over at = best(lines_[loop], ways);
+        if (at.line == surface::kNone) return false;
+        Line made = joined(loop, ways, at);
+        if (made.size() < 2) return false;
+        crossed.push_back(surface::curve::at(lines_[loop], ways, at.loop).point);
+        lines_[at.line] = std::move(made);
+        lines_[loop].places.clear();
+        sample(at.line);
+        sample(loop);
+        return true;
+    }
+
+  private:
+    void sample(std::uint32_t i) {
+        samples_[i] = {};
+        if (lines_[i].size() < 2) return;
+        const auto ways = surface::curve::arc_lengths(lines_[i]);
+        samples_[i].length = ways.back();
+        for (double way = 0; way < ways.back(); way += kLoopGrain * d_) {
+            samples_[i].points.push_back(surface::curve::at(lines_[i], ways, way).point);
+            samples_[i].box.add(samples_[i].points.back());
+        }
+    }
+
+    // What of the other lines can be beside the loop.
+    void gather(std::uint32_t loop) {
+        spots_.clear();
+        std::vector<Vec3> points;
+        const geom::Box3 about = geom::grown(samples_[loop].box, (kLoopBeside + kLoopGrain) * d_);
+        for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+            if (i == loop || !geom::meet(about, samples_[i].box)) continue;
+            double way = 0;
+            for (const Vec3& p : samples_[i].points) {
+                if (!(geom::distance(about, p) > 0)) {
+                    spots_.push_back({i, way, 0});
+                    points.push_back(p);
+                }
+                way += kLoopGrain * d_;
+            }
+        }
+        grid_ = geom::PointGrid<Vec3>(points, kLoopBeside * d_);
+        points_ = std::move(points);
+    }
+
+    // The nearest spot of the line, of any if it is kNone.
+    [[nodiscard]] Spot3 nearest(const Vec3& p, std::uint32_t line) const {
+        Spot3 out;
+        grid_.near(p, 1, [&](std::uint32_t i) {
+            const double far = distance(points_[i], p);
+            if ((line == surface::kNone || spots_[i].line == line) && far <= kLoopBeside * d_ && far < out.far)
+                out = {spots_[i].line, spots_[i].way, far};
+        });
+        return out;
+    }
+
+    [[nodiscard]] Over best(const Line& loop, std::span<const double> ways) const {
+        Over out;
+        double least = std::numeric_limits<double>::infinity();
+        for (double way = 0; way < ways.back(); way += d_) {
+            const Spot3 here = nearest(surface::curve::at(loop, ways, way).point, surface::kNone);
+            if (here.line == surface::kNone) continue;
+            const double all = samples_[here.line].length;
+            if (all < 6 * half_) continue;
+            if (!lines_[here.line].closed && (here.way < 2 * half_ || here.way > all - 2 * half_)) continue;
+            double off = std::abs(here.far - d_);
+            std::array<double, 2> on{};
+            bool good = true;
+            for (const std::size_t k : {0U, 1U}) {
+                const double side = k == 0 ? -half_ : half_;
+                const Spot3 there = nearest(surface::curve::at(loop, ways, way + side).point, here.line);
+                on[k] = std::remainder(there.way - here.way, lines_[here.line].closed ? all : 4 * all);
+                good =
+                    good && there.line != surface::kNone && std::abs(std::abs(on[k]) - half_) < std::max(d_, half_) / 2;
+                off += std::abs(there.far - d_);
+            }
+            if (!good || on[0] * on[1] >= 0 || off >= least) continue;
+            least = off;
+            out = {way, here.way, here.line, on[1] > 0};
+        }
+        return out;
+    }
+
+    // The other line up to the place, all of the loop, and the other line on.
+    [[nodiscard]] Line joined(std::uint32_t loop, std::span<const double> ways, const Over& at) const {
+        const Line& other = lines_[at.line];
+        const auto ways_other = surface::curve::arc_lengths(other);
+        const double all = ways.back(), rest = ways_other.back();
+        Line round = surface::curve::part(lines_[loop], ways, at.loop + half_, at.loop + all - half_);
+        if (!at.same) surface::curve::reverse(round);
+        Line before, after;
+        if (other.closed) {
+            before = surface::curve::part(other, ways_other, at.other + half_, at.other + rest - half_);
+        } else {
+            before = surface::curve::part(other, ways_other, 0, at.other - half_);
+            after = surface::curve::part(other, ways_other, at.other + half_, rest);
+        }
+        const Line to = other.closed ? before : after;
+        const auto over = shift(before, drift(loop, ways, at, true), round),
+                   back = shift(round, drift(loop, ways, at, false), to);
+        if (over.size() < 2 || back.size() < 2) return {};
+        const double more = half_, all_round = surface::curve::length(round);
+        Line out = cut(before, other.closed ? more : 0, more);
+        for (const Line& next : {over, cut(round, more, all_round > 2 * more ? more : 0), back})
+            surface::curve::append(out, next);
+        if (other.closed) {
+            out.places.pop_back();
+            out.closed = true;
+        } else {
+            surface::curve::append(out, cut(after, more, 0));
+        }
+        return out;
+    }
+
+    // The line without this much at its ends, mm.
+    static Line cut(const Line& line, double begin, double end) {
+        const auto ways = surface::curve::arc_lengths(line);
+        return surface::curve::part(line, ways, begin, ways.back() - end);
+    }
+
+    // From the other line over to the loop, or back: evenly with the way.  Empty if nothing leads there.
+    [[nodiscard]] Line drift(std::uint32_t loop, std::span<const double> ways, const Over& at, bool to_loop) const {
+        const Line& other = lines_[at.line];
+        const auto ways_other = surface::curve::arc_lengths(other);
+        const int n = std::max(8, static_cast<int>(std::ceil(2 * half_ / (kLoopGrain * d_))));
+        Line out;
+        for (int i = 0; i <= n; ++i) {
+            const double t = static_cast<double>(i) / n, on = half_ * (2 * t - 1);
+            const double part = t < 0.5 ? 2 * t * t : 1 - 2 * (1 - t) * (1 - t);
+            const Line across =
+                surface::curve::join(s_, surface::curve::at(other, ways_other, at.other + on),
+                                     surface::curve::at(lines_[loop], ways, at.loop + (at.same ? on : -on)));
+            if (!surface::curve::leads(s_, across)) return {};
+            const auto ways_across = surface::curve::arc_lengths(across);
+            out.places.push_back(
+                surface::curve::at(across, ways_across, (to_loop ? part : 1 - part) * ways_across.back()));
+        }
+        return surface::curve::threaded(s_, out);
+    }
+
+    // From the last stretch of one line over to the first one of another, half_ mm of each included, rounded.
+    [[nodiscard]] Line shift(const Line& from, const Line& over, const Line& to) const {
+        if (over.size() < 2) return {};
+        const auto ways_from = surface::curve::arc_lengths(from), ways_to = surface::curve::arc_lengths(to);
+        Line out = surface::curve::part(from, ways_from, ways_from.back() - half_, ways_from.back());
+        surface::curve::append(out, over);
+        surface::curve::append(out, surface::curve::part(to, ways_to, 0, half_));
+        return surface::curve::ease(s_, out, {.radius = radius_, .corridor = kLoopGive * d_}).line;
+    }
+
+    const Surface& s_;
+    std::vector<Line>& lines_;
+    double d_, radius_ = 0, half_ = 0;
+    std::vector<Spot3> spots_;
+    std::vector<Vec3> points_;
+    std::vector<Samples> samples_; // by line
+    geom::PointGrid<Vec3> grid_;
+};
+
+} // namespace
+
+std::vector<Vec3> splice_loops(const Surface& s, std::vector<Line>& lines, std::vector<char> keep, double spacing,
+                               double radius) {
+    std::vector<std::uint32_t> loops;
+    std::vector<double> length;
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+        length.push_back(surface::curve::length(lines[i]));
+        if (lines[i].closed && !keep[i]) loops.push_back(i);
+    }
+    std::stable_sort(loops.begin(), loops.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return length[a] < length[b]; });
+    std::vector<Vec3> crossed;
+    Splicer splicer(s, lines, spacing);
+    splicer.keep_to(radius);
+    for (const std::uint32_t i : loops) splicer.take_in(i, crossed);
+    return crossed;
+}
+
+} // namespace filum::surfpath::rows

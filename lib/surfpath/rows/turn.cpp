@@ -1,0 +1,225 @@
+#include "surfpath/rows/turn.hpp"
+
+#include "geom/polyline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace filum::surfpath::rows {
+
+namespace {
+
+constexpr double kArcStep = 1.0 / 180 * std::numbers::pi;
+constexpr double kHeadingSpan = 0.5; // mm to either side of a point: what says where a row leads there
+constexpr double kAllowed = 0.01;    // mm beyond the bound
+constexpr double kMore = 1 + 1e-9;   // of a distance: more than rounding
+constexpr int kPushes = 6;
+constexpr double kAsWide = 0.97; // of the radius: what a single arc may have instead
+
+// A row with what is needed to lay circles beside it.
+class Side {
+  public:
+    Side(std::span<const Vec2> row, bool inner_left) : row_(row), ways_(geom::arc_lengths(row)) {
+        for (std::size_t i = 0, from = 0, to = 0; i < row.size(); ++i) {
+            while (ways_[i] - ways_[from] > kHeadingSpan) ++from;
+            while (to + 1 < row.size() && ways_[to] - ways_[i] < kHeadingSpan) ++to;
+            const Vec2 d = row[to] - row[from];
+            const double l = norm(d);
+            const Vec2 n = l > 0 ? 1 / l * geom::left_of(d) : Vec2{1, 0};
+            inward_.push_back(inner_left ? n : -1 * n);
+        }
+    }
+
+    struct Touch {
+        Vec2 centre, foot;
+        double way; // of the foot
+    };
+
+    // The circle of radius `r` whose centre has the height `y`, touching the row from its inner side.
+    [[nodiscard]] std::optional<Touch> touch(double r, double y) const {
+        for (std::size_t i = 1; i < row_.size(); ++i) {
+            const Vec2 a = row_[i - 1] + r * inward_[i - 1], b = row_[i] + r * inward_[i];
+            if (i == 1 && a.y < y) return Touch{{a.x, y}, row_[0], 0};
+            if (a.y < y || b.y > y) continue;
+            const double t = a.y > b.y ? (a.y - y) / (a.y - b.y) : 0;
+            return Touch{lerp(a, b, t), lerp(row_[i - 1], row_[i], t), ways_[i - 1] + t * (ways_[i] - ways_[i - 1])};
+        }
+        return std::nullopt;
+    }
+
+    // The circle of radius `r` that touches the row from its outer side, and below it one of the same size about `c`.
+    [[nodiscard]] std::optional<Touch> outer_touch(double r, Vec2 c) const {
+        for (std::size_t i = 1; i < row_.size(); ++i) {
+            const Vec2 a = row_[i - 1] - r * inward_[i - 1], b = row_[i] - r * inward_[i];
+            const double da = distance(a, c) - 2 * r, db = distance(b, c) - 2 * r;
+            if (b.y > c.y || da > 0 || db < 0) continue;
+            const double t = db > da ? -da / (db - da) : 0;
+            return Touch{lerp(a, b, t), lerp(row_[i - 1], row_[i], t), ways_[i - 1] + t * (ways_[i] - ways_[i - 1])};
+        }
+        return std::nullopt;
+    }
+
+    // Where the row has the height `y`.
+    [[nodiscard]] double at(double y) const {
+        for (std::size_t i = 1; i < row_.size(); ++i)
+            if (row_[i].y <= y) return row_[i].x;
+        return row_.back().x;
+    }
+
+  private:
+    std::span<const Vec2> row_;
+    std::vector<double> ways_;
+    std::vector<Vec2> inward_;
+};
+
+// Appends the arc about `c` from `a` to `b`, without `a`; clockwise if `sign` is 1, else (-1) the other way.
+void arc(std::vector<Vec2>& out, Vec2 c, Vec2 a, Vec2 b, double sign = 1) {
+    const Vec2 u = a - c, v = b - c;
+    double sweep = -sign * std::atan2(cross(u, v), dot(u, v));
+    if (sweep < -1e-9) sweep += 2 * std::numbers::pi;
+    const int n = std::max(1, static_cast<int>(std::ceil(sweep / kArcStep)));
+    for (int i = 1; i < n; ++i) {
+        const double t = -sign * sweep * i / n, co = std::cos(t), si = std::sin(t);
+        out.push_back(c + Vec2{co * u.x - si * u.y, si * u.x + co * u.y});
+    }
+    out.push_back(b);
+}
+
+struct Sides {
+    Side first, second;
+};
+
+// Two arcs and a straight stretch on the height `top`; none if the arcs are in each other's way.
+FlatTurn wide(const Sides& s, double r, double top) {
+    const auto a = s.first.touch(r, top - r), b = s.second.touch(r, top - r);
+    if (!a || !b || a->centre.x > b->centre.x) return {};
+    FlatTurn out{{a->foot}, r, a->way, b->way, 0, false};
+    arc(out.points, a->centre, a->foot, {a->centre.x, top});
+    if (b->centre.x > a->centre.x + 1e-6) out.points.push_back({b->centre.x, top});
+    arc(out.points, b->centre, {b->centre.x, top}, b->foot);
+    return out;
+}
+
+// The arc that touches both rows, its top on the height `top`.
+FlatTurn narrow(const Sides& s, double most, double top) {
+    double depth = most;
+    FlatTurn out;
+    for (int round = 0; round < 20; ++round) {
+        double lo = 0, hi = most * 1.5;
+        for (int i = 0; i < 40; ++i) {
+            const double r = (lo + hi) / 2;
+            const auto a = s.first.touch(r, top - depth), b = s.second.touch(r, top - depth);
+            if (a && b && a->centre.x < b->centre.x)
+                lo = r;
+            else
+                hi = r;
+        }
+        if (std::abs(lo - depth) < 1e-6 || round == 19) {
+            const auto a = s.first.touch(lo, top - depth), b = s.second.touch(lo, top - depth);
+            if (!a || !b || !(lo > 0)) return {};
+            out = {{a->foot}, lo, a->way, b->way, 0, false};
+            arc(out.points, 0.5 * (a->centre + b->centre), a->foot, b->foot);
+            return out;
+        }
+        depth = lo;
+    }
+    return out;
+}
+
+// A bulb: off the first row outwards, round, and onto the second one from outside, all of radius `r`.
+FlatTurn bulb(const Sides& s, double r, double top) {
+    const double y = top - r;
+    const Vec2 c{(s.first.at(y) + s.second.at(y)) / 2, y};
+    const auto a = s.first.outer_touch(r, c), b = s.second.outer_touch(r, c);
+    if (!a || !b) return {};
+    const Vec2 p = 0.5 * (a->centre + c), q = 0.5 * (b->centre + c);
+    if (p.x > c.x || q.x < c.x) return {};
+    FlatTurn out{{a->foot}, r, a->way, b->way, 0, true};
+    arc(out.points, a->centre, a->foot, p, -1);
+    arc(out.points, c, p, q);
+    arc(out.points, b->centre, q, b->foot, -1);
+    return out;
+}
+
+// The nearest place of a side of the bound: how far it is, and of which side of it `p` lies.
+struct Off {
+    double far = 1e300, side = 0;
+};
+Off off(Vec2 p, Vec2 a, Vec2 b) {
+    const Vec2 d = b - a;
+    const double l2 = norm2(d);
+    if (!(l2 > 0)) return {};
+    const double t = std::clamp(dot(p - a, d) / l2, 0.0, 1.0);
+    return {distance(p, a + t * d), cross(d, p - a)};
+}
+
+// How far the turn goes beyond the bound, mm.
+double beyond(std::span<const Vec2> turn, std::span<const Vec2> bound) {
+    double out = 0;
+    std::size_t last = 1; // the side that was nearest to the place before: no farther one needs a look
+    for (const Vec2 p : turn) {
+        Off least;
+        double most = last < bound.size() ? kMore * off(p, bound[last - 1], bound[last]).far : least.far;
+        for (std::size_t i = 1; i < bound.size(); ++i) {
+            const Vec2 a = bound[i - 1], b = bound[i];
+            const double x = std::max(std::min(a.x, b.x) - p.x, p.x - std::max(a.x, b.x));
+            const double y = std::max(std::min(a.y, b.y) - p.y, p.y - std::max(a.y, b.y));
+            if (x > most || y > most) continue;
+            const Off now = off(p, a, b);
+            if (!(now.far < least.far)) continue;
+            least = now;
+            most = std::min(most, kMore * now.far);
+            last = i;
+        }
+        if (least.side > 0) out = std::max(out, least.far);
+    }
+    return out;
+}
+
+// The turn of a form, pushed inwards until it is within the bound; none if that does not do.
+template <class Form>
+FlatTurn fitted(const TurnRoom& room, const Form& form) {
+    double top = 0;
+    for (const Vec2 p : room.bound) top = std::min(top, p.y);
+    top -= room.behind;
+    for (int push = 0; push < kPushes; ++push) {
+        FlatTurn out = form(top);
+        if (out.points.empty()) return {};
+        const double over = beyond(out.points, room.bound);
+        if (over <= kAllowed) {
+            out.length = geom::length(out.points);
+            return out;
+        }
+        top -= over;
+    }
+    return {};
+}
+
+} // namespace
+
+FlatTurn turn(const TurnRoom& room, double radius, bool bulbs) {
+    const Sides sides{{room.first, true}, {room.second, false}};
+    FlatTurn out = fitted(room, [&](double top) { return wide(sides, radius, top); });
+    if (!out.points.empty()) return out;
+    out = fitted(room, [&](double top) { return narrow(sides, radius, top); });
+    if (out.radius >= kAsWide * radius || !bulbs) return out;
+    FlatTurn round = fitted(room, [&](double top) { return bulb(sides, radius, top); });
+    return round.points.empty() ? out : round;
+}
+
+std::vector<Vec2> led(Vec2 p, Vec2 t, Vec2 q, Vec2 u, double step) {
+    const double chord = geom::distance(p, q), c = std::cos(std::acos(std::clamp(dot(t, u), -1.0, 1.0)) / 4);
+    const double pull = chord / (3 * c * c);
+    const Vec2 p1 = p + pull * t, q1 = q - pull * u;
+    const auto n = static_cast<int>(std::max(4.0, std::ceil(std::numbers::pi / 2 * chord / step)));
+    std::vector<Vec2> out;
+    for (int i = 0; i <= n; ++i) {
+        const double f = static_cast<double>(i) / n, g = 1 - f;
+        out.push_back(g * g * g * p + 3 * g * g * f * p1 + 3 * g * f * f * q1 + f * f * f * q);
+    }
+    return out;
+}
+
+} // namespace filum::surfpath::rows

@@ -1,0 +1,173 @@
+#include "surfpath/strands/elastic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::surfpath::strands {
+
+namespace {
+
+constexpr double kNoGap = 2.2; // spacings
+constexpr int kSweeps = 400;
+constexpr double kOver = 1.6;  // relaxation
+constexpr double kRest = 1e-4; // spacings: what moves less rests
+constexpr double kLean = 1;    // weight of squared slopes against that of squared strains
+constexpr int kSmoothings = 4;
+
+constexpr std::size_t kNobody = ~std::size_t{0};
+
+// A spot and the pulls on it: those of neighbours along its front, and of the spots before and behind it.
+struct Knot {
+    std::size_t left = kNobody, right = kNobody, before = kNobody, behind = kNobody;
+    double left_gap = 0, right_gap = 0; // mm, before anything moved
+    double rim = 0, rim_weight = 0;     // mm that it lies too near to rims, and how much that counts
+    double moved = 0;                   // mm along the front
+    bool held = false;
+};
+
+class Sheet {
+  public:
+    Sheet(const std::vector<Strand>& strands, const Fronts& fronts, double d) : fronts_(fronts), d_(d) {
+        for (const Strand& s : strands) {
+            first_.push_back(knots_.size());
+            for (std::size_t j = 0; j < s.spots.size(); ++j) {
+                Knot k;
+                if (j > 0) k.before = knots_.size() - 1;
+                if (j + 1 < s.spots.size()) k.behind = knots_.size() + 1;
+                k.held = s.first + j == 0;
+                knots_.push_back(k);
+            }
+        }
+        std::vector<std::vector<Seat>> rows(fronts.levels());
+        for (std::size_t i = 0; i < strands.size(); ++i)
+            for (std::size_t j = 0; j < strands[i].spots.size(); ++j)
+                rows[strands[i].first + j].push_back({strands[i].spots[j], first_[i] + j});
+        for (std::size_t level = 0; level < rows.size(); ++level) seat(level, rows[level]);
+        for (std::size_t i = 0; i < strands.size(); ++i) feel_rims(strands[i], first_[i]);
+    }
+
+    void relax() {
+        for (int sweep = 0; sweep < kSweeps; ++sweep) {
+            double most = 0;
+            for (Knot& k : knots_)
+                if (!k.held) most = std::max(most, std::abs(pull(k)));
+            if (most < kRest * d_) break;
+        }
+        for (int i = 0; i < kSmoothings; ++i) smooth();
+    }
+
+    [[nodiscard]] double moved(std::size_t strand, std::size_t spot) const {
+        return knots_[first_[strand] + spot].moved;
+    }
+
+  private:
+    struct Seat {
+        Spot spot;
+        std::size_t knot;
+    };
+
+    void seat(std::size_t level, std::vector<Seat>& row) {
+        std::stable_sort(row.begin(), row.end(), [](const Seat& a, const Seat& b) {
+            return a.spot.front != b.spot.front ? a.spot.front < b.spot.front : a.spot.x < b.spot.x;
+        });
+        for (std::size_t begin = 0, i = 0; i < row.size(); ++i) {
+            const Seat& here = row[i];
+            if (i == 0 || row[i - 1].spot.front != here.spot.front)
+                begin = i;
+            else
+                link(row[i - 1].knot, here.knot, here.spot.x - row[i - 1].spot.x);
+            const Front& front = fronts_.at(level)[here.spot.front];
+            const bool last = i + 1 == row.size() || row[i + 1].spot.front != here.spot.front;
+            if (last && front.line.closed && i > begin + 1)
+                link(here.knot, row[begin].knot, row[begin].spot.x + front.length() - here.spot.x);
+        }
+    }
+
+    void link(std::size_t a, std::size_t b, double gap) {
+        if (gap > kNoGap * d_) return;
+        knots_[a].right = b;
+        knots_[a].right_gap = gap;
+        knots_[b].left = a;
+        knots_[b].left_gap = gap;
+    }
+
+    // Rims count for the outermost strands of open fronts, the less the more these lead away from them or to them.
+    void feel_rims(const Strand& s, std::size_t first) {
+        for (std::size_t j = 0; j < s.spots.size(); ++j) {
+            Knot& k = knots_[first + j];
+            const Front& front = fronts_.at(s.first + j)[s.spots[j].front];
+            if (front.line.closed) continue;
+            const std::size_t other = j > 0 ? j - 1 : j + 1;
+            if (other >= s.spots.size()) continue;
+            const Front& beside = fronts_.at(s.first + other)[s.spots[other].front];
+            if (beside.line.closed) continue;
+            const auto feel = [&](double x, double x_beside, double sign) {
+                const double slope = std::abs(x - x_beside) / fronts_.step();
+                if (x > kNoGap / 2 * d_ || slope > kParallel) return;
+                const double weight = 2 * (1 - slope / kParallel);
+                k.rim_weight += weight;
+                k.rim += sign * weight * (d_ / 2 - x);
+            };
+            const double x = s.spots[j].x, y = s.spots[other].x;
+            if (k.left == kNobody) feel(x, y, 1);
+            if (k.right == kNobody) feel(front.length() - x, beside.length() - y, -1);
+        }
+    }
+
+    double pull(Knot& k) {
+        const double across = 1 / (d_ * d_), along = kLean / (fronts_.step() * fronts_.step());
+        double weight = k.rim_weight * across, sum = k.rim * across;
+        if (k.left != kNobody) {
+            weight += across;
+            sum += across * (d_ - k.left_gap + knots_[k.left].moved);
+        }
+        if (k.right != kNobody) {
+            weight += across;
+            sum += across * (k.right_gap - d_ + knots_[k.right].moved);
+        }
+        if (k.before != kNobody) {
+            weight += along;
+            sum += along * knots_[k.before].moved;
+        }
+        if (k.behind != kNobody) {
+            weight += along;
+            sum += along * knots_[k.behind].moved;
+        }
+        if (!(weight > 0)) return 0;
+        const double way = kOver * (sum / weight - k.moved);
+        k.moved += way;
+        return way;
+    }
+
+    // Takes out what turns from step to step.
+    void smooth() {
+        std::vector<double> next;
+        next.reserve(knots_.size());
+        for (const Knot& k : knots_) {
+            const bool inner = k.before != kNobody && k.behind != kNobody && !k.held;
+            next.push_back(inner ? (knots_[k.before].moved + 2 * k.moved + knots_[k.behind].moved) / 4 : k.moved);
+        }
+        for (std::size_t i = 0; i < knots_.size(); ++i) knots_[i].moved = next[i];
+    }
+
+    const Fronts& fronts_;
+    double d_;
+    std::vector<Knot> knots_;
+    std::vector<std::size_t> first_; // per strand: the knot of its first spot
+};
+
+} // namespace
+
+void make_room(std::vector<Strand>& strands, const Fronts& fronts, double spacing) {
+    Sheet sheet(strands, fronts, spacing);
+    sheet.relax();
+    for (std::size_t i = 0; i < strands.size(); ++i)
+        for (std::size_t j = 0; j < strands[i].spots.size(); ++j) {
+            Spot& spot = strands[i].spots[j];
+            const Front& front = fronts.at(strands[i].first + j)[spot.front];
+            const double l = front.length(), x = spot.x + sheet.moved(i, j);
+            spot.x = front.line.closed ? x - l * std::floor(x / l) : std::clamp(x, 0.0, l);
+        }
+}
+
+} // namespace filum::surfpath::strands

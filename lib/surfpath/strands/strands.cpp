@@ -1,0 +1,398 @@
+#include "surfpath/strands/strands.hpp"
+
+#include "surfpath/strands/elastic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace filum::surfpath::strands {
+
+namespace {
+
+using surface::kNone;
+
+constexpr double kTooNear = 0.35; // spacings
+constexpr double kTie = 1e-9;     // spacings: a tie
+constexpr double kBrief = 3;      // spacings: what would live, or be dead, for less before a rim is not worth it
+
+struct Alive {
+    double x = 0; // mm along its front
+    std::uint32_t strand = 0;
+    double before = -1;     // mm from the begin of the front that it was on before, < 0: none
+    double before_end = -1; // mm from its end
+};
+
+class March {
+  public:
+    March(const Fronts& fronts, const Law& law)
+        : fronts_(fronts), law_(law), d_(law.spacing), half_(law.group == 1 ? 5 : 9),
+          most_(law.group == 1 ? 0.55 : 1.05), wide_(law.group == 1 ? 1.8 : 2.6) {}
+
+    Strands run() {
+        begin();
+        for (std::size_t k = 0; k + 1 < fronts_.levels() && !done_; ++k) advance(k);
+        out_.bound = bound();
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] const Front& front(std::uint32_t f) const { return fronts_.at(level_)[f]; }
+
+    std::uint32_t add(std::uint32_t f, double x, StrandEnd begin, std::uint32_t group) {
+        Strand s;
+        s.first = level_;
+        s.spots = {{f, x}};
+        s.begin = begin;
+        s.born_with = group;
+        out_.strands.push_back(std::move(s));
+        root_.push_back(level_ == 0 ? f : kNone);
+        return static_cast<std::uint32_t>(out_.strands.size() - 1);
+    }
+
+    // Strands in equal distances on both sides of each source curve, from the same places.
+    void begin() {
+        const auto& sources = fronts_.at(0);
+        alive_.assign(sources.size(), {});
+        for (std::uint32_t f = 0; f + 1 < sources.size(); f += 2) {
+            const double l = sources[f].length();
+            const bool closed = sources[f].line.closed;
+            const auto n = static_cast<std::uint32_t>(std::max(1.0, std::round(l / d_)));
+            const auto first = static_cast<std::uint32_t>(out_.strands.size());
+            for (std::uint32_t side = 0; side < 2; ++side)
+                for (std::uint32_t i = 0; i < n; ++i) {
+                    const double x = l * (i + (closed ? 0.0 : 0.5)) / n;
+                    const std::uint32_t s = add(f + side, x, StrandEnd::source, kNone);
+                    alive_[f + side].push_back({x, s});
+                    const std::uint32_t across = closed ? (n - i) % n : n - 1 - i;
+                    out_.strands[s].mate = first + (1 - side) * n + across;
+                }
+        }
+    }
+
+    void advance(std::size_t k) {
+        std::vector<std::vector<Alive>> next(fronts_.at(k + 1).size());
+        for (std::uint32_t f = 0; f < alive_.size(); ++f) {
+            const double l = fronts_.at(k)[f].length();
+            for (const Alive& a : alive_[f]) {
+                const auto to = fronts_.onward(k, {f, a.x});
+                if (!to) continue;
+                out_.strands[a.strand].spots.push_back(*to);
+                const bool closed = fronts_.at(k)[f].line.closed || fronts_.at(k + 1)[to->front].line.closed;
+                next[to->front].push_back({to->x, a.strand, closed ? -1 : a.x, closed ? -1 : l - a.x});
+            }
+        }
+        level_ = k + 1;
+        for (std::uint32_t f = 0; f < next.size(); ++f) {
+            std::stable_sort(next[f].begin(), next[f].end(), [](const Alive& a, const Alive& b) { return a.x < b.x; });
+            apply(f, next[f]);
+        }
+        record(next);
+        alive_ = std::move(next);
+    }
+
+    // ---- the law, on one front
+
+    void apply(std::uint32_t f, std::vector<Alive>& row) {
+        if (row.empty()) return settle(f, row);
+        thin(f, row);
+        fill(f, row);
+        const std::size_t before = row.size();
+        while (row.size() < 2 * before + 2 && bear(f, row)) {
+        }
+        if (row.size() > before) return; // windows at rims hold fewer gaps: no strand dies for one just born
+        while (reap(f, row)) {
+        }
+    }
+
+    // The first strands on a front that no other leads to.
+    void settle(std::uint32_t f, std::vector<Alive>& row) {
+        const double l = front(f).length();
+        auto n = static_cast<std::size_t>(std::round(l / d_));
+        n -= n % law_.group;
+        const std::uint32_t group = groups_;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double x = l * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+            row.push_back({x, add(f, x, StrandEnd::law, group + static_cast<std::uint32_t>(i / law_.group))});
+        }
+        groups_ += static_cast<std::uint32_t>((n + 1) / law_.group);
+        out_.born += n;
+    }
+
+    // How much too wide the gaps are: before each strand, and of an open front behind the last one.  What lies between
+    // a strand and a rim along which it runs should be half a spacing; where it runs across, the rim has no say unless
+    // there is room for one more.
+    [[nodiscard]] std::vector<double> excess(std::uint32_t f, const std::vector<Alive>& row) const {
+        const Front& on = front(f);
+        const double l = on.length();
+        std::vector<double> e;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            e.push_back(i > 0 ? row[i].x - row[i - 1].x - d_ : row[0].x + l - row.back().x - d_);
+        if (on.line.closed) return e;
+        const auto to_rim = [&](double x, double before) {
+            const bool along = before >= 0 && std::abs(x - before) < kParallel * fronts_.step();
+            return along || x > 1.3 * d_ ? x - d_ / 2 : 0;
+        };
+        e[0] = to_rim(row[0].x, row[0].before);
+        e.push_back(to_rim(l - row.back().x, row.back().before_end));
+        return e;
+    }
+
+    // Puts n strands into gap i (before strand i).
+    void insert(std::uint32_t f, std::vector<Alive>& row, std::size_t i, std::size_t n) {
+        const Front& on = front(f);
+        const double l = on.length();
+        double from, to;
+        if (on.line.closed) {
+            from = i > 0 ? row[i - 1].x : row.back().x - l;
+            to = row[i].x;
+        } else { // rims stand for strands half a spacing beyond them
+            from = i > 0 ? row[i - 1].x : -d_ / 2;
+            to = i < row.size() ? row[i].x : l + d_ / 2;
+        }
+        std::vector<Alive> added;
+        for (std::size_t j = 1; j <= n; ++j) {
+            double x = from + (to - from) * static_cast<double>(j) / static_cast<double>(n + 1);
+            if (on.line.closed && x < 0) x += l;
+            x = std::clamp(x, 0.0, l);
+            const auto group = groups_ + static_cast<std::uint32_t>((j - 1) / law_.group);
+            added.push_back({x, add(f, x, StrandEnd::law, group)});
+        }
+        groups_ += static_cast<std::uint32_t>((n + law_.group - 1) / law_.group);
+        out_.born += n;
+        row.insert(row.begin() + static_cast<std::ptrdiff_t>(i), added.begin(), added.end());
+        std::stable_sort(row.begin(), row.end(), [](const Alive& a, const Alive& b) { return a.x < b.x; });
+    }
+
+    void kill(std::vector<Alive>& row, std::size_t i, std::uint32_t group) {
+        Strand& s = out_.strands[row[i].strand];
+        s.end = StrandEnd::law;
+        s.dies_with = group;
+        ++out_.died;
+        row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+
+    // Of strands that are much too near the younger dies.
+    void thin(std::uint32_t f, std::vector<Alive>& row) {
+        for (std::size_t i = 0; row.size() > 1 && i < row.size();) {
+            const bool closed = front(f).line.closed;
+            const double gap = i > 0 ? row[i].x - row[i - 1].x : row[0].x + front(f).length() - row.back().x;
+            if ((i == 0 && !closed) || gap >= kTooNear * d_) {
+                ++i;
+                continue;
+            }
+            const std::size_t before = i > 0 ? i - 1 : row.size() - 1;
+            const bool first = out_.strands[row[before].strand].first > out_.strands[row[i].strand].first;
+            kill(row, first ? before : i, groups_++);
+        }
+    }
+
+    // Gaps that are wide enough for more are filled at once.
+    void fill(std::uint32_t f, std::vector<Alive>& row) {
+        for (std::size_t i = 0; i < excess(f, row).size(); ++i) {
+            const double gap = excess(f, row)[i] + d_;
+            if (gap < wide_ * d_) continue;
+            auto n = static_cast<std::size_t>(std::round(gap / d_)) - 1;
+            n -= n % law_.group;
+            if (n == 0) continue;
+            insert(f, row, i, n);
+            i += n;
+        }
+    }
+
+    // Sums of `sign` times the excess over windows of neighbouring gaps, by the first gap of each; of all gaps if those
+    // are not more than a window holds.
+    struct Windows {
+        std::vector<double> sum;
+        std::size_t gaps = 0, size = 0;
+        bool closed = false;
+
+        // The least sum of those that hold the gap.
+        [[nodiscard]] double least(std::size_t gap) const {
+            if (sum.size() == 1) return sum[0];
+            double out = std::numeric_limits<double>::infinity();
+            for (std::size_t back = 0; back < size; ++back) {
+                if (!closed && back > gap) break;
+                const std::size_t first = (gap + gaps - back) % gaps;
+                if (first < sum.size()) out = std::min(out, sum[first]);
+            }
+            return out;
+        }
+    };
+
+    [[nodiscard]] Windows windows(const std::vector<double>& e, bool closed, double sign) const {
+        Windows w{{}, e.size(), std::min(2 * half_ + 1, e.size()), closed};
+        const std::size_t n = w.size == w.gaps ? 1 : closed ? w.gaps : w.gaps - w.size + 1;
+        for (std::size_t i = 0; i < n; ++i) {
+            double sum = 0;
+            for (std::size_t j = i; j < i + w.size; ++j) sum += sign * e[j % w.gaps];
+            w.sum.push_back(sum);
+        }
+        return w;
+    }
+
+    // A birth in a window where one is due; not if it made one of another window due to die.  False if nowhere.
+    bool bear(std::uint32_t f, std::vector<Alive>& row) {
+        const auto e = excess(f, row);
+        const Windows w = windows(e, front(f).line.closed, 1);
+        const double allowed = (static_cast<double>(law_.group) - most_ + kTie) * d_;
+        for (std::size_t i = 0; i < w.sum.size(); ++i) {
+            if (!(w.sum[i] > most_ * d_)) continue;
+            std::size_t best = e.size();
+            for (std::size_t back = 0; back < w.size; ++back) {
+                const std::size_t j = (i + (w.size / 2 + back) % w.size) % w.gaps; // from the middle on
+                if (w.least(j) >= allowed && (best == e.size() || e[j] > e[best] + kTie * d_)) best = j;
+            }
+            if (best == e.size()) continue;
+            insert(f, row, best, law_.group);
+            return true;
+        }
+        return false;
+    }
+
+    // A death likewise: the group dies whose gaps, those on both its sides included, are the narrowest.
+    bool reap(std::uint32_t f, std::vector<Alive>& row) {
+        const auto e = excess(f, row);
+        const Windows w = windows(e, front(f).line.closed, -1);
+        const std::size_t g = law_.group, size = row.size();
+        if (size <= g) return false;
+        const double allowed = (static_cast<double>(g) - most_ + kTie) * d_;
+        for (std::size_t i = 0; i < w.sum.size(); ++i) {
+            if (!(w.sum[i] > most_ * d_)) continue;
+            double least = std::numeric_limits<double>::infinity();
+            std::size_t best = size;
+            for (std::size_t j = i; j + g < i + w.size; ++j) {
+                double sum = 0, room = std::numeric_limits<double>::infinity();
+                for (std::size_t k = j; k <= j + g; ++k) {
+                    sum += e[k % w.gaps];
+                    room = std::min(room, w.least(k % w.gaps));
+                }
+                if (room >= allowed && sum < least - kTie * d_) {
+                    least = sum;
+                    best = j % size;
+                }
+            }
+            if (best == size) continue;
+            const std::uint32_t group = groups_++;
+            for (std::size_t j = 0; j < g; ++j) kill(row, best < row.size() ? best : 0, group);
+            return true;
+        }
+        return false;
+    }
+
+    // ---- how much wider the fronts get
+
+    void record(const std::vector<std::vector<Alive>>& rows) {
+        done_ = true;
+        for (std::uint32_t f = 0; f < rows.size(); ++f) {
+            if (!rows[f].empty()) done_ = false;
+            for (std::size_t i = 1; i < rows[f].size(); ++i) {
+                const Strand &a = out_.strands[rows[f][i - 1].strand], &b = out_.strands[rows[f][i].strand];
+                if (a.first == level_ || b.first == level_) continue; // their room had grown before
+                const Spot &sa = a.spots[a.spots.size() - 2], &sb = b.spots[b.spots.size() - 2];
+                if (sa.front != sb.front || sb.x < sa.x) continue;
+                change(root_[rows[f][i - 1].strand], rows[f][i].x - rows[f][i - 1].x - (sb.x - sa.x));
+            }
+        }
+    }
+
+    void change(std::uint32_t root, double by) {
+        auto& c = changes_[root];
+        c.resize(level_ + 1, 0);
+        c[level_] += by;
+    }
+
+    // Sums of rises, those taken as one that are apart by falls of less than half a spacing.
+    [[nodiscard]] std::size_t bound() const {
+        std::size_t out = 0;
+        for (const auto& [root, steps] : changes_) {
+            double now = 0, valley = 0, peak = 0;
+            const auto bank = [&] { out += static_cast<std::size_t>(std::max(0.0, (peak - valley) / d_)); };
+            for (const double v : steps) {
+                now += v;
+                peak = std::max(peak, now);
+                if (now < peak - d_ / 2) {
+                    bank();
+                    valley = peak = now;
+                }
+                if (peak - valley < d_ / 2 && now < valley) valley = peak = now;
+            }
+            bank();
+        }
+        return out;
+    }
+
+    const Fronts& fronts_;
+    const Law& law_;
+    double d_;
+    std::size_t half_;
+    double most_, wide_;
+    std::size_t level_ = 0;
+    bool done_ = false;
+    std::uint32_t groups_ = 0;
+    Strands out_;
+    std::vector<std::vector<Alive>> alive_; // per front of the level
+    std::vector<std::uint32_t> root_;       // per strand: the source front that it comes from
+    std::map<std::uint32_t, std::vector<double>> changes_;
+};
+
+// Strands that died shortly before a rim go on to it.
+void revive(std::vector<Strand>& strands, const Fronts& fronts, double brief, std::size_t& died) {
+    for (Strand& s : strands) {
+        if (s.end != StrandEnd::law) continue;
+        Strand longer = s;
+        bool rim = false;
+        while (!rim && static_cast<double>(longer.last() - s.last()) * fronts.step() < brief) {
+            const auto to = fronts.onward(longer.last(), longer.spots.back());
+            if (to) longer.spots.push_back(*to);
+            rim = !to;
+        }
+        if (!rim) continue;
+        s = std::move(longer);
+        s.end = StrandEnd::rim;
+        s.dies_with = kNone;
+        --died;
+    }
+}
+
+// Leaves out what is too short, with its other side if that is too short as well together.
+void drop_short(Strands& all, const Fronts& fronts, double shortest, double brief) {
+    const std::size_t n = all.strands.size();
+    std::vector<double> length(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const Strand& s = all.strands[i];
+        const bool runs_out = s.end == StrandEnd::rim;
+        length[i] = static_cast<double>(s.last() - s.first) * fronts.step() +
+                    (runs_out ? surface::curve::length(fronts.last(s.last(), s.spots.back())) : 0);
+    }
+    std::vector<std::uint32_t> number(n, kNone);
+    std::vector<Strand> kept;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Strand& s = all.strands[i];
+        const double whole = length[i] + (s.mate != kNone ? length[s.mate] : 0);
+        const double least = s.begin == StrandEnd::law ? std::max(shortest, brief) : shortest;
+        if (length[i] > 1e-6 && whole >= least) {
+            number[i] = static_cast<std::uint32_t>(kept.size());
+            kept.push_back(s);
+        } else if (length[i] > 1e-6) {
+            all.left_out.push_back({s.last(), s.spots.back(), length[i]});
+            if (s.begin == StrandEnd::law) --all.born;
+            if (s.end == StrandEnd::law) --all.died;
+        }
+    }
+    for (Strand& s : kept)
+        if (s.mate != kNone) s.mate = number[s.mate];
+    all.strands = std::move(kept);
+}
+
+} // namespace
+
+Strands strands(const Fronts& fronts, const Law& law) {
+    Strands out = March(fronts, law).run();
+    revive(out.strands, fronts, kBrief * law.spacing, out.died);
+    drop_short(out, fronts, std::max(law.shortest, law.spacing), kBrief * law.spacing);
+    make_room(out.strands, fronts, law.spacing);
+    return out;
+}
+
+} // namespace filum::surfpath::strands
