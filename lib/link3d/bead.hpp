@@ -50,9 +50,10 @@ void pin(Bead& bead, Vec2 p, double reach);
 // Takes `lane_width` * length of `lane` (mm2) from the beads on both sides of the lane, half from each, where one is
 // within `reach` mm; segments there are split to at most `reach` / 2.  No point's width falls below `least` times its
 // own; what that forbids moves on to the neighbouring points.  The far edge of the bead stays where it was: points move
-// away from the lane by half of what their width loses, but for the ends.  Returns the area taken, mm2.
+// away from the lane by half of what their width loses, but for the ends and the one at `fixed`.  Returns the area
+// taken, mm2.
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
-                   const SegmentIndex& lines);
+                   const SegmentIndex& lines, std::optional<Vec2> fixed = std::nullopt);
 
 // A scarf: the first `length` mm of a way rise to the layer's height, `lead` mm of them before the bead begins; the
 // bead's last length - lead mm lie over its first ones and lay what is missing there.

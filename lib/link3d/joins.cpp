@@ -23,11 +23,29 @@ bool Linker::rises() const {
     return rise >= 0.5 * r.height && rise <= 1.5 * r.height;
 }
 
-// A plain lift, then a short jog to the nearest place of the front region: it cannot cross that region's beads.
-std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
+// The entry of the front region nearest to the nozzle, if it is in reach, to which no bead of the region lies across
+// the way.  Only an open curve can, as it has no entry where it is nearest.  If one lies across every way, the nearest
+// entry, with a note.
+std::optional<Linker::Entry> Linker::climb_to(Notes& notes) {
+    const auto& r = window_.front();
+    const Vec2 from = at_->xy();
+    const double reach = reaches(r).back() * (r.width + width_before_) / 2;
+    const auto nearest = nearest_entry(r, from, reach, {});
+    if (!nearest || !r.open) return nearest;
+    std::vector<char> tried(r.paths.curves.size(), 0);
+    for (auto entry = nearest; entry; entry = nearest_entry(r, from, reach, tried)) {
+        if (is_free(r.index, from, entry->place.point, 0, kEnds, kEnds)) return entry;
+        tried[entry->place.curve] = 1;
+    }
+    notes.push_back({"", "jog across a bead", nearest->place.distance, "mm", 1, r.paths.layer, from.x, from.y});
+    return nearest;
+}
+
+// A plain lift, then a short jog to the front region.
+std::optional<Linker::Entry> Linker::climb(const Emit& emit, Notes& notes) {
     const auto& r = window_.front();
     if (!may_climb_ || !rises()) return std::nullopt;
-    auto entry = nearest_entry(r, at_->xy(), reaches(r).back() * (r.width + width_before_) / 2, {});
+    auto entry = climb_to(notes);
     if (!entry) return std::nullopt;
     if (options_.interlace == Interlace::none && !turn_)
         *entry = drift(*entry); // else lanes lead wherever the column goes

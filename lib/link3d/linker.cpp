@@ -131,7 +131,7 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const bool above = goes_on(r);
     std::optional<Entry> joined;
     if (above)
-        joined = r.paths.join == Join::beside ? step_in(emit) : climb(emit);
+        joined = r.paths.join == Join::beside ? step_in(emit) : climb(emit, notes);
     else if (at_ && options_.connect == Connect::outside)
         joined = go_around(emit, notes);
     else if (at_ && options_.connect == Connect::inside)
@@ -228,7 +228,7 @@ void Linker::print_curve(const Entry& entry, bool last, const Emit& emit, Notes&
         notes.push_back({"", "start of the next layer not moved", 0, "", 1, r.paths.layer, start_.x, start_.y});
     }
     if (last && !way) way = leave(c, out, [&] { return curve.closed ? bead(!turn) : out; });
-    if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})));
+    if (way) thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(c, out, {})), pin_);
     if (last && (options_.connect != Connect::stop || leads_in()))
         last_ = SegmentIndex(as_printed(c, out, way ? *way : std::vector<Vec2>{}));
     print(out, ramp, emit);

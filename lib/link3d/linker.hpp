@@ -96,7 +96,8 @@ class Linker {
     void print_front(const Emit& emit, Notes& notes);
     Entry enter(const Emit& emit, Notes& notes);
     [[nodiscard]] std::optional<Entry> other_end(const Entry& entry) const;
-    std::optional<Entry> climb(const Emit& emit);
+    std::optional<Entry> climb_to(Notes& notes);
+    std::optional<Entry> climb(const Emit& emit, Notes& notes);
     std::optional<Entry> step_in(const Emit& emit);
     [[nodiscard]] bool beside_last() const;
     void jog(const Entry& entry, const Emit& emit);

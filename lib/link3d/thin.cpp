@@ -124,15 +124,16 @@ void settle(Thinned& t, double least) {
 }
 
 // The points where the bead's far edge stays in place, if that folds nothing and `lines` leave room; `less` is what
-// their width loses, mm.
-std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, double reach, const SegmentIndex& lines) {
+// their width loses, mm.  A point at `fixed` stays.
+std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, double reach, const SegmentIndex& lines,
+                        std::optional<Vec2> fixed) {
     const auto& from = t.bead.points;
     const std::size_t n = from.size();
     std::vector<Vec2> to(n); // of length 1
     std::vector<double> by(n, 0);
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const double l = geom::norm(t.away[i]);
-        if (l == 0 || less[i] == 0) continue;
+        if (l == 0 || less[i] == 0 || (fixed && geom::distance(*fixed, from[i]) <= kSamePoint)) continue;
         to[i] = (1 / l) * t.away[i];
         if (is_free(lines, from[i], from[i] + (less[i] + kRoom * reach) * to[i], kSamePoint, kSelfDistance * reach, 0))
             by[i] = less[i] / 2;
@@ -160,14 +161,14 @@ std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, doubl
 } // namespace
 
 double thin_beside(Bead& bead, std::span<const Vec2> lane, double lane_width, double reach, double least,
-                   const SegmentIndex& lines) {
+                   const SegmentIndex& lines, std::optional<Vec2> fixed) {
     Thinned t = split_at_shares(bead, shares(bead, lane, lane_width, reach), reach / 2);
     settle(t, least);
     const std::size_t n = t.take.size();
     std::vector<double> less(n, 0), mass(n);
     for (std::size_t i = 0; i < n; ++i)
         if ((mass[i] = t.mass(i)) > 0) less[i] = t.take[i] / mass[i];
-    t.bead.points = aside(t, less, reach, lines);
+    t.bead.points = aside(t, less, reach, lines, fixed);
     for (std::size_t i = 0; i < n; ++i)
         if (const double now = t.mass(i); now > 0) t.bead.width[i] = (t.bead.width[i] - less[i]) * mass[i] / now;
     bead = std::move(t.bead);

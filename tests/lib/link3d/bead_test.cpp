@@ -140,6 +140,20 @@ TEST(Bead, KeepsItsFarEdgeBesideALane) {
     EXPECT_EQ(b.points.front(), (Vec2{0, 0}));
 }
 
+// Where a jog leaves the bead, the bead stays: moved past its beginning, it would cross the jog.
+TEST(Bead, StaysWhereAJogLeavesIt) {
+    for (const bool kept : {false, true}) {
+        Bead b{{{0, 0}, {10, 0}, {10, kWidth}, {0, kWidth}}, {kWidth}};
+        const Vec2 jog{5.03, 0};
+        pin(b, jog, 0.02);
+        const std::vector<Vec2> lane{{3, kWidth / 2}, {7, kWidth / 2}};
+        const Curve line{false, b.points, {kWidth}};
+        thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1)),
+                    kept ? std::optional(jog) : std::nullopt);
+        EXPECT_EQ(std::count(b.points.begin(), b.points.end(), jog), kept ? 1 : 0);
+    }
+}
+
 TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {
     const Curve c = comb({0, 0}, 9, 16);
     const SegmentIndex index(std::span(&c, 1));

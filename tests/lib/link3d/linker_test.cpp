@@ -210,6 +210,25 @@ TEST(Linker, ClimbsOpenCurvesFromEndToEnd) {
     }
 }
 
+// An open curve can hide the nearest place of another: it is entered at its ends only.
+TEST(Linker, ClimbsAcrossNoOpenCurve) {
+    const Curve below{false, {{0, 5}, {5, 5}}, {kWidth}};
+    const Curve wall{false, {{5.1, 0}, {5.1, 10}}, {kWidth}};
+    const auto square = [](double x, double y) {
+        return Curve{true, {{x, y}, {x + 3, y}, {x + 3, y + 3}, {x, y + 3}}, {kWidth}};
+    };
+    const Curve behind = square(5.25, 3.5), before = square(1.9, 5.3);
+    const auto told = [](const Result& r) {
+        return std::count_if(r.notes.begin(), r.notes.end(),
+                             [](const Note& n) { return n.what == "jog across a bead"; });
+    };
+    const Result r = link(column({{below}, {wall, behind, before}}));
+    EXPECT_EQ(told(r), 0);
+    EXPECT_EQ(r.spans[1].role, Role::lift);
+    EXPECT_NEAR(r.spans[1].points.back().y, 5.3, 1e-9) << "the square that nothing hides";
+    EXPECT_EQ(told(link(column({{below}, {wall, behind}}))), 1) << "nothing else is in reach";
+}
+
 TEST(Linker, TravelsOverWhatIsPrinted) {
     std::vector<RegionPaths> regions;
     const auto add = [&](double x, std::uint32_t layer, Join join) {
