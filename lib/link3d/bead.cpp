@@ -113,7 +113,7 @@ void pin(Bead& bead, Vec2 p, double reach) {
         }
     if (least > reach) return;
     for (const std::size_t i : {best, best + 1}) {
-        if (geom::distance(bead.points[i], p) >= kCorner) continue;
+        if (geom::distance(bead.points[i], p) >= std::max(kCorner, least + kSamePoint)) continue;
         if (i > 0 && i + 1 < bead.points.size()) bead.points[i] = p;
         return;
     }

@@ -43,8 +43,8 @@ Bead run(const toolpath::Curve& curve, bool against);
 // mm: what is so near to a corner is at the corner.
 inline constexpr double kCorner = 0.005;
 
-// Puts p into the bead as a point, where that is at most `reach` mm away: a new one, or in place of a corner that is as
-// near; ends stay.
+// Puts p into the bead as a point, where that is at most `reach` mm away: a new one, or in place of a corner that p is
+// at, or that is the nearest of the bead to p; ends stay.
 void pin(Bead& bead, Vec2 p, double reach);
 
 // Takes `lane_width` * length of `lane` (mm2) from the beads on both sides of the lane, half from each, where one is

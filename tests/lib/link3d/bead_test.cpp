@@ -89,6 +89,16 @@ TEST(Bead, PinAddsAPointWithoutMovingTheLine) {
     EXPECT_EQ(b.points.size(), n + 1) << "it is there already";
 }
 
+// Beside a corner's outside the corner is the nearest place of both its segments: a point put into one of them would
+// let a jog cross the other.
+TEST(Bead, PinTakesTheCornerThatItIsBeside) {
+    Bead b{{{0, 0}, {1, 0}, {1, 1}}, {kWidth}};
+    const Vec2 p{1.01, -0.01};
+    pin(b, p, 0.02);
+    ASSERT_EQ(b.points.size(), 3U);
+    EXPECT_EQ(b.points[1], p);
+}
+
 // From anywhere to anywhere: nothing is crossed, and what the lane lays comes out of its neighbours.
 TEST(StripRoute, CrossesNothingAndKeepsTheVolume) {
     Random random{5};
