@@ -167,3 +167,20 @@ setup() {
     run surfpath hybrid --method kipping2022 plate.surface -o none
     [ "$status" -eq 2 ] && [[ $output == *"cannot lay hybrid as Kipping et al. 2022 did"* ]]
 }
+
+# docs/metrics.md has a table of what surfpath says; the facts themselves carry no meaning.
+@test "every fact of surfpath is in the table of docs/metrics.md, and every line of the table is a fact" {
+    geodesic --quiet dome.off --remesh 1 --source plane:0,1,0,0 > rows.surface
+    geodesic --quiet dome.off --remesh 1 --source point:0,0,20 > point.surface
+    geodesic --quiet dome.off --remesh 1 --source boundary > rim.surface
+    for with in "fina rows" "fexa rows" "ortheo rows" "geo-spiral point" "geo-fiso rim" "geo-contour rim" "field rim" \
+        "hybrid rim" "fina rows --turn-outside 4"; do
+        read -r algorithm from options <<< "$with"
+        surfpath --quiet "$algorithm" --spacing 2 $options $from.surface > path
+        peek path | sed -n 's/^fact *surfpath: \([a-z-]*\) .*/\1/p'
+    done | tr - _ | sort -u > said
+    awk '/^Those of `surfpath`/ {on = 1} on && /^## / {exit} on && /^\| `/ {print $0}' \
+        "$BATS_TEST_DIRNAME/../../docs/metrics.md" | cut -d'|' -f2 | tr -d ' `' | tr , '\n' | sort > told
+    [ "$(wc -l < told)" -gt 20 ]
+    diff told said
+}
