@@ -12,7 +12,9 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace filum::surface {
 
@@ -26,17 +28,49 @@ constexpr double kMostTriangles = 2e7;
 constexpr double kSharp = 30; // degrees between normals
 constexpr unsigned kRemeshingRounds = 3;
 
-CgalMesh to_cgal(const Surface& s, const char* verb) {
+// Per half-edge: it is a rim, and another edge joins the same two vertices, as where one of more than two triangles was
+// cut.  CGAL's meshes have one edge for two vertices.
+std::vector<char> doubled_rims(const Surface& s) {
+    std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges; // ends, ascending; its half-edge
+    const auto n = static_cast<std::uint32_t>(s.twin.size());
+    for (std::uint32_t h = 0; h < n; ++h) {
+        const std::uint32_t a = s.triangles[h / 3][h % 3], b = s.triangles[h / 3][(h + 1) % 3];
+        if (s.twin[h] == kNone || h < s.twin[h]) edges.emplace_back(std::min(a, b), std::max(a, b), h);
+    }
+    std::sort(edges.begin(), edges.end());
+    std::vector<char> out(n, 0);
+    const auto same = [&](std::size_t i, std::size_t j) {
+        return j < edges.size() && std::get<0>(edges[i]) == std::get<0>(edges[j]) &&
+               std::get<1>(edges[i]) == std::get<1>(edges[j]);
+    };
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (const std::uint32_t h = std::get<2>(edges[i]); s.twin[h] == kNone)
+            out[h] = same(i, i + 1) || (i > 0 && same(i, i - 1)) ? 1 : 0;
+    return out;
+}
+
+// The same surface; a rim that is doubled gets a vertex of its own in its middle.
+CgalMesh to_cgal(const Surface& s) {
     CgalMesh out;
     out.reserve(static_cast<CgalMesh::size_type>(s.vertices.size()), static_cast<CgalMesh::size_type>(s.twin.size()),
                 static_cast<CgalMesh::size_type>(s.triangles.size()));
     using Vertex = CgalMesh::Vertex_index;
     for (const Vec3& p : s.vertices) out.add_vertex({p.x, p.y, p.z});
-    for (const auto& [a, b, c] : s.triangles)
-        if (out.add_face(Vertex(a), Vertex(b), Vertex(c)) == CgalMesh::null_face())
-            throw Error(Exit::failure, std::string("cannot ") + verb +
-                                           " the surface: parts of it touch along an edge that was cut; repair it "
-                                           "first");
+    const auto doubled = doubled_rims(s);
+    for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+        std::vector<Vertex> around;
+        std::size_t apex = 0; // of the fan that the face becomes: not on a side with a third vertex but its own
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = s.triangles[t][k], b = s.triangles[t][(k + 1) % 3];
+            around.emplace_back(a);
+            if (doubled[3 * t + k] == 0) continue;
+            const Vec3 m = 0.5 * (s.vertices[a] + s.vertices[b]);
+            apex = around.size();
+            around.push_back(out.add_vertex({m.x, m.y, m.z}));
+        }
+        std::rotate(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(apex), around.end());
+        for (std::size_t k = 1; k + 1 < around.size(); ++k) out.add_face(around[0], around[k], around[k + 1]);
+    }
     return out;
 }
 
@@ -60,7 +94,7 @@ CgalMesh closed(mesh::Mesh solid, bool inside) {
     if (!s.rims.empty())
         throw Error(Exit::bad_input, "cannot use --cut-mesh: it is open (" + std::to_string(s.rims.size()) +
                                          " rims), so it has no inside; close it first");
-    CgalMesh m = to_cgal(s, "cut by");
+    CgalMesh m = to_cgal(s);
     if (pmp::does_self_intersect(m))
         throw Error(Exit::bad_input, "cannot use --cut-mesh: it crosses itself; repair it first");
     pmp::orient_to_bound_a_volume(m);
@@ -76,7 +110,7 @@ Surface remesh(const Surface& s, double edge, Notes& notes) {
         throw Error(Exit::usage, "cannot remesh to sides of " + shortest_text(edge) +
                                      " mm: that takes more than 20 million triangles; raise --remesh");
     try {
-        CgalMesh m = to_cgal(s, "remesh");
+        CgalMesh m = to_cgal(s);
         auto kept = m.add_property_map<CgalMesh::Edge_index, bool>("e:kept", false).first;
         pmp::detect_sharp_edges(m, kSharp, kept);
         std::vector<CgalMesh::Edge_index> lines;
@@ -97,7 +131,7 @@ Surface remesh(const Surface& s, double edge, Notes& notes) {
 
 Surface cut(const Surface& s, const mesh::Mesh& solid, bool inside, Notes& notes) {
     try {
-        CgalMesh m = to_cgal(s, "cut"), by = closed(solid, inside);
+        CgalMesh m = to_cgal(s), by = closed(solid, inside);
         if (!pmp::clip(m, by, pmp::parameters::clip_volume(false).throw_on_self_intersection(true)))
             throw Error(Exit::failure, "cannot use --cut-mesh: the cut leaves no manifold; move it a little");
         mesh::Mesh out = from_cgal(m);

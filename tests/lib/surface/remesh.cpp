@@ -62,6 +62,23 @@ TEST(remesh, is_the_same_every_time) {
     EXPECT_EQ(a.triangles, b.triangles);
 }
 
+// A tetrahedron with a fin on one side: of the three triangles there one is cut off, but its ends stay vertices of the
+// other two, as the surface goes on around both.
+TEST(remesh, takes_an_edge_that_was_cut) {
+    const mesh::Mesh m{{{0, 0, 0}, {2, 0, 0}, {1, 2, 0}, {1, -2, 0}, {1, -1, 2}},
+                       {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 4, 3}, {1, 3, 4}}};
+    Notes notes;
+    const Surface before = connect(m, notes);
+    ASSERT_EQ(before.vertices.size(), 5U);
+    ASSERT_EQ(before.components, 1U);
+    for (const double edge : {1.0, 0.4}) {
+        const Surface after = remesh(before, edge, notes);
+        EXPECT_NEAR(area(after), area(before), 1e-9);
+        EXPECT_EQ(after.components, 1U);
+        EXPECT_EQ(after.rims.size(), before.rims.size());
+    }
+}
+
 TEST(remesh, refuses_what_is_too_fine) {
     Notes notes;
     EXPECT_THROW(remesh(frame_of(flat), 1e-6, notes), Error);
