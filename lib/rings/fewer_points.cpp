@@ -6,38 +6,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace filum::rings {
 
 namespace {
 
-// A closed bead.
-struct Bead {
-    std::span<const Vec2> points;
-    std::span<const double> width;
-
-    [[nodiscard]] std::size_t size() const { return points.size(); }
-};
-
 class Thinning {
   public:
     // `even`: turns are to be even.
-    Thinning(Bead bead, double tolerance, double least_void, bool even)
-        : bead_(bead), way_(bead.size()), tolerance_(tolerance), least_(least_void), even_(even) {
-        for (std::size_t i = 0; i < bead_.size(); ++i)
-            way_[i] = geom::distance(bead_.points[(i > 0 ? i : bead_.size()) - 1], bead_.points[i]);
+    Thinning(const toolpath::Curve& bead, double tolerance, double least_void, bool even)
+        : bead_(bead), n_(bead.points.size()), way_(n_), tolerance_(tolerance), least_(least_void), even_(even) {
+        for (std::size_t i = 0; i < n_; ++i)
+            way_[i] = geom::distance(bead_.points[(i > 0 ? i : n_) - 1], bead_.points[i]);
     }
 
     // Adds the points that stay, moved such that beads side by side stay so on average.
     void run(std::vector<Vec2>& points, std::vector<double>& width) const {
         std::vector<std::size_t> kept;
-        for (std::size_t a = 0; a < bead_.size(); a = farthest(a)) kept.push_back(a);
-        if (kept.size() < 3) kept = {0, bead_.size() / 3, 2 * bead_.size() / 3}; // no line there and back
+        for (std::size_t a = 0; a < n_; a = farthest(a)) kept.push_back(a);
+        if (kept.size() < 3) kept = {0, n_ / 3, 2 * n_ / 3}; // no line there and back
         if (even_) even_out(kept);
         const std::size_t n = kept.size();
         std::vector<Chord> chords;
-        for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : bead_.size()));
+        for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : n_));
         std::vector<Vec2> moved;
         std::vector<double> wide;
         for (std::size_t k = 0; k < n; ++k) {
@@ -64,8 +55,8 @@ class Thinning {
     // A point that the chord from a may run to; beyond it there is none near by.
     [[nodiscard]] std::size_t farthest(std::size_t a) const {
         std::size_t step = 1;
-        while (a + 2 * step <= bead_.size() && within(a, a + 2 * step)) step *= 2;
-        std::size_t lo = a + step, hi = std::min(a + 2 * step, bead_.size() + 1); // hi is too far
+        while (a + 2 * step <= n_ && within(a, a + 2 * step)) step *= 2;
+        std::size_t lo = a + step, hi = std::min(a + 2 * step, n_ + 1); // hi is too far
         while (hi - lo > 1) {
             const std::size_t middle = lo + (hi - lo) / 2;
             (within(a, middle) ? lo : hi) = middle;
@@ -75,8 +66,8 @@ class Thinning {
     // Whether the line from a to b runs in a strip along its chord no wider than twice the tolerance, and its width is
     // near enough to the chord's.
     [[nodiscard]] bool within(std::size_t a, std::size_t b) const {
-        const Vec2 p = bead_.points[a], chord = bead_.points[b % bead_.size()] - p;
-        const double wa = bead_.width[a], wider_by = bead_.width[b % bead_.size()] - wa, l2 = geom::norm2(chord);
+        const Vec2 p = bead_.points[a], chord = bead_.points[b % n_] - p;
+        const double wa = bead_.width[a], wider_by = bead_.width[b % n_] - wa, l2 = geom::norm2(chord);
         const double by_length2 = l2 > 0 ? 1 / l2 : 0, widest = 2 * tolerance_;
         const auto along = [&](std::size_t i) { // the share of the chord at which it is the nearest to point i
             return std::clamp(by_length2 * dot(bead_.points[i] - p, chord), 0.0, 1.0);
@@ -129,11 +120,11 @@ class Thinning {
     }
 
     [[nodiscard]] Chord chord(std::size_t a, std::size_t b) const {
-        const Vec2 p = bead_.points[a], q = bead_.points[b % bead_.size()];
+        const Vec2 p = bead_.points[a], q = bead_.points[b % n_];
         Chord out;
         double left = 0, right = 0, laid = 0;
         for (std::size_t i = a; i < b; ++i) {
-            const std::size_t j = (i + 1) % bead_.size();
+            const std::size_t j = (i + 1) % n_;
             const double l = way_[j];
             const double aside = cross(q - p, bead_.points[i] - p);
             left = std::max(left, aside);
@@ -143,7 +134,7 @@ class Thinning {
         }
         const double l = geom::distance(p, q);
         if (l > 0) out.aside = std::clamp((left + right) / 2 / l, -tolerance_, tolerance_);
-        if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % bead_.size()]) / 2;
+        if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % n_]) / 2;
         return out;
     }
     // The point at i, between chords from h and to j, moved to where both are as far aside as they are to be: by least
@@ -171,7 +162,8 @@ class Thinning {
         }
     }
 
-    Bead bead_;
+    const toolpath::Curve& bead_; // closed
+    std::size_t n_;               // points of it
     std::vector<double> way_; // per point: mm from the one before it
     double tolerance_, least_;
     bool even_;
@@ -185,20 +177,14 @@ int parts_of_taper(double change, double length, double least_void) {
 
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void) {
     toolpath::Curve out{bead.closed, {}, {}};
-    Thinning({bead.points, bead.width}, tolerance, least_void, true).run(out.points, out.width);
+    Thinning(bead, tolerance, least_void, true).run(out.points, out.width);
     return out;
 }
 
-Rings with_fewer_points(const Rings& all, double tolerance, double least_void) {
-    Rings out;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::size_t first = all.start[i], n = all.start[i + 1] - first;
-        Thinning({{all.points.data() + first, n}, {all.width.data() + first, n}}, tolerance, least_void, false)
-            .run(out.points, out.width);
-        out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
-        out.lane.push_back(all.lane[i]);
-    }
-    return out;
+void add_with_fewer_points(const toolpath::Curve& bead, int lane, double tolerance, double least_void, Rings& out) {
+    Thinning(bead, tolerance, least_void, false).run(out.points, out.width);
+    out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
+    out.lane.push_back(lane);
 }
 
 } // namespace filum::rings

@@ -20,7 +20,8 @@ int parts_of_taper(double change, double length, double least_void);
 // segment with one width, and no more than `least_void` aside by that.
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void);
 
-// The same of all rings, but their turns stay as they come: they are to be joined and rounded yet.
-Rings with_fewer_points(const Rings& all, double tolerance, double least_void);
+// Adds the closed bead with few points, as a ring of its lane.  Turns stay as they come: rings are to be joined and
+// rounded yet.
+void add_with_fewer_points(const toolpath::Curve& bead, int lane, double tolerance, double least_void, Rings& out);
 
 } // namespace filum::rings

@@ -26,7 +26,10 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const double flows = kLeastVoid * width * width, least = least_void(width, area);
     const double fine = o.tolerance / 4;
     const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
-    FirstLanes out{with_fewer_points(rings(b, o.most, flows, fine), fine / 3, least), {}};
+    FirstLanes out;
+    lay_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring, int lane) {
+        add_with_fewer_points(ring, lane, fine / 3, least, out.lanes);
+    });
     for (double& w : out.lanes.width) w *= wider;
     if (o.most > 0) out.rest = polygon::split(beyond(b, o.most, fine)).part;
     std::erase_if(out.rest, [&](const Loops& part) { return polygon::signed_area(part) <= flows; });

@@ -10,15 +10,15 @@ namespace {
 
 class Walk {
   public:
-    Walk(const Beading& beading, double least_void, double tolerance)
-        : b_(&beading), least_void_(least_void), tolerance_(tolerance) {
+    Walk(const Beading& beading, double least_void, double tolerance, const Laid& laid)
+        : b_(&beading), least_void_(least_void), tolerance_(tolerance), take_(&laid) {
         for (std::uint32_t h = 0; h < axis().half_edges(); ++h) {
             const double last = beading.last[axis().from[h]];
             lanes_.push_back(last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9));
         }
     }
 
-    Rings run(int most) {
+    void run(int most) {
         std::vector<std::uint32_t> live;
         for (std::uint32_t h = 0; h < axis().half_edges(); ++h)
             if (lanes_[h] > 0) live.push_back(h);
@@ -28,7 +28,6 @@ class Walk {
                 if (seen_[h] != lane_) ring(h);
             std::erase_if(live, [&](std::uint32_t h) { return lanes_[h] <= lane_; });
         }
-        return std::move(out_);
     }
 
   private:
@@ -36,7 +35,8 @@ class Walk {
     [[nodiscard]] bool laid(std::uint32_t h) const { return lanes_[h] >= lane_; }
 
     void ring(std::uint32_t h0) {
-        const std::size_t first = out_.points.size();
+        ring_.points.clear();
+        ring_.width.clear();
         for (std::uint32_t h = h0; seen_[h] != lane_;) {
             seen_[h] = lane_;
             ray_point(h, 0, b_->end(axis().from[h], lane_));
@@ -50,30 +50,19 @@ class Walk {
                 h = axis().next[h ^ 1];
             }
         }
-        close(first);
-    }
-
-    // Ends the ring whose points were laid from `first` on, or takes it back.
-    void close(std::size_t first) {
         double area = 0;
-        const std::size_t n = out_.points.size();
-        for (std::size_t i = first; i < n; ++i)
-            area += out_.width[i] * geom::distance(out_.points[i], out_.points[i + 1 == n ? first : i + 1]);
-        if (n - first < 3 || (lane_ > 1 && area < least_void_)) {
-            out_.points.resize(first);
-            out_.width.resize(first);
-            return;
-        }
-        out_.start.push_back(static_cast<std::uint32_t>(n));
-        out_.lane.push_back(lane_);
+        const std::size_t n = ring_.points.size();
+        for (std::size_t i = 0; i < n; ++i)
+            area += ring_.width[i] * geom::distance(ring_.points[i], ring_.points[i + 1 == n ? 0 : i + 1]);
+        if (n >= 3 && (lane_ == 1 || area >= least_void_)) (*take_)(ring_, lane_);
     }
 
     // Lane coordinate of the middle of the strip on the ray to node i.
     [[nodiscard]] double middle(std::uint32_t i) const { return (lane_ - 1 + b_->end(i, lane_)) / 2; }
 
     void put(Vec2 p, double width) {
-        out_.points.push_back(p);
-        out_.width.push_back(std::max(width, kNarrowest * b_->width));
+        ring_.points.push_back(p);
+        ring_.width.push_back(std::max(width, kNarrowest * b_->width));
     }
 
     // Adds the point on the ray to the share t of h, where the strip ends at lane coordinate `end`.
@@ -123,8 +112,8 @@ class Walk {
 
     // If h is seen from a vertex of the outline: points on the arc about that from the last point to p.
     void arc_to(std::uint32_t h, Vec2 p) {
-        const double w = out_.width.back();
-        each_on_arc(axis(), h, out_.points.back(), p, tolerance_, [&](Vec2 q) { put(q, w); });
+        const double w = ring_.width.back();
+        each_on_arc(axis(), h, ring_.points.back(), p, tolerance_, [&](Vec2 q) { put(q, w); });
     }
 
     const Beading* b_;
@@ -132,7 +121,8 @@ class Walk {
     int lane_ = 0;
     std::vector<int> lanes_; // per half-edge: laid on the ray to its first node
     std::vector<int> seen_;  // per half-edge: the last lane that has passed it
-    Rings out_;
+    const Laid* take_;
+    toolpath::Curve ring_{true, {}, {}}; // the one that is being laid
 };
 
 } // namespace
@@ -145,8 +135,8 @@ void Rings::add(const Rings& more) {
     for (std::size_t i = 1; i < more.start.size(); ++i) start.push_back(base + more.start[i]);
 }
 
-Rings rings(const Beading& beading, int most, double least_void, double tolerance) {
-    return Walk(beading, least_void, tolerance).run(most);
+void lay_rings(const Beading& beading, int most, double least_void, double tolerance, const Laid& laid) {
+    Walk(beading, least_void, tolerance, laid).run(most);
 }
 
 } // namespace filum::rings

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "rings/beading.hpp"
+#include "toolpath/path.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace filum::rings {
@@ -19,8 +21,11 @@ struct Rings {
     void add(const Rings& more);
 };
 
-// The rings of lanes 1 to `most` (all: 0), lane by lane.  Arcs are off by at most `tolerance` mm.  Rings inside others
-// that would lay no more than `least_void` mm2 are left out.
-Rings rings(const Beading& beading, int most, double least_void, double tolerance);
+// What becomes of a ring, which is not kept: all points of all rings at once would be many.
+using Laid = std::function<void(const toolpath::Curve& ring, int lane)>;
+
+// Lays the rings of lanes 1 to `most` (all: 0), lane by lane.  Arcs are off by at most `tolerance` mm.  Rings inside
+// others that would lay no more than `least_void` mm2 are left out.
+void lay_rings(const Beading& beading, int most, double least_void, double tolerance, const Laid& laid);
 
 } // namespace filum::rings
