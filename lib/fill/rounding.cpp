@@ -15,6 +15,8 @@ namespace {
 class Course {
   public:
     explicit Course(const join::BeadLine& line) : line_(&line), n_(line.points.size()) {
+        s_.reserve(n_ + 1);
+        sum_.reserve(n_ + 1);
         s_.push_back(0);
         sum_.push_back({});
         for (std::size_t i = 0; i < n_; ++i) {
@@ -130,7 +132,9 @@ class Rounding {
     // Ascending and apart, all within a turn from the first one's begin.
     void find_corners() {
         const std::size_t n = line_->points.size();
-        std::vector<double> turned{0}; // up to vertex i
+        std::vector<double> turned; // up to vertex i
+        turned.reserve(n + 1);
+        turned.push_back(0);
         for (std::size_t i = 0; i < n; ++i) turned.push_back(turned.back() + turn(i));
         // A window whose unit vectors change by less in all has its mean nearer to its middle than what makes a corner.
         const double least = 2 * rings::kMostOff * width_ / reach_;

@@ -6,6 +6,7 @@ namespace {
 
 std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
     std::vector<geom::Segment> out;
+    out.reserve(rings.points.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r)
         for (std::uint32_t i = rings.start[r]; i < rings.start[r + 1]; ++i)
             out.push_back({rings.points[i], rings.points[i + 1 == rings.start[r + 1] ? rings.start[r] : i + 1]});
@@ -15,12 +16,12 @@ std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
 } // namespace
 
 RingGraph::RingGraph(const rings::Rings& rings, double cell)
-    : segments_(segments_of(rings)), start_(rings.start), width_(rings.width), grid_(segments_, cell) {
+    : rings_(&rings), segments_(segments_of(rings)), grid_(segments_, cell) {
     ring_of_.resize(segments_.size());
     s_.resize(segments_.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r) {
         double s = 0;
-        for (std::uint32_t i = start_[r]; i < start_[r + 1]; ++i) {
+        for (std::uint32_t i = rings_->start[r]; i < rings_->start[r + 1]; ++i) {
             ring_of_[i] = r;
             s_[i] = s;
             s += geom::distance(segments_[i].a, segments_[i].b);
@@ -36,7 +37,7 @@ double RingGraph::wrapped(std::uint32_t ring, double s) const {
 }
 
 std::uint32_t RingGraph::segment_at(std::uint32_t ring, double s) const {
-    const auto first = s_.begin() + start_[ring], last = s_.begin() + start_[ring + 1];
+    const auto first = s_.begin() + rings_->start[ring], last = s_.begin() + rings_->start[ring + 1];
     return static_cast<std::uint32_t>(std::upper_bound(first, last, s) - s_.begin() - 1);
 }
 
@@ -54,8 +55,8 @@ Vec2 RingGraph::at(std::uint32_t ring, double s) const {
 
 double RingGraph::width_of(std::pair<std::uint32_t, double> at) const {
     const std::uint32_t i = at.first, ring = ring_of_[i];
-    const std::uint32_t next = i + 1 == start_[ring + 1] ? start_[ring] : i + 1;
-    return (1 - at.second) * width_[i] + at.second * width_[next];
+    const std::uint32_t next = i + 1 == rings_->start[ring + 1] ? rings_->start[ring] : i + 1;
+    return (1 - at.second) * rings_->width[i] + at.second * rings_->width[next];
 }
 
 Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
@@ -67,7 +68,7 @@ Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
 
 void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points,
                        std::vector<double>& width) const {
-    const std::uint32_t first = start_[ring], n = start_[ring + 1] - first;
+    const std::uint32_t first = rings_->start[ring], n = rings_->start[ring + 1] - first;
     const double from = wrapped(ring, s0), end = from + (s1 - s0);
     const double close = 1e-7; // mm: no second point there
     const auto put = [&](Vec2 p, double w) {
@@ -78,7 +79,7 @@ void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec
     for (std::uint32_t i = segment_at(ring, from) - first + 1; i <= 2 * n; ++i) {
         const double s = s_[first + i % n] + (i >= n ? length_[ring] : 0) + (i >= 2 * n ? length_[ring] : 0);
         if (s >= end - close) break;
-        if (s > from + close) put(segments_[first + i % n].a, width_[first + i % n]);
+        if (s > from + close) put(segments_[first + i % n].a, rings_->width[first + i % n]);
     }
     put(at(ring, end), width_of(locate(ring, end)));
 }

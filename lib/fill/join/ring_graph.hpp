@@ -22,6 +22,7 @@ struct Place {
     double distance = 0; // from where it was asked for
 };
 
+// Of rings that outlive it.
 class RingGraph {
   public:
     RingGraph(const rings::Rings& rings, double cell);
@@ -93,10 +94,10 @@ class RingGraph {
     [[nodiscard]] std::uint32_t segment_at(std::uint32_t ring, double s) const;
     [[nodiscard]] double wrapped(std::uint32_t ring, double s) const;
 
-    std::vector<geom::Segment> segments_;
-    std::vector<std::uint32_t> ring_of_, start_; // per segment; per ring, CSR
-    std::vector<double> s_, length_;             // arc length at the segment's begin; per ring
-    std::vector<double> width_;                  // of the bead at the segment's begin
+    const rings::Rings* rings_;
+    std::vector<geom::Segment> segments_; // from each point to the next
+    std::vector<std::uint32_t> ring_of_; // per segment
+    std::vector<double> s_, length_;     // arc length at the segment's begin; per ring
     geom::SegmentGrid grid_;
 };
 

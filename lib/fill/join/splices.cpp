@@ -9,14 +9,12 @@ namespace filum::fill::join {
 
 namespace {
 
-void append_piece(const BeadLine& piece, bool backwards, BeadLine& line) {
-    if (backwards) {
-        line.points.insert(line.points.end(), piece.points.rbegin(), piece.points.rend());
-        line.width.insert(line.width.end(), piece.width.rbegin(), piece.width.rend());
-    } else {
-        line.points.insert(line.points.end(), piece.points.begin(), piece.points.end());
-        line.width.insert(line.width.end(), piece.width.begin(), piece.width.end());
-    }
+template <class T>
+void append(const std::vector<T>& piece, bool backwards, std::vector<T>& to) {
+    if (backwards)
+        to.insert(to.end(), piece.rbegin(), piece.rend());
+    else
+        to.insert(to.end(), piece.begin(), piece.end());
 }
 
 double length(const BeadLine& line) {
@@ -96,11 +94,16 @@ std::vector<Splices::Arc> Splices::arcs() const {
 
 // The arc's points and those of the link that follows.
 void Splices::walk(const Arc& arc, bool backwards, BeadLine& line) const {
-    BeadLine piece;
-    graph_->append(arc.ring, arc.s0, arc.s1, piece.points, piece.width);
-    append_piece(piece, backwards, line);
+    const auto first = static_cast<std::ptrdiff_t>(line.points.size());
+    graph_->append(arc.ring, arc.s0, arc.s1, line.points, line.width);
+    if (backwards) {
+        std::reverse(line.points.begin() + first, line.points.end());
+        std::reverse(line.width.begin() + first, line.width.end());
+    }
     const int side = backwards ? 0 : 1;
-    if (arc.link[side] != nullptr) append_piece(arc.link[side]->bead, !arc.along[side], line);
+    if (arc.link[side] == nullptr) return;
+    append(arc.link[side]->bead.points, !arc.along[side], line.points);
+    append(arc.link[side]->bead.width, !arc.along[side], line.width);
 }
 
 std::vector<BeadLine> Splices::trace() const {
