@@ -87,6 +87,10 @@ class Rounding {
         if (parts_.empty()) return *line_;
         const std::size_t n = line_->points.size();
         const bool about_begin = parts_.front().begin < 0; // the first stretch holds the line's first point
+        std::size_t points = n;
+        for (const RoundedStretch& part : parts_) points += static_cast<std::size_t>(steps(part)) + 1;
+        out_.points.reserve(points);
+        out_.width.reserve(points);
         std::size_t next = 0;
         const auto keep_until = [&](double s) {
             for (; next < n && course_.s(next) < s; ++next) out_.add(line_->points[next], line_->width[next]);
@@ -164,8 +168,11 @@ class Rounding {
         }
     }
 
+    [[nodiscard]] int steps(const RoundedStretch& part) const {
+        return std::max(2, static_cast<int>(std::ceil((part.end - part.begin) / step_)));
+    }
     void smooth(const RoundedStretch& part) {
-        const int n = std::max(2, static_cast<int>(std::ceil((part.end - part.begin) / step_)));
+        const int n = steps(part);
         for (int k = 0; k <= n; ++k) {
             const double s = part.begin + (part.end - part.begin) * k / n;
             const auto [mean, slower] = window(s, std::max(1e-6, part.reach(s)));

@@ -13,27 +13,33 @@ struct Segment {
     Vec2 a, b;
 };
 
-// Segment i lies in every cell that it comes nearer to than `margin`, along x and along y.  Cells grow where the box
-// would need more than about eight per segment or 16 million, so memory is bounded whatever the coordinates.
+// Segment i lies in every cell that it comes nearer to than `margin`, along x and along y.  Cells are kept in blocks of
+// 8 x 8, and only blocks that hold anything, in the order in which the segments come by: who asks along a line finds
+// the next cells near by in memory, and a thin ring in a large box needs no more than its own area.  Cells grow where
+// the box would need more than about eight blocks per segment or 16 million, so memory is bounded whatever the
+// coordinates.
 class SegmentGrid {
   public:
     SegmentGrid(std::span<const Segment> segments, double cell, double margin = 0);
 
     [[nodiscard]] std::size_t cells() const { return start_.empty() ? 0 : start_.size() - 1; }
-    // The segments of a cell, ascending.
+    // The segments of a cell, ascending; of cells no segment is near the first one stands for many.
     [[nodiscard]] std::span<const std::uint32_t> in(std::size_t cell) const {
         return {item_.data() + start_[cell], start_[cell + 1] - start_[cell]};
     }
-    [[nodiscard]] std::size_t cell_at(Vec2 p) const { return cell(column(p.x), row(p.y)); } // the nearest, outside
+    [[nodiscard]] std::size_t cell_at(Vec2 p) const { return number(column(p.x), row(p.y)); } // the nearest, outside
 
     // Calls f(i) for every segment whose cells meet the box; a segment may come up several times.
     template <class F>
     void near(Vec2 lo, Vec2 hi, F&& f) const {
         if (columns_ == 0) return;
-        const int x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
-        for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x)
-                for (const std::uint32_t i : in(cell(x, y))) f(i);
+        const unsigned x0 = column(lo.x), x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
+        for (unsigned y = y0; y <= y1; ++y)
+            for (unsigned x = x0, last = 0; x <= x1; x = last + 1) { // cells side by side in a block follow each other
+                last = std::min(x1, x | (kSide - 1));
+                const std::size_t c = number(x, y), end = start_[c + (last - x) + 1];
+                for (std::size_t k = start_[c]; k < end; ++k) f(item_[k]);
+            }
     }
 
     // True if the open segment p-q properly crosses any segment i for which use(i) holds.
@@ -47,18 +53,25 @@ class SegmentGrid {
     }
 
   private:
-    [[nodiscard]] int column(double x) const { return clamp_to((x - origin_.x) * per_mm_, columns_); }
-    [[nodiscard]] int row(double y) const { return clamp_to((y - origin_.y) * per_mm_, rows_); }
-    [[nodiscard]] std::size_t cell(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+    [[nodiscard]] unsigned column(double x) const { return clamp_to((x - origin_.x) * per_mm_, columns_); }
+    [[nodiscard]] unsigned row(double y) const { return clamp_to((y - origin_.y) * per_mm_, rows_); }
+    [[nodiscard]] std::size_t block(unsigned x, unsigned y) const { return y / kSide * blocks_ + x / kSide; }
+    [[nodiscard]] std::size_t number(unsigned x, unsigned y) const {
+        return first_[block(x, y)] + kSide * (y % kSide) + x % kSide;
     }
-    static int clamp_to(double v, int n) { return static_cast<int>(std::clamp(v, 0.0, n - 1.0)); }
+    static unsigned clamp_to(double v, unsigned n) {
+        return static_cast<unsigned>(static_cast<int>(std::clamp(v, 0.0, n - 1.0)));
+    }
+    // Calls f(x, y) for the cells that segment s lies in.
     template <class F>
     void cells_of(const Segment& s, double margin, F&& f) const;
 
     Vec2 origin_;
     double cell_ = 1, per_mm_ = 1; // mm; cells per mm
-    int columns_ = 0, rows_ = 0;
+    unsigned columns_ = 0, rows_ = 0;
+    static constexpr unsigned kSide = 8; // of a block, cells
+    std::size_t blocks_ = 0;             // in a row
+    std::vector<std::uint32_t> first_;   // per block: its first cell; of all empty ones 0
     std::vector<std::uint32_t> start_, item_;
 };
 

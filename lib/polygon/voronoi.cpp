@@ -58,6 +58,7 @@ Diagram voronoi(const Sites& sites) {
         builder.insert_segment(sites.x[i], sites.y[i], sites.x[sites.next[i]], sites.y[sites.next[i]]);
     boost::polygon::voronoi_diagram<double> made;
     builder.construct(&made);
+    builder.clear(); // its memory serves for what follows
 
     Diagram out;
     out.vertex.reserve(made.num_vertices());
@@ -74,6 +75,8 @@ Diagram voronoi(const Sites& sites) {
         out.cell.push_back(number(made.cells(), e.cell()));
         out.between_sites.push_back(e.is_primary() ? 1 : 0);
     }
+    out.segment.reserve(made.num_cells());
+    out.part.reserve(made.num_cells());
     for (const auto& c : made.cells()) {
         out.segment.push_back(static_cast<std::uint32_t>(c.source_index()));
         const bool first = c.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT;

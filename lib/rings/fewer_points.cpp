@@ -28,19 +28,20 @@ class Thinning {
         if (even_) even_out(kept);
         const std::size_t n = kept.size();
         std::vector<Chord> chords;
+        chords.reserve(n);
         for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : n_));
-        std::vector<Vec2> moved;
-        std::vector<double> wide;
-        for (std::size_t k = 0; k < n; ++k) {
-            const Chord &before = chords[(k + n - 1) % n], &after = chords[k];
-            const double l = before.length + after.length, share = l > 0 ? before.length / l : 0.5; // long ones stay
-            moved.push_back(vertex(kept[(k + n - 1) % n], kept[k], kept[(k + 1) % n], before.aside, after.aside));
-            wide.push_back(bead_.width[kept[k]] + std::lerp(after.wider, before.wider, share));
+        if (points.empty()) {
+            points.reserve(n);
+            width.reserve(n);
         }
+        const Vertex first = vertex(kept, chords, 0);
+        Vertex at = first;
         for (std::size_t k = 0; k < n; ++k) {
-            points.push_back(moved[k]);
-            width.push_back(wide[k]);
-            divide(moved[k], moved[(k + 1) % n], wide[k], wide[(k + 1) % n], points, width);
+            points.push_back(at.point);
+            width.push_back(at.width);
+            const Vertex next = k + 1 < n ? vertex(kept, chords, k + 1) : first;
+            divide(at, next, points, width);
+            at = next;
         }
     }
 
@@ -50,6 +51,10 @@ class Thinning {
         double length = 0; // mm
         double aside = 0;  // mm, to the left: the middle of where it runs
         double wider = 0;  // mm, on average
+    };
+    struct Vertex {
+        Vec2 point;
+        double width;
     };
 
     // A point that the chord from a may run to; beyond it there is none near by.
@@ -137,9 +142,18 @@ class Thinning {
         if (out.length > 0) out.wider = laid / out.length - (bead_.width[a] + bead_.width[b % n_]) / 2;
         return out;
     }
+    // The k-th point that is kept, moved; as wide as the chords beside it are on average.
+    [[nodiscard]] Vertex vertex(const std::vector<std::size_t>& kept, const std::vector<Chord>& chords,
+                                std::size_t k) const {
+        const std::size_t n = kept.size(), before = (k + n - 1) % n;
+        const Chord &a = chords[before], &b = chords[k];
+        const double l = a.length + b.length, share = l > 0 ? a.length / l : 0.5; // long ones stay
+        return {moved(kept[before], kept[k], kept[(k + 1) % n], a.aside, b.aside),
+                bead_.width[kept[k]] + std::lerp(b.wider, a.wider, share)};
+    }
     // The point at i, between chords from h and to j, moved to where both are as far aside as they are to be: by least
     // squares, the longer counts for more, and so steadied that chords that hardly bend share what they differ by.
-    [[nodiscard]] Vec2 vertex(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
+    [[nodiscard]] Vec2 moved(std::size_t h, std::size_t i, std::size_t j, double before, double after) const {
         constexpr double kSteady = 0.01;
         const Vec2 p = bead_.points[i], u = p - bead_.points[h], v = bead_.points[j] - p;
         const double lu = geom::norm(u), lv = geom::norm(v), steady = kSteady * (lu + lv);
@@ -153,18 +167,18 @@ class Thinning {
         return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
     }
     // Points between a and b where the width changes too much for one segment.
-    void divide(Vec2 a, Vec2 b, double wa, double wb, std::vector<Vec2>& points, std::vector<double>& width) const {
-        const int parts = parts_of_taper(wb - wa, geom::distance(a, b), least_);
+    void divide(const Vertex& a, const Vertex& b, std::vector<Vec2>& points, std::vector<double>& width) const {
+        const int parts = parts_of_taper(b.width - a.width, geom::distance(a.point, b.point), least_);
         for (int k = 1; k < parts; ++k) {
             const double t = static_cast<double>(k) / parts;
-            points.push_back(geom::lerp(a, b, t));
-            width.push_back(std::lerp(wa, wb, t));
+            points.push_back(geom::lerp(a.point, b.point, t));
+            width.push_back(std::lerp(a.width, b.width, t));
         }
     }
 
     const toolpath::Curve& bead_; // closed
     std::size_t n_;               // points of it
-    std::vector<double> way_; // per point: mm from the one before it
+    std::vector<double> way_;     // per point: mm from the one before it
     double tolerance_, least_;
     bool even_;
 };

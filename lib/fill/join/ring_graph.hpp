@@ -29,6 +29,9 @@ class RingGraph {
 
     [[nodiscard]] std::size_t size() const { return length_.size(); }
     [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }
+    [[nodiscard]] std::uint32_t points(std::uint32_t ring) const {
+        return rings_->start[ring + 1] - rings_->start[ring];
+    }
     [[nodiscard]] Vec2 at(std::uint32_t ring, double s) const; // s is taken modulo the length
     [[nodiscard]] double width(std::uint32_t ring, double s) const { return width_of(locate(ring, s)); }
 
@@ -96,8 +99,8 @@ class RingGraph {
 
     const rings::Rings* rings_;
     std::vector<geom::Segment> segments_; // from each point to the next
-    std::vector<std::uint32_t> ring_of_; // per segment
-    std::vector<double> s_, length_;     // arc length at the segment's begin; per ring
+    std::vector<std::uint32_t> ring_of_;  // per segment
+    std::vector<double> s_, length_;      // arc length at the segment's begin; per ring
     geom::SegmentGrid grid_;
 };
 

@@ -112,13 +112,18 @@ std::vector<BeadLine> Splices::trace() const {
     std::vector<BeadLine> out;
     for (std::uint32_t start = 0; start < all.size(); ++start) {
         if (seen[start]) continue;
-        BeadLine line;
-        End at{start, false}; // where the next arc is entered
-        while (!seen[at.arc]) {
+        std::vector<End> way; // where arcs are entered
+        double points = 0;    // about so many
+        for (End at{start, false}; !seen[at.arc]; at = all[at.arc].next[at.last ? 0 : 1]) {
+            const Arc& arc = all[at.arc];
             seen[at.arc] = 1;
-            walk(all[at.arc], at.last, line);
-            at = all[at.arc].next[at.last ? 0 : 1];
+            way.push_back(at);
+            points += graph_->points(arc.ring) * (arc.s1 - arc.s0) / graph_->length(arc.ring) + 8;
         }
+        BeadLine line;
+        line.points.reserve(static_cast<std::size_t>(points));
+        line.width.reserve(static_cast<std::size_t>(points));
+        for (const End at : way) walk(all[at.arc], at.last, line);
         out.push_back(std::move(line));
     }
     std::stable_sort(out.begin(), out.end(),
