@@ -58,19 +58,18 @@ class Profiles {
   public:
     Profiles(WallLanes walls, double width, double least_void)
         : walls_(std::move(walls)), relief_(relief(walls_.axis)), least_void_(least_void) {
-        const std::size_t n = walls_.axis.nodes();
         out_.width = width;
-        for (auto* v : {&out_.lanes, &out_.full, &out_.inner, &out_.top, &out_.last}) v->assign(n, 0);
+        out_.profile.resize(walls_.axis.nodes());
     }
 
     Beading run() {
         for (const std::uint32_t i : relief_.falling) walls_.set[i] ? of_wall(i) : of_corner(i);
         blend();
         for (std::uint32_t i = 0; i < axis().nodes(); ++i) {
-            const double rest = axis().radius[i] - out_.width * out_.full[i];
-            if (!walls_.set[i])
-                out_.lanes[i] = rest <= 0 ? axis().radius[i] / out_.width : out_.full[i] + rest / out_.inner[i];
-            out_.top[i] = std::max(out_.top[i], out_.lanes[i]);
+            Profile& p = out_.profile[i];
+            const double rest = axis().radius[i] - out_.width * p.full;
+            if (!walls_.set[i]) p.lanes = rest <= 0 ? axis().radius[i] / out_.width : p.full + rest / p.inner;
+            p.top = std::max(p.top, p.lanes);
         }
         find_ends();
         out_.axis = std::move(walls_.axis);
@@ -82,17 +81,12 @@ class Profiles {
     [[nodiscard]] const MedialAxis& axis() const { return walls_.axis; }
 
     void of_wall(std::uint32_t i) {
-        const double f = walls_.lanes[i];
-        out_.lanes[i] = out_.top[i] = f;
-        out_.full[i] = std::max(0.0, f - 1);
-        out_.inner[i] = (axis().radius[i] - out_.width * out_.full[i]) / (f - out_.full[i]);
+        Profile& p = out_.profile[i];
+        p.lanes = p.top = walls_.lanes[i];
+        p.full = std::max(0.0, p.lanes - 1);
+        p.inner = (axis().radius[i] - out_.width * p.full) / (p.lanes - p.full);
     }
-    void of_corner(std::uint32_t i) {
-        const std::uint32_t u = axis().to(relief_.up[i]);
-        out_.full[i] = out_.full[u];
-        out_.inner[i] = out_.inner[u];
-        out_.top[i] = out_.top[u];
-    }
+    void of_corner(std::uint32_t i) { out_.profile[i] = out_.profile[axis().to(relief_.up[i])]; }
 
     struct Visit {
         double along;
@@ -131,13 +125,14 @@ class Profiles {
         }
         for (const std::uint32_t i : relief_.falling) {
             if (along[i] >= reach) continue;
-            const std::uint32_t s = source[i];
+            const Profile& from = out_.profile[source[i]];
+            Profile& p = out_.profile[i];
             const double t = along[i] / reach;
-            const double grown = (axis().radius[i] - out_.width * out_.full[s]) / (out_.top[s] - out_.full[s]);
-            const double inner = std::max(out_.inner[s], std::min(out_.width, grown));
-            out_.full[i] = std::lerp(out_.full[s], out_.full[i], t);
-            out_.inner[i] = std::lerp(inner, out_.inner[i], t);
-            out_.top[i] = std::lerp(out_.top[s], out_.top[i], t);
+            const double grown = (axis().radius[i] - out_.width * from.full) / (from.top - from.full);
+            const double inner = std::max(from.inner, std::min(out_.width, grown));
+            p.full = std::lerp(from.full, p.full, t);
+            p.inner = std::lerp(inner, p.inner, t);
+            p.top = std::lerp(from.top, p.top, t);
         }
     }
 
@@ -153,15 +148,17 @@ class Profiles {
             if (walls_.wall[e])
                 out_.tip[e] = radius;
             else
-                out_.reach[e] = std::clamp(radius / std::min(out_.width, out_.inner[low]), kLeastLane / 2, 0.5);
+                out_.reach[e] = std::clamp(radius / std::min(out_.width, out_.profile[low].inner), kLeastLane / 2, 0.5);
         }
         for (const std::uint32_t i : relief_.falling) {
             const std::uint32_t up = relief_.up[i], u = axis().to(up);
-            out_.last[i] = out_.top[i] - kLeastLane;
-            if (!walls_.set[i]) out_.last[i] = std::min(out_.last[i], out_.lanes[i] - out_.reach[up / 2]);
+            Profile& p = out_.profile[i];
+            p.last = p.top - kLeastLane;
+            if (!walls_.set[i]) p.last = std::min(p.last, p.lanes - out_.reach[up / 2]);
             if (!relief_.dead_end[i] || axis().radius[u] <= axis().radius[i]) continue;
-            if (axis().radius[i] < out_.tip[up / 2]) out_.last[i] = -1; // no lane
-            if (!walls_.set[i] || out_.last[u] < 0) out_.last[i] = std::min(out_.last[i], out_.last[u]);
+            if (axis().radius[i] < out_.tip[up / 2]) p.last = -1; // no lane
+            const double above = out_.profile[u].last;
+            if (!walls_.set[i] || above < 0) p.last = std::min(p.last, above);
         }
     }
 

@@ -11,16 +11,19 @@ using geom::Vec2;
 using polygon::Loops;
 using polygon::MedialAxis;
 
-// The lane coordinate f of a point: 0 on the outline, k where lane k ends and lane k + 1 begins.  On a ray it grows
-// with the depth d by the profile of the axis node that the ray leads to: d = width * f up to f = full, then at `inner`
-// mm per lane up to f = top.
+// How the lane coordinate f grows with the depth d on the rays to a node of the axis: d = width * f up to f = full, then
+// at `inner` mm per lane up to f = top.
+struct Profile {
+    double lanes = 0; // f at the node
+    double full = 0, inner = 0, top = 0;
+    double last = 0; // lane k is laid on rays to here if last >= k - 1
+};
+
+// The lane coordinate f of a point: 0 on the outline, k where lane k ends and lane k + 1 begins.
 struct Beading {
     MedialAxis axis;
-    double width = 0; // mm
-    // per node
-    std::vector<double> lanes; // f at the node
-    std::vector<double> full, inner, top;
-    std::vector<double> last; // lane k is laid on rays to here if last >= k - 1
+    double width = 0;             // mm
+    std::vector<Profile> profile; // per node
     // per piece
     std::vector<char> wall;
     std::vector<double> reach; // of corners: lanes end where so much of one is left on either side, at most a half
@@ -28,17 +31,13 @@ struct Beading {
 
     // Depth at which the ray to node i has the lane coordinate f, mm.
     [[nodiscard]] double depth(std::uint32_t i, double f) const {
-        return f <= full[i] ? width * f : width * full[i] + inner[i] * (f - full[i]);
+        const Profile& p = profile[i];
+        return f <= p.full ? width * f : width * p.full + p.inner * (f - p.full);
     }
-    // And back: the lane coordinate at a depth.
-    [[nodiscard]] double lane_at(std::uint32_t i, double depth) const {
-        const double rest = depth - width * full[i];
-        return rest <= 0 ? depth / width : full[i] + rest / inner[i];
-    }
-    [[nodiscard]] bool laid(std::uint32_t i, int lane) const { return last[i] >= lane - 1 - 1e-9; }
     // Where lane k ends on the ray to node i, as a lane coordinate.
     [[nodiscard]] double end(std::uint32_t i, int lane) const {
-        return std::min({static_cast<double>(lane), top[i], 2 * lanes[i] - last[i]});
+        const Profile& p = profile[i];
+        return std::min({static_cast<double>(lane), p.top, 2 * p.lanes - p.last});
     }
 };
 

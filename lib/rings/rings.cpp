@@ -12,39 +12,46 @@ class Walk {
   public:
     Walk(const Beading& beading, double least_void, double tolerance, const Laid& laid)
         : b_(&beading), least_void_(least_void), tolerance_(tolerance), take_(&laid) {
+        sides_.reserve(axis().half_edges());
         for (std::uint32_t h = 0; h < axis().half_edges(); ++h) {
-            const double last = beading.last[axis().from[h]];
-            lanes_.push_back(last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9));
+            const std::uint32_t i = axis().from[h];
+            const double last = beading.profile[i].last;
+            sides_.push_back({i, axis().next[h], last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9), 0});
         }
     }
 
     void run(int most) {
         std::vector<std::uint32_t> live;
         for (std::uint32_t h = 0; h < axis().half_edges(); ++h)
-            if (lanes_[h] > 0) live.push_back(h);
-        seen_.assign(axis().half_edges(), 0);
+            if (sides_[h].lanes > 0) live.push_back(h);
         for (lane_ = 1; !live.empty() && (most <= 0 || lane_ <= most); ++lane_) {
             for (const std::uint32_t h : live)
-                if (seen_[h] != lane_) ring(h);
-            std::erase_if(live, [&](std::uint32_t h) { return lanes_[h] <= lane_; });
+                if (sides_[h].seen != lane_) ring(h);
+            std::erase_if(live, [&](std::uint32_t h) { return sides_[h].lanes <= lane_; });
         }
     }
 
   private:
+    // What every ring asks of a half-edge, side by side in memory.
+    struct Side {
+        std::uint32_t from, next;
+        int lanes; // laid on the ray to its first node
+        int seen;  // the last lane that has passed it
+    };
     [[nodiscard]] const MedialAxis& axis() const { return b_->axis; }
-    [[nodiscard]] bool laid(std::uint32_t h) const { return lanes_[h] >= lane_; }
 
     void ring(std::uint32_t h0) {
         ring_.points.clear();
         ring_.width.clear();
-        for (std::uint32_t h = h0; seen_[h] != lane_;) {
-            seen_[h] = lane_;
-            ray_point(h, 0, b_->end(axis().from[h], lane_));
-            if (laid(axis().next[h])) {
+        for (std::uint32_t h = h0; sides_[h].seen != lane_;) {
+            Side& side = sides_[h];
+            side.seen = lane_;
+            ray_point(h, 0, b_->end(side.from, lane_));
+            const Side& after = sides_[side.next];
+            if (after.lanes >= lane_) {
                 narrow(h);
-                const std::uint32_t after = axis().next[h];
-                arc_to(h, Ray(*b_, after, 0).point(middle(axis().from[after])));
-                h = after;
+                if (about_vertex(h)) arc_to(h, Ray(*b_, side.next, 0).point(middle(after.from)));
+                h = side.next;
             } else {
                 turn(h);
                 h = axis().next[h ^ 1];
@@ -78,7 +85,7 @@ class Walk {
     bool narrow(std::uint32_t h) {
         const double reach = b_->reach[h / 2];
         if (b_->wall[h / 2] || reach >= 0.5) return false;
-        const double end = std::min<double>(lane_, std::min(b_->top[axis().from[h]], b_->top[axis().to(h)]));
+        const double end = std::min<double>(lane_, std::min(b_->profile[axis().from[h]].top, b_->profile[axis().to(h)].top));
         const auto t = end > lane_ - 1 + 2 * reach ? share_at(h, end - reach) : std::nullopt;
         if (t) ray_point(h, *t, end);
         return t.has_value();
@@ -96,7 +103,7 @@ class Walk {
             return;
         }
         narrow(h);
-        const double f = std::min(lane_ - 1 + reach, (lane_ - 1 + std::min<double>(lane_, b_->top[i])) / 2);
+        const double f = std::min(lane_ - 1 + reach, (lane_ - 1 + std::min<double>(lane_, b_->profile[i].top)) / 2);
         double t = 0;
         if (ri > b_->depth(i, f)) {
             const auto share = share_at(h, f);
@@ -110,6 +117,8 @@ class Walk {
         arc_to(back, Ray(*b_, after, 0).point(middle(i)));
     }
 
+    [[nodiscard]] bool about_vertex(std::uint32_t h) const { return axis().last_foot(h) == axis().foot[h]; }
+
     // If h is seen from a vertex of the outline: points on the arc about that from the last point to p.
     void arc_to(std::uint32_t h, Vec2 p) {
         const double w = ring_.width.back();
@@ -119,8 +128,7 @@ class Walk {
     const Beading* b_;
     double least_void_, tolerance_;
     int lane_ = 0;
-    std::vector<int> lanes_; // per half-edge: laid on the ray to its first node
-    std::vector<int> seen_;  // per half-edge: the last lane that has passed it
+    std::vector<Side> sides_; // per half-edge
     const Laid* take_;
     toolpath::Curve ring_{true, {}, {}}; // the one that is being laid
 };
