@@ -12,46 +12,39 @@ class Walk {
   public:
     Walk(const Beading& beading, double least_void, double tolerance, const Laid& laid)
         : b_(&beading), least_void_(least_void), tolerance_(tolerance), take_(&laid) {
-        sides_.reserve(axis().half_edges());
-        for (std::uint32_t h = 0; h < axis().half_edges(); ++h) {
-            const std::uint32_t i = axis().from[h];
+        lanes_.reserve(axis().half_edges());
+        for (const std::uint32_t i : axis().from) {
             const double last = beading.profile[i].last;
-            sides_.push_back({i, axis().next[h], last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9), 0});
+            lanes_.push_back(last < 0 ? 0 : static_cast<int>(last + 1 + 1e-9));
         }
     }
 
     void run(int most) {
         std::vector<std::uint32_t> live;
         for (std::uint32_t h = 0; h < axis().half_edges(); ++h)
-            if (sides_[h].lanes > 0) live.push_back(h);
+            if (lanes_[h] > 0) live.push_back(h);
+        seen_.assign(axis().half_edges(), 0);
         for (lane_ = 1; !live.empty() && (most <= 0 || lane_ <= most); ++lane_) {
             for (const std::uint32_t h : live)
-                if (sides_[h].seen != lane_) ring(h);
-            std::erase_if(live, [&](std::uint32_t h) { return sides_[h].lanes <= lane_; });
+                if (seen_[h] != lane_) ring(h);
+            std::erase_if(live, [&](std::uint32_t h) { return lanes_[h] <= lane_; });
         }
     }
 
   private:
-    // What every ring asks of a half-edge, side by side in memory.
-    struct Side {
-        std::uint32_t from, next;
-        int lanes; // laid on the ray to its first node
-        int seen;  // the last lane that has passed it
-    };
     [[nodiscard]] const MedialAxis& axis() const { return b_->axis; }
 
     void ring(std::uint32_t h0) {
         ring_.points.clear();
         ring_.width.clear();
-        for (std::uint32_t h = h0; sides_[h].seen != lane_;) {
-            Side& side = sides_[h];
-            side.seen = lane_;
-            ray_point(h, 0, b_->end(side.from, lane_));
-            const Side& after = sides_[side.next];
-            if (after.lanes >= lane_) {
+        for (std::uint32_t h = h0; seen_[h] != lane_;) {
+            const std::uint32_t after = axis().next[h];
+            seen_[h] = lane_;
+            ray_point(h, 0, b_->end(axis().from[h], lane_));
+            if (lanes_[after] >= lane_) {
                 narrow(h);
-                if (about_vertex(h)) arc_to(h, Ray(*b_, side.next, 0).point(middle(after.from)));
-                h = side.next;
+                if (about_vertex(h)) arc_to(h, Ray(*b_, after, 0).point(middle(axis().from[after])));
+                h = after;
             } else {
                 turn(h);
                 h = axis().next[h ^ 1];
@@ -85,7 +78,8 @@ class Walk {
     bool narrow(std::uint32_t h) {
         const double reach = b_->reach[h / 2];
         if (b_->wall[h / 2] || reach >= 0.5) return false;
-        const double end = std::min<double>(lane_, std::min(b_->profile[axis().from[h]].top, b_->profile[axis().to(h)].top));
+        const double end =
+            std::min<double>(lane_, std::min(b_->profile[axis().from[h]].top, b_->profile[axis().to(h)].top));
         const auto t = end > lane_ - 1 + 2 * reach ? share_at(h, end - reach) : std::nullopt;
         if (t) ray_point(h, *t, end);
         return t.has_value();
@@ -128,7 +122,8 @@ class Walk {
     const Beading* b_;
     double least_void_, tolerance_;
     int lane_ = 0;
-    std::vector<Side> sides_; // per half-edge
+    std::vector<int> lanes_; // per half-edge: laid on the ray to its first node
+    std::vector<int> seen_;  // per half-edge: the last lane that has passed it
     const Laid* take_;
     toolpath::Curve ring_{true, {}, {}}; // the one that is being laid
 };
