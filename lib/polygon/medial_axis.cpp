@@ -211,6 +211,11 @@ MedialAxis medial_axis(const Sites& sites, double tolerance, double slope) {
 MedialAxis refined(const MedialAxis& axis, const std::vector<double>& cuts, const std::vector<std::uint32_t>& start) {
     if (cuts.empty()) return axis;
     MedialAxis out;
+    const std::size_t nodes = axis.nodes() + cuts.size(), sides = axis.half_edges() + 2 * cuts.size();
+    out.node.reserve(nodes);
+    out.radius.reserve(nodes);
+    for (auto* v : {&out.from, &out.next}) v->reserve(sides);
+    out.foot.reserve(sides);
     out.node = axis.node;
     out.radius = axis.radius;
     const std::uint32_t pieces = axis.half_edges() / 2;

@@ -17,13 +17,13 @@ std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
 
 RingGraph::RingGraph(const rings::Rings& rings, double cell)
     : rings_(&rings), segments_(segments_of(rings)), grid_(segments_, cell) {
-    ring_of_.resize(segments_.size());
-    s_.resize(segments_.size());
+    ring_of_.reserve(segments_.size());
+    s_.reserve(segments_.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r) {
         double s = 0;
         for (std::uint32_t i = rings_->start[r]; i < rings_->start[r + 1]; ++i) {
-            ring_of_[i] = r;
-            s_[i] = s;
+            ring_of_.push_back(r);
+            s_.push_back(s);
             s += geom::distance(segments_[i].a, segments_[i].b);
         }
         length_.push_back(s);
