@@ -1,7 +1,5 @@
 #include "fill/finish.hpp"
 
-#include "fill/join/cycle.hpp"
-#include "fill/rounding.hpp"
 #include "geom/segment_grid.hpp"
 #include "polygon/segments.hpp"
 #include "rings/fewer_points.hpp"
@@ -31,23 +29,18 @@ void tidy(toolpath::Curve& line) {
     for (geom::Vec2& p : line.points) p = snapped(p);
     toolpath::Curve out;
     const auto size = [&] { return out.points.size(); };
-    const auto drop = [&] {
-        out.points.pop_back();
-        out.width.pop_back();
-    };
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         const geom::Vec2 p = line.points[i];
-        while (size() > 1 && spike(out.points[size() - 2], out.points.back(), p)) drop();
+        while (size() > 1 && spike(out.points[size() - 2], out.points.back(), p)) out.drop_last();
         if (size() > 0 && out.points.back() == p) continue;
-        out.points.push_back(p);
-        out.width.push_back(line.width[i]);
+        out.add(p, line.width[i]);
     }
     std::size_t first = 0; // the same where the line closes
     for (bool again = true; again && size() - first > 3;) {
         again = out.points.back() == out.points[first] ||
                 spike(out.points[size() - 2], out.points.back(), out.points[first]);
         if (again) {
-            drop();
+            out.drop_last();
         } else if (spike(out.points.back(), out.points[first], out.points[first + 1])) {
             again = true;
             ++first;
@@ -62,7 +55,7 @@ void tidy(toolpath::Curve& line) {
 
 std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how) {
     const double w = how.bead_width, area = polygon::signed_area(region), least = rings::least_void(w, area);
-    Corners corners{how.open > 0 ? how.open : least, how.tolerance, how.corners == Rounded::everywhere};
+    Corners corners{how.open > 0 ? how.open : least, how.tolerance, how.corners};
     if (how.open <= 0) corners.open_in_all = rings::kMostOpen * area;
     const auto edges = polygon::segments(region);
     const geom::SegmentGrid grid(edges, 1.5 * w);
@@ -74,20 +67,12 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
         return best;
     };
     std::vector<toolpath::Curve> out;
-    for (join::ClosedLine& line : join::join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
-        if (how.corners != Rounded::nowhere) line = rounded(line, w, corners, room);
-        toolpath::Curve curve{true, std::move(line.points), std::move(line.width)};
-        if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least);
+    for (const toolpath::Curve& line : join::join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
+        toolpath::Curve curve = rounded(line, w, corners, room);
+        if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least, true);
         tidy(curve);
         out.push_back(std::move(curve));
     }
-    return out;
-}
-
-double laid_area(const toolpath::Curve& c) {
-    double out = 0;
-    for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
-        out += (c.width_at(k) + c.width_at((k + 1) % n)) / 2 * geom::distance(c.points[k], c.points[(k + 1) % n]);
     return out;
 }
 
@@ -95,7 +80,7 @@ double leave_tiny(std::vector<toolpath::Curve>& curves, double bead_width) {
     const double least = bead_width * bead_width;
     double left = 0;
     for (std::size_t i = curves.size(); i-- > 1;) {
-        const double area = laid_area(curves[i]);
+        const double area = rings::laid_area(curves[i]);
         if (area >= least) continue;
         left += area;
         curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));

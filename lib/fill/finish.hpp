@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fill/join/cycle.hpp"
+#include "fill/rounding.hpp"
 #include "polygon/loops.hpp"
 #include "rings/rings.hpp"
 #include "toolpath/path.hpp"
@@ -10,8 +11,6 @@
 #include <vector>
 
 namespace filum::fill {
-
-enum class Rounded { nowhere, inside, everywhere }; // inside: but for corners of beads along the outline
 
 struct Finish {
     double bead_width = 0.4; // mm, where widths differ the narrowest
@@ -28,9 +27,6 @@ struct Finish {
 // The rings of a region as closed curves, one if they can be joined, the longest first; points in whole micrometres,
 // no two the same, no spikes.  They may cross themselves where corners were rounded.
 std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::Loops& region, const Finish& how);
-
-// What a closed curve lays, mm2.
-double laid_area(const toolpath::Curve& curve);
 
 // Leaves open what tiny rings would lay (less than a bead's width squared) that no link has room for beside: all but
 // the first curve.  Returns that, mm2.

@@ -44,15 +44,14 @@ Loops rounded_off(const Loops& part, double radius, double tolerance) {
 void add_lane(const Loops& loops, int lane, const rings::Rings& from, const join::RingGraph& graph, double reach,
               rings::Rings& out) {
     for (std::size_t l = 0; l < loops.size(); ++l) {
+        toolpath::Curve ring;
         for (const Vec2 p : loops[l]) {
             std::optional<join::Place> at;
             for (double far = reach; !at; far *= 4)
-                at = graph.nearest(p, far, [&](std::uint32_t ring) { return from.lane[ring] == lane; });
-            out.points.push_back(p);
-            out.width.push_back(graph.width(at->ring, at->s));
+                at = graph.nearest(p, far, [&](std::uint32_t i) { return from.lane[i] == lane; });
+            ring.add(p, graph.width(at->ring, at->s));
         }
-        out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
-        out.lane.push_back(lane);
+        out.add(ring, lane);
     }
 }
 

@@ -14,7 +14,7 @@ namespace {
 // A closed line by arc length.  Asking for places near the last one is quick.
 class Course {
   public:
-    explicit Course(const join::BeadLine& line) : line_(&line), n_(line.points.size()) {
+    explicit Course(const toolpath::Curve& line) : line_(&line), n_(line.points.size()) {
         s_.reserve(n_ + 1);
         sum_.reserve(n_ + 1);
         s_.push_back(0);
@@ -48,7 +48,7 @@ class Course {
 
   private:
     [[nodiscard]] Vec2 point(std::size_t i) const { return line_->points[i % n_]; }
-    const join::BeadLine* line_;
+    const toolpath::Curve* line_;
     std::size_t n_;
     std::vector<double> s_;
     std::vector<Vec2> sum_;
@@ -74,16 +74,16 @@ double reach_for(double open) { return std::sqrt(6 * open); }
 
 class Rounding {
   public:
-    Rounding(const join::BeadLine& line, double width, const Corners& how, const std::function<double(Vec2)>& room)
+    Rounding(const toolpath::Curve& line, double width, const Corners& how, const std::function<double(Vec2)>& room)
         : line_(&line), course_(line), width_(width), reach_(reach_for(how.open)),
-          step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.at_outline), room_(&room) {
+          step_(std::sqrt(2 * reach_ * how.tolerance)), outline_(how.round == Rounded::everywhere), room_(&room) {
         find_corners();
     }
 
     // How many right angles its corners turn by, all together.
     [[nodiscard]] double right_angles() const { return turned_ / std::numbers::sqrt2; }
 
-    join::BeadLine run() {
+    toolpath::Curve run() {
         if (parts_.empty()) return *line_;
         const std::size_t n = line_->points.size();
         const bool about_begin = parts_.front().begin < 0; // the first stretch holds the line's first point
@@ -181,7 +181,7 @@ class Rounding {
         }
     }
 
-    const join::BeadLine* line_;
+    const toolpath::Curve* line_;
     Course course_;
     double width_, reach_, step_; // mm; between points that are off by a quarter of the tolerance at most
     bool outline_;
@@ -189,13 +189,14 @@ class Rounding {
     std::size_t behind_ = 0, here_ = 0, ahead_ = 0; // segments of the places asked for last
     std::vector<RoundedStretch> parts_;
     double turned_ = 0; // at corners, as turn() tells it
-    join::BeadLine out_;
+    toolpath::Curve out_{true, {}, {}};
 };
 
 } // namespace
 
-join::BeadLine rounded(const join::BeadLine& line, double width, const Corners& how,
-                       const std::function<double(Vec2)>& room) {
+toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how,
+                        const std::function<double(Vec2)>& room) {
+    if (how.round == Rounded::nowhere) return line;
     const double length = geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
     if (length < 8 * reach_for(how.open)) return line;
     Rounding all(line, width, how, room);

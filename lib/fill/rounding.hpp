@@ -1,7 +1,7 @@
 // Corners of a bead rounded off.  Private to lib/fill.
 #pragma once
 
-#include "fill/join/splices.hpp"
+#include "toolpath/path.hpp"
 
 #include <functional>
 #include <limits>
@@ -10,10 +10,12 @@ namespace filum::fill {
 
 using geom::Vec2;
 
+enum class Rounded { nowhere, inside, everywhere }; // inside: but for corners of beads along the outline
+
 struct Corners {
-    double open;            // mm2 that a rounded right angle leaves beyond it, at most
-    double tolerance;       // mm: what beads' edges may be off
-    bool at_outline = true; // also where the bead lies along the region's outline; else its corners stay there
+    double open;      // mm2 that a rounded right angle leaves beyond it, at most
+    double tolerance; // mm: what beads' edges may be off
+    Rounded round = Rounded::everywhere;
     // mm2 that all of a line's corners leave: where they would leave more, each has its share of it
     double open_in_all = std::numeric_limits<double>::infinity();
 };
@@ -26,7 +28,7 @@ struct Corners {
 // room it has: room(p) is the distance from p to the region's outline, or anything larger than a bead.  A line stays as
 // it is if it is so short that the reaches of a square's corners would meet.  May cross itself where it came nearer to
 // itself than the reach.
-join::BeadLine rounded(const join::BeadLine& line, double width, const Corners& how,
-                       const std::function<double(Vec2)>& room);
+toolpath::Curve rounded(const toolpath::Curve& line, double width, const Corners& how,
+                        const std::function<double(Vec2)>& room);
 
 } // namespace filum::fill

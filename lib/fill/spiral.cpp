@@ -37,7 +37,7 @@ Spiral spiral_by(const Loops& region, const SpiralOptions& o, const join::Attemp
     out.curves = finished(all, region, {w, tolerance, how.wind, corners, open, r <= 0});
     leave_tiny(out.curves, w);
     double lost = rings::laid_area(all); // by joining, and with tiny rings
-    for (const auto& curve : out.curves) lost -= laid_area(curve);
+    for (const auto& curve : out.curves) lost -= rings::laid_area(curve);
     out.unplaced += std::max(0.0, lost);
     return out;
 }

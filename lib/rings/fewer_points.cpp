@@ -20,8 +20,8 @@ class Thinning {
             way_[i] = geom::distance(bead_.points[(i > 0 ? i : n_) - 1], bead_.points[i]);
     }
 
-    // Adds the points that stay, moved such that beads side by side stay so on average.
-    void run(std::vector<Vec2>& points, std::vector<double>& width) const {
+    // The points that stay, moved such that beads side by side stay so on average.
+    toolpath::Curve run() const {
         std::vector<std::size_t> kept;
         for (std::size_t a = 0; a < n_; a = farthest(a)) kept.push_back(a);
         if (kept.size() < 3) kept = {0, n_ / 3, 2 * n_ / 3}; // no line there and back
@@ -30,19 +30,18 @@ class Thinning {
         std::vector<Chord> chords;
         chords.reserve(n);
         for (std::size_t k = 0; k < n; ++k) chords.push_back(chord(kept[k], k + 1 < n ? kept[k + 1] : n_));
-        if (points.empty()) {
-            points.reserve(n);
-            width.reserve(n);
-        }
+        toolpath::Curve out{true, {}, {}};
+        out.points.reserve(n);
+        out.width.reserve(n);
         const Vertex first = vertex(kept, chords, 0);
         Vertex at = first;
         for (std::size_t k = 0; k < n; ++k) {
-            points.push_back(at.point);
-            width.push_back(at.width);
+            out.add(at.point, at.width);
             const Vertex next = k + 1 < n ? vertex(kept, chords, k + 1) : first;
-            divide(at, next, points, width);
+            divide(at, next, out);
             at = next;
         }
+        return out;
     }
 
   private:
@@ -167,12 +166,11 @@ class Thinning {
         return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
     }
     // Points between a and b where the width changes too much for one segment.
-    void divide(const Vertex& a, const Vertex& b, std::vector<Vec2>& points, std::vector<double>& width) const {
+    void divide(const Vertex& a, const Vertex& b, toolpath::Curve& out) const {
         const int parts = parts_of_taper(b.width - a.width, geom::distance(a.point, b.point), least_);
         for (int k = 1; k < parts; ++k) {
             const double t = static_cast<double>(k) / parts;
-            points.push_back(geom::lerp(a.point, b.point, t));
-            width.push_back(std::lerp(a.width, b.width, t));
+            out.add(geom::lerp(a.point, b.point, t), std::lerp(a.width, b.width, t));
         }
     }
 
@@ -189,16 +187,8 @@ int parts_of_taper(double change, double length, double least_void) {
     return static_cast<int>(std::ceil(std::sqrt(std::abs(change) * length / 16 / least_void)));
 }
 
-toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void) {
-    toolpath::Curve out{bead.closed, {}, {}};
-    Thinning(bead, tolerance, least_void, true).run(out.points, out.width);
-    return out;
-}
-
-void add_with_fewer_points(const toolpath::Curve& bead, int lane, double tolerance, double least_void, Rings& out) {
-    Thinning(bead, tolerance, least_void, false).run(out.points, out.width);
-    out.start.push_back(static_cast<std::uint32_t>(out.points.size()));
-    out.lane.push_back(lane);
+toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void, bool even) {
+    return Thinning(bead, tolerance, least_void, even).run();
 }
 
 } // namespace filum::rings

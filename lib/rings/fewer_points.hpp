@@ -1,7 +1,6 @@
 // Fewer points for the same beads.
 #pragma once
 
-#include "rings/rings.hpp"
 #include "toolpath/path.hpp"
 
 namespace filum::rings {
@@ -18,10 +17,7 @@ int parts_of_taper(double change, double length, double least_void);
 // the width before it is moved.  Widths are off by at most an eighth, by as much below as above, and on no chord by
 // more than `least_void` mm2 in all. Where the width changes over a longer way, points divide that: a machine lays each
 // segment with one width, and no more than `least_void` aside by that.
-toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void);
-
-// Adds the closed bead with few points, as a ring of its lane.  Turns stay as they come: rings are to be joined and
-// rounded yet.
-void add_with_fewer_points(const toolpath::Curve& bead, int lane, double tolerance, double least_void, Rings& out);
+// Not `even`: turns stay as they come, as of rings that are to be joined and rounded yet.
+toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void, bool even);
 
 } // namespace filum::rings

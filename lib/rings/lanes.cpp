@@ -28,7 +28,7 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o) {
     const Beading b = beading(medial_axis(sites_of(region, o.tolerance / 2), fine, kWallSlope), width, least);
     FirstLanes out;
     lay_rings(b, o.most, flows, fine, [&](const toolpath::Curve& ring, int lane) {
-        add_with_fewer_points(ring, lane, fine / 3, least, out.lanes);
+        out.lanes.add(with_fewer_points(ring, fine / 3, least, false), lane);
     });
     for (double& w : out.lanes.width) w *= wider;
     if (o.most > 0) out.rest = polygon::split(beyond(b, o.most, fine)).part;
@@ -47,13 +47,16 @@ std::vector<toolpath::Curve> curves_of(const Rings& rings) {
     return out;
 }
 
+double laid_area(const toolpath::Curve& c) {
+    double out = 0;
+    for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
+        out += (c.width_at(k) + c.width_at((k + 1) % n)) / 2 * geom::distance(c.points[k], c.points[(k + 1) % n]);
+    return out;
+}
+
 double laid_area(const Rings& rings) {
     double out = 0;
-    for (std::size_t r = 0; r < rings.size(); ++r)
-        for (std::uint32_t i = rings.start[r]; i < rings.start[r + 1]; ++i) {
-            const std::uint32_t j = i + 1 == rings.start[r + 1] ? rings.start[r] : i + 1;
-            out += (rings.width[i] + rings.width[j]) / 2 * geom::distance(rings.points[i], rings.points[j]);
-        }
+    for (const toolpath::Curve& ring : curves_of(rings)) out += laid_area(ring);
     return out;
 }
 

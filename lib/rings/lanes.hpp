@@ -44,7 +44,8 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o);
 // The rings as curves, in their order.
 std::vector<toolpath::Curve> curves_of(const Rings& rings);
 
-// What the beads of rings lay, mm2.
+// What closed beads lay, mm2.
+double laid_area(const toolpath::Curve& bead);
 double laid_area(const Rings& rings);
 
 } // namespace filum::rings

@@ -60,10 +60,7 @@ class Walk {
     // Lane coordinate of the middle of the strip on the ray to node i.
     [[nodiscard]] double middle(std::uint32_t i) const { return (lane_ - 1 + b_->end(i, lane_)) / 2; }
 
-    void put(Vec2 p, double width) {
-        ring_.points.push_back(p);
-        ring_.width.push_back(std::max(width, kNarrowest * b_->width));
-    }
+    void put(Vec2 p, double width) { ring_.add(p, std::max(width, kNarrowest * b_->width)); }
 
     // Adds the point on the ray to the share t of h, where the strip ends at lane coordinate `end`.
     void ray_point(std::uint32_t h, double t, double end) {
@@ -136,6 +133,13 @@ void Rings::add(const Rings& more) {
     width.insert(width.end(), more.width.begin(), more.width.end());
     lane.insert(lane.end(), more.lane.begin(), more.lane.end());
     for (std::size_t i = 1; i < more.start.size(); ++i) start.push_back(base + more.start[i]);
+}
+
+void Rings::add(const toolpath::Curve& ring, int of_lane) {
+    points.insert(points.end(), ring.points.begin(), ring.points.end());
+    width.insert(width.end(), ring.width.begin(), ring.width.end());
+    start.push_back(static_cast<std::uint32_t>(points.size()));
+    lane.push_back(of_lane);
 }
 
 void lay_rings(const Beading& beading, int most, double least_void, double tolerance, const Laid& laid) {

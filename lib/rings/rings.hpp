@@ -19,6 +19,7 @@ struct Rings {
 
     [[nodiscard]] std::size_t size() const { return lane.size(); }
     void add(const Rings& more);
+    void add(const toolpath::Curve& ring, int of_lane);
 };
 
 // What becomes of a ring, which is not kept: all points of all rings at once would be many.

@@ -45,8 +45,7 @@ double width_at(const Curve& c, const CurvePlace& p) {
 
 void add_point(Curve& to, Vec2 p, double width) {
     if (!to.points.empty() && geom::distance(to.points.back(), p) < kLeastMove / 2) return;
-    to.points.push_back(p);
-    to.width.push_back(width);
+    to.add(p, width);
 }
 
 } // namespace filum::toolpath

@@ -4,6 +4,7 @@
 #include "base/join.hpp"
 #include "geom/vec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,20 @@ struct Curve {
     [[nodiscard]] double width_at(std::size_t i) const { return width.size() == 1 ? width[0] : width[i]; }
     [[nodiscard]] Feature feature_at(std::size_t segment) const {
         return feature.empty() ? Feature::none : feature[feature.size() == 1 ? 0 : segment];
+    }
+
+    // With a width per point and no features:
+    void add(Vec2 p, double w) {
+        points.push_back(p);
+        width.push_back(w);
+    }
+    void drop_last() {
+        points.pop_back();
+        width.pop_back();
+    }
+    void reverse() {
+        std::reverse(points.begin(), points.end());
+        std::reverse(width.begin(), width.end());
     }
 };
 

@@ -40,20 +40,17 @@ Knot crossing(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b,
 
 void append(const toolpath::Curve& from, std::size_t i, toolpath::Curve& to) {
     if (!to.points.empty() && to.points.back() == from.points[i]) return;
-    to.points.push_back(from.points[i]);
-    to.width.push_back(from.width[i]);
+    to.add(from.points[i], from.width[i]);
 }
 
 void append(const Knot& knot, toolpath::Curve& to) {
     if (to.points.back() == knot.at) return;
-    to.points.push_back(knot.at);
-    to.width.push_back(knot.width);
+    to.add(knot.at, knot.width);
 }
 
 void drop_repeated_end(toolpath::Curve& curve) {
     while (curve.points.size() > 3 && curve.points.back() == curve.points.front()) {
-        curve.points.pop_back();
-        curve.width.pop_back();
+        curve.drop_last();
     }
 }
 

@@ -62,7 +62,7 @@ class Joiner {
                                     : 0);
     }
 
-    std::vector<ClosedLine> run(bool spirals) {
+    std::vector<Curve> run(bool spirals) {
         if (spirals) wind();
         // few places first: most rings face their neighbours all the way round
         for (const bool all : {false, true}) {
@@ -251,16 +251,10 @@ class Joiner {
 
 } // namespace
 
-std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals,
-                                   const Hanging& hung) {
+std::vector<Curve> join_rings(const rings::Rings& rings, double width, const Loops& outline, bool spirals,
+                              const Hanging& hung) {
     if (rings.size() == 0) return {};
     return Joiner(rings, width, outline, hung).run(spirals);
-}
-
-std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines) {
-    std::vector<toolpath::Curve> out;
-    for (ClosedLine& line : lines) out.push_back({true, std::move(line.points), std::move(line.width)});
-    return out;
 }
 
 void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes) {

@@ -10,8 +10,6 @@
 
 namespace filum::fill::join {
 
-using ClosedLine = BeadLine; // its last point runs on to its first
-
 // How a bead is carried at a place: 0 from below, 1 by what is next to it, kHangsMost not at all.
 using Hanging = std::function<int(Vec2)>;
 inline constexpr int kHangsMost = 2;
@@ -29,13 +27,10 @@ inline constexpr int kHangsMost = 2;
 // With `hung`, links are laid in the air only if rings cannot be joined elsewhere, and at its rim rather than further
 // out; rings that run there are in no double spiral.
 //
-// Returns one curve if all rings could be joined, else one per connected group, the longest first.
+// Returns one closed curve if all rings could be joined, else one per connected group, the longest first.
 // Places come first where rings are a bead apart and a bead wide.  Ties: the lower ring, then the earlier place on it.
-std::vector<ClosedLine> join_rings(const rings::Rings& rings, double width, const Loops& outline = {},
-                                   bool spirals = false, const Hanging& hung = {});
-
-// The lines as closed curves, in their order.
-std::vector<toolpath::Curve> closed_curves(std::vector<ClosedLine> lines);
+std::vector<Curve> join_rings(const rings::Rings& rings, double width, const Loops& outline = {}, bool spirals = false,
+                              const Hanging& hung = {});
 
 // Adds a note of how many curves there are beside the first: rings that could not be joined.  None if all were.
 void note_unjoined(const std::vector<toolpath::Curve>& curves, Notes& notes);

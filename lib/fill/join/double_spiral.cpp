@@ -179,14 +179,14 @@ class Making {
         return out;
     }
     // A bend as wide as its neighbours leave it room.
-    [[nodiscard]] BeadLine bead(const Line& before, const Line& own, const Line& after) const {
+    [[nodiscard]] Curve bead(const Line& before, const Line& own, const Line& after) const {
         const auto gap = [&](const Line& other, Vec2 p) {
             double best = std::numeric_limits<double>::infinity();
             for (std::size_t i = 0; i + 1 < other.size(); ++i)
                 best = std::min(best, geom::point_segment_distance(other[i], other[i + 1], p));
             return best;
         };
-        BeadLine out;
+        Curve out;
         for (const double t : {0.15, 0.5, 0.85}) {
             const Vec2 p = geom::lerp(own[1], own[2], t);
             out.add(p, (gap(before, p) + gap(after, p)) / 2);

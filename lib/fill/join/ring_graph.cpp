@@ -66,22 +66,17 @@ Place RingGraph::place_on(std::uint32_t segment, Vec2 p) const {
     return {ring_of_[segment], s_[segment] + t * geom::distance(seg.a, seg.b), q, geom::distance(p, q)};
 }
 
-void RingGraph::append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points,
-                       std::vector<double>& width) const {
+void RingGraph::append(std::uint32_t ring, double s0, double s1, toolpath::Curve& to) const {
     const std::uint32_t first = rings_->start[ring], n = rings_->start[ring + 1] - first;
     const double from = wrapped(ring, s0), end = from + (s1 - s0);
     const double close = 1e-7; // mm: no second point there
-    const auto put = [&](Vec2 p, double w) {
-        points.push_back(p);
-        width.push_back(w);
-    };
-    put(at(ring, from), width_of(locate(ring, from)));
+    to.add(at(ring, from), width_of(locate(ring, from)));
     for (std::uint32_t i = segment_at(ring, from) - first + 1; i <= 2 * n; ++i) {
         const double s = s_[first + i % n] + (i >= n ? length_[ring] : 0) + (i >= 2 * n ? length_[ring] : 0);
         if (s >= end - close) break;
-        if (s > from + close) put(segments_[first + i % n].a, rings_->width[first + i % n]);
+        if (s > from + close) to.add(segments_[first + i % n].a, rings_->width[first + i % n]);
     }
-    put(at(ring, end), width_of(locate(ring, end)));
+    to.add(at(ring, end), width_of(locate(ring, end)));
 }
 
 } // namespace filum::fill::join

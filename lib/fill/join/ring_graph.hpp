@@ -87,7 +87,7 @@ class RingGraph {
     }
 
     // Appends the points of the ring from s0 to s1 > s0, both ends included, and their widths.
-    void append(std::uint32_t ring, double s0, double s1, std::vector<Vec2>& points, std::vector<double>& width) const;
+    void append(std::uint32_t ring, double s0, double s1, toolpath::Curve& to) const;
 
   private:
     [[nodiscard]] Place place_on(std::uint32_t segment, Vec2 nearest_to) const;

@@ -17,7 +17,7 @@ void append(const std::vector<T>& piece, bool backwards, std::vector<T>& to) {
         to.insert(to.end(), piece.begin(), piece.end());
 }
 
-double length(const BeadLine& line) {
+double length(const Curve& line) {
     return geom::length(line.points) + geom::distance(line.points.back(), line.points.front());
 }
 
@@ -93,9 +93,9 @@ std::vector<Splices::Arc> Splices::arcs() const {
 }
 
 // The arc's points and those of the link that follows.
-void Splices::walk(const Arc& arc, bool backwards, BeadLine& line) const {
+void Splices::walk(const Arc& arc, bool backwards, Curve& line) const {
     const auto first = static_cast<std::ptrdiff_t>(line.points.size());
-    graph_->append(arc.ring, arc.s0, arc.s1, line.points, line.width);
+    graph_->append(arc.ring, arc.s0, arc.s1, line);
     if (backwards) {
         std::reverse(line.points.begin() + first, line.points.end());
         std::reverse(line.width.begin() + first, line.width.end());
@@ -106,10 +106,10 @@ void Splices::walk(const Arc& arc, bool backwards, BeadLine& line) const {
     append(arc.link[side]->bead.width, !arc.along[side], line.width);
 }
 
-std::vector<BeadLine> Splices::trace() const {
+std::vector<Curve> Splices::trace() const {
     const auto all = arcs();
     std::vector<char> seen(all.size(), 0);
-    std::vector<BeadLine> out;
+    std::vector<Curve> out;
     for (std::uint32_t start = 0; start < all.size(); ++start) {
         if (seen[start]) continue;
         std::vector<End> way; // where arcs are entered
@@ -120,14 +120,13 @@ std::vector<BeadLine> Splices::trace() const {
             way.push_back(at);
             points += graph_->points(arc.ring) * (arc.s1 - arc.s0) / graph_->length(arc.ring) + 8;
         }
-        BeadLine line;
+        Curve line{true, {}, {}};
         line.points.reserve(static_cast<std::size_t>(points));
         line.width.reserve(static_cast<std::size_t>(points));
         for (const End at : way) walk(all[at.arc], at.last, line);
         out.push_back(std::move(line));
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const BeadLine& a, const BeadLine& b) { return length(a) > length(b); });
+    std::stable_sort(out.begin(), out.end(), [](const Curve& a, const Curve& b) { return length(a) > length(b); });
     return out;
 }
 

@@ -8,15 +8,7 @@
 
 namespace filum::fill::join {
 
-// A bead: closed (its last point runs on to its first) or a stretch of one.
-struct BeadLine {
-    std::vector<Vec2> points;
-    std::vector<double> width; // mm, per point
-    void add(Vec2 p, double w) {
-        points.push_back(p);
-        width.push_back(w);
-    }
-};
+using toolpath::Curve;
 
 // Share of a link's length at either end that lies on rings, as good as: it is as wide as they are there, and touches
 // them.
@@ -37,7 +29,7 @@ struct Rim {
 // The bead from rim to rim, without the rims' own points.
 struct Link {
     Rim from, to;
-    BeadLine bead;
+    Curve bead{};
 };
 
 // Windows of different rings and the links that tie all their rims: the rings become one curve (Lemma 1 for two).
@@ -55,7 +47,7 @@ class Splices {
     void add(Splice splice);
 
     // The closed curves that the rings have become, the longest first; rings without windows as they were.
-    [[nodiscard]] std::vector<BeadLine> trace() const;
+    [[nodiscard]] std::vector<Curve> trace() const;
 
   private:
     struct End {
@@ -70,7 +62,7 @@ class Splices {
         bool along[2];       // the link from its first point to its last, else backwards
     };
     [[nodiscard]] std::vector<Arc> arcs() const;
-    void walk(const Arc& arc, bool backwards, BeadLine& line) const;
+    void walk(const Arc& arc, bool backwards, Curve& line) const;
 
     const RingGraph* graph_;
     std::vector<std::vector<std::pair<double, double>>> used_; // per ring

@@ -43,8 +43,7 @@ Laid lay_rows(const Loops& region, const ZigzagOptions& o, const Try& how) {
     Laid out{{}, 0, std::max(0.0, polygon::signed_area(region) - laid)};
     if (!o.linked) out.curves = rings::curves_of(std::exchange(outer.lanes, {}));
     outer.lanes.add(core);
-    for (auto& curve : join::closed_curves(join::join_rings(outer.lanes, w, region)))
-        out.curves.push_back(std::move(curve));
+    for (auto& curve : join::join_rings(outer.lanes, w, region)) out.curves.push_back(std::move(curve));
     out.crossings = join::crossing_pairs(out.curves, w).size();
     return out;
 }

@@ -121,8 +121,7 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
     const double gap = sums.back() - w / 4; // two round ends fill it
     const CurvePlace last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
     while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4) {
-        out.points.pop_back();
-        out.width.pop_back();
+        out.drop_last();
     }
     add_point(out, last.point, width_at(ring, last));
     return out;
@@ -131,8 +130,7 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
 } // namespace
 
 void splice_rings(const polygon::Loops& region, double w, int rings, std::vector<Curve>& curves, Notes& notes) {
-    const auto groups =
-        join::closed_curves(join::join_rings(rings::lanes(region, {.width = w, .most = rings}), w, region));
+    const auto groups = join::join_rings(rings::lanes(region, {.width = w, .most = rings}), w, region);
     const std::size_t open = curves.size();
     for (const Curve& ring : groups) {
         std::vector<Segment> all;

@@ -87,8 +87,7 @@ void round_corner(Leg& before, Leg& after, double radius) {
 
 void append_leg(const Leg& leg, double taper, toolpath::Curve& to) {
     if (to.points.empty()) {
-        to.points.push_back(leg.line.front());
-        to.width.push_back(leg.width);
+        to.add(leg.line.front(), leg.width);
     }
     bool same = to.width.back() == leg.width;
     for (const Vec2 p : leg.line) {
@@ -96,12 +95,10 @@ void append_leg(const Leg& leg, double taper, toolpath::Curve& to) {
         const double l = geom::distance(last, p);
         if (l < toolpath::kLeastMove / 2) continue;
         if (!same && leg.once) {
-            to.points.push_back(geom::lerp(last, p, std::min(0.5, taper / l)));
-            to.width.push_back(leg.width);
+            to.add(geom::lerp(last, p, std::min(0.5, taper / l)), leg.width);
         }
         same = true;
-        to.points.push_back(p);
-        to.width.push_back(leg.width);
+        to.add(p, leg.width);
     }
 }
 

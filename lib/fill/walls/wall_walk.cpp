@@ -2,7 +2,6 @@
 #include "base/none.hpp"
 #include "fill/join/crossings.hpp"
 
-#include "fill/join/splices.hpp"
 #include "geom/disjoint_sets.hpp"
 #include "geom/polyline.hpp"
 #include "geom/segment.hpp"
@@ -152,7 +151,7 @@ Vec2 unit(Vec2 v) {
 }
 
 // Cuts `by` mm off the start, at most a third of the line.
-void trim(join::BeadLine& l, double by) {
+void trim(toolpath::Curve& l, double by) {
     by = std::min(by, geom::length(l.points) / 3);
     while (l.points.size() > 2 && geom::distance(l.points[0], l.points[1]) <= by) {
         by -= geom::distance(l.points[0], l.points[1]);
@@ -166,9 +165,9 @@ void trim(join::BeadLine& l, double by) {
 }
 
 // Drops points of a lane that lie too near to the middle line: inside its bends they would fold over.
-void unfold(const Wall& w, join::BeadLine& lane) {
+void unfold(const Wall& w, toolpath::Curve& lane) {
     const std::size_t n = w.line.size();
-    join::BeadLine out;
+    toolpath::Curve out;
     for (std::size_t i = 0; i < n; ++i) {
         const double least = 0.98 * w.radius[i] / 2;
         const auto far = [&](std::size_t k) { // from segment k, or no longer in reach
@@ -186,15 +185,14 @@ void unfold(const Wall& w, join::BeadLine& lane) {
             along += geom::distance(w.line[k - 1], w.line[k]);
         }
         if (!free && i > 0 && i + 1 < n) continue;
-        out.points.push_back(lane.points[i]);
-        out.width.push_back(lane.width[i]);
+        out.add(lane.points[i], lane.width[i]);
     }
     lane = std::move(out);
 }
 
 // The pass as it lies, from the wall's node a to b.  `dead`: the node is the wall's dead end; lanes turn there.
-join::BeadLine line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
-    join::BeadLine out{w.line, {}};
+toolpath::Curve line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
+    toolpath::Curve out{false, w.line, {}};
     for (const double r : w.radius) out.width.push_back(side == 0 ? 2 * r : r);
     if (side == 0 || !apart) return out;
     const std::size_t n = w.line.size();
@@ -208,14 +206,10 @@ join::BeadLine line(const Wall& w, int side, bool apart, bool dead_a, bool dead_
         if (i + 1 == n && dead_b) out.points[i] = out.points[i] + w.radius[i] / 2 * along;
     }
     unfold(w, out);
-    const auto reverse = [&] {
-        std::reverse(out.points.begin(), out.points.end());
-        std::reverse(out.width.begin(), out.width.end());
-    };
     if (!dead_a) trim(out, w.radius.front());
-    reverse();
+    out.reverse();
     if (!dead_b) trim(out, w.radius.back());
-    reverse();
+    out.reverse();
     return out;
 }
 
@@ -231,26 +225,19 @@ toolpath::Curve lay_walls(const WallGraph& g, const Circuit& circuit, const std:
     const auto push = [&](Vec2 p, double width) {
         p = {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3};
         if (!out.points.empty() && out.points.back() == p) return;
-        out.points.push_back(p);
-        out.width.push_back(width);
+        out.add(p, width);
     };
     for (const auto e : ends) {
         const Track& t = circuit.track(e);
         const Wall& w = g.walls[t.wall];
-        join::BeadLine l = line(w, t.side, apart, degree[w.a] == 1, degree[w.b] == 1);
-        if (e % 2 != 0) {
-            std::reverse(l.points.begin(), l.points.end());
-            std::reverse(l.width.begin(), l.width.end());
-        }
+        toolpath::Curve l = line(w, t.side, apart, degree[w.a] == 1, degree[w.b] == 1);
+        if (e % 2 != 0) l.reverse();
         const auto first = e % 2 != 0 ? w.b : w.a, last = e % 2 != 0 ? w.a : w.b;
         if (t.side != 0 && degree[first] > 1) push(g.node[first], l.width.front());
         for (std::size_t i = 0; i < l.points.size(); ++i) push(l.points[i], l.width[i]);
         if (t.side != 0 && degree[last] > 1) push(g.node[last], l.width.back());
     }
-    if (closed && out.points.size() > 3 && out.points.front() == out.points.back()) {
-        out.points.pop_back();
-        out.width.pop_back();
-    }
+    if (closed && out.points.size() > 3 && out.points.front() == out.points.back()) out.drop_last();
     return out;
 }
 

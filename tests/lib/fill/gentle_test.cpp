@@ -27,12 +27,6 @@ double anywhere(Vec2) { return 1e9; } // no outline near
 
 rings::Rings lanes(const Loops& region) { return rings::lanes(region, {.width = kWidth, .tolerance = 0.005}); }
 
-std::vector<Curve> curves(const std::vector<ClosedLine>& lines) {
-    std::vector<Curve> out;
-    for (const auto& l : lines) out.push_back({true, l.points, l.width});
-    return out;
-}
-
 // Places where a closed line turns back: its ends 1.2 widths before and after are nearer than 1.15 widths, and it is
 // the nearest such place for two widths around.
 int turns_back(const std::vector<Vec2>& points) {
@@ -92,7 +86,7 @@ TEST_P(Joined, SpiralsKeepEveryRingInOneCurveThatDoesNotCrossItself) {
     const auto plain = join_rings(rings, kWidth, region, false);
     const auto wound = join_rings(rings, kWidth, region, true);
     EXPECT_EQ(wound.size(), plain.size());
-    EXPECT_EQ(crossing_pairs(curves(wound), kWidth).size(), 0U);
+    EXPECT_EQ(crossing_pairs(wound, kWidth).size(), 0U);
     std::vector<geom::Segment> segments;
     for (const auto& l : wound)
         for (std::size_t i = 0; i < l.points.size(); ++i)
@@ -109,8 +103,8 @@ TEST_P(Joined, SpiralsKeepEveryRingInOneCurveThatDoesNotCrossItself) {
 
 INSTANTIATE_TEST_SUITE_P(DoubleSpiral, Joined, testing::Range(100U, 140U));
 
-BeadLine square(double side) {
-    BeadLine out;
+Curve square(double side) {
+    Curve out{true, {}, {}};
     for (const Vec2 p : {Vec2{0, 0}, Vec2{side, 0}, Vec2{side, side}, Vec2{0, side}}) out.add(p, kWidth);
     return out;
 }
@@ -127,10 +121,10 @@ double sharpest(const std::vector<Vec2>& points) { // rad, at any vertex
 
 constexpr Corners kCorners{.open = rings::kLeastVoid * kWidth * kWidth, .tolerance = 0.01};
 
-double enclosed(const BeadLine& line) { return polygon::signed_area(std::span<const Vec2>(line.points)); }
+double enclosed(const Curve& line) { return polygon::signed_area(std::span<const Vec2>(line.points)); }
 
 TEST(Rounded, TurnsCornersIntoCurvesOfTheSameMaterial) {
-    const BeadLine line = square(10), round = rounded(line, kWidth, kCorners, anywhere);
+    const Curve line = square(10), round = rounded(line, kWidth, kCorners, anywhere);
     EXPECT_LT(sharpest(round.points), 0.4);
     EXPECT_NEAR(laid({{true, round.points, round.width}}), laid({{true, line.points, line.width}}), 1e-2);
     EXPECT_LT(length_of({true, round.points, round.width}), 40 - 4 * 0.1 * kWidth);
@@ -139,7 +133,7 @@ TEST(Rounded, TurnsCornersIntoCurvesOfTheSameMaterial) {
 }
 
 TEST(Rounded, LeavesNoMoreThanAskedForInAll) {
-    BeadLine saw; // forty right angles
+    Curve saw; // forty right angles
     for (int k = 0; k < 20; ++k) {
         saw.add({2.0 * k, 0}, kWidth);
         saw.add({2.0 * k + 1, 1}, kWidth);
@@ -149,7 +143,7 @@ TEST(Rounded, LeavesNoMoreThanAskedForInAll) {
     saw.add({0, 5}, kWidth);
     const auto off = [&](const Corners& how) { // between the lines
         double out = 0;
-        const BeadLine round = rounded(saw, kWidth, how, anywhere);
+        const Curve round = rounded(saw, kWidth, how, anywhere);
         polygon::Loops a, b;
         a.add(saw.points), b.add(round.points);
         for (const auto& [p, q] : {std::pair{&a, &b}, std::pair{&b, &a}})
@@ -167,36 +161,36 @@ TEST(Rounded, LeavesGentleCornersAndMovesThoseOfTheOutlineNoFurtherThanABeadMayB
     const auto at_outline = [](Vec2) { return kWidth / 2; };
     for (double turn = 0.05; turn < 3; turn += 0.1) { // rad, at the middle of the upper side
         const Vec2 tip{5, 10 + 5 * std::tan(turn / 2)};
-        BeadLine line;
+        Curve line;
         for (const Vec2 p : {Vec2{0, 0}, Vec2{10, 0}, Vec2{10, 10}, tip, Vec2{0, 10}}) line.add(p, kWidth);
-        const auto moved = [&](const BeadLine& round) {
+        const auto moved = [&](const Curve& round) {
             double best = 1e9;
             for (std::size_t i = 0; i < round.points.size(); ++i)
                 best = std::min(best, geom::point_segment_distance(round.points[i],
                                                                    round.points[(i + 1) % round.points.size()], tip));
             return best;
         };
-        const Corners fine{kCorners.open, 1e-5, true};
+        const Corners fine{kCorners.open, 1e-5};
         const double inside = moved(rounded(line, kWidth, fine, anywhere));
         const double outside = moved(rounded(line, kWidth, fine, at_outline));
         EXPECT_TRUE(inside < 1e-9 || inside > kWidth / 16 - 1e-3) << turn;
         EXPECT_LE(outside, kWidth / 8 + 1e-4) << turn;
         EXPECT_NEAR(outside, std::min(inside, kWidth / 8), 1e-4) << turn;
         EXPECT_EQ(inside > 1e-9, std::sin(turn / 2) * std::sqrt(6 * kCorners.open) / 2 >= kWidth / 16) << turn;
-        const Corners inner{kCorners.open, kCorners.tolerance, false};
+        const Corners inner{kCorners.open, kCorners.tolerance, Rounded::inside};
         EXPECT_LT(moved(rounded(line, kWidth, inner, at_outline)), 1e-9) << turn;
     }
 }
 
 TEST(Rounded, KeepsBeadsInsideTheOutline) {
     const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
-    const BeadLine round = rounded(square(10), kWidth, kCorners, room);
+    const Curve round = rounded(square(10), kWidth, kCorners, room);
     for (std::size_t i = 0; i < round.points.size(); ++i)
         EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
 }
 
 TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or not
-    BeadLine shifted = square(10);
+    Curve shifted = square(10);
     shifted.points.insert(shifted.points.begin(), {5, 0});
     shifted.width.push_back(kWidth);
     shifted.points.erase(shifted.points.begin() + 1);
@@ -208,14 +202,14 @@ TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or n
 
 TEST(Rounded, LeavesStraightLinesAndSpecksAlone) {
     EXPECT_EQ(rounded(square(0.4), kWidth, kCorners, anywhere).points, square(0.4).points);
-    BeadLine circle;
+    Curve circle;
     const Loops outline = disc({0, 0}, 5, 200);
     for (const Vec2 p : outline[0]) circle.add(p, kWidth);
     EXPECT_EQ(rounded(circle, kWidth, kCorners, anywhere).points, circle.points);
 }
 
 TEST(Rounded, KeepsCornersAlongTheOutlineWhereAsked) {
-    const Corners inside{kCorners.open, kCorners.tolerance, false};
+    const Corners inside{kCorners.open, kCorners.tolerance, Rounded::inside};
     const auto room = [](Vec2 p) { return std::min({p.x, p.y, 10 - p.x, 10 - p.y}) + kWidth / 2; };
     EXPECT_EQ(rounded(square(10), kWidth, inside, room).points, square(10).points);
     EXPECT_LT(sharpest(rounded(square(10), kWidth, inside, anywhere).points), 0.4); // an inner bead

@@ -193,7 +193,7 @@ TEST(FewerPoints, StayAsNearOnEitherSide) {
         circle.points.push_back({10 * std::cos(a), 10 * std::sin(a)});
         circle.width.push_back(kWidth);
     }
-    const Curve few = with_fewer_points(circle, 0.01, 0.016);
+    const Curve few = with_fewer_points(circle, 0.01, 0.016, true);
     EXPECT_LE(few.points.size(), 52U); // chords of the root of 8 * 0.02 * 10 mm: every fourteenth point
     for (std::size_t i = 0; i < few.points.size(); ++i) { // chords alone would be 0.02 inside at their middle
         const Vec2 p = few.points[i], q = few.points[(i + 1) % few.points.size()];
@@ -217,7 +217,7 @@ TEST(FewerPoints, TurnEvenly) {
             plate.points.push_back(p + (1 - t) * (1 - t) * u + t * t * v);
             plate.width.push_back(kWidth);
         }
-        const Curve few = with_fewer_points(plate, 0.01, 0.016);
+        const Curve few = with_fewer_points(plate, 0.01, 0.016, true);
         const std::size_t n = few.points.size();
         EXPECT_LE(n, 17U) << first;
         for (std::size_t i = 0; i < n; ++i) {
@@ -235,7 +235,7 @@ TEST(FewerPoints, KeepWhatIsLaid) {
             const Rings all = lanes(region, {.width = kWidth, .tolerance = 0.0025});
             Rings few;
             for (const Curve& ring : curves_of(all))
-                add_with_fewer_points(ring, 1, 0.01, least_void(kWidth, polygon::signed_area(region)), few);
+                few.add(with_fewer_points(ring, 0.01, least_void(kWidth, polygon::signed_area(region)), false), 1);
             EXPECT_LE(few.points.size(), all.points.size());
             EXPECT_NEAR(laid_area(few) / laid_area(all), 1, 0.01) << seed;
         }
@@ -243,7 +243,7 @@ TEST(FewerPoints, KeepWhatIsLaid) {
 
 TEST(FewerPoints, DivideALongChangeOfWidth) {
     const Curve taper{true, {{0, 0}, {10, 0}, {10, 1}, {0, 1}}, {0.2, 0.8, 0.8, 0.2}};
-    const Curve out = with_fewer_points(taper, 0.01, 0.016);
+    const Curve out = with_fewer_points(taper, 0.01, 0.016, true);
     EXPECT_EQ(out.points.size(), 12U); // five parts there and back: sqrt(0.6 * 10 / 16 / 0.016) = 4.8
     for (std::size_t i = 0; i < out.points.size(); ++i)
         EXPECT_NEAR(out.width[i], 0.2 + 0.06 * out.points[i].x, 1e-9) << i;
