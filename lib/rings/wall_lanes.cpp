@@ -62,10 +62,23 @@ Cuts changes(const MedialAxis& axis, const std::vector<char>& wall, double width
     return out;
 }
 
-std::vector<int> lanes_of_pieces(const MedialAxis& axis, const std::vector<char>& wall, double width) {
-    std::vector<int> out(wall.size(), 0);
-    for (std::uint32_t e = 0; e < wall.size(); ++e)
-        if (wall[e]) out[e] = lanes_at((axis.radius[axis.from[2 * e]] + axis.radius[axis.to(2 * e)]) / 2 / width);
+// Per piece: whether it lies on a wall, and with how many lanes.
+struct Pieces {
+    MedialAxis axis; // with nodes where that number changes
+    std::vector<char> wall;
+    std::vector<int> lanes;
+};
+
+Pieces pieces(const MedialAxis& given, double width) {
+    const std::vector<char> wall = walls(given);
+    const Cuts changing = changes(given, wall, width);
+    Pieces out{refined(given, changing.at, changing.start), spread(wall, changing.start), {}};
+    const MedialAxis& axis = out.axis;
+    for (std::uint32_t e = 0; e < out.wall.size(); ++e) {
+        const double r = (axis.radius[axis.from[2 * e]] + axis.radius[axis.to(2 * e)]) / 2;
+        out.lanes.push_back(out.wall[e] ? lanes_at(r / width) : 0);
+    }
+    out.lanes = without_short_changes(axis, out.wall, std::move(out.lanes), width);
     return out;
 }
 
@@ -86,14 +99,14 @@ struct Visit {
 
 // Raises `value` (kUnset where nothing is told) to the least function above it that falls no faster.  Off the walls it
 // is followed only until it has fallen by one: the numbers of walls alike in thickness differ by no more.
-void raise(const MedialAxis& axis, const std::vector<char>& wall, double width,
-           const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
+void raise(const Pieces& p, double width, const std::vector<std::uint32_t>& half_at, std::vector<double>& value) {
+    const MedialAxis& axis = p.axis;
     std::priority_queue<Visit> queue;
     std::vector<double> fallen(value.size(), 0); // since the last wall
     const auto go_on = [&](std::uint32_t i) {
         std::uint32_t h = half_at[i];
         do {
-            const bool on_wall = wall[h / 2] != 0;
+            const bool on_wall = p.wall[h / 2] != 0;
             const double down = fall(axis, h, on_wall, width), beyond = on_wall ? 0 : fallen[i] + down;
             const std::uint32_t j = axis.to(h);
             if (beyond < 1 && value[i] - down > value[j] + 1e-9) {
@@ -111,6 +124,38 @@ void raise(const MedialAxis& axis, const std::vector<char>& wall, double width,
         queue.pop();
         if (v.value == value[v.node]) go_on(v.node);
     }
+}
+
+// Per node: the least function above the number of lanes, and the greatest below it, that change no faster than ramps;
+// kUnset where no wall and no top leads to.
+struct Envelopes {
+    std::vector<double> upper, lower; // lower: negative
+    std::vector<char> set;            // the node lies on a wall, or is a top
+};
+
+Envelopes envelopes(const Pieces& p, double width) {
+    const MedialAxis& axis = p.axis;
+    std::vector<std::uint32_t> half_at(axis.nodes());
+    std::vector<char> top(axis.nodes(), 1);
+    Envelopes out;
+    for (auto* v : {&out.upper, &out.lower}) v->assign(axis.nodes(), kUnset);
+    const auto tell = [&](std::uint32_t i, double lanes) {
+        out.upper[i] = std::max(out.upper[i], lanes);
+        out.lower[i] = std::max(out.lower[i], -lanes);
+    };
+    for (std::uint32_t h = 0; h < axis.half_edges(); ++h) {
+        const std::uint32_t i = axis.from[h];
+        half_at[i] = h;
+        if (axis.radius[axis.to(h)] > axis.radius[i]) top[i] = 0;
+        if (p.wall[h / 2]) tell(i, p.lanes[h / 2]);
+    }
+    for (std::uint32_t i = 0; i < axis.nodes(); ++i) {
+        if (top[i] && out.upper[i] == kUnset) tell(i, lanes_at(axis.radius[i] / width));
+        out.set.push_back(out.upper[i] != kUnset ? 1 : 0);
+    }
+    raise(p, width, half_at, out.upper);
+    raise(p, width, half_at, out.lower);
+    return out;
 }
 
 // The two envelopes on a wall piece with n lanes, by the share t of its length.
@@ -142,59 +187,34 @@ struct Ramp {
     }
 };
 
+// The envelopes' mean as the number of lanes, with nodes wherever that bends.
+WallLanes with_ramps(const Pieces& p, const Envelopes& between, double width) {
+    WallLanes out;
+    out.set = between.set;
+    for (std::uint32_t i = 0; i < p.axis.nodes(); ++i)
+        out.lanes.push_back(out.set[i] ? (between.upper[i] - between.lower[i]) / 2 : 0);
+    Cuts cuts;
+    for (std::uint32_t e = 0; e < p.wall.size(); ++e) {
+        const std::uint32_t a = p.axis.from[2 * e], b = p.axis.to(2 * e);
+        const Ramp ramp{static_cast<double>(p.lanes[e]),
+                        2 * p.axis.length(2 * e) / (kRamp * width),
+                        {between.upper[a], between.upper[b]},
+                        {-between.lower[a], -between.lower[b]}};
+        if (p.wall[e] && !ramp.level()) ramp.add_cuts(cuts);
+        cuts.close();
+        for (std::size_t k = cuts.start[e]; k < cuts.start[e + 1]; ++k) out.lanes.push_back(ramp.lanes(cuts.at[k]));
+    }
+    out.set.resize(out.lanes.size(), 1); // only walls are cut
+    out.axis = refined(p.axis, cuts.at, cuts.start);
+    out.wall = spread(p.wall, cuts.start);
+    return out;
+}
+
 } // namespace
 
-WallLanes wall_lanes(const MedialAxis& given, double width) {
-    std::vector<char> wall = walls(given);
-    const Cuts changing = changes(given, wall, width);
-    const MedialAxis axis = refined(given, changing.at, changing.start);
-    wall = spread(wall, changing.start);
-    const auto lanes = without_short_changes(axis, wall, lanes_of_pieces(axis, wall, width), width);
-
-    std::vector<std::uint32_t> half_at(axis.nodes());
-    std::vector<char> top(axis.nodes(), 1);
-    std::vector<double> upper(axis.nodes(), kUnset), lower(axis.nodes(), kUnset); // lower: negative
-    for (std::uint32_t h = 0; h < axis.half_edges(); ++h) {
-        const std::uint32_t i = axis.from[h];
-        half_at[i] = h;
-        if (axis.radius[axis.to(h)] > axis.radius[i]) top[i] = 0;
-        if (!wall[h / 2]) continue;
-        upper[i] = std::max<double>(upper[i], lanes[h / 2]);
-        lower[i] = std::max<double>(lower[i], -lanes[h / 2]);
-    }
-    for (std::uint32_t i = 0; i < axis.nodes(); ++i)
-        if (top[i] && upper[i] == kUnset) {
-            upper[i] = lanes_at(axis.radius[i] / width);
-            lower[i] = -upper[i];
-        }
-    WallLanes out;
-    out.set.resize(axis.nodes());
-    for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.set[i] = upper[i] != kUnset ? 1 : 0;
-    raise(axis, wall, width, half_at, upper);
-    raise(axis, wall, width, half_at, lower);
-
-    Cuts ramps;
-    for (std::uint32_t i = 0; i < axis.nodes(); ++i) out.lanes.push_back(out.set[i] ? (upper[i] - lower[i]) / 2 : 0);
-    std::vector<double> of_cuts;
-    std::vector<char> set_of_cuts;
-    for (std::uint32_t e = 0; e < wall.size(); ++e) {
-        const std::uint32_t a = axis.from[2 * e], b = axis.to(2 * e);
-        const Ramp ramp{static_cast<double>(lanes[e]),
-                        2 * axis.length(2 * e) / (kRamp * width),
-                        {upper[a], upper[b]},
-                        {-lower[a], -lower[b]}};
-        if (wall[e] && !ramp.level()) ramp.add_cuts(ramps);
-        ramps.close();
-        for (std::size_t k = ramps.start[e]; k < ramps.start[e + 1]; ++k) {
-            of_cuts.push_back(wall[e] ? ramp.lanes(ramps.at[k]) : 0);
-            set_of_cuts.push_back(wall[e]);
-        }
-    }
-    out.axis = refined(axis, ramps.at, ramps.start);
-    out.wall = spread(wall, ramps.start);
-    out.lanes.insert(out.lanes.end(), of_cuts.begin(), of_cuts.end());
-    out.set.insert(out.set.end(), set_of_cuts.begin(), set_of_cuts.end());
-    return out;
+WallLanes wall_lanes(const MedialAxis& axis, double width) {
+    const Pieces p = pieces(axis, width);
+    return with_ramps(p, envelopes(p, width), width);
 }
 
 } // namespace filum::rings
