@@ -47,7 +47,7 @@ void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve&
     for (std::size_t k = 0; k < thin.walls.size(); ++k)
         if (k != once) {
             twice += thin.walls[k].length;
-            at = thin.walls[k].line.front();
+            at = thin.walls[k].line.points.front();
         }
     if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
 }

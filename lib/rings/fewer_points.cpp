@@ -33,14 +33,11 @@ class Thinning {
         toolpath::Curve out{true, {}, {}};
         out.points.reserve(n);
         out.width.reserve(n);
-        const Vertex first = vertex(kept, chords, 0);
-        Vertex at = first;
-        for (std::size_t k = 0; k < n; ++k) {
-            out.add(at.point, at.width);
-            const Vertex next = k + 1 < n ? vertex(kept, chords, k + 1) : first;
-            divide(at, next, out);
-            at = next;
+        for (std::size_t k = 0; k <= n; ++k) {
+            const Vertex at = vertex(kept, chords, k % n);
+            add_tapered(at.point, at.width, least_, out);
         }
+        out.drop_last(); // the first one again
         return out;
     }
 
@@ -165,15 +162,6 @@ class Thinning {
         const double most = std::min(tolerance_, kMostOff * bead_.width[i]);
         return p + std::min(1.0, most / std::max(most, geom::norm(by))) * by;
     }
-    // Points between a and b where the width changes too much for one segment.
-    void divide(const Vertex& a, const Vertex& b, toolpath::Curve& out) const {
-        const int parts = parts_of_taper(b.width - a.width, geom::distance(a.point, b.point), least_);
-        for (int k = 1; k < parts; ++k) {
-            const double t = static_cast<double>(k) / parts;
-            out.add(geom::lerp(a.point, b.point, t), std::lerp(a.width, b.width, t));
-        }
-    }
-
     const toolpath::Curve& bead_; // closed
     std::size_t n_;               // points of it
     std::vector<double> way_;     // per point: mm from the one before it
@@ -183,8 +171,17 @@ class Thinning {
 
 } // namespace
 
-int parts_of_taper(double change, double length, double least_void) {
-    return static_cast<int>(std::ceil(std::sqrt(std::abs(change) * length / 16 / least_void)));
+void add_tapered(Vec2 p, double width, double least_void, toolpath::Curve& to) {
+    if (!to.points.empty()) {
+        const Vec2 from = to.points.back();
+        const double wide = to.width.back(), area = std::abs(width - wide) * geom::distance(from, p) / 16;
+        const int parts = static_cast<int>(std::ceil(std::sqrt(area / least_void)));
+        for (int k = 1; k < parts; ++k) {
+            const double t = static_cast<double>(k) / parts;
+            to.add(geom::lerp(from, p, t), std::lerp(wide, width, t));
+        }
+    }
+    to.add(p, width);
 }
 
 toolpath::Curve with_fewer_points(const toolpath::Curve& bead, double tolerance, double least_void, bool even) {

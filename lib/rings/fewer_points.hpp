@@ -5,10 +5,12 @@
 
 namespace filum::rings {
 
-// A machine lays each segment with one width.  Into how many to divide one of `length` mm along which the width changes
-// by `change` mm, so that none leaves more than `least_void` mm2 open on either side: each of n leaves there a
-// triangle, length / (2 n) long and change / (4 n) high.
-int parts_of_taper(double change, double length, double least_void);
+using geom::Vec2;
+
+// Adds a point to a bead, and before it those that divide the way there.  A machine lays each segment with one width:
+// so many are needed that none leaves more than `least_void` mm2 open on either side, where each of n leaves a
+// triangle, length / (2 n) long and change of width / (4 n) high.
+void add_tapered(Vec2 p, double width, double least_void, toolpath::Curve& to);
 
 // The closed bead with few points.  A chord runs, greedily from the first point, as far as the line keeps to a strip
 // along it that is twice the `tolerance` wide (mm; and on chords longer than three widths less, as the gap that they

@@ -43,6 +43,15 @@ double width_at(const Curve& c, const CurvePlace& p) {
     return a + p.t * (b - a);
 }
 
+void add_stretch(const Curve& c, const CurvePlace& from, const CurvePlace& to, Curve& out) {
+    const std::size_t n = c.points.size();
+    const std::size_t vertices = to.i - from.i + (to.along < from.along ? n : 0); // between them
+    add_point(out, from.point, width_at(c, from));
+    for (std::size_t k = 1; k <= vertices; ++k)
+        add_point(out, c.points[(from.i + k) % n], c.width_at((from.i + k) % n));
+    add_point(out, to.point, width_at(c, to));
+}
+
 void add_point(Curve& to, Vec2 p, double width) {
     if (!to.points.empty() && geom::distance(to.points.back(), p) < kLeastMove / 2) return;
     to.add(p, width);

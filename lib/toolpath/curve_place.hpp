@@ -28,6 +28,9 @@ CurvePlace nearest_place(const Curve& curve, const std::vector<double>& sums, ge
 // mm, of the bead there.
 double width_at(const Curve& curve, const CurvePlace& place);
 
+// Adds the bead from one place on to another, both included; a closed curve runs over its first point where need be.
+void add_stretch(const Curve& curve, const CurvePlace& from, const CurvePlace& to, Curve& out);
+
 // Adds a point unless it is nearer to the last one than half of kLeastMove.
 void add_point(Curve& to, geom::Vec2 p, double width);
 

@@ -16,12 +16,12 @@ namespace {
 
 using geom::Segment;
 using toolpath::add_point;
+using toolpath::add_stretch;
 using toolpath::arc_lengths;
 using toolpath::Curve;
 using toolpath::CurvePlace;
 using toolpath::nearest_place;
 using toolpath::place_at;
-using toolpath::width_at;
 
 constexpr double kPlaceStep = 1.0 / 4; // bead widths between the places that are tried
 constexpr double kStraight = 0.9;      // a window must be as straight: chord / length
@@ -61,21 +61,13 @@ bool is_free(geom::Vec2 a, geom::Vec2 b, const geom::SegmentGrid& grid, const st
     return !grid.crosses(geom::lerp(a, b, kTouch), geom::lerp(b, a, kTouch), all, [](std::uint32_t) { return true; });
 }
 
-Curve spliced(const Curve& curve, const Curve& ring, const Detour& v) {
-    Curve out;
-    for (std::size_t i = 0; i <= v.out.i; ++i) add_point(out, curve.points[i], curve.width_at(i));
-    add_point(out, v.out.point, width_at(curve, v.out));
-    add_point(out, v.enter.point, width_at(ring, v.enter));
-    const std::size_t n = ring.points.size();
-    const std::size_t from = v.against ? v.enter.i : v.enter.i + 1;
-    const std::size_t to = v.against ? v.leave.i + 1 : v.leave.i;
-    for (std::size_t i = from % n, k = 0; k <= n; ++k, i = v.against ? (i + n - 1) % n : (i + 1) % n) {
-        add_point(out, ring.points[i], ring.width_at(i));
-        if (i == to % n) break;
-    }
-    add_point(out, v.leave.point, width_at(ring, v.leave));
-    add_point(out, v.back.point, width_at(curve, v.back));
-    for (std::size_t i = v.back.i + 1; i < curve.points.size(); ++i) add_point(out, curve.points[i], curve.width_at(i));
+Curve spliced(const Curve& curve, const std::vector<double>& sums, const Curve& ring, const Detour& v) {
+    Curve out, round;
+    add_stretch(curve, place_at(curve, sums, 0), v.out, out);
+    add_stretch(ring, v.against ? v.leave : v.enter, v.against ? v.enter : v.leave, round);
+    if (v.against) round.reverse();
+    for (std::size_t i = 0; i < round.points.size(); ++i) add_point(out, round.points[i], round.width[i]);
+    add_stretch(curve, v.back, place_at(curve, sums, sums.back()), out);
     return out;
 }
 
@@ -101,7 +93,7 @@ std::optional<Curve> splice(const Curve& curve, const Curve& ring, const std::ve
         if (v && is_free(v->out.point, v->enter.point, grid, all) &&
             is_free(v->leave.point, v->back.point, grid, all) &&
             !geom::cross_properly(v->out.point, v->enter.point, v->leave.point, v->back.point))
-            return spliced(curve, ring, *v);
+            return spliced(curve, sums, ring, *v);
     }
     return std::nullopt;
 }
@@ -115,15 +107,8 @@ std::optional<Curve> led_on(const Curve& curve, const Curve& ring, const std::ve
     if (!is_free(end, at.point, geom::SegmentGrid(all, w), all)) return std::nullopt;
     Curve out{false, curve.points, {}};
     for (std::size_t i = 0; i < curve.points.size(); ++i) out.width.push_back(curve.width_at(i));
-    add_point(out, at.point, width_at(ring, at));
-    const std::size_t n = ring.points.size();
-    for (std::size_t k = 1; k <= n; ++k) add_point(out, ring.points[(at.i + k) % n], ring.width_at((at.i + k) % n));
     const double gap = sums.back() - w / 4; // two round ends fill it
-    const CurvePlace last = place_at(ring, sums, std::fmod(at.along + gap, sums.back()));
-    while (out.points.size() > curve.points.size() + 2 && geom::distance(out.points.back(), at.point) < w / 4) {
-        out.drop_last();
-    }
-    add_point(out, last.point, width_at(ring, last));
+    add_stretch(ring, at, place_at(ring, sums, std::fmod(at.along + gap, sums.back())), out);
     return out;
 }
 

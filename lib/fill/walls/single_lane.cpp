@@ -13,11 +13,12 @@ namespace filum::fill::walls {
 namespace {
 
 using toolpath::add_point;
+using toolpath::add_stretch;
 using toolpath::arc_lengths;
 using toolpath::Curve;
 using toolpath::CurvePlace;
 using toolpath::nearest_place;
-using toolpath::width_at;
+using toolpath::place_at;
 
 constexpr double kShort = 3; // bead widths: shorter walls stay as they are
 
@@ -31,67 +32,36 @@ struct Measured {
         return b.along >= a.along ? b.along - a.along : b.along - a.along + sums.back();
     }
     [[nodiscard]] CurvePlace nearest(Vec2 p) const { return nearest_place(curve, sums, p); }
-    [[nodiscard]] double width(const CurvePlace& p) const { return width_at(curve, p); }
 };
-
-// From one place on to another.
-void follow(const Measured& m, const CurvePlace& from, const CurvePlace& to, Curve& out) {
-    const std::size_t n = m.curve.points.size();
-    add_point(out, from.point, m.width(from));
-    double left = m.ahead(from, to);
-    for (std::size_t i = from.i, k = 0; k <= n; ++k, i = (i + 1) % n) {
-        const double step = m.sums[i + 1] - (k == 0 ? from.along : m.sums[i]);
-        if (step >= left) break;
-        left -= step;
-        add_point(out, m.curve.points[(i + 1) % n], m.curve.width_at((i + 1) % n));
-    }
-    add_point(out, to.point, m.width(to));
-}
 
 // The wall without `first` mm at its start and `last` mm at its end.
 Wall part(const Wall& w, double first, double last) {
-    Wall out;
-    const auto add = [&](Vec2 p, double r) {
-        if (!out.line.empty()) out.length += geom::distance(out.line.back(), p);
-        out.line.push_back(p);
-        out.radius.push_back(r);
-    };
-    double along = 0;
-    const double end = w.length - last;
-    for (std::size_t i = 0; i + 1 < w.line.size(); ++i) {
-        const double l = geom::distance(w.line[i], w.line[i + 1]);
-        const auto at = [&](double s) {
-            const double t = l > 0 ? (s - along) / l : 0;
-            add(geom::lerp(w.line[i], w.line[i + 1], t), w.radius[i] + t * (w.radius[i + 1] - w.radius[i]));
-        };
-        if (along + l > first && along < end) {
-            if (out.line.empty()) at(std::max(first, along));
-            at(std::min(end, along + l));
-        }
-        along += l;
-    }
+    Wall out{w.a, w.b, {}, std::max(0.0, w.length - first - last)};
+    if (out.length == 0) return out;
+    const auto sums = arc_lengths(w.line);
+    add_stretch(w.line, place_at(w.line, sums, first), place_at(w.line, sums, w.length - last), out.line);
     return out;
 }
 
 Wall reversed(Wall w) {
     std::swap(w.a, w.b);
-    std::reverse(w.line.begin(), w.line.end());
-    std::reverse(w.radius.begin(), w.radius.end());
+    w.line.reverse();
     return w;
 }
 
 // Left (side 1) or right (-1) of the wall's end at `i`, where a lane runs.
 Vec2 beside(const Wall& w, std::size_t i, int side) {
-    const Vec2 d = i == 0 ? w.line[1] - w.line[0] : w.line[i] - w.line[i - 1];
-    return w.line[i] + side * w.radius[i] / 2 / geom::norm(d) * geom::left_of(d);
+    const auto& line = w.line.points;
+    const Vec2 d = i == 0 ? line[1] - line[0] : line[i] - line[i - 1];
+    return line[i] + side * w.line.width[i] / 4 / geom::norm(d) * geom::left_of(d);
 }
 
 // The curve that keeps only the lane on `side` of the wall, or both, in its middle; if its lanes are there.
 std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, double width, int side, bool both) {
-    const double back = tip ? std::min(w.length / 4, w.radius.back()) : 0; // lanes turn round before the tip
+    const double back = tip ? std::min(w.length / 4, w.line.width.back() / 2) : 0; // lanes turn round before the tip
     const Wall lanes = part(w, 0, back);
-    if (lanes.line.size() < 2) return std::nullopt;
-    const std::size_t last = lanes.line.size() - 1;
+    if (lanes.line.points.size() < 2) return std::nullopt;
+    const std::size_t last = lanes.line.points.size() - 1;
     const CurvePlace a0 = m.nearest(beside(lanes, 0, side)), a1 = m.nearest(beside(lanes, last, side));
     const CurvePlace b0 = m.nearest(beside(lanes, 0, -side)), b1 = m.nearest(beside(lanes, last, -side));
     for (const CurvePlace& p : {a0, a1, b0, b1})
@@ -101,10 +71,11 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
     if (tip && m.ahead(a1, b1) > 4 * (back + width)) return std::nullopt;
     Curve out;
     out.closed = both;
-    follow(m, b0, a0, out);
-    for (std::size_t i = 0; i < w.line.size(); ++i) add_point(out, w.line[i], (both ? 1 : 2) * w.radius[i]);
-    if (!tip) follow(m, a1, b1, out);
-    for (std::size_t i = w.line.size(); both && i-- > 0;) add_point(out, w.line[i], w.radius[i]);
+    add_stretch(m.curve, b0, a0, out);
+    for (std::size_t i = 0; i < w.line.points.size(); ++i)
+        add_point(out, w.line.points[i], w.line.width[i] / (both ? 2 : 1));
+    if (!tip) add_stretch(m.curve, a1, b1, out);
+    for (std::size_t i = w.line.points.size(); both && i-- > 0;) add_point(out, w.line.points[i], w.line.width[i] / 2);
     return out;
 }
 
@@ -112,9 +83,9 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
 std::pair<double, double> thin_stretch(const Wall& w, double least) {
     std::pair<double, double> best{0, 0};
     double along = 0, first = 0;
-    for (std::size_t i = 0; i + 1 < w.line.size(); ++i) {
-        along += geom::distance(w.line[i], w.line[i + 1]);
-        if (std::max(w.radius[i], w.radius[i + 1]) >= least) first = along;
+    for (std::size_t i = 0; i + 1 < w.line.points.size(); ++i) {
+        along += geom::distance(w.line.points[i], w.line.points[i + 1]);
+        if (std::max(w.line.width[i], w.line.width[i + 1]) >= 2 * least) first = along;
         if (along - first > best.second - best.first) best = {first, along};
     }
     return best;
@@ -128,8 +99,8 @@ std::pair<Wall, bool> towards_tip(const WallGraph& walls, std::size_t k, double 
         return at == 1 && radius < 0.495 * width;
     };
     const Wall& w = walls.walls[k];
-    if (is_tip(w.b, w.radius.back())) return {w, true};
-    if (is_tip(w.a, w.radius.front())) return {reversed(w), true};
+    if (is_tip(w.b, w.line.width.back() / 2)) return {w, true};
+    if (is_tip(w.a, w.line.width.front() / 2)) return {reversed(w), true};
     return {w, false};
 }
 
@@ -144,7 +115,7 @@ bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& 
     for (const auto k : order) {
         auto [w, tip] = towards_tip(walls, k, width);
         w = part(w, width / 2, tip ? 0 : width / 2);
-        if (w.length < kShort * width || w.line.size() < 2) continue;
+        if (w.length < kShort * width || w.line.points.size() < 2) continue;
         for (const int side : {1, -1})
             if (auto open = to_middle(m, w, tip, width, side, false)) {
                 curve = std::move(*open);
@@ -163,12 +134,12 @@ std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls,
         const bool tip = ends_at_tip && last > whole.length - 1e-9;
         if (!tip) last = std::min(last, whole.length - width / 2);
         const Wall w = part(whole, std::max(first, width / 2), whole.length - last);
-        if (w.length < kShort / 2 * width || w.line.size() < 2) continue;
+        if (w.length < kShort / 2 * width || w.line.points.size() < 2) continue;
         const Measured m(curve);
         for (const int side : {1, -1})
             if (auto stacked = to_middle(m, w, tip, width, side, true)) {
                 curve = std::move(*stacked);
-                out.push_back(w.line);
+                out.push_back(w.line.points);
                 break;
             }
     }

@@ -2,6 +2,7 @@
 
 #include "base/none.hpp"
 #include "fill/walls/thin_edges.hpp"
+#include "geom/polyline.hpp"
 #include "polygon/clip.hpp"
 #include "rings/fewer_points.hpp"
 #include "rings/lanes.hpp"
@@ -16,29 +17,16 @@ namespace filum::fill::walls {
 
 namespace {
 
-// A machine lays each segment in one width, so tapers are divided.
-void split_tapers(WallGraph& g, double width) {
+// Tapers are divided, and where tips taper to nothing a bead still has some width.
+void make_beads(WallGraph& g, double width) {
     const double least = rings::kLeastVoid * width * width;
     for (Wall& w : g.walls) {
-        Wall out{w.a, w.b, {w.line[0]}, {w.radius[0]}, w.length};
-        for (std::size_t i = 1; i < w.line.size(); ++i) {
-            const int n = rings::parts_of_taper(2 * (w.radius[i] - w.radius[i - 1]),
-                                                geom::distance(w.line[i - 1], w.line[i]), least);
-            for (int k = 1; k < n; ++k) {
-                out.line.push_back(geom::lerp(w.line[i - 1], w.line[i], static_cast<double>(k) / n));
-                out.radius.push_back(std::lerp(w.radius[i - 1], w.radius[i], static_cast<double>(k) / n));
-            }
-            out.line.push_back(w.line[i]);
-            out.radius.push_back(w.radius[i]);
-        }
-        w = std::move(out);
+        toolpath::Curve out;
+        for (std::size_t i = 0; i < w.line.points.size(); ++i)
+            rings::add_tapered(w.line.points[i], w.line.width[i], least, out);
+        for (double& wide : out.width) wide = std::max(wide, rings::kNarrowest * width);
+        w.line = std::move(out);
     }
-}
-
-// Where tips taper to nothing a bead still has some width.
-void widen_tips(WallGraph& g, double width) {
-    for (Wall& w : g.walls)
-        for (double& r : w.radius) r = std::max(r, rings::kNarrowest / 2 * width);
 }
 
 // Follows the axis from node to node.
@@ -80,20 +68,16 @@ class Tracer {
     void follow(std::uint32_t v, std::uint32_t k) {
         Wall w;
         w.a = node_[v];
-        const auto push = [&](std::uint32_t u) {
-            if (!w.line.empty()) w.length += geom::distance(w.line.back(), axis_.node[u]);
-            w.line.push_back(axis_.node[u]);
-            w.radius.push_back(axis_.radius[u]);
-        };
-        push(v);
+        w.line.add(axis_.node[v], 2 * axis_.radius[v]);
         for (;;) {
             done_[k] = 1;
             v = axis_.from[2 * k] == v ? axis_.to(2 * k) : axis_.from[2 * k];
-            push(v);
+            w.line.add(axis_.node[v], 2 * axis_.radius[v]);
             if (node_[v] != kNone) break;
             k = at_[v][0] == k ? at_[v][1] : at_[v][0];
         }
         w.b = node_[v];
+        w.length = geom::length(w.line.points);
         out_.walls.push_back(std::move(w));
     }
 
@@ -206,16 +190,14 @@ std::optional<WallGraph> wall_graph(const Loops& area, double width) {
     const auto edges = thin_edges(axis, width, 2 * most); // all but twigs: the offset may be off by its arcs
     if (edges.empty()) return std::nullopt;
     WallGraph out = Tracer(axis, edges).run();
-    split_tapers(out, width);
-    widen_tips(out, width);
+    make_beads(out, width);
     return out;
 }
 
 WallGraph thin_walls(const Loops& area, double width) {
     const polygon::MedialAxis axis = split_at(axis_for(area, width), width / 2);
     WallGraph out = Tracer(axis, thin_edges(axis, width, width / 2)).run();
-    split_tapers(out, width);
-    widen_tips(out, width);
+    make_beads(out, width);
     return out;
 }
 

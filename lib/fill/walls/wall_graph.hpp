@@ -2,6 +2,7 @@
 #pragma once
 
 #include "polygon/loops.hpp"
+#include "toolpath/path.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -12,11 +13,10 @@ namespace filum::fill::walls {
 using geom::Vec2;
 using polygon::Loops;
 
-// A wall's middle line from node a to node b, both in it; radius: half the thickness at each of its points, mm.
+// A wall's middle line from node a to node b, both in it, as wide as the wall.
 struct Wall {
     std::uint32_t a = 0, b = 0;
-    std::vector<Vec2> line;
-    std::vector<double> radius;
+    toolpath::Curve line;
     double length = 0; // mm
 };
 

@@ -3,8 +3,8 @@
 #include "fill/join/crossings.hpp"
 
 #include "geom/disjoint_sets.hpp"
-#include "geom/polyline.hpp"
 #include "geom/segment.hpp"
+#include "toolpath/curve_place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +72,9 @@ class Circuit {
         const Track& t = tracks_[end / 2];
         const Wall& w = g_.walls[t.wall];
         const bool at_b = end % 2 != 0;
-        const std::size_t n = w.line.size();
-        const Vec2 from = at_b ? w.line[n - 1] : w.line[0], to = at_b ? w.line[n - 2] : w.line[1];
+        const auto& line = w.line.points;
+        const std::size_t n = line.size();
+        const Vec2 from = at_b ? line[n - 1] : line[0], to = at_b ? line[n - 2] : line[1];
         return {std::atan2(to.y - from.y, to.x - from.x), at_b ? -t.side : t.side, end};
     }
 
@@ -150,67 +151,62 @@ Vec2 unit(Vec2 v) {
     return l > 0 ? (1 / l) * v : Vec2{1, 0};
 }
 
-// Cuts `by` mm off the start, at most a third of the line.
-void trim(toolpath::Curve& l, double by) {
-    by = std::min(by, geom::length(l.points) / 3);
-    while (l.points.size() > 2 && geom::distance(l.points[0], l.points[1]) <= by) {
-        by -= geom::distance(l.points[0], l.points[1]);
-        l.points.erase(l.points.begin());
-        l.width.erase(l.width.begin());
-    }
-    if (const double d = geom::distance(l.points[0], l.points[1]); d > by) {
-        l.points[0] = geom::lerp(l.points[0], l.points[1], by / d);
-        l.width[0] += by / d * (l.width[1] - l.width[0]);
-    }
-}
-
 // Drops points of a lane that lie too near to the middle line: inside its bends they would fold over.
 void unfold(const Wall& w, toolpath::Curve& lane) {
-    const std::size_t n = w.line.size();
+    const auto& middle = w.line.points;
+    const auto& width = w.line.width;
+    const std::size_t n = middle.size();
     toolpath::Curve out;
     for (std::size_t i = 0; i < n; ++i) {
-        const double least = 0.98 * w.radius[i] / 2;
+        const double least = 0.98 * width[i] / 4;
         const auto far = [&](std::size_t k) { // from segment k, or no longer in reach
-            return geom::point_segment_distance(w.line[k], w.line[k + 1], lane.points[i]) >= least;
+            return geom::point_segment_distance(middle[k], middle[k + 1], lane.points[i]) >= least;
         };
         bool free = true;
         double along = 0;
-        for (std::size_t k = i; k + 1 < n && free && along < 4 * w.radius[i]; ++k) {
+        for (std::size_t k = i; k + 1 < n && free && along < 2 * width[i]; ++k) {
             free = far(k);
-            along += geom::distance(w.line[k], w.line[k + 1]);
+            along += geom::distance(middle[k], middle[k + 1]);
         }
         along = 0;
-        for (std::size_t k = i; k > 0 && free && along < 4 * w.radius[i]; --k) {
+        for (std::size_t k = i; k > 0 && free && along < 2 * width[i]; --k) {
             free = far(k - 1);
-            along += geom::distance(w.line[k - 1], w.line[k]);
+            along += geom::distance(middle[k - 1], middle[k]);
         }
-        if (!free && i > 0 && i + 1 < n) continue;
-        out.add(lane.points[i], lane.width[i]);
+        if (free || i == 0 || i + 1 == n) out.add(lane.points[i], lane.width[i]);
     }
     lane = std::move(out);
 }
 
+// The lane without `first` mm at its start and `last` mm at its end, at most a third of it each.
+toolpath::Curve trimmed(const toolpath::Curve& lane, double first, double last) {
+    const auto sums = toolpath::arc_lengths(lane);
+    const double all = sums.back(), end = all - std::min(last, all / 3);
+    toolpath::Curve out;
+    add_stretch(lane, place_at(lane, sums, std::min(first, all / 3)), place_at(lane, sums, end), out);
+    return out;
+}
+
 // The pass as it lies, from the wall's node a to b.  `dead`: the node is the wall's dead end; lanes turn there.
 toolpath::Curve line(const Wall& w, int side, bool apart, bool dead_a, bool dead_b) {
-    toolpath::Curve out{false, w.line, {}};
-    for (const double r : w.radius) out.width.push_back(side == 0 ? 2 * r : r);
-    if (side == 0 || !apart) return out;
-    const std::size_t n = w.line.size();
+    toolpath::Curve out = w.line;
+    if (side == 0) return out;
+    for (double& wide : out.width) wide /= 2;
+    if (!apart) return out;
+    const auto& middle = w.line.points;
+    const std::size_t n = middle.size();
     for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 before = i > 0 ? unit(w.line[i] - w.line[i - 1]) : Vec2{},
-                   after = i + 1 < n ? unit(w.line[i + 1] - w.line[i]) : Vec2{};
+        const Vec2 before = i > 0 ? unit(middle[i] - middle[i - 1]) : Vec2{},
+                   after = i + 1 < n ? unit(middle[i + 1] - middle[i]) : Vec2{};
         const Vec2 along = unit(before + after);
-        out.points[i] = w.line[i] + side * w.radius[i] / 2 * geom::left_of(along);
+        const double quarter = w.line.width[i] / 4;
+        out.points[i] = middle[i] + side * quarter * geom::left_of(along);
         // lanes reach to the end of the wall
-        if (i == 0 && dead_a) out.points[i] = out.points[i] - w.radius[i] / 2 * along;
-        if (i + 1 == n && dead_b) out.points[i] = out.points[i] + w.radius[i] / 2 * along;
+        if (i == 0 && dead_a) out.points[i] = out.points[i] - quarter * along;
+        if (i + 1 == n && dead_b) out.points[i] = out.points[i] + quarter * along;
     }
     unfold(w, out);
-    if (!dead_a) trim(out, w.radius.front());
-    out.reverse();
-    if (!dead_b) trim(out, w.radius.back());
-    out.reverse();
-    return out;
+    return trimmed(out, dead_a ? 0 : w.line.width.front() / 2, dead_b ? 0 : w.line.width.back() / 2);
 }
 
 toolpath::Curve lay_walls(const WallGraph& g, const Circuit& circuit, const std::vector<std::uint32_t>& ends,
@@ -256,7 +252,7 @@ WallWalk wall_walk(const WallGraph& g) {
     for (std::size_t k = 0; k < g.walls.size(); ++k)
         if (passes[k] > 1) {
             out.twice += g.walls[k].length;
-            out.at = g.walls[k].line.front();
+            out.at = g.walls[k].line.points.front();
         }
     return out;
 }
