@@ -23,6 +23,8 @@ double angle(const polygon::Region& r, const Options& o) {
     return geom::radians(o.angles_deg[r.layer % o.angles_deg.size()]);
 }
 
+double least_width(const Options& o) { return o.min_width > 0 ? o.min_width : o.bead_width / 4; }
+
 int rings(const Options& o, int usual) { return o.rings < 0 ? usual : static_cast<int>(o.rings); }
 
 // One pass along the walls of a region that is thin all over; nothing for others.
@@ -40,8 +42,7 @@ std::vector<toolpath::Curve> single_walls(const polygon::Region& r, double width
 // Opens the curve of a region that has thin walls, among others, along the longest of them.
 void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve& curve, Notes& notes) {
     const walls::WallGraph thin = walls::thin_walls(r.loops, width);
-    std::size_t once = thin.walls.size();
-    walls::pass_once(curve, thin, width, once);
+    const auto once = walls::pass_once(curve, thin, width);
     double twice = 0;
     geom::Vec2 at;
     for (std::size_t k = 0; k < thin.walls.size(); ++k)
@@ -58,8 +59,7 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
     if (o.pattern == "spiral") {
         if (o.thin == "single")
             if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
-        const double least = o.min_width > 0 ? o.min_width : w / 4;
-        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least, .min_radius = o.min_radius}, notes);
+        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least_width(o), .min_radius = o.min_radius}, notes);
         unplaced = s.unplaced;
         if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
         return std::move(s.curves);
@@ -79,7 +79,7 @@ std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const O
 void stack_thin_walls(const polygon::Region& r, const Options& o, Notes& notes, std::size_t first,
                       toolpath::RegionPaths& out) {
     if (out.curves.size() != 1) return;
-    const double w = o.bead_width, least = o.min_width > 0 ? o.min_width : w / 4;
+    const double w = o.bead_width, least = least_width(o);
     out.stacked = walls::stack_lanes(out.curves[0], walls::thin_walls(r.loops, w), w, least);
     double length = 0;
     for (const auto& line : out.stacked) length += geom::length(line);
@@ -144,23 +144,22 @@ double strand_spacing(const Options& o) {
     return spacing;
 }
 
-toolpath::RegionPaths fill_scaffold(const polygon::Region& r, const Options& options, Before& before, Notes& notes) {
+toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options& options, Before& before,
+                                    Notes& notes) {
     Options o = options;
     if (o.angles_deg.empty()) o.angles_deg = {0, 90};
-    toolpath::RegionPaths out;
-    identify(out, r);
-    const std::size_t first = notes.size();
-    before.column = column(r, before);
-    const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
-    scaffold::ScaffoldOptions s;
-    s.bead_width = o.bead_width;
-    s.spacing = strand_spacing(o);
-    s.angle = angle(r, o);
-    s.shift = shifted ? o.stagger : 0;
-    s.rings = rings(o, 0);
-    if (r.join == Join::vertical) s.from = before.exit;
-    out.curves = scaffold::scaffold(r.loops, before.columns[before.column].region, s, notes);
-    place(r, notes, first, out);
+    const auto lay = [&](const polygon::Region& r, Notes& told) {
+        before.column = column(r, before);
+        const bool shifted = r.layer / o.angles_deg.size() % 2 != 0;
+        scaffold::ScaffoldOptions s{.bead_width = o.bead_width,
+                                    .spacing = strand_spacing(o),
+                                    .angle = angle(r, o),
+                                    .shift = shifted ? o.stagger : 0,
+                                    .rings = rings(o, 0)};
+        if (r.join == Join::vertical) s.from = before.exit;
+        return scaffold::scaffold(r.loops, before.columns[before.column].region, s, told);
+    };
+    toolpath::RegionPaths out = fill_by(lay, region, notes);
     before.exit.reset();
     if (!out.curves.empty() && !out.curves.back().closed) before.exit = out.curves.back().points.back();
     return out;

@@ -18,13 +18,15 @@ struct Knot {
     double width;
 };
 
+std::size_t segments_of(const toolpath::Curve& c) { return c.points.size() - (c.closed || c.points.empty() ? 0 : 1); }
+
 struct OnCurve {
     std::size_t curve, segment;
 };
 
 OnCurve place_of(const std::vector<toolpath::Curve>& curves, std::size_t segment) {
     std::size_t c = 0;
-    for (; segment >= curves[c].points.size(); ++c) segment -= curves[c].points.size();
+    for (; segment >= segments_of(curves[c]); ++c) segment -= segments_of(curves[c]);
     return {c, segment};
 }
 
@@ -38,47 +40,46 @@ Knot crossing(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b,
             std::min(std::lerp(a.width[i], a.width[i2], t), std::max(b.width[j], b.width[j2]))};
 }
 
-void append(const toolpath::Curve& from, std::size_t i, toolpath::Curve& to) {
-    if (!to.points.empty() && to.points.back() == from.points[i]) return;
-    to.add(from.points[i], from.width[i]);
-}
-
 void append(const Knot& knot, toolpath::Curve& to) {
-    if (to.points.back() == knot.at) return;
-    to.add(knot.at, knot.width);
+    if (to.points.empty() || to.points.back() != knot.at) to.add(knot.at, knot.width);
 }
 
-void drop_repeated_end(toolpath::Curve& curve) {
-    while (curve.points.size() > 3 && curve.points.back() == curve.points.front()) {
-        curve.drop_last();
+// Points `first` to `last` of a curve, which may be beyond its end: from its first point again; or backwards.
+void append(const toolpath::Curve& from, std::size_t first, std::size_t last, toolpath::Curve& to) {
+    const std::size_t n = from.points.size(), count = first <= last ? last - first : first - last;
+    for (std::size_t k = 0; k <= count; ++k) {
+        const std::size_t i = (first <= last ? first + k : first - k) % n;
+        append({from.points[i], from.width[i]}, to);
     }
+}
+
+// The curve without the points at its end that are where it begins.
+toolpath::Curve closed(toolpath::Curve curve) {
+    while (curve.points.size() > 3 && curve.points.back() == curve.points.front()) curve.drop_last();
+    return curve;
 }
 
 // The curve with what lies between its segments i < j run the other way round.
 toolpath::Curve turned(const toolpath::Curve& c, std::size_t i, std::size_t j, const Knot& x) {
-    toolpath::Curve out;
-    out.closed = true;
-    for (std::size_t k = 0; k <= i; ++k) append(c, k, out);
+    toolpath::Curve out{true, {}, {}};
+    append(c, 0, i, out);
     append(x, out);
-    for (std::size_t k = j; k > i; --k) append(c, k, out);
+    append(c, j, i + 1, out);
     append(x, out);
-    for (std::size_t k = j + 1; k < c.points.size(); ++k) append(c, k, out);
-    drop_repeated_end(out);
-    return out;
+    if (j + 1 < c.points.size()) append(c, j + 1, c.points.size() - 1, out);
+    return closed(std::move(out));
 }
 
 // The curve a with b run through where segment j of b crosses its segment i.
 toolpath::Curve merged(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b, std::size_t j,
                        const Knot& x) {
-    toolpath::Curve out;
-    out.closed = true;
-    for (std::size_t k = 0; k <= i; ++k) append(a, k, out);
+    toolpath::Curve out{true, {}, {}};
+    append(a, 0, i, out);
     append(x, out);
-    for (std::size_t k = 1; k <= b.points.size(); ++k) append(b, (j + k) % b.points.size(), out);
+    append(b, j + 1, j + b.points.size(), out);
     append(x, out);
-    for (std::size_t k = i + 1; k < a.points.size(); ++k) append(a, k, out);
-    drop_repeated_end(out);
-    return out;
+    if (i + 1 < a.points.size()) append(a, i + 1, a.points.size() - 1, out);
+    return closed(std::move(out));
 }
 
 } // namespace
@@ -87,7 +88,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::v
                                                                     double cell) {
     std::vector<geom::Segment> all;
     for (const auto& c : curves)
-        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
+        for (std::size_t i = 0; i < segments_of(c); ++i)
             all.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
     const geom::SegmentGrid grid(all, cell);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
@@ -106,9 +107,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::v
 void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Notes& notes) {
     const auto pairs = crossing_pairs(curves, cell);
     if (pairs.empty()) return;
-    std::size_t curve = 0, point = pairs[0].first;
-    for (; point >= curves[curve].points.size(); ++curve) point -= curves[curve].points.size();
-    const geom::Vec2 at = curves[curve].points[point];
+    const OnCurve first = place_of(curves, pairs[0].first);
+    const geom::Vec2 at = curves[first.curve].points[first.segment];
     const auto n = static_cast<double>(pairs.size());
     notes.push_back({"", "curve crosses itself", n, "places", pairs.size(), -1, at.x, at.y});
 }

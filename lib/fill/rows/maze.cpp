@@ -38,18 +38,19 @@ struct Side {
     std::uint32_t cell;
 };
 
-// The parts of [from, to] that lie in a stretch.
+// Calls f(i, j, from, to) where stretch i of a and stretch j of b, both ascending, lie side by side.
+template <class A, class B, class F>
+void each_common(const std::vector<A>& a, const std::vector<B>& b, F&& f) {
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); a[i].to < b[j].to ? ++i : ++j)
+        f(i, j, std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to));
+}
+
 std::vector<polygon::LevelStretch> clipped(const std::vector<polygon::LevelStretch>& a,
                                            const std::vector<polygon::LevelStretch>& b) {
     std::vector<polygon::LevelStretch> out;
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-        const polygon::LevelStretch s{std::max(a[i].from, b[j].from), std::min(a[i].to, b[j].to)};
-        if (s.from < s.to) out.push_back(s);
-        if (a[i].to < b[j].to)
-            ++i;
-        else
-            ++j;
-    }
+    each_common(a, b, [&](std::size_t, std::size_t, double from, double to) {
+        if (from < to) out.push_back({from, to});
+    });
     return out;
 }
 
@@ -96,14 +97,9 @@ class Maze {
         const auto left = [](const Side& a, const Side& b) { return a.from < b.from; };
         std::sort(under.begin(), under.end(), left);
         std::sort(over.begin(), over.end(), left);
-        for (std::size_t i = 0, j = 0; i < under.size() && j < over.size();) {
-            const double from = std::max(under[i].from, over[j].from), to = std::min(under[i].to, over[j].to);
+        each_common(under, over, [&](std::size_t i, std::size_t j, double from, double to) {
             if (to - from > kLeastMove) borders_.push_back({line, from, to, under[i].cell, over[j].cell, {}});
-            if (under[i].to < over[j].to)
-                ++i;
-            else
-                ++j;
-        }
+        });
     }
 
     // Walls along the borders, but for long stretches that have no room for a bead beside them.

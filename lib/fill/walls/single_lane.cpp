@@ -106,7 +106,7 @@ std::pair<Wall, bool> towards_tip(const WallGraph& walls, std::size_t k, double 
 
 } // namespace
 
-bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& index) {
+std::optional<std::size_t> pass_once(Curve& curve, const WallGraph& walls, double width) {
     std::vector<std::size_t> order(walls.walls.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
@@ -119,11 +119,10 @@ bool pass_once(Curve& curve, const WallGraph& walls, double width, std::size_t& 
         for (const int side : {1, -1})
             if (auto open = to_middle(m, w, tip, width, side, false)) {
                 curve = std::move(*open);
-                index = k;
-                return true;
+                return k;
             }
     }
-    return false;
+    return std::nullopt;
 }
 
 std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls, double width, double least) {

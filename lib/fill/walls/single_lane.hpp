@@ -4,6 +4,8 @@
 #include "fill/walls/wall_graph.hpp"
 #include "toolpath/path.hpp"
 
+#include <optional>
+
 namespace filum::fill::walls {
 
 // `curve` goes round a region and runs along each of its thin `walls` there and back, in two lanes.  Takes one lane of
@@ -12,9 +14,8 @@ namespace filum::fill::walls {
 // thicker parts, and must be at least three beads long; its lanes must be found within a fifth of a bead of where they
 // should be.  Nothing can cross the new line, as it lies between the lanes.
 //
-// Returns false, and leaves the curve as it is, if there is no such wall.  `index` is set to the wall passed once.
-// Tie: the lower wall.
-bool pass_once(toolpath::Curve& curve, const WallGraph& walls, double width, std::size_t& index);
+// Returns that wall; nothing, and leaves the curve as it is, if there is no such wall.  Tie: the lower wall.
+std::optional<std::size_t> pass_once(toolpath::Curve& curve, const WallGraph& walls, double width);
 
 // Moves both lanes of every wall, where its half-thickness is below `least`, to its middle: the curve stays closed and
 // passes these lines there and back, with beads of half the wall's width.  Of each wall the longest such stretch
