@@ -11,8 +11,8 @@ using geom::Vec2;
 using polygon::Loops;
 using polygon::MedialAxis;
 
-// How the lane coordinate f grows with the depth d on the rays to a node of the axis: d = width * f up to f = full, then
-// at `inner` mm per lane up to f = top.
+// How the lane coordinate f grows with the depth d on the rays to a node of the axis: d = width * f up to f = full,
+// then at `inner` mm per lane up to f = top.
 struct Profile {
     double lanes = 0; // f at the node
     double full = 0, inner = 0, top = 0;
