@@ -67,8 +67,8 @@ std::vector<toolpath::Curve> finished(const rings::Rings& rings, const polygon::
         return best;
     };
     std::vector<toolpath::Curve> out;
-    for (const toolpath::Curve& line : join::join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
-        toolpath::Curve curve = rounded(line, w, corners, room);
+    for (toolpath::Curve& curve : join::join_rings(rings, std::max(w, how.widest), region, how.wind, how.hung)) {
+        curve = rounded(curve, w, corners, room);
         if (how.thin_out) curve = rings::with_fewer_points(curve, how.tolerance, least, true);
         tidy(curve);
         out.push_back(std::move(curve));

@@ -17,6 +17,16 @@ constexpr double kTips = 10; // voids of a small region that together leave kMos
 // whose chords are not in step (parabolas at random places gape by 4/15 of it).
 constexpr double kSeam = 2.0 / 15;
 
+// Of a closed bead, mm2.
+double area_of(std::span<const Vec2> points, std::span<const double> width) {
+    double out = 0;
+    for (std::size_t i = 0, n = points.size(); i < n; ++i) {
+        const std::size_t next = i + 1 == n ? 0 : i + 1;
+        out += (width[i] + width[next]) / 2 * geom::distance(points[i], points[next]);
+    }
+    return out;
+}
+
 } // namespace
 
 double least_void(double width, double area) { return std::min(kLeastVoid * width * width, kMostOpen / kTips * area); }
@@ -47,16 +57,14 @@ std::vector<toolpath::Curve> curves_of(const Rings& rings) {
     return out;
 }
 
-double laid_area(const toolpath::Curve& c) {
-    double out = 0;
-    for (std::size_t k = 0, n = c.points.size(); k < n; ++k)
-        out += (c.width_at(k) + c.width_at((k + 1) % n)) / 2 * geom::distance(c.points[k], c.points[(k + 1) % n]);
-    return out;
-}
+double laid_area(const toolpath::Curve& c) { return area_of(c.points, c.width); }
 
 double laid_area(const Rings& rings) {
     double out = 0;
-    for (const toolpath::Curve& ring : curves_of(rings)) out += laid_area(ring);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+        const std::size_t first = rings.start[i], n = rings.start[i + 1] - first;
+        out += area_of(std::span(rings.points).subspan(first, n), std::span(rings.width).subspan(first, n));
+    }
     return out;
 }
 

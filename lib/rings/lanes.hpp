@@ -44,7 +44,7 @@ FirstLanes first_lanes(const Loops& region, const LaneOptions& o);
 // The rings as curves, in their order.
 std::vector<toolpath::Curve> curves_of(const Rings& rings);
 
-// What closed beads lay, mm2.
+// What closed beads lay, mm2; each point has its width.
 double laid_area(const toolpath::Curve& bead);
 double laid_area(const Rings& rings);
 
