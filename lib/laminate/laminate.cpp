@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -110,11 +111,14 @@ constexpr const char* kEdge = "edge"; // the field that carries a ply's edge ont
 // Cuts what lies beyond the ply's edge off a flange's sheet; none if no part of the flange is left.
 std::optional<surfpath::Flange> cut_off(surfpath::Flange whole, Notes& notes) {
     const Surface& s = whole.sheet.surface;
-    Surface left = surface::cut(s, whole.sheet.fields.front().values, notes);
+    const Edge& edge = whole.sheet.fields.front().values;
+    Surface left = surface::cut(s, edge, notes);
     const surface::curve::Locator near(s);
     surfpath::Flange out;
     out.least = whole.least;
     out.least_at = whole.least_at;
+    std::copy_if(whole.lids.begin(), whole.lids.end(), std::back_inserter(out.lids),
+                 [&](const surface::Lid& lid) { return edge[lid.vertex] < 0; });
     for (std::uint32_t t = 0; t < left.triangles.size(); ++t) { // in their order: those of the part first
         const auto& [a, b, c] = left.triangles[t];
         const auto at = near.nearest(1.0 / 3 * (left.vertices[a] + left.vertices[b] + left.vertices[c])).triangle;
