@@ -67,6 +67,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto wanted = field::wanted(sheet, cells, sources(sheet, o.follow));
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
     field::Striping striping{o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven};
+    striping.apart = o.births_apart;
     std::vector<field::Complex> like;
     if (o.follow.only(&field::Sources::rings)) {
         like = field::phase(field::rings(sheet, cells), directions.along, o.spacing);
@@ -99,7 +100,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
-    out.facts.push_back({"", "births", static_cast<double>(field::count_births(s, stripes)), ""});
+    out.births = field::births(s, stripes);
+    out.facts.push_back({"", "births", static_cast<double>(out.births.size()), ""});
     tell(s, wanted, directions, out);
     return out;
 }
