@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -24,10 +25,24 @@ using metrics::surface::Spread;
 
 constexpr double kFinest = 1; // spacings: sides of the triangles that plies are raised on, as those of stripes
 
-// How many of the plies run like ply k.
+bool runs_like(const Ply& a, const Ply& b) { return std::fmod(std::abs(a.angle - b.angle), 180) == 0; }
+
+// How many of the plies run like this one.
 auto running_like(std::span<const Ply> plies, const Ply& ply) {
-    return std::count_if(plies.begin(), plies.end(),
-                         [&](const Ply& p) { return std::fmod(std::abs(p.angle - ply.angle), 180) == 0; });
+    return std::count_if(plies.begin(), plies.end(), [&](const Ply& p) { return runs_like(p, ply); });
+}
+
+// Those that are laid one after the other, since each asks where lines of those before it are born: plies of one
+// direction, if they are staggered.
+std::vector<std::vector<std::size_t>> in_turn(std::span<const Ply> plies, bool stagger) {
+    std::vector<std::vector<std::size_t>> out;
+    for (std::size_t k = 0; k < plies.size(); ++k) {
+        const auto same = std::find_if(out.begin(), out.end(), [&](const auto& group) {
+            return stagger && runs_like(plies[group.front()], plies[k]);
+        });
+        (same == out.end() ? out.emplace_back() : *same).push_back(k);
+    }
+    return out;
 }
 
 auto before(std::span<const Ply> plies, std::size_t k) { return running_like(plies.first(k), plies[k]); }
@@ -110,11 +125,14 @@ constexpr const char* kEdge = "edge"; // the field that carries a ply's edge ont
 // Cuts what lies beyond the ply's edge off a flange's sheet; none if no part of the flange is left.
 std::optional<surfpath::Flange> cut_off(surfpath::Flange whole, Notes& notes) {
     const Surface& s = whole.sheet.surface;
-    Surface left = surface::cut(s, whole.sheet.fields.front().values, notes);
+    const Edge& edge = whole.sheet.fields.front().values;
+    Surface left = surface::cut(s, edge, notes);
     const surface::curve::Locator near(s);
     surfpath::Flange out;
     out.least = whole.least;
     out.least_at = whole.least_at;
+    std::copy_if(whole.lids.begin(), whole.lids.end(), std::back_inserter(out.lids),
+                 [&](const surface::Lid& lid) { return edge[lid.vertex] < 0; });
     for (std::uint32_t t = 0; t < left.triangles.size(); ++t) { // in their order: those of the part first
         const auto& [a, b, c] = left.triangles[t];
         const auto at = near.nearest(1.0 / 3 * (left.vertices[a] + left.vertices[b] + left.vertices[c])).triangle;
@@ -158,10 +176,12 @@ void lay(const surfpath::Options& how, Made& out) {
         out.notes.push_back({"", "ply ends within the part, and turns on it there", 1, "plies"});
 }
 
-Made make(const Job& job, std::size_t k) {
+// `born`: where lines of plies below that run alike are born.
+Made make(const Job& job, std::size_t k, std::vector<Vec3> born) {
     Made out;
     auto up = surface::curve::raised(job.plies[k].under ? job.back : job.base.surface, job.heights[k]);
-    const auto how = planned(job, k);
+    auto how = planned(job, k);
+    how.births_apart = std::move(born);
     out.laid.edge = job.edges[k];
     out.laid.ground = std::move(up.surface);
     out.laid.turn = how.follow.turn;
@@ -173,6 +193,28 @@ Made make(const Job& job, std::size_t k) {
         note(out.notes, "ground folds: a groove is narrower than the plies", up.folded, "mm2", up.folded_at);
     if (up.blocked > 0) note(out.notes, "no room for the ply", up.blocked, "mm2", up.blocked_at);
     for (Note& n : out.notes) n.layer = static_cast<std::int64_t>(k);
+    return out;
+}
+
+std::vector<Made> made_all(const Job& job, int threads) {
+    const Options& o = job.options;
+    std::vector<Made> out(job.plies.size());
+    std::mutex telling;
+    const auto turns = in_turn(job.plies, o.stagger);
+    parallel::for_chunks(turns.size(), 1, threads, [&](std::size_t i, std::size_t) {
+        std::vector<Vec3> born;
+        for (const std::size_t k : turns[i]) {
+            try {
+                out[k] = make(job, k, born);
+            } catch (const Error& e) {
+                throw Error(e.exit(), ply_name(k) + ": " + e.what());
+            }
+            const auto& more = out[k].laid.plan.births;
+            born.insert(born.end(), more.begin(), more.end());
+            const std::lock_guard lock(telling);
+            if (o.done) o.done();
+        }
+    });
     return out;
 }
 
@@ -264,17 +306,7 @@ void tell_symmetry(std::span<const Ply> plies, Laminate& l) {
 
 Laminate laminate(const surface::Sheet& sheet, std::span<const Ply> plies, const Options& o, int threads) {
     const Job job(sheet, plies, o);
-    std::vector<Made> made(plies.size());
-    std::mutex telling;
-    parallel::for_chunks(plies.size(), 1, threads, [&](std::size_t k, std::size_t) {
-        try {
-            made[k] = make(job, k);
-        } catch (const Error& e) {
-            throw Error(e.exit(), ply_name(k) + ": " + e.what());
-        }
-        const std::lock_guard lock(telling);
-        if (o.done) o.done();
-    });
+    auto made = made_all(job, threads);
     Laminate out;
     out.notes = job.notes;
     for (Made& m : made) {

@@ -18,7 +18,7 @@ struct Options {
     Vec3 reference{1, 0, 0}; // of the angles, laid onto the surface
     surfpath::Keep keep = surfpath::Keep::usual;
     double least_radius = 2.4; // mm: of turns, where there is room
-    bool stagger = true;       // plies of one direction lie beside each other by shares of a spacing
+    bool stagger = true;       // plies of one direction lie beside each other by shares of a spacing, births, too
     bool strict = false;       // no turn may be tighter than least_radius
     double lift = 5;           // mm: how high the tool travels
     double turn_outside = 0;   // mm: how far beyond the rims rows may turn; 0: not

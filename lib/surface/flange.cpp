@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <span>
 
 namespace filum::surface {
 
@@ -17,6 +19,7 @@ constexpr double kFan = 30;          // degrees between neighbouring directions 
 constexpr double kSample = 0.25;     // of the depth, between points of the rims
 constexpr double kLeastDepth = 0.01; // of the depth: less is no flange
 constexpr std::size_t kBands = 2;
+constexpr double kStraightOn = 0.5 * std::numbers::sqrt2; // cosine: a lid is nearer to straight on than to upright
 
 // Where a strip of the flange begins or ends: a vertex of a rim, and a direction out from it.
 struct Station {
@@ -112,6 +115,7 @@ class Builder {
         out.far = std::move(far_);
         out.least = least_;
         out.least_at = least_at_;
+        out.lids = std::move(lids_);
         return out;
     }
 
@@ -122,10 +126,41 @@ class Builder {
         std::vector<Station> stations;
         for (std::size_t i = 0; i < rim.sides.size(); ++i)
             add_stations(s_, rim.sides[(i + rim.sides.size() - 1) % rim.sides.size()], rim.sides[i], stations);
+        if (!rim.outer && narrow(stations) && close(rim)) return;
         std::vector<Column> columns;
         columns.reserve(stations.size());
         for (const Station& now : stations) columns.push_back(column(now));
         for (std::size_t i = 0; i < columns.size(); ++i) strip(columns[i], columns[(i + 1) % columns.size()]);
+    }
+
+    // Whether the depth is found nowhere along the rim.
+    [[nodiscard]] bool narrow(std::span<const Station> stations) const {
+        return std::none_of(stations.begin(), stations.end(),
+                            [&](const Station& from) { return room_.at(s_.vertices[from.vertex], from) >= depth_; });
+    }
+
+    // Puts a lid on the hole, if one can lie there.
+    bool close(const Rim& rim) {
+        Vec3 middle, sum; // twice the area, as a vector
+        for (const std::uint32_t h : rim.sides) middle = middle + s_.vertices[s_.tail(h)];
+        middle = 1 / static_cast<double>(rim.sides.size()) * middle;
+        for (const std::uint32_t h : rim.sides) sum = sum + twice_area(h, middle);
+        Lid lid{static_cast<std::uint32_t>(vertices_.size()), middle, 0};
+        for (const std::uint32_t h : rim.sides) {
+            const Vec3 own = twice_area(h, middle);
+            if (!(dot(own, sum) > 0) || !(dot(own, normal(s_, h / 3)) > kStraightOn * norm(own))) return false;
+            lid.area += norm(own) / 2;
+        }
+        vertices_.push_back(middle);
+        root_.push_back(s_.tail(rim.sides[0]));
+        for (const std::uint32_t h : rim.sides) triangle({s_.head(h), s_.tail(h), lid.vertex}, 0);
+        lids_.push_back(lid);
+        return true;
+    }
+
+    // Of the lid's triangle beside the side of a rim.
+    [[nodiscard]] Vec3 twice_area(std::uint32_t h, const Vec3& middle) const {
+        return cross(s_.vertices[s_.tail(h)] - s_.vertices[s_.head(h)], middle - s_.vertices[s_.head(h)]);
     }
 
     Column column(const Station& from) {
@@ -184,6 +219,7 @@ class Builder {
     std::vector<char> far_;
     double least_;
     Vec3 least_at_;
+    std::vector<Lid> lids_;
 };
 
 } // namespace

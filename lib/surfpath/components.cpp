@@ -96,6 +96,7 @@ Plan together(std::vector<Plan> plans) {
     for (Plan& plan : plans) {
         for (const Fact& fact : plan.facts) add_up(fact, out.facts);
         std::move(plan.notes.begin(), plan.notes.end(), std::back_inserter(out.notes));
+        out.births.insert(out.births.end(), plan.births.begin(), plan.births.end());
     }
     std::erase_if(plans, [](const Plan& plan) { return plan.strokes.empty(); });
     std::vector<plan::Ends> ends;

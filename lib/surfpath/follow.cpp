@@ -43,14 +43,16 @@ std::vector<Stroke> apart(std::vector<Line> lines) {
     return out;
 }
 
-void tell(const Surface& s, const field::Directions& d, Plan& out) {
+void tell(const Surface& s, const field::Wanted& wanted, const field::Directions& d, Plan& out) {
     out.facts.push_back({"", "tightest-bend", d.tightest, "1/mm"});
-    const auto note = [&](const char* what, double amount) {
-        out.notes.push_back({"", what, amount, "mm2", 1, -1, d.tight_at.x, d.tight_at.y, d.tight_at.z});
+    const auto note = [&](const char* what, double amount, const geom::Vec3& at) {
+        out.notes.push_back({"", what, amount, "mm2", 1, -1, at.x, at.y, at.z});
     };
-    if (d.tight > 0) note("field bends tighter than the least radius", d.tight);
+    if (d.tight > 0) note("field bends tighter than the least radius", d.tight, d.tight_at);
     if (d.given_up > 0.01 * surface::area(s))
-        note("field does not follow what is asked, to keep the radius", d.given_up);
+        note("field does not follow what is asked, to keep the radius", d.given_up, d.tight_at);
+    if (wanted.unknown > 0)
+        note("direction is no number: continued from what lies about", wanted.unknown, wanted.unknown_at);
 }
 
 } // namespace
@@ -65,6 +67,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     const auto wanted = field::wanted(sheet, cells, sources(sheet, o.follow));
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
     field::Striping striping{o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven};
+    striping.apart = o.births_apart;
     std::vector<field::Complex> like;
     if (o.follow.only(&field::Sources::rings)) {
         like = field::phase(field::rings(sheet, cells), directions.along, o.spacing);
@@ -97,8 +100,9 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
     }
     out.facts.push_back({"", "cuts", out.strokes.empty() ? 0 : static_cast<double>(out.strokes.size() - 1), ""});
-    out.facts.push_back({"", "births", static_cast<double>(field::count_births(s, stripes)), ""});
-    tell(s, directions, out);
+    out.births = field::births(s, stripes);
+    out.facts.push_back({"", "births", static_cast<double>(out.births.size()), ""});
+    tell(s, wanted, directions, out);
     return out;
 }
 

@@ -14,7 +14,8 @@ bool keeps_angle(const Options& options);
 // joined by a hairpin.  Closed lines become spirals, or part of lines beside them (loops.hpp).  Turns "wide" (and
 // "usual"): the lines are led into each other as rows are; "hairpin": by tight turns; "none": each is a stroke of its
 // own. Facts: rows, cuts, "tightest-bend" 1/mm of the field.  Notes: shifts that cross, where the field bends tighter
-// than the least radius though nothing is asked for there, and where it leaves what is asked for to keep the radius.
+// than the least radius though nothing is asked for there, where it leaves what is asked for to keep the radius, and
+// where what is to be followed is no number.
 // Throws Error(bad_input) if there is nothing to follow.
 Plan follow(const surface::Sheet& sheet, const Options& options);
 

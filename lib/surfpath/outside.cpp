@@ -3,7 +3,6 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "surface/curve/walk.hpp"
-#include "surface/flange.hpp"
 #include "surfpath/strands/source_lines.hpp"
 
 #include <optional>
@@ -52,6 +51,7 @@ std::optional<Flange> flange(const surface::Sheet& sheet, const Options& o) {
     out.far = std::move(grown_out.far);
     out.least = grown_out.least;
     out.least_at = grown_out.least_at;
+    out.lids = std::move(grown_out.lids);
     for (const auto& field : sheet.fields) out.sheet.fields.push_back(surface::picked(field, grown_out.root));
     out.sheet.surface = std::move(grown_out.surface);
     out.sheet.name = sheet.name;
@@ -100,6 +100,9 @@ void tell_trims(const Flange& flange, double depth, Plan& plan) {
     const Trims found = trims(plan, flange.part);
     plan.facts.push_back({"", "trims", static_cast<double>(found.all.size()), ""});
     plan.facts.push_back({"", "outside", found.outside, "mm"});
+    for (const auto& lid : flange.lids)
+        plan.notes.push_back({"", "hole laid over, to be cut out: no room in it for turns", lid.area, "mm2", 1, -1,
+                              lid.middle.x, lid.middle.y, lid.middle.z});
     if (flange.least < depth)
         plan.notes.push_back({"", "less room outside for turns: another part of the rim is near", flange.least, "mm", 1,
                               -1, flange.least_at.x, flange.least_at.y, flange.least_at.z});

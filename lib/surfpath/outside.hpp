@@ -1,6 +1,7 @@
 // Turns beyond the rims of a part, which is trimmed there later.
 #pragma once
 
+#include "surface/flange.hpp"
 #include "surfpath/surfpath.hpp"
 
 #include <optional>
@@ -14,6 +15,7 @@ struct Flange {
     std::vector<char> far;  // per triangle: farther than half a spacing beyond the part: what lies there covers nothing
     double least = 0;       // mm, of its depth,
     Vec3 least_at;          // and where
+    std::vector<surface::Lid> lids; // holes that rows go straight across
 };
 
 // As deep as the options ask; narrower in holes and notches.  None if they do not, or their algorithm has no rows that
@@ -45,8 +47,8 @@ void thread(const Surface& surface, Plan& plan);
 // Of a threaded plan on a flange's sheet, whose first `part` triangles are the part.
 Trims trims(const Plan& plan, std::uint32_t part);
 
-// Adds to the plan the facts "trims", how often it crosses the rims, and "outside", mm beyond them; and a note where
-// the flange is less deep than `depth`.
+// Adds to the plan the facts "trims", how often it crosses the rims, and "outside", mm beyond them; and notes of holes
+// that are laid over, and where the flange is less deep than `depth`.
 void tell_trims(const Flange& flange, double depth, Plan& plan);
 
 } // namespace filum::surfpath

@@ -37,8 +37,9 @@ struct Options {
     field::Sources
         follow{}; // what field follows; nothing: directions that the sheet carries, else its stress, else the angle
     Keep keep = Keep::usual;
-    double shift = 0;        // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
-    bool backwards = false;  // lines of field are taken in the reverse order, so that turns lie elsewhere
+    double shift = 0;       // of a spacing, 0 to 1: how far the lines of field lie beside where they would else
+    bool backwards = false; // lines of field are taken in the reverse order, so that turns lie elsewhere
+    std::vector<Vec3> births_apart{}; // where no lines of field shall be born, if elsewhere is nearly as good
     double cut_length = 50;  // mm: of fibre that a cut costs; no way of field or hybrid along what is laid is longer
     bool strict = false;     // no turn may be tighter than least_radius
     double turn_outside = 0; // mm: how far beyond the rims rows may turn (outside.hpp); 0: not

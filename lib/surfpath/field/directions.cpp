@@ -46,6 +46,22 @@ void add_given(const surface::Sheet& sheet, const Cells& cells, const Sources& o
     }
 }
 
+// Where a field that is followed holds what is no number.
+void find_unknown(const surface::Sheet& sheet, const Cells& cells, const Sources& o, Wanted& out) {
+    std::vector<char> unknown(out.z.size(), 0);
+    for (const auto& f : sheet.fields) {
+        const bool pull = f.name.starts_with("stress.") && (f.name.ends_with(".d1") || f.name.ends_with(".s1"));
+        if (!(o.given > 0 && f.name == o.field) && !(o.stress > 0 && pull)) continue;
+        for (std::size_t i = 0; i < f.values.size(); ++i)
+            if (!std::isfinite(f.values[i])) unknown[i / f.components] = 1;
+    }
+    for (std::size_t v = 0; v < unknown.size(); ++v) {
+        if (!unknown[v]) continue;
+        if (out.unknown == 0) out.unknown_at = sheet.surface.vertices[v];
+        out.unknown += cells.area[v];
+    }
+}
+
 void add_angle(const Cells& cells, const Sources& o, Wanted& out) {
     const Vec3 to = 1 / norm(o.reference) * o.reference;
     const Complex turned = std::polar(1.0, 2 * o.turn);
@@ -91,7 +107,7 @@ double bend(const Surface& s, const Cells& cells, std::span<const Complex> z, st
 
 Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o) {
     const std::size_t n = sheet.surface.vertices.size();
-    Wanted out{std::vector<Complex>(n), std::vector<double>(n, 0)};
+    Wanted out{std::vector<Complex>(n), std::vector<double>(n, 0), 0, {}};
     if (o.given > 0) add_given(sheet, cells, o, out);
     if (o.stress > 0) add_stress(sheet, cells, o.stress, out);
     if (o.angle > 0) add_angle(cells, o, out);
@@ -100,6 +116,7 @@ Wanted wanted(const surface::Sheet& sheet, const Cells& cells, const Sources& o)
         const Rings found = rings(sheet, cells);
         for (std::size_t v = 0; v < n; ++v) out.z[v] += o.rings * found.z[v];
     }
+    find_unknown(sheet, cells, o, out);
     for (std::size_t v = 0; v < n; ++v) {
         const double much = std::abs(out.z[v]);
         out.weight[v] = std::min(1.0, much);

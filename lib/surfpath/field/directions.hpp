@@ -17,6 +17,8 @@ using surface::directions::Complex;
 struct Wanted {
     std::vector<Complex> z;
     std::vector<double> weight;
+    double unknown = 0; // mm2 where a field that is to be followed holds no number: there nothing is wanted
+    Vec3 unknown_at;    // one of these places
 };
 
 // What of it is wanted, and how much: weights of 0 leave it out.

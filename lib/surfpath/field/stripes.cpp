@@ -22,6 +22,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kMost = 100; // of a slope squared over its triangle: slivers must not outweigh all else
 constexpr double kBegin =
     kPi / 4; // rad: neither as from a line nor as between two: a patch may have an odd number or an even
+constexpr double kPairWide = 3;      // spacings: what a pair takes, as one gap becomes three
+constexpr double kDear = 4;          // what slopes cost at a place from which births keep away, of what they cost else
 constexpr double kShortest = 0.25;   // spacings squared, that the phase is diffused over at last
 constexpr double kTimesFall = 16;    // from each such time to the next; the longest are as wide as the surface
 constexpr int kDiffusions = 12;      // of each
@@ -75,8 +77,20 @@ void add_block(std::uint32_t row, std::uint32_t column, const Turn& block, std::
                 to.emplace_back(2 * static_cast<int>(row) + y, 2 * static_cast<int>(column) + x, block(y, x));
 }
 
+Vec3 middle(const Surface& s, std::uint32_t t) {
+    const auto& [a, b, c] = s.triangles[t];
+    return 1.0 / 3 * (s.vertices[a] + s.vertices[b] + s.vertices[c]);
+}
+
+// What slopes cost at a place: more near those from which births keep away.
+double dearness(const Vec3& p, const Striping& o) {
+    double out = 1;
+    for (const Vec3& q : o.apart) out = std::max(out, kDear - (kDear - 1) * distance(p, q) / (kPairWide * o.spacing));
+    return out;
+}
+
 // The slopes of psi over every triangle, squared, those along the lines `stiff` times: seen from each corner in turn.
-void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, double stiff,
+void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> along, double w, const Striping& o,
                    std::vector<Eigen::Triplet<double>>& to) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto& c = s.triangles[t];
@@ -87,7 +101,7 @@ void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> a
             slope[k] = 1 / (2 * area) * cross(n, s.vertices[c[(k + 2) % 3]] - s.vertices[c[(k + 1) % 3]]);
         double most = 0;
         for (const Vec3& g : slope) most = std::max(most, area * norm2(g));
-        const double weight = area * std::min(1.0, kMost / most) / 3;
+        const double weight = dearness(middle(s, t), o) * area * std::min(1.0, kMost / most) / 3;
         for (std::size_t r = 0; r < 3; ++r) {
             std::array<Turn, 3> from;
             for (std::size_t k = 0; k < 3; ++k) from[k] = seen(s, cells, along, w, c[r], c[k]);
@@ -95,7 +109,7 @@ void add_triangles(const Surface& s, const Cells& cells, std::span<const Vec3> a
                 for (std::size_t j = 0; j < 3; ++j) {
                     if (c[i] < c[j]) continue;
                     const double k =
-                        weight * (dot(slope[i], slope[j]) + (stiff - 1) * dot(slope[i], d) * dot(slope[j], d));
+                        weight * (dot(slope[i], slope[j]) + (o.stiff - 1) * dot(slope[i], d) * dot(slope[j], d));
                     add_block(c[i], c[j], k * from[i].transpose() * from[j], to);
                 }
         }
@@ -142,7 +156,7 @@ class Diffusion {
         : unit_(o.spacing * o.spacing), total_(cells.total) {
         const auto n = static_cast<Eigen::Index>(2 * s.vertices.size());
         std::vector<Eigen::Triplet<double>> entries, mass;
-        add_triangles(s, cells, along, kPi / o.spacing, o.stiff, entries);
+        add_triangles(s, cells, along, kPi / o.spacing, o, entries);
         add_rims(s, along, o.spacing, entries);
         energy_.resize(n, n);
         energy_.setFromTriplets(entries.begin(), entries.end());
@@ -229,11 +243,11 @@ bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle) 
     return !turns || std::abs(*turns) > kPi;
 }
 
-std::size_t count_births(const Surface& s, const Stripes& stripes) {
-    std::size_t out = 0;
+std::vector<Vec3> births(const Surface& s, const Stripes& stripes) {
+    std::vector<Vec3> out;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
         const auto turns = winding(s, stripes, t);
-        out += turns && std::abs(*turns) > kPi ? 1 : 0;
+        if (turns && std::abs(*turns) > kPi) out.push_back(middle(s, t));
     }
     return out;
 }

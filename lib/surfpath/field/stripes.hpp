@@ -28,6 +28,7 @@ struct Striping {
     double shift = 0;     // of a spacing: lines lie that much beside where they would else, but those at rims
     double stiff = kEven; // from 1 on
     std::span<const Complex> like{}; // per vertex: a phase that may be near the best, of size 1 (0: not known); or none
+    std::span<const Vec3> apart{};   // places from which births keep away, as far as that costs little
 };
 
 // Stripes whose lines run along `along`, one spacing apart.  Least of |grad psi - i w psi|^2 over the area, |psi| = 1,
@@ -36,16 +37,16 @@ struct Striping {
 // 1, for falling times), since eigenvectors die out where directions spread, and what is left of them there says
 // nothing.  Begun with the same phase everywhere, and with the one that is given; the one of less sum is taken.  Rims
 // along which lines run attract the middle between two lines, so that the last line is half a spacing
-// from the rim. The period holds two lines: where directions spread, lines are born in twos, joined by a turn, and none
-// ever ends within the surface.
+// from the rim. Near places to keep apart from slopes cost more, so that births lie beside them. The period holds two
+// lines: where directions spread, lines are born in twos, joined by a turn, and none ever ends within the surface.
 Stripes stripes(const Surface& s, const Cells& cells, std::span<const Vec3> along, const Striping& options);
 
 // Whether the angle does not come back to what it was, once round the triangle: there lines are born, or directions
 // have no sign that all three corners agree on.
 bool singular(const Surface& s, const Stripes& stripes, std::uint32_t triangle);
 
-// At how many places two lines are born, or end, joined by a turn.
-std::size_t count_births(const Surface& s, const Stripes& stripes);
+// Where two lines are born, or end, joined by a turn: in the order of triangles, their middles.
+std::vector<Vec3> births(const Surface& s, const Stripes& stripes);
 
 // The lines: where the stripes' angle is an odd number of right angles.  Threaded, open from rim to rim or closed, in
 // the order of their first half-edges.  In singular triangles there are two ways to join those that meet; the shorter

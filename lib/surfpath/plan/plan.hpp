@@ -29,6 +29,7 @@ struct Plan {
     std::vector<Stroke> strokes; // in the order of laying
     Notes notes;                 // what could not be placed, with place and amount
     Facts facts;
+    std::vector<Vec3> births{}; // where two lines of field are born, or end, joined by a turn
 };
 
 struct Laying {

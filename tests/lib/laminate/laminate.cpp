@@ -106,6 +106,45 @@ TEST(laminate, turns_outside_leave_plies_even) {
     EXPECT_LT(fact(made, "thickness-high"), fact(on_it, "thickness-high"));
 }
 
+TEST(laminate, plies_that_go_straight_across_a_hole_are_even_about_it) {
+    Notes notes;
+    const auto level = [](Vec2 p) { return Vec3{p.x, p.y, 0}; };
+    const auto hole = [](Vec2 p) { return std::hypot(p.x - 15, p.y - 15) < 4; };
+    const surface::Sheet pierced{surface::connect(surface::pierced_grid(30, 30, 30, 30, level, hole), notes), {}, {}};
+    Options o = narrow();
+    o.turn_outside = 5;
+    const auto made = laminate(pierced, plies_of("0,60", kWide, false), o, 2);
+    EXPECT_GT(fact(made, "even-least"), 0.9 * 0.4);
+    EXPECT_LT(fact(made, "even-most"), 1.1 * 0.4);
+    const auto told = std::count_if(made.notes.begin(), made.notes.end(),
+                                    [](const Note& n) { return n.what.starts_with("hole laid over"); });
+    EXPECT_EQ(told, 2); // of each ply
+}
+
+// How near a birth of the second ply comes to one of the first, mm.
+double births_apart(const Laminate& l) {
+    double out = 1e9;
+    for (const Vec3& p : l.plies[1].plan.births)
+        for (const Vec3& q : l.plies[0].plan.births) out = std::min(out, distance(p, q));
+    return out;
+}
+
+// On a fan, where lines must be born.
+TEST(laminate, lines_of_plies_that_run_alike_are_born_apart) {
+    const auto fan = sheet([](Vec2 p) {
+        const double a = 1.2 * p.x / 20, r = 8 + p.y;
+        return Vec3{r * std::cos(a), r * std::sin(a), 0.1 * p.y};
+    });
+    const auto plies = plies_of("0,0", Ply{}, false);
+    Options apart = narrow(), alike = narrow();
+    apart.reference = alike.reference = {0, 0, 1};
+    alike.stagger = false;
+    const auto first = laminate(fan, plies, apart, 2), second = laminate(fan, plies, alike, 2);
+    ASSERT_GE(first.plies[0].plan.births.size(), 3U);
+    EXPECT_GT(births_apart(first), 1);
+    EXPECT_LT(births_apart(second), 0.5);
+}
+
 // How far from each other the paths of two plies begin.
 double begins_apart(const Laminate& l) {
     const auto at = [&](std::size_t k) { return l.plies[k].plan.strokes.front().pieces.front().line[0]; };

@@ -2,6 +2,7 @@
 #include "surface/flange.hpp"
 
 #include "../trials.hpp"
+#include "geom/angle.hpp"
 #include "grid.hpp"
 #include "surface/curve/walk.hpp"
 
@@ -60,15 +61,47 @@ TEST(flange, goes_on_in_the_tangent_planes) {
     }
 }
 
+// A hole like a C: its middle lies on the part.
 TEST(flange, in_a_hole_leaves_half_of_it_free) {
-    const auto hole = [](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 5; };
+    const auto off = [](const Vec3& p) { return std::abs(std::hypot(p.x - 20, p.y - 20) - 10); };
+    const auto hole = [&](geom::Vec2 p) { return off(flat(p)) < 3 && p.x < 24; };
     const auto f = flanged(connected(pierced_grid(40, 40, 80, 80, flat, hole)), 0.5, 8);
+    EXPECT_TRUE(f.lids.empty());
     for (std::uint32_t t = f.part; t < f.surface.triangles.size(); ++t)
-        for (const std::uint32_t v : f.surface.triangles[t]) {
-            const Vec3& p = f.surface.vertices[v];
-            EXPECT_GT(std::hypot(p.x - 20, p.y - 20), 2);
-        }
+        for (const std::uint32_t v : f.surface.triangles[t])
+            if (const Vec3& p = f.surface.vertices[v]; std::hypot(p.x - 20, p.y - 20) < 15 && p.x < 20) {
+                EXPECT_GT(off(p), 1);
+            }
     EXPECT_LT(f.least, 0.5); // in the corners of its steps
+}
+
+TEST(flange, closes_a_hole_without_room_for_it) {
+    const auto hole = [](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 5; };
+    const Surface s = connected(pierced_grid(40, 40, 80, 80, flat, hole));
+    const auto closed = flanged(s, 0.5, 6);
+    ASSERT_EQ(closed.lids.size(), 1U);
+    EXPECT_NEAR(closed.lids[0].middle.x, 20, 0.1);
+    EXPECT_NEAR(closed.lids[0].area + area(s), 1600, 1e-9);
+    EXPECT_EQ(closed.surface.rims.size(), 1U);
+    EXPECT_EQ(closed.least, 6);
+    EXPECT_EQ(closed.surface.vertices[closed.lids[0].vertex].x, closed.lids[0].middle.x);
+    EXPECT_TRUE(s.on_rim(closed.root[closed.lids[0].vertex]));
+    EXPECT_TRUE(flanged(s, 0.5, 2).lids.empty()); // there is room
+}
+
+// Of a cone that is open at both ends: the narrow one is a hole only where the cone is flat.
+TEST(flange, closes_no_tip) {
+    const auto lids = [](double steep) {
+        mesh::Mesh m = grid(1, 20, 24, 10, [&](geom::Vec2 p) {
+            const double a = 2 * std::numbers::pi * p.x, r = 3 + p.y * std::cos(steep);
+            return Vec3{r * std::cos(a), r * std::sin(a), p.y * std::sin(steep)};
+        });
+        for (mesh::Triangle& t : m.triangles)
+            for (std::uint32_t& v : t) v -= v % 25 == 24 ? 24 : 0; // it comes round
+        return flanged(connected(std::move(m)), 0.5, 8).lids.size();
+    };
+    EXPECT_EQ(lids(geom::radians(60)), 0U);
+    EXPECT_EQ(lids(geom::radians(20)), 1U);
 }
 
 // Surfaces with rims at random, of steps, notches and holes.

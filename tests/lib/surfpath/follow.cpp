@@ -2,6 +2,7 @@
 #include "surfpath/follow.hpp"
 
 #include "../surface/grid.hpp"
+#include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "surface/curve/walk.hpp"
 #include "surfpath/rows/rows.hpp"
@@ -12,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace filum::surfpath {
@@ -101,6 +104,35 @@ TEST(follow, lines_alone_cover_all_and_nothing_twice) {
     for (const Stroke& s : p.strokes) length += surface::curve::length(s.pieces.at(0).line);
     EXPECT_NEAR(length, 600, 12);
     EXPECT_GT(covered(sheet.surface, p), 0.985);
+}
+
+// Where directions are no numbers lines go on as they come, and that is told.
+TEST(follow, directions_that_are_no_numbers_are_told) {
+    auto sheet = sheet_of(plate());
+    surface::Field given{kDirection, {}, 3};
+    for (const Vec3& p : sheet.surface.vertices) {
+        const bool lost = p.x > 12 && p.x < 18 && p.y < 10;
+        const double none =
+            p.x < 15 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+        const Vec3 d = lost ? Vec3{none, 1, 0} : Vec3{1, 0, 0};
+        given.values.insert(given.values.end(), {d.x, d.y, d.z});
+    }
+    const Plan whole = plan_paths(sheet, {.algorithm = Algorithm::field, .turns = RowTurns::none});
+    EXPECT_TRUE(whole.notes.empty());
+    sheet.fields = {given};
+    const Plan p = plan_paths(sheet, {.algorithm = Algorithm::field, .turns = RowTurns::none});
+    const auto told = std::find_if(p.notes.begin(), p.notes.end(),
+                                   [](const Note& n) { return n.what.starts_with("direction is no number"); });
+    ASSERT_NE(told, p.notes.end());
+    EXPECT_GT(told->amount, 50);
+    EXPECT_LT(told->amount, 90);
+    EXPECT_GT(told->x, 10);
+    EXPECT_LT(told->x, 20);
+    ASSERT_EQ(p.strokes.size(), whole.strokes.size());
+    for (const Stroke& stroke : p.strokes)
+        for (const Vec3& at : points(stroke)) EXPECT_NEAR(at.y, points(stroke)[0].y, 0.02);
+    for (double& value : sheet.fields[0].values) value = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(plan_paths(sheet, {.algorithm = Algorithm::field}), Error);
 }
 
 // Round the tube lines are closed: they become one helix from rim to rim.

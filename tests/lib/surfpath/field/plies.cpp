@@ -31,6 +31,9 @@ Revolved cylinder() {
 Revolved cone() { // of 20 degrees
     return {[](double a, double w) { return at(15 + w * std::sin(0.35), a, w * std::cos(0.35)); }};
 }
+Revolved fan() { // a flat cone, of 70 degrees: meridians spread
+    return {[](double a, double w) { return at(8 + w * std::sin(1.22), a, w * std::cos(1.22)); }};
+}
 Revolved sphere() { // 43 degrees of latitude about the equator
     return {[](double a, double w) { return at(40 * std::cos(w / 40 - 0.4), a, 40 * std::sin(w / 40 - 0.4)); }};
 }
@@ -63,7 +66,7 @@ struct Off {
 };
 
 // Where two lines are born, and turn into each other.
-std::vector<Vec3> births(const Surface& s, const Stripes& stripes) {
+std::vector<Vec3> where_born(const Surface& s, const Stripes& stripes) {
     std::vector<Vec3> out;
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
         if (singular(s, stripes, t)) out.push_back(s.vertices[s.triangles[t][0]]);
@@ -112,7 +115,7 @@ Found ply(const Revolved& shape, bool uneven) {
                      geom::degrees(std::acos(std::min(1.0, std::abs(dot(d.along[v], loxodrome(cells.normal[v])))))));
     const auto found = stripes(s, cells, d.along, {.stiff = kTrue});
     const auto all = lines(s, found);
-    const auto born = births(s, found);
+    const auto born = where_born(s, found);
     out.births = born.size();
     out.lines = off(s, all, born);
     out.spacing = surface::area(s) / off(s, all, {}).length;
@@ -142,6 +145,29 @@ TEST_P(plies, on_a_sphere_are_loxodromes) {
     EXPECT_LT(f.lines.mean, 0.5);
     EXPECT_LT(f.births, 40U);
     EXPECT_NEAR(f.spacing, 1, 0.02);
+}
+
+// Of a second ply births lie beside those of the first, and are about as many.
+TEST_P(plies, are_born_apart) {
+    surface::Sheet sheet{surface_of(fan(), GetParam()), {}, {}};
+    const Surface& s = sheet.surface;
+    const Cells cells = surface::directions::cells(s);
+    Sources o;
+    o.angle = 1;
+    o.reference = {0, 0, 1};
+    const auto d = smooth(s, cells, wanted(sheet, cells, o), 0.2, 2.4);
+    const auto born = births(s, stripes(s, cells, d.along, {.stiff = kTrue}));
+    const auto then = births(s, stripes(s, cells, d.along, {.stiff = kTrue, .apart = born}));
+    ASSERT_GE(born.size(), 3U);
+    EXPECT_NEAR(static_cast<double>(then.size()), static_cast<double>(born.size()), 2);
+    double sum = 0;
+    for (const Vec3& p : then) {
+        double least = 1e9;
+        for (const Vec3& q : born) least = std::min(least, distance(p, q));
+        EXPECT_GT(least, 0.5);
+        sum += least;
+    }
+    EXPECT_GT(sum, 2 * static_cast<double>(then.size())); // two spacings, in the mean
 }
 
 INSTANTIATE_TEST_SUITE_P(meshes, plies, testing::Bool());
