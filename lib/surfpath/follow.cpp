@@ -63,9 +63,11 @@ bool keeps_angle(const Options& o) {
 
 Plan follow(const surface::Sheet& sheet, const Options& o) {
     const Surface& s = sheet.surface;
+    const bool covers = o.algorithm == Algorithm::hybrid; // rather than turn gently: its turns are half a spacing wide,
+    const double radius = covers ? o.spacing / 2 : o.least_radius; // so its lines, too, may bend so
     const auto cells = surface::directions::cells(s);
     const auto wanted = field::wanted(sheet, cells, sources(sheet, o.follow));
-    const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, o.least_radius);
+    const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, radius);
     field::Striping striping{o.spacing, o.shift, keeps_angle(o) ? field::kTrue : field::kEven};
     striping.apart = o.births_apart;
     std::vector<field::Complex> like;
@@ -75,7 +77,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     }
     const auto stripes = field::stripes(s, cells, directions.along, striping);
     auto all = field::lines(s, stripes);
-    const double gentle = std::max(o.least_radius, o.spacing / 2);
+    const double gentle = std::max(radius, o.spacing / 2);
     for (Line& l : all)
         l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
     Plan out;
@@ -92,9 +94,10 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         turns.across = kAcross * o.spacing;
         turns.along = o.cut_length;
         turns.staggered = o.beyond.empty();
-        turns.tight = o.algorithm == Algorithm::hybrid;
+        turns.tight = covers;
         rows::Rows found = rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
-        const auto joined = rows::open_loops(s, found, {o.spacing, gentle, o.cut_length, turns.tight});
+        const auto joined = rows::open_loops(
+            s, found, {o.spacing, gentle, std::max(o.least_radius, gentle), o.cut_length, turns.tight});
         out = rows::boustrophedon(s, found, turns);
         rows::tell_crossed(joined.crossed, o.spacing, out.notes);
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});

@@ -22,6 +22,11 @@ constexpr std::size_t kMostWork = 300'000;          // states in all: from where
 
 using Chain = std::vector<plan::Visit>;
 
+// Chains as they are laid, and those that are left out.
+struct Led {
+    std::vector<Chain> chains, left;
+};
+
 std::uint32_t entry(const plan::Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
 std::uint32_t leave(const plan::Visit& v) { return entry(v) ^ 1u; }
 
@@ -34,12 +39,13 @@ class Path {
         auto chains = ordered();
         lay(joined(chains));
         // A chain that comes back to where it began may become a detour of another stroke for less than a way to it.
-        if (const auto apart = transited_ > 0 ? led_but_loops(chains) : std::vector<Chain>{}; !apart.empty()) {
-            const auto led = std::tuple(out_, turned_, transited_, wasted_);
+        if (const auto apart = transited_ > 0 ? led_but_loops(chains) : Led{}; !apart.chains.empty()) {
+            const auto led = std::tuple(out_, turned_, transited_, wasted_, left_);
             const double before = added();
             const std::size_t strokes = out_.strokes.size();
             lay(apart);
-            if (out_.strokes.size() > strokes || added() >= before) std::tie(out_, turned_, transited_, wasted_) = led;
+            if (out_.strokes.size() > strokes || added() >= before)
+                std::tie(out_, turned_, transited_, wasted_, left_) = led;
         }
         leave_out_scraps();
         out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
@@ -51,6 +57,7 @@ class Path {
         if (rows_.drops > 0)
             out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
                                   rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
+        if (!left_.empty()) tell_left_out();
         if (out_.strokes.size() > 1)
             out_.notes.push_back({"", "no way on along rims and rows: cut",
                                   static_cast<double>(out_.strokes.size() - 1), "cuts", out_.strokes.size() - 1});
@@ -84,8 +91,18 @@ class Path {
                                   "mm2", count, -1, at.x, at.y, at.z});
     }
 
+    void tell_left_out() {
+        double all = 0;
+        for (const Chain& c : left_) all += length(c);
+        const Vec3 at = rows_.rows[left_[0][0].row].line[0];
+        out_.notes.push_back({"", "rows shorter than half of the way to them along what is laid, left out",
+                              all * o_.spacing, "mm2", left_.size(), -1, at.x, at.y, at.z});
+    }
+
     // Makes strokes of chains; anew, whatever was made of others.
-    void lay(const std::vector<Chain>& chains) {
+    void lay(const Led& led) {
+        const std::vector<Chain>& chains = led.chains;
+        left_ = led.left;
         out_ = {};
         turned_ = transited_ = wasted_ = 0;
         std::vector<std::vector<LaidTurn>> turns(chains.size());
@@ -108,7 +125,7 @@ class Path {
 
     // The chains led into each other, but for those whose ends lie near enough to each other to be closed; none if
     // there are no such.
-    [[nodiscard]] std::vector<Chain> led_but_loops(const std::vector<Chain>& chains) const {
+    [[nodiscard]] Led led_but_loops(const std::vector<Chain>& chains) const {
         const auto at = [&](std::uint32_t e) {
             const auto& places = rows_.rows[e / 2].line.places;
             return (e % 2 == 0 ? places.front() : places.back()).point;
@@ -119,9 +136,9 @@ class Path {
             (near ? loops : open).push_back(c);
         }
         if (loops.empty()) return {};
-        open = joined(std::move(open));
-        open.insert(open.end(), loops.begin(), loops.end());
-        return open;
+        Led out = joined(std::move(open));
+        out.chains.insert(out.chains.end(), loops.begin(), loops.end());
+        return out;
     }
 
     [[nodiscard]] std::vector<Chain> ordered() const {
@@ -161,8 +178,43 @@ class Path {
         return true;
     }
 
+    // mm of rows.
+    [[nodiscard]] double length(const Chain& chain) const {
+        double out = 0;
+        for (const auto& v : chain) out += surface::curve::length(rows_.rows[v.row].line);
+        return out;
+    }
+
+    // Takes out of the order what is not worth the way: where the ways to it and on from it are longer by more than
+    // twice its length than the way from before it to behind it.  Ways lie on what is laid, and what is laid twice
+    // counts half of what is left bare, as in `choose`.  Most wasteful first.
+    void leave_out_detours(std::vector<Turned>& order, const std::vector<Chain>& chains) const {
+        const auto end = [&](std::size_t e) {
+            return e % 2 == 0 ? entry(chains[e / 2].front()) : leave(chains[e / 2].back());
+        };
+        const auto in = [](const Turned& t) { return 2 * t.chain + (t.reversed ? 1U : 0U); };
+        const auto way = [&](const Turned& a, const Turned& b) { return fibre(end(in(a) ^ 1U), end(in(b))); };
+        while (order.size() > 1) {
+            double most = 0;
+            std::size_t which = order.size();
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                const bool first = i == 0, last = i + 1 == order.size();
+                const double to = first ? 0 : way(order[i - 1], order[i]), on = last ? 0 : way(order[i], order[i + 1]);
+                const double past =
+                    first || last || std::isinf(to) || std::isinf(on) ? 0 : way(order[i - 1], order[i + 1]);
+                const double saved = (std::isinf(to) ? 0 : to) + (std::isinf(on) ? 0 : on) - past;
+                if (const double wasted = saved / 2 - length(chains[order[i].chain]); wasted > most) {
+                    most = wasted;
+                    which = i;
+                }
+            }
+            if (which == order.size()) return;
+            order.erase(order.begin() + static_cast<std::ptrdiff_t>(which));
+        }
+    }
+
     // The chains led into each other, as far as they hang together.
-    [[nodiscard]] std::vector<Chain> joined(std::vector<Chain> chains) const {
+    [[nodiscard]] Led joined(std::vector<Chain> chains) const {
         const std::size_t n = chains.size();
         const auto end = [&](std::size_t e) {
             return e % 2 == 0 ? entry(chains[e / 2].front()) : leave(chains[e / 2].back());
@@ -171,9 +223,14 @@ class Path {
         for (std::size_t e = 0; e < 2 * n; ++e)
             for (std::size_t f = 0; f < 2 * n; ++f)
                 if (e / 2 != f / 2) length[e][f] = way_length(end(e), end(f));
-        std::vector<Chain> out;
+        auto turned = tour(length);
+        leave_out_detours(turned, chains);
+        Led led;
+        std::vector<Chain>& out = led.chains;
+        std::vector<char> kept(n, 0);
         std::size_t before = 2 * n;
-        for (const Turned& t : tour(length)) {
+        for (const Turned& t : turned) {
+            kept[t.chain] = 1;
             Chain& now = chains[t.chain];
             const std::size_t in = 2 * t.chain + (t.reversed ? 1 : 0);
             if (t.reversed) {
@@ -186,7 +243,15 @@ class Path {
                 out.push_back(std::move(now));
             before = in ^ 1u;
         }
-        return out;
+        for (std::size_t c = 0; c < n; ++c)
+            if (kept[c] == 0) led.left.push_back(std::move(chains[c]));
+        return led;
+    }
+
+    // Of the way that leads from one end to another, mm of fibre; infinite if none does.
+    [[nodiscard]] double fibre(std::uint32_t from, std::uint32_t to) const {
+        const double l = way_length(from, to);
+        return l <= o_.along ? l : l - kBreak;
     }
 
     // The way along rims and rows, or where there is none, as between spirals, straight across, which crosses what lies
@@ -289,6 +354,7 @@ class Path {
     std::vector<LaidTurn> turns_;
     Turning o_;
     plan::Plan out_;
+    std::vector<Chain> left_;                        // of the rows, what is left out
     double turned_ = 0, transited_ = 0, wasted_ = 0; // turns; mm of ways; mm2 by joins of strokes
 };
 

@@ -19,19 +19,37 @@ namespace {
 constexpr double kShares[] = {1, 0.5, 0.2}; // of the radius, that shifts are tried with
 constexpr double kTurnsTake = 2;            // radii: what turns may take of the ends of rows
 
+// Where closed lines go over from each to the next, as gently as there is room for; over fewer lanes than there are
+// lines if no place leads over all.
+lanes::Rungs seam_over(const lanes::Lanes& lanes, const Loops& o) {
+    lanes::Rungs out = lanes::seam_place(lanes, 0, 2 * std::sqrt(o.gentle * o.spacing));
+    if (out.lanes() < lanes.size() && o.radius < o.gentle)
+        out = lanes::seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
+    return out;
+}
+
 // Per row whether it is one of a chain of closed ones that is to be a spiral.  A spiral costs a cut at most; as part of
 // the line beside it, each costs a join, as much as shifts that cross at most.  So long chains are spirals, and those
-// that are all there is, which need no cut.
+// that are all there is, which need no cut; if joins may be tight only where one seam leads over all of them.
 std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std::size_t> chain, const Loops& o) {
-    std::map<std::uint32_t, std::size_t> in_component;
+    std::map<std::uint32_t, std::vector<std::size_t>> in_component;
     const auto component = [&](std::size_t i) { return s.component[found.rows[i].line.places[0].triangle]; };
-    for (std::size_t i = 0; i < chain.size(); ++i) ++in_component[component(i)];
+    for (std::size_t i = 0; i < chain.size(); ++i) in_component[component(i)].push_back(i);
     std::vector<char> out;
     for (std::size_t i = 0; i < chain.size(); ++i)
-        out.push_back(chain[i] > 0 && (chain[i] == in_component[component(i)] ||
-                                       kCrossingWastes * o.spacing * static_cast<double>(chain[i]) > o.cut)
-                          ? 1
-                          : 0);
+        out.push_back(kCrossingWastes * o.spacing * static_cast<double>(chain[i]) > o.cut ? 1 : 0);
+    for (const auto& [number, which] : in_component) {
+        const auto is_all = [&](std::size_t i) { return chain[i] == which.size(); };
+        if (!std::all_of(which.begin(), which.end(), is_all)) continue;
+        bool spiral = true;
+        if (o.tight && which.size() > 1) {
+            std::vector<Line> lines;
+            for (const std::size_t i : which) lines.push_back(found.rows[i].line);
+            spiral = seam_over(lanes::Lanes(s, lines, o.spacing), o).lanes() == lines.size();
+        }
+        if (spiral)
+            for (const std::size_t i : which) out[i] = 1;
+    }
     return out;
 }
 
@@ -151,7 +169,7 @@ void spiral(const Surface& s, Rows& rows, const Loops& o) {
             for (const std::size_t i : which) rows.rows[i].level *= -1;
         const lanes::Lanes lanes(s, lines, o.spacing);
         lanes::Weave weave(lanes);
-        const lanes::Rungs seam = lanes::seam_place(lanes, 0, 2 * std::sqrt(o.radius * o.spacing));
+        const lanes::Rungs seam = seam_over(lanes, o);
         if (seam.lanes() < lines.size()) continue;
         lanes::shift(weave, lanes, seam, 1);
         auto courses = weave.courses();
@@ -195,8 +213,8 @@ Joined open_loops(const Surface& s, Rows& rows, const Loops& o) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         Row& row = rows.rows[i];
         row.line = std::move(lines[i]);
-        // A way back that lies on rows saved no cut.
-        const bool alone = row.line.closed && surface::curve::length(row.line) == length[i];
+        // A way back that lies on rows saved no cut, but where the loop is part of a spiral.
+        const bool alone = keep[i] == 0 && row.line.closed && surface::curve::length(row.line) == length[i];
         if (alone && open[i].line.size() > 0) row = std::move(open[i]);
     }
     std::erase_if(rows.rows, [](const Row& row) { return row.line.size() == 0; });

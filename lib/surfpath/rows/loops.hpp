@@ -9,6 +9,7 @@ namespace filum::surfpath::rows {
 struct Loops {
     double spacing = 1;  // mm
     double radius = 2.4; // mm: of the shifts from row to row
+    double gentle = 2.4; // mm: likewise, of spirals, where there is room
     double cut = 50;     // mm of fibre: what a cut of it costs as much as
     bool tight = false;  // joins may turn within half a spacing, as that wastes less; else where nothing gentler leads
 };

@@ -1,9 +1,12 @@
 #include "surfpath/rows/transit.hpp"
 
+#include "geom/disjoint_sets.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <tuple>
 
 namespace filum::surfpath::rows {
 
@@ -55,18 +58,30 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
     return out;
 }
 
-std::vector<Turned> nearest_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
-    std::vector<Turned> out{{0, false}};
-    std::vector<char> seen(n, 0);
-    seen[0] = 1;
-    for (std::uint32_t e = 1; out.size() < n;) {
-        std::uint32_t next = kNone;
-        for (std::uint32_t in = 0; in < 2 * n; ++in)
-            if (seen[in / 2] == 0 && (next == kNone || length[e][in] < length[e][next])) next = in;
-        seen[next / 2] = 1;
-        out.push_back({next / 2, next % 2 == 1});
-        e = next ^ 1u;
+// Of all ways the shortest first, as long as no end gets two and none closes a loop; what is still apart then follows
+// in the order of chains.
+std::vector<Turned> greedy_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
+    std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> ways;
+    for (std::uint32_t a = 0; a < 2 * n; ++a)
+        for (std::uint32_t b = a + 1; b < 2 * n; ++b)
+            if (a / 2 != b / 2 && length[a][b] < kUnreached) ways.emplace_back(length[a][b], a, b);
+    std::sort(ways.begin(), ways.end());
+    geom::DisjointSets together(n);
+    std::vector<std::uint32_t> led(2 * n, kNone); // per end: to which other one
+    for (const auto& [l, a, b] : ways) {
+        if (led[a] != kNone || led[b] != kNone || together.root(a / 2) == together.root(b / 2)) continue;
+        together.unite(a / 2, b / 2);
+        led[a] = b;
+        led[b] = a;
     }
+    std::vector<Turned> out;
+    std::vector<char> seen(n, 0);
+    for (std::uint32_t e = 0; e < 2 * n; ++e)
+        if (led[e] == kNone && seen[e / 2] == 0)
+            for (std::uint32_t in = e; in != kNone; in = led[in ^ 1u]) {
+                seen[in / 2] = 1;
+                out.push_back({in / 2, in % 2 == 1});
+            }
     return out;
 }
 
@@ -120,6 +135,10 @@ Transits::Tree Transits::search(std::uint32_t from, std::uint32_t to) const {
     return out;
 }
 
+bool Transits::next_to(std::uint32_t a, std::uint32_t b) const {
+    return std::any_of(steps_[a].begin(), steps_[a].end(), [&](const Step& s) { return !s.row && s.to == b; });
+}
+
 Line Transits::along(std::uint32_t from, std::uint32_t to) const {
     const auto place = [&](std::uint32_t e) { return e % 2 == 0 ? rows_.rows[e / 2].begin : rows_.rows[e / 2].end; };
     const RingPlace a = place(from), b = place(to);
@@ -158,7 +177,7 @@ std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to)
 std::vector<Turned> tour(const std::vector<std::vector<double>>& length) {
     const auto n = static_cast<std::uint32_t>(length.size() / 2);
     if (n == 0) return {};
-    return n <= kExact ? exact_tour(length, n) : nearest_tour(length, n);
+    return n <= kExact ? exact_tour(length, n) : greedy_tour(length, n);
 }
 
 } // namespace filum::surfpath::rows

@@ -24,6 +24,9 @@ class Transits {
     // Its length, mm; infinite if there is none.
     [[nodiscard]] double length(std::uint32_t from, std::uint32_t to) const { return search(from, to).length[to]; }
 
+    // Whether no other end lies between the two on their ring.
+    [[nodiscard]] bool next_to(std::uint32_t a, std::uint32_t b) const;
+
     // The shorter way along the ring that both ends lie on; empty if they lie on different ones, or it is open between.
     [[nodiscard]] Line along(std::uint32_t from, std::uint32_t to) const;
 
@@ -46,7 +49,7 @@ class Transits {
 
 // In which order and direction chains follow each other so that the ways between them are short.  `length(a, b)` is
 // that from the end of one to the begin of another: ends are 2 c, the begin of chain c, and 2 c + 1.  Exact for up to
-// eight chains, else nearest neighbours.
+// eight chains; of more always the shortest way that joins two that are still apart.
 struct Turned {
     std::uint32_t chain = 0;
     bool reversed = false;

@@ -78,12 +78,16 @@ std::vector<LaidTurn> Turner::turns() const {
     const auto n = static_cast<std::uint32_t>(2 * rows_.rows.size());
     for (std::uint32_t a = 0; a < n; ++a)
         for (std::uint32_t b = a + 1; b < n; ++b) {
-            if (same_line(a, b)) {
-                const double l = surface::curve::length(transits_.along(a, b));
-                if (l > 0 && l <= o_.along) out.push_back({a, b, 0, 0, 0, l, {}, false});
-            } else if (a / 2 != b / 2 && near(a, b)) {
-                if (auto t = lay(a, b, 0); t.line.size() > 1) out.push_back(std::move(t));
-            }
+            if (a / 2 == b / 2) continue;
+            const bool one = same_line(a, b);
+            if (!one && near(a, b))
+                if (auto t = lay(a, b, 0); t.line.size() > 1) {
+                    out.push_back(std::move(t));
+                    continue;
+                }
+            if (!one && !leads_on(a, b)) continue;
+            const double l = surface::curve::length(transits_.along(a, b));
+            if (l > 0 && l <= o_.along) out.push_back({a, b, 0, 0, 0, l, {}, false});
         }
     return out;
 }
@@ -185,6 +189,12 @@ bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     if (ring_place(a).ring != ring_place(b).ring || ring_place(a).ring == surface::kNone) return false;
     const Vec3 u = tangent(a), v = tangent(b), d = inwards(b)[0] - inwards(a)[0];
     return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
+}
+
+// Whether the way along the rim from one end to the other passes no other one, and is no turn back, as between rows
+// side by side: those meet at a corner, or round a notch.
+bool Turner::leads_on(std::uint32_t a, std::uint32_t b) const {
+    return transits_.next_to(a, b) && (o_.tight || dot(tangent(a), tangent(b)) < kAlike);
 }
 
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs) const {

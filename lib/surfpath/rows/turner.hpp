@@ -67,6 +67,7 @@ class Turner {
     [[nodiscard]] Vec3 tangent(std::uint32_t end) const;
     [[nodiscard]] bool near(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] bool same_line(std::uint32_t a, std::uint32_t b) const;
+    [[nodiscard]] bool leads_on(std::uint32_t a, std::uint32_t b) const;
     [[nodiscard]] LaidTurn lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs = true) const;
     [[nodiscard]] double tightness(double radius) const;
     [[nodiscard]] std::vector<double> turning(const Line& line, std::span<const double> ways) const;
