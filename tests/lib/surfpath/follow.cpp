@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "geom/angle.hpp"
 #include "surface/curve/walk.hpp"
+#include "surfpath/rows/boustrophedon.hpp"
 #include "surfpath/rows/rows.hpp"
 #include "surfpath/rows/splice.hpp"
 
@@ -186,6 +187,45 @@ TEST(hybrid, rings_alone_are_one_spiral_that_goes_over_at_a_seam) {
     double length = 0;
     for (const Piece& piece : p.strokes[0].pieces) length += surface::curve::length(piece.line);
     EXPECT_NEAR(length, std::numbers::pi * (14 * 14 - 4 * 4), 25);
+}
+
+// No seam leads over all rings of a small disc, as the innermost are too short: they are joined, one by one, rather
+// than wound from a first ring of which half is left bare.
+TEST(hybrid, rings_of_a_small_disc_are_joined) {
+    const auto sheet = sheet_of(surface::grid(2, 2, 40, 40, [](geom::Vec2 p) {
+        const double x = p.x - 1, y = p.y - 1; // a square made a disc
+        return Vec3{9.7 * x * std::sqrt(1 - y * y / 2), 9.7 * y * std::sqrt(1 - x * x / 2), 0};
+    }));
+    const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
+    EXPECT_EQ(p.strokes.size(), 1U);
+    EXPECT_GT(covered(sheet.surface, p), 0.97);
+}
+
+// A line that cuts off a corner, as far from the other rows as from the others along the rim: the way there would lay
+// twenty times as much twice as it covers.
+TEST(rows, that_are_not_worth_their_way_are_left_out) {
+    const auto sheet = sheet_of(surface::grid(40, 40, 40, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
+    const Surface& s = sheet.surface;
+    std::vector<Raw> lines;
+    const auto add = [&](const Vec3& from, const Vec3& to) {
+        Line line;
+        for (const Vec3& p : {from, to}) {
+            const auto at = surface::nearest(s, p);
+            line.places.push_back({at.triangle, at.a});
+        }
+        lines.push_back({surface::curve::threaded(s, line), static_cast<double>(lines.size())});
+    };
+    for (int i = 0; i < 8; ++i) add({0, i + 0.5, 0}, {40, i + 0.5, 0});
+    add({0, 38, 0}, {2, 40, 0});
+    const Rows found = rows(s, lines, {0.5, 0.5, 0.5, 0.1});
+    ASSERT_EQ(found.rows.size(), 9U);
+    Turning turns = turning(1, 2.4);
+    turns.tight = true;
+    const Plan p = boustrophedon(s, found, turns);
+    EXPECT_EQ(p.strokes.size(), 1U);
+    EXPECT_LT(fact(p, "transits"), 5);
+    const auto told = [](const Note& n) { return n.what.find("left out") != std::string::npos; };
+    EXPECT_EQ(std::count_if(p.notes.begin(), p.notes.end(), told), 1);
 }
 
 // Where rings about the hole meet those along the rim, lines turn; all is one stroke.

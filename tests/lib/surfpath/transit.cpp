@@ -58,5 +58,25 @@ TEST(transit, a_row_that_is_shorter_than_the_rim_is_taken) {
     EXPECT_NEAR(laid, way->length, 0.01);
 }
 
+// Ten chains on a line, in no order, every other one the wrong way round: one after the other.
+TEST(transit, a_tour_of_many_chains_takes_the_short_ways) {
+    const std::vector<std::uint32_t> place{3, 8, 0, 5, 9, 1, 7, 2, 6, 4}; // along the line
+    const auto at = [&](std::size_t end) {
+        const bool second = (end % 2 == 1) != (place[end / 2] % 2 == 1);
+        return 10.0 * place[end / 2] + (second ? 9 : 0);
+    };
+    const std::size_t n = 2 * place.size();
+    std::vector<std::vector<double>> length(n, std::vector<double>(n));
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < n; ++b) length[a][b] = std::abs(at(a) - at(b));
+    const auto order = tour(length);
+    ASSERT_EQ(order.size(), place.size());
+    double ways = 0;
+    for (std::size_t i = 1; i < order.size(); ++i)
+        ways += length[2 * order[i - 1].chain + (order[i - 1].reversed ? 0 : 1)]
+                      [2 * order[i].chain + (order[i].reversed ? 1 : 0)];
+    EXPECT_NEAR(ways, 9, 1e-9);
+}
+
 } // namespace
 } // namespace filum::surfpath
