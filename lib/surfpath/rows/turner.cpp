@@ -87,7 +87,8 @@ std::vector<LaidTurn> Turner::turns() const {
                 }
             if (!one && !leads_on(a, b)) continue;
             const double l = surface::curve::length(transits_.along(a, b));
-            if (l > 0 && l <= o_.along) out.push_back({a, b, 0, 0, 0, l, {}, false});
+            const double most = one ? o_.along : std::min(o_.along, 2 * o_.least_radius); // as far as a turn leads
+            if (l > 0 && l <= most) out.push_back({a, b, 0, 0, 0, l, {}, false});
         }
     return out;
 }
