@@ -39,7 +39,7 @@ std::vector<char> wound(const Surface& s, const Rows& found, std::span<const std
     for (std::size_t i = 0; i < chain.size(); ++i)
         out.push_back(kCrossingWastes * o.spacing * static_cast<double>(chain[i]) > o.cut ? 1 : 0);
     for (const auto& [number, which] : in_component) {
-        const auto is_all = [&](std::size_t i) { return chain[i] == which.size(); };
+        const auto is_all = [&, all = which.size()](std::size_t i) { return chain[i] == all; };
         if (!std::all_of(which.begin(), which.end(), is_all)) continue;
         bool spiral = true;
         if (o.tight && which.size() > 1) {
