@@ -250,8 +250,8 @@ class Path {
 
     // Of the way that leads from one end to another, mm of fibre; infinite if none does.
     [[nodiscard]] double fibre(std::uint32_t from, std::uint32_t to) const {
-        const double l = way_length(from, to);
-        return l <= o_.along ? l : l - kBreak;
+        const double l = transits_.length(from, to);
+        return l <= o_.along ? l : way_length(from, to) - kBreak;
     }
 
     // The way along rims and rows, or where there is none, as between spirals, straight across, which crosses what lies

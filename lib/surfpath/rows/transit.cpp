@@ -15,6 +15,7 @@ namespace {
 using surface::kNone;
 
 constexpr double kUnreached = std::numeric_limits<double>::infinity();
+constexpr double kNoWay = 1e9; // mm: what none counts as, so that there are as few as may be
 constexpr std::uint32_t kExact = 8;
 
 // From one place of a ring to another: how far ahead, negative if back; the shorter way round.
@@ -40,7 +41,7 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
             for (std::uint32_t in = 0; in < 2 * n; ++in) {
                 if ((set >> (in / 2) & 1u) != 0) continue;
                 const std::uint32_t to = (set | 1u << (in / 2)) * 2 * n + (in ^ 1u);
-                const double l = so_far + std::min(length[e][in], 1e9);
+                const double l = so_far + std::min(length[e][in], kNoWay);
                 if (l < best[to]) {
                     best[to] = l;
                     before[to] = set * 2 * n + e;
@@ -55,6 +56,21 @@ std::vector<Turned> exact_tour(const std::vector<std::vector<double>>& length, s
         out.push_back({e / 2, e % 2 == 0});
     }
     std::reverse(out.begin(), out.end());
+    return out;
+}
+
+std::vector<Turned> nearest_tour(const std::vector<std::vector<double>>& length, std::uint32_t n) {
+    std::vector<Turned> out{{0, false}};
+    std::vector<char> seen(n, 0);
+    seen[0] = 1;
+    for (std::uint32_t e = 1; out.size() < n;) {
+        std::uint32_t next = kNone;
+        for (std::uint32_t in = 0; in < 2 * n; ++in)
+            if (seen[in / 2] == 0 && (next == kNone || length[e][in] < length[e][next])) next = in;
+        seen[next / 2] = 1;
+        out.push_back({next / 2, next % 2 == 1});
+        e = next ^ 1u;
+    }
     return out;
 }
 
@@ -177,7 +193,17 @@ std::optional<Transits::Way> Transits::way(std::uint32_t from, std::uint32_t to)
 std::vector<Turned> tour(const std::vector<std::vector<double>>& length) {
     const auto n = static_cast<std::uint32_t>(length.size() / 2);
     if (n == 0) return {};
-    return n <= kExact ? exact_tour(length, n) : greedy_tour(length, n);
+    if (n <= kExact) return exact_tour(length, n);
+    const auto ways = [&](const std::vector<Turned>& tour) {
+        double sum = 0;
+        for (std::size_t i = 1; i < tour.size(); ++i) {
+            const std::uint32_t from = 2 * tour[i - 1].chain + (tour[i - 1].reversed ? 0 : 1);
+            sum += std::min(length[from][2 * tour[i].chain + (tour[i].reversed ? 1 : 0)], kNoWay);
+        }
+        return sum;
+    };
+    auto near = nearest_tour(length, n), shortest = greedy_tour(length, n);
+    return ways(shortest) < ways(near) ? shortest : near;
 }
 
 } // namespace filum::surfpath::rows

@@ -49,7 +49,7 @@ class Transits {
 
 // In which order and direction chains follow each other so that the ways between them are short.  `length(a, b)` is
 // that from the end of one to the begin of another: ends are 2 c, the begin of chain c, and 2 c + 1.  Exact for up to
-// eight chains; of more always the shortest way that joins two that are still apart.
+// eight chains; of more the better of nearest neighbours, and always the shortest way that joins two still apart.
 struct Turned {
     std::uint32_t chain = 0;
     bool reversed = false;
