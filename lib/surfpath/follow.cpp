@@ -63,8 +63,9 @@ bool keeps_angle(const Options& o) {
 
 Plan follow(const surface::Sheet& sheet, const Options& o) {
     const Surface& s = sheet.surface;
-    const bool covers = o.algorithm == Algorithm::hybrid; // rather than turn gently: its turns are half a spacing wide,
-    const double radius = covers ? o.spacing / 2 : o.least_radius; // so its lines, too, may bend so
+    // Hybrid covers rather than turns gently: its turns may be half a spacing wide, so its directions may bend as much.
+    const bool covers = o.algorithm == Algorithm::hybrid;
+    const double radius = covers ? o.spacing / 2 : o.least_radius;
     const auto cells = surface::directions::cells(s);
     const auto wanted = field::wanted(sheet, cells, sources(sheet, o.follow));
     const auto directions = field::smooth(s, cells, wanted, kSmoothed * o.spacing, radius);
@@ -77,9 +78,10 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     }
     const auto stripes = field::stripes(s, cells, directions.along, striping);
     auto all = field::lines(s, stripes);
-    const double gentle = std::max(radius, o.spacing / 2);
+    // Lines are eased to the least radius, as far as their corridor allows.
+    const double gentle = std::max(radius, o.spacing / 2), eased = std::max(o.least_radius, gentle);
     for (Line& l : all)
-        l = surface::curve::ease(s, l, {.radius = kEasedTo * gentle, .corridor = kGive * o.spacing}).line;
+        l = surface::curve::ease(s, l, {.radius = kEasedTo * eased, .corridor = kGive * o.spacing}).line;
     Plan out;
     if (o.turns == RowTurns::none) {
         out.strokes = apart(std::move(all));
@@ -96,8 +98,7 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
         turns.staggered = o.beyond.empty();
         turns.tight = covers;
         rows::Rows found = rows::rows(s, raw, {o.spacing / 2, o.spacing / 2, gentle, kGive * o.spacing});
-        const auto joined = rows::open_loops(
-            s, found, {o.spacing, gentle, std::max(o.least_radius, gentle), o.cut_length, turns.tight});
+        const auto joined = rows::open_loops(s, found, {o.spacing, gentle, eased, o.cut_length, turns.tight});
         out = rows::boustrophedon(s, found, turns);
         rows::tell_crossed(joined.crossed, o.spacing, out.notes);
         out.facts.push_back({"", "loops-joined", static_cast<double>(joined.crossed.size() + joined.exchanged), ""});
