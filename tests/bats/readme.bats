@@ -29,6 +29,7 @@ elsewhere() {
         scripts/setup*) grep -q 'scripts/setup' "$source_tree/tests/bats/setup.bats" ;;
         'cmake --preset release && cmake --build build --target programs') [ -f "$FILUM_BUILD/build.ninja" ] ;;
         scripts/demo*) grep -q 'scripts/demo' "$source_tree/tests/bats/readme.bats" ;;
+        scripts/test) grep -q 'scripts/test' "$source_tree/.ci/run" ;;
         *) false ;;
     esac
 }
