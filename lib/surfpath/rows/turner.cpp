@@ -192,10 +192,9 @@ bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
     return dot(u, v) < 0 && dot(u, d) < 0 && dot(v, d) > 0;
 }
 
-// Whether the way along the rim from one end to the other passes no other one, and is no turn back, as between rows
-// side by side: those meet at a corner, or round a notch.
+// Of hybrid: whether the way along the rim from one end to the other passes no other one.
 bool Turner::leads_on(std::uint32_t a, std::uint32_t b) const {
-    return transits_.next_to(a, b) && (o_.tight || dot(tangent(a), tangent(b)) < kAlike);
+    return o_.tight && transits_.next_to(a, b);
 }
 
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs) const {
