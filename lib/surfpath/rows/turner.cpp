@@ -193,9 +193,7 @@ bool Turner::same_line(std::uint32_t a, std::uint32_t b) const {
 }
 
 // Of hybrid: whether the way along the rim from one end to the other passes no other one.
-bool Turner::leads_on(std::uint32_t a, std::uint32_t b) const {
-    return o_.tight && transits_.next_to(a, b);
-}
+bool Turner::leads_on(std::uint32_t a, std::uint32_t b) const { return o_.tight && transits_.next_to(a, b); }
 
 LaidTurn Turner::lay(std::uint32_t a, std::uint32_t b, double behind, bool bulbs) const {
     LaidTurn out{a, b, 0, 0, 0, 0, {}, false};
