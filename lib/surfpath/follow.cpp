@@ -55,6 +55,12 @@ void tell(const Surface& s, const field::Wanted& wanted, const field::Directions
         note("direction is no number: continued from what lies about", wanted.unknown, wanted.unknown_at);
 }
 
+// Lines eased to a radius, as far as their corridor allows.
+void ease(const Surface& s, std::vector<Line>& lines, double radius, double spacing) {
+    for (Line& l : lines)
+        l = surface::curve::ease(s, l, {.radius = kEasedTo * radius, .corridor = kGive * spacing}).line;
+}
+
 } // namespace
 
 bool keeps_angle(const Options& o) {
@@ -78,10 +84,8 @@ Plan follow(const surface::Sheet& sheet, const Options& o) {
     }
     const auto stripes = field::stripes(s, cells, directions.along, striping);
     auto all = field::lines(s, stripes);
-    // Lines are eased to the least radius, as far as their corridor allows.
     const double gentle = std::max(radius, o.spacing / 2), eased = std::max(o.least_radius, gentle);
-    for (Line& l : all)
-        l = surface::curve::ease(s, l, {.radius = kEasedTo * eased, .corridor = kGive * o.spacing}).line;
+    ease(s, all, eased, o.spacing);
     Plan out;
     if (o.turns == RowTurns::none) {
         out.strokes = apart(std::move(all));

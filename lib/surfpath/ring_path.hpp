@@ -1,4 +1,4 @@
-// From rings to strokes.  Private to lib/surfpath.
+// From rings to strokes.
 #pragma once
 
 #include "surfpath/surfpath.hpp"

@@ -1,4 +1,4 @@
-// Closed lines side by side on a surface: which runs next to which, and where.  Private to lib/surfpath.
+// Closed lines side by side on a surface: which runs next to which, and where.
 #pragma once
 
 #include "geom/point_grid.hpp"

@@ -1,4 +1,4 @@
-// A ladder across lanes: coordinates in which turns and changes of lanes are drawn.  Private to lib/surfpath.
+// A ladder across lanes: coordinates in which turns and changes of lanes are drawn.
 #pragma once
 
 #include "geom/vec.hpp"

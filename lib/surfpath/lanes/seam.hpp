@@ -1,4 +1,4 @@
-// Where many lanes become one: all change over to the next, side by side.  Private to lib/surfpath.
+// Where many lanes become one: all change over to the next, side by side.
 #pragma once
 
 #include "surfpath/lanes/rungs.hpp"

@@ -1,4 +1,4 @@
-// Lanes cut open here and there, and their ends joined otherwise.  Private to lib/surfpath.
+// Lanes cut open here and there, and their ends joined otherwise.
 #pragma once
 
 #include "surfpath/lanes/lanes.hpp"

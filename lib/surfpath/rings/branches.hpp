@@ -1,4 +1,4 @@
-// How many rings each branch of a distance gets, and at which levels.  Private to lib/surfpath.
+// How many rings each branch of a distance gets, and at which levels.
 #pragma once
 
 #include "geom/vec.hpp"

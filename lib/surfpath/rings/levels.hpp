@@ -1,4 +1,4 @@
-// Lines of equal distance for rings: each branch of the distance at its own levels.  Private to lib/surfpath.
+// Lines of equal distance for rings: each branch of the distance at its own levels.
 #pragma once
 
 #include "base/fact.hpp"

@@ -1,4 +1,4 @@
-// Rings that face each other across a narrow place.  Private to lib/surfpath.
+// Rings that face each other across a narrow place.
 #pragma once
 
 #include "geodesic/exact.hpp"

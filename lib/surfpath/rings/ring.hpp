@@ -1,4 +1,4 @@
-// A ring whose corners are being rounded.  Private to lib/surfpath.
+// A ring whose corners are being rounded.
 #pragma once
 
 #include "geom/point_tree.hpp"

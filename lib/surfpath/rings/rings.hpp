@@ -1,4 +1,4 @@
-// Rings about the sources of a surface: lines of equal distance, made gentle.  Private to lib/surfpath.
+// Rings about the sources of a surface: lines of equal distance, made gentle.
 #pragma once
 
 #include "base/fact.hpp"

@@ -1,4 +1,4 @@
-// Corners of rings rounded on a surface.  Private to lib/surfpath.
+// Corners of rings rounded on a surface.
 #pragma once
 
 #include "geodesic/exact.hpp"

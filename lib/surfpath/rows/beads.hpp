@@ -1,4 +1,4 @@
-// Lines as beads, point by point: what lies near a place, but for where lines were cut.  Private to lib/surfpath.
+// Lines as beads, point by point: what lies near a place, but for where lines were cut.
 #pragma once
 
 #include "surfpath/lanes/lanes.hpp"

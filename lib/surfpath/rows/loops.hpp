@@ -1,4 +1,4 @@
-// Closed rows made part of what is open.  Private to lib/surfpath.
+// Closed rows made part of what is open.
 #pragma once
 
 #include "surfpath/plan/plan.hpp"

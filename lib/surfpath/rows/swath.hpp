@@ -1,4 +1,4 @@
-// What beads about a place cover, point by point.  Private to lib/surfpath.
+// What beads about a place cover, point by point.
 #pragma once
 
 #include "geom/vec.hpp"
