@@ -250,48 +250,4 @@ std::vector<double> Heat::finished(const VectorXd& phi) const {
     return out;
 }
 
-// Shifts each component to what is known around its sources, most of all to the outer part of it, and runs over into
-// it.
-void Heat::fit(VectorXd& phi) const {
-    const Surface& s = surface_;
-    const double inner = kNear / 2 * surface::mean_edge(s);
-    std::vector<double> sum(s.components, 0), weights(s.components, 0);
-    for (std::size_t v = 0; v < pinned_.size(); ++v) {
-        if (std::isnan(pinned_[v])) continue;
-        const std::uint32_t c = s.component[s.outgoing[v] / 3];
-        const double weight = pinned_[v] + 1e-3 * inner;
-        sum[c] += weight * (pinned_[v] - phi[static_cast<Eigen::Index>(v)]);
-        weights[c] += weight;
-    }
-    for (std::size_t v = 0; v < pinned_.size(); ++v) {
-        const std::uint32_t c = s.component[s.outgoing[v] / 3];
-        double& d = phi[static_cast<Eigen::Index>(v)];
-        if (weights[c] > 0) d += sum[c] / weights[c];
-        if (std::isnan(pinned_[v])) continue;
-        const double out = std::clamp(pinned_[v] / inner - 1, 0.0, 1.0);
-        d = (1 - out) * pinned_[v] + out * d;
-    }
-}
-
-std::vector<double> Heat::distance_from(const Sources& sources) {
-    const Surface& s = surface_;
-    start(sources);
-    if (!floating_) {
-        held_.assign(s.vertices.size(), 0);
-        std::vector<char> has(s.components, 0);
-        for (std::size_t v = 0; v < held_.size(); ++v) {
-            char& one = has[s.component[s.outgoing[v] / 3]];
-            held_[v] = one == 0 ? 1 : 0;
-            one = 1;
-        }
-        floating_ = held(held_);
-    }
-    VectorXd right = -divergence(flow());
-    for (std::size_t v = 0; v < held_.size(); ++v)
-        if (held_[v] != 0) right[static_cast<Eigen::Index>(v)] = 0;
-    VectorXd phi = floating_->solve(right);
-    fit(phi);
-    return finished(phi);
-}
-
 } // namespace filum::geodesic

@@ -5,7 +5,6 @@
 #include "geodesic/sources.hpp"
 #include "sparse/factor.hpp"
 
-#include <optional>
 #include <span>
 
 namespace filum::geodesic {
@@ -29,11 +28,6 @@ class Heat {
     // sources as such, and the potential is pinned.
     [[nodiscard]] std::vector<double> distance();
 
-    // The same from other sources, for two solves and what is near them: no factor is made anew, but one that knows
-    // nothing of sources the first time.  The potential floats, and is shifted, per component, to fit what is known
-    // near the sources, into which it runs over between 8 and 16 mean edges.  Not for the paper's method.
-    [[nodiscard]] std::vector<double> distance_from(const Sources& sources);
-
     [[nodiscard]] double time() const { return time_; }  // mm2: that was used
     [[nodiscard]] int raised() const { return raised_; } // how often it was multiplied by four
 
@@ -50,7 +44,6 @@ class Heat {
     void factorise_flow();
     [[nodiscard]] sparse::Factor held(const std::vector<char>& known) const;
     [[nodiscard]] Eigen::VectorXd flow();
-    void fit(Eigen::VectorXd& phi) const;
     [[nodiscard]] std::vector<double> finished(const Eigen::VectorXd& phi) const;
     [[nodiscard]] bool faded(const Eigen::VectorXd& u) const;
     [[nodiscard]] Eigen::VectorXd divergence(const Eigen::VectorXd& u) const;
@@ -63,8 +56,6 @@ class Heat {
     Eigen::VectorXd initial_, mass_;
     sparse::Matrix stiffness_;
     sparse::Factor flow_, potential_;
-    std::optional<sparse::Factor> floating_; // the potential's, one vertex of each component held
-    std::vector<char> held_;                 // those
     double time_ = 0;
     int raised_ = 0;
 };

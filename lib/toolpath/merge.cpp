@@ -185,24 +185,4 @@ Merged merge(const Span& span, const Tolerance& given, std::span<const geom::Seg
     return {std::move(c.moves), c.off};
 }
 
-std::vector<std::uint32_t> needed_points(std::span<const Vec3> points, std::span<const Vec3> axes,
-                                         std::span<const std::uint8_t> stays, double most, double angle) {
-    std::vector<double> at(points.size(), 0);
-    for (std::size_t k = 1; k < points.size(); ++k) at[k] = at[k - 1] + distance(points[k - 1], points[k]);
-    const double least = std::cos(angle);
-    const auto fits = [&](std::uint32_t i, std::uint32_t j) {
-        const double length = at[j] - at[i];
-        for (std::uint32_t k = i + 1; k < j; ++k) {
-            const double f = length > 0 ? (at[k] - at[i]) / length : 1;
-            if (!stays.empty() && stays[k] != 0) return false;
-            if (distance(points[k], points[i] + f * (points[j] - points[i])) > most) return false;
-            if (axes.empty()) continue;
-            const Vec3 axis = axes[i] + f * (axes[j] - axes[i]);
-            if (dot(axis, axes[k]) < least * norm(axis)) return false;
-        }
-        return true;
-    };
-    return greedy_steps(static_cast<std::uint32_t>(points.size()), fits);
-}
-
 } // namespace filum::toolpath

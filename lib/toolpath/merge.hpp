@@ -59,13 +59,6 @@ inline double full_share(double width, double length2) { // mm, mm2
 // Volumes add up to the span's.  Ties: the later point, a straight move before an arc.
 Merged merge(const Span& span, const Tolerance& tolerance, std::span<const geom::Segment> others = {});
 
-// Points of a line that straight moves between them need, ascending, the first and the last among them; greedy.  In
-// between, each point is within `distance` mm of the place on the move at its share of the way (so what is laid evenly
-// along is off by no more either), and its axis within `angle` rad of the move's axis there, which goes straight with
-// the tip.  No axes: `axes` empty.  A point k with `stays[k]` is kept; `stays` may be empty.
-std::vector<std::uint32_t> needed_points(std::span<const Vec3> points, std::span<const Vec3> axes,
-                                         std::span<const std::uint8_t> stays, double distance, double angle);
-
 // The farthest of good, ..., last that fits, found by doubling the step and halving what failed; `good` fits.  Exact
 // where all that is nearer than one that fits does, too; else one that fits and whose next does not, or `last`.
 template <class F>

@@ -107,36 +107,5 @@ TEST(heat, the_certificate_tells_how_far_off_it_is) {
     EXPECT_NEAR(much.mean, 0.102, 0.001);
 }
 
-TEST(heat, factors_serve_other_sources) {
-    const auto sheet = surfaces::sheet(30, 20, 60, 40, 2, [](Vec2 p) { return Vec3{p.x, p.y, std::sin(p.x / 4)}; });
-    const Surface& s = sheet.surface;
-    Heat heat(s, {{0}, {}});
-    const auto first = heat.distance();
-    for (const std::uint32_t v : {777U, 1500U, 0U}) {
-        const Sources there{{v}, {}};
-        const auto truth = exact(s, there).distance, again = heat.distance_from(there);
-        EXPECT_LT(mean_error(again, truth, 0.5), 0.015);
-        EXPECT_LT(mean_error(again, truth, 0.5), 2 * mean_error(Heat(s, there).distance(), truth, 0.5) + 1e-3);
-        for (std::size_t i = 0; i < truth.size(); ++i)
-            EXPECT_NEAR(again[i], truth[i], truth[i] < 3 ? 1e-9 : 1); // known within 8 mean edges
-    }
-    EXPECT_EQ(first[0], 0);
-}
-
-TEST(heat, other_sources_reach_their_own_component_only) {
-    auto two = surfaces::sheet(
-        9, 9, 27, 27, 5,
-        [](Vec2 p) {
-            return Vec3{p.x < 5 ? p.x : p.x + 10, p.y, 0};
-        },
-        [](int i, int) { return i == 14; });
-    Heat heat(two.surface, {{0}, {}});
-    std::uint32_t right = 0;
-    while (two.surface.vertices[right].x < 15) ++right;
-    const Sources there{{right}, {}};
-    const auto truth = exact(two.surface, there).distance, again = heat.distance_from(there);
-    for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_EQ(std::isfinite(again[i]), std::isfinite(truth[i]));
-}
-
 } // namespace
 } // namespace filum::geodesic

@@ -279,23 +279,3 @@ TEST(Merge, NothingCrossesInWholeMicrometres) {
     }
     EXPECT_GT(before, 0); // rounding alone did it
 }
-
-TEST(Merge, SpacePointsThatAMoveDoesNotNeed) {
-    std::vector<Vec3> points, axes;
-    for (int k = 0; k <= 100; ++k) {
-        const double a = 0.01 * k;
-        points.push_back({30 * std::sin(a), 0, 30 * std::cos(a)});
-        axes.push_back({std::sin(a), 0, std::cos(a)});
-    }
-    const auto all = [](const auto& kept, std::size_t n) { return kept.front() == 0 && kept.back() == n - 1; };
-    const auto fine = needed_points(points, axes, {}, 0.02, 0.5 * std::numbers::pi / 180);
-    EXPECT_TRUE(all(fine, points.size()));
-    EXPECT_LT(fine.size(), 20U);
-    EXPECT_EQ(needed_points(points, {}, {}, 100, 0).size(), 2U);
-    std::vector<std::uint8_t> stays(points.size(), 0);
-    stays[37] = 1;
-    const auto kept = needed_points(points, {}, stays, 100, 0);
-    ASSERT_EQ(kept.size(), 3U);
-    EXPECT_EQ(kept[1], 37U);
-    EXPECT_TRUE(needed_points({}, {}, {}, 1, 1).empty());
-}
