@@ -28,7 +28,7 @@ constexpr const char* kDescription =
     "as that takes, and what cannot be is noted.\n\n"
     "--turn-outside lays plies over the surface's rims, and turns there, as surfpath does; three radii and half a "
     "spacing leave room for turns at any slant. "
-    "Holes without room for that are laid over, to be cut out, and noted. Where a ply ends within "
+    "Holes and notches without room for that are laid over, to be cut out, and noted. Where a ply ends within "
     "the part, it turns on it.\n\n"
     "Plies of one direction lie beside each other by shares of a spacing, and their lines are born beside each other's "
     "births, so that gaps do not lie over gaps (--stagger=false: not). What comes of it is told as facts: thickness at "

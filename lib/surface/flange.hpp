@@ -1,16 +1,9 @@
 // A surface that goes on beyond its rims, as a part does that is trimmed later.
 #pragma once
 
-#include "surface/surface.hpp"
+#include "surface/lids.hpp"
 
 namespace filum::surface {
-
-// A hole that the flange closes.
-struct Lid {
-    std::uint32_t vertex = 0; // of the flanged surface, in its middle,
-    Vec3 middle;              // and where that is
-    double area = 0;          // mm2
-};
 
 struct Flanged {
     Surface surface;                 // the given triangles first, then those of the flange
@@ -20,16 +13,15 @@ struct Flanged {
     std::vector<char> far;           // per triangle: it lies beyond the first of the depths
     double least = 0;                // mm: how deep the flange is where it is least,
     Vec3 least_at;                   // and where
-    std::vector<Lid> lids;           // holes that it closes
+    std::vector<Lid> lids;           // holes and notches that are closed
 };
 
 // The surface with a flange about every rim: straight on in its tangent planes, square to the rim, `depth` mm deep, and
 // round about corners.  Where rims face each other, as across a hole or a notch, it is no deeper than half the way to
 // the middle between them, by the balls that touch the rim and no other part of it (Amenta, Choi, Kolluri 2001): so the
 // flange never meets itself there; in a sharp notch it ends.  It is built in two bands, the first `near` mm deep.
-// A hole (a rim that is not the outer one) where it finds the depth nowhere gets a lid instead, a fan of triangles
-// about the middle of its vertices, if all of the rim is seen from there and the lid lies within 45 degrees of the
-// surface beside it; no triangle of a lid is `far`, and its middle has a root on the rim.  `depth` > `near` > 0.
+// Holes and notches without room for the depth are closed first (lids.hpp); no triangle of a lid is `far`.  `depth` >
+// `near` > 0.
 Flanged flanged(const Surface& surface, double near, double depth);
 
 } // namespace filum::surface

@@ -5,6 +5,7 @@
 #include "surface/defects.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace filum::surface {
 
@@ -124,6 +125,22 @@ Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces
     split_fans(mesh, twin, notes);
     if (faces != nullptr) *faces = std::move(mesh.faces);
     return assemble(std::move(mesh.vertices), std::move(mesh.triangles), std::move(twin));
+}
+
+Surface grown(const Surface& s, std::vector<Vec3> vertices, const std::vector<Triangle>& more) {
+    std::vector<Triangle> triangles = s.triangles;
+    triangles.insert(triangles.end(), more.begin(), more.end());
+    std::vector<std::uint32_t> twin = s.twin;
+    twin.resize(3 * triangles.size(), kNone);
+    const auto ends = [&](std::uint32_t h) {
+        return std::pair(triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]);
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> open;
+    for (std::uint32_t h = 0; h < twin.size(); ++h)
+        if (twin[h] == kNone) open.emplace(ends(h), h);
+    for (const auto& [way, h] : open)
+        if (const auto other = open.find({way.second, way.first}); other != open.end()) twin[h] = other->second;
+    return assemble(std::move(vertices), std::move(triangles), std::move(twin));
 }
 
 Facts facts(const Surface& s) {

@@ -74,6 +74,10 @@ Surface connect(mesh::Mesh mesh, Notes& notes, std::vector<std::uint32_t>* faces
 // edge".
 Surface assemble(std::vector<Vec3> vertices, std::vector<Triangle> triangles, std::vector<std::uint32_t> twin);
 
+// The surface with more triangles, behind its own, on `vertices`, of which its own come first. Their sides are joined
+// to each other and to its rims where they run the other way between the same vertices.
+Surface grown(const Surface& s, std::vector<Vec3> vertices, const std::vector<Triangle>& more);
+
 // Its size as facts: "vertices", "triangles", "components", "rims", "area".
 Facts facts(const Surface& s);
 

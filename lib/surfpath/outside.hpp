@@ -15,7 +15,7 @@ struct Flange {
     std::vector<char> far;  // per triangle: farther than half a spacing beyond the part: what lies there covers nothing
     double least = 0;       // mm, of its depth,
     Vec3 least_at;          // and where
-    std::vector<surface::Lid> lids; // holes that rows go straight across
+    std::vector<surface::Lid> lids; // holes and notches that rows go straight across
 };
 
 // As deep as the options ask; narrower in holes and notches.  None if they do not, or their algorithm has no rows that

@@ -1,0 +1,144 @@
+#include "surface/lids.hpp"
+
+#include "surface/rim_room.hpp"
+#include "surface/ring_triangles.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+namespace filum::surface {
+
+namespace {
+
+constexpr double kStraightOn = 0.5 * std::numbers::sqrt2; // cosine: a lid is nearer to straight on than to upright
+constexpr double kFacing = -0.5;                          // cosine: sides of a notch open by less than 60 degrees
+
+class Lids {
+  public:
+    Lids(const Surface& s, double depth) : s_(s), depth_(depth), room_(s, depth) {}
+
+    Closed made() {
+        for (const Rim& rim : s_.rims) add(rim);
+        out_.surface = grown(s_, s_.vertices, triangles_);
+        return std::move(out_);
+    }
+
+  private:
+    void add(const Rim& rim) {
+        const std::vector<Station> all = stations(s_, rim);
+        std::vector<char> narrow;
+        narrow.reserve(all.size());
+        for (const Station& from : all) narrow.push_back(room_.at(from) < depth_ ? 1 : 0);
+        const auto wide = static_cast<std::size_t>(std::find(narrow.begin(), narrow.end(), 0) - narrow.begin());
+        if (wide < all.size())
+            add_notches(all, narrow, wide);
+        else if (!rim.outer)
+            close(corners(all), false);
+    }
+
+    // Of the stretches without room, in turn from a station that has it.
+    void add_notches(std::span<const Station> all, std::span<const char> narrow, std::size_t wide) {
+        std::vector<Station> stretch;
+        for (std::size_t i = 1; i <= all.size(); ++i) {
+            const std::size_t k = (wide + i) % all.size();
+            if (narrow[k] != 0) {
+                stretch.push_back(all[k]);
+                continue;
+            }
+            if (const auto ring = corners(stretch); faces_itself(ring)) close(ring, true);
+            stretch.clear();
+        }
+    }
+
+    // Whether the side that turns most from the first, and the one that turns most from that, look towards each other.
+    [[nodiscard]] bool faces_itself(std::span<const std::uint32_t> ring) const {
+        if (ring.size() < 3) return false;
+        const auto out = [&](std::size_t i) { return outwards(s_, s_.outgoing[ring[i]]); };
+        const auto farthest = [&](const Vec3& from) {
+            Vec3 most = from;
+            for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+                if (const Vec3 own = out(i); dot(own, from) < dot(most, from)) most = own;
+            return most;
+        };
+        const Vec3 one = farthest(out(0));
+        return dot(one, farthest(one)) < kFacing;
+    }
+
+    // The vertices of stations that follow each other, each once.
+    static std::vector<std::uint32_t> corners(std::span<const Station> all) {
+        std::vector<std::uint32_t> out;
+        for (const Station& from : all)
+            if (out.empty() || out.back() != from.vertex) out.push_back(from.vertex);
+        if (out.size() > 1 && out.front() == out.back()) out.pop_back();
+        return out;
+    }
+
+    // Puts a lid on the ring of vertices, if one can lie there; of a notch the last side is its mouth.
+    void close(std::span<const std::uint32_t> ring, bool notch) {
+        std::vector<Vec3> points;
+        for (const std::uint32_t v : ring) points.push_back(s_.vertices[v]);
+        const std::vector<Triangle> triangles = ring_triangles(points);
+        if (triangles.empty() || !goes_on(ring, triangles) || holds_rim(ring, points, triangles)) return;
+        Lid lid{ring.front(), {}, 0, notch};
+        for (const auto& [a, b, c] : triangles) {
+            const double own = norm(cross(points[b] - points[a], points[c] - points[a])) / 2;
+            lid.area += own;
+            lid.middle = lid.middle + own / 3 * (points[a] + points[b] + points[c]);
+            triangles_.push_back({ring[a], ring[b], ring[c]});
+        }
+        lid.middle = 1 / lid.area * lid.middle;
+        out_.lids.push_back(lid);
+    }
+
+    // Whether all triangles that have a side of the rim face the way of the surface beside it.
+    [[nodiscard]] bool goes_on(std::span<const std::uint32_t> ring, std::span<const Triangle> triangles) const {
+        return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+            const Vec3 &a = s_.vertices[ring[t[0]]], &b = s_.vertices[ring[t[1]]], &c = s_.vertices[ring[t[2]]];
+            const Vec3 own = cross(b - a, c - a);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t h = s_.outgoing[ring[t[(k + 1) % 3]]]; // the rim runs the other way
+                if (s_.head(h) == ring[t[k]] && !(dot(own, normal(s_, h / 3)) > kStraightOn * norm(own))) return false;
+            }
+            return true;
+        });
+    }
+
+    // Whether a vertex of a rim that is no corner of the lid lies in it, seen square to it.
+    [[nodiscard]] bool holds_rim(std::span<const std::uint32_t> ring, std::span<const Vec3> points,
+                                 std::span<const Triangle> triangles) const {
+        const geom::Box3 about = geom::box_of(points);
+        const double reach = norm(about.size()) / 2; // what is farther from the box lies in no triangle's way
+        for (const Rim& rim : s_.rims)
+            for (const std::uint32_t h : rim.sides) {
+                const std::uint32_t v = s_.tail(h);
+                const Vec3& p = s_.vertices[v];
+                if (geom::distance(about, p) > reach || std::find(ring.begin(), ring.end(), v) != ring.end()) continue;
+                if (within(points, triangles, p)) return true;
+            }
+        return false;
+    }
+
+    static bool within(std::span<const Vec3> points, std::span<const Triangle> triangles, const Vec3& p) {
+        return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+            const Vec3 n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& a = points[t[k]];
+                if (dot(cross(points[t[(k + 1) % 3]] - a, p - a), n) < 0) return false;
+            }
+            return true;
+        });
+    }
+
+    const Surface& s_;
+    double depth_;
+    RimRoom room_;
+    std::vector<Triangle> triangles_;
+    Closed out_;
+};
+
+} // namespace
+
+Closed with_lids(const Surface& s, double depth) { return Lids(s, depth).made(); }
+
+} // namespace filum::surface

@@ -1,0 +1,56 @@
+#include "surface/ring_triangles.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+
+namespace filum::surface {
+
+namespace {
+
+using geom::Vec3;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+// The ring as seen against the direction about which it turns counter-clockwise.
+std::vector<Point> seen(std::span<const Vec3> ring) {
+    Vec3 area;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) area = area + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    const Vec3 up = geom::unit(area, {0, 0, 1});
+    const Vec3 side = geom::unit(cross(up, std::abs(up.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}), {1, 0, 0});
+    const Vec3 ahead = cross(up, side);
+    std::vector<Point> out;
+    out.reserve(ring.size());
+    for (const Vec3& p : ring) out.emplace_back(dot(p - ring[0], side), dot(p - ring[0], ahead));
+    return out;
+}
+
+} // namespace
+
+std::vector<mesh::Triangle> ring_triangles(std::span<const Vec3> ring) {
+    const std::vector<Point> points = seen(ring);
+    if (points.size() < 3 || !CGAL::is_simple_2(points.begin(), points.end(), Kernel())) return {};
+    Triangulation t;
+    std::vector<Triangulation::Vertex_handle> vertices;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+        vertices.push_back(t.insert(points[i], vertices.empty() ? nullptr : vertices.back()->face()));
+        vertices.back()->info() = i;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) t.insert_constraint(vertices[i], vertices[(i + 1) % points.size()]);
+    std::vector<mesh::Triangle> out;
+    for (const auto face : t.finite_face_handles()) {
+        const Point middle = CGAL::centroid(t.triangle(face));
+        if (CGAL::bounded_side_2(points.begin(), points.end(), middle, Kernel()) != CGAL::ON_BOUNDED_SIDE) continue;
+        out.push_back({face->vertex(2)->info(), face->vertex(1)->info(), face->vertex(0)->info()});
+    }
+    return out;
+}
+
+} // namespace filum::surface
