@@ -2,83 +2,146 @@
 
 #include "surface/rim_room.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace filum::surface {
 
 namespace {
 
-constexpr double kLeastDepth = 0.01; // of the depth: less is no flange
+constexpr double kTolerance = 0.1;  // of the first band: how far the flange may be off a rim that is rough
+constexpr double kLeastDepth = 0.2; // of the first band: less is no flange
 constexpr std::size_t kBands = 2;
+
+struct Banded {
+    Triangle corners;
+    char far = 0;
+};
+using Strip = std::vector<Banded>; // between two columns
 
 class Builder {
   public:
     Builder(const Surface& s, double near, double depth)
-        : s_(s), share_{near / depth, 1}, depth_(depth), room_(s, depth), vertices_(s.vertices), least_(depth) {
+        : s_(s), near_(near), room_(s, depth, kTolerance * near), vertices_(s.vertices), least_(depth) {
         for (std::uint32_t v = 0; v < s.vertices.size(); ++v) root_.push_back(v);
     }
 
     Flanged built() {
-        for (const Rim& rim : s_.rims) add(rim);
+        Strip all;
+        for (std::size_t rim = 0; rim < s_.rims.size(); ++rim)
+            for (const Strip& strip : strips(s_.rims[rim], room_.outline(rim)))
+                all.insert(all.end(), strip.begin(), strip.end());
         Flanged out;
-        out.surface = grown(s_, std::move(vertices_), triangles_);
-        out.root = std::move(root_);
         out.far.assign(s_.triangles.size(), 0);
-        out.far.insert(out.far.end(), far_.begin(), far_.end());
+        std::vector<Triangle> triangles;
+        for (const Banded& t : all) {
+            triangles.push_back(t.corners);
+            out.far.push_back(t.far);
+        }
+        drop_unused(triangles);
+        out.surface = grown(s_, std::move(vertices_), triangles);
+        out.root = std::move(root_);
         out.least = least_;
         out.least_at = least_at_;
         return out;
     }
 
   private:
-    using Column = std::array<std::uint32_t, kBands + 1>; // vertices from the rim outwards
-
-    void add(const Rim& rim) {
-        std::vector<Column> columns;
-        for (const Station& now : stations(s_, rim)) columns.push_back(column(now));
-        for (std::size_t i = 0; i < columns.size(); ++i) strip(columns[i], columns[(i + 1) % columns.size()]);
-    }
+    // Vertices from the rim outwards; the same again where the flange is no deeper.
+    struct Column {
+        std::array<std::uint32_t, kBands + 1> vertices{};
+        std::size_t side = 0; // of the rim: that begins there
+        double deep = 0;
+    };
 
     Column column(const Station& from) {
         const Vec3& p = s_.vertices[from.vertex];
-        double deep = room_.at(from);
-        if (deep < kLeastDepth * depth_) deep = 0;
-        if (deep < least_) {
-            least_ = deep;
+        Column out{{from.vertex, from.vertex, from.vertex}, from.side, room_.at(from)};
+        if (out.deep < kLeastDepth * near_) out.deep = 0;
+        if (out.deep < least_) {
+            least_ = out.deep;
             least_at_ = p;
         }
-        Column out{};
-        out.fill(from.vertex);
-        for (std::size_t k = 0; deep > 0 && k < kBands; ++k) {
-            out[k + 1] = static_cast<std::uint32_t>(vertices_.size());
-            vertices_.push_back(p + share_[k] * deep * from.out);
+        const double ends[] = {std::min(near_, out.deep), out.deep};
+        for (std::size_t k = 0, before = 0; k < kBands; before = k++) {
+            out.vertices[k + 1] = out.vertices[k];
+            if (!(ends[k] > (k == 0 ? 0 : ends[before]))) continue;
+            out.vertices[k + 1] = static_cast<std::uint32_t>(vertices_.size());
+            vertices_.push_back(p + ends[k] * from.out);
             root_.push_back(from.vertex);
         }
         return out;
     }
 
-    // Between two columns, the first of which lies behind along the rim.
-    void strip(const Column& a, const Column& b) {
-        for (std::size_t k = 0; k < kBands; ++k) {
-            triangle({b[k], a[k], a[k + 1]}, k);
-            triangle({b[k], a[k + 1], b[k + 1]}, k);
+    // In turn along the rim. Those about a corner that sticks out hang on their neighbours: they are left out if one of
+    // these, or one of them, cannot lie.
+    std::vector<Strip> strips(const Rim& rim, const Outline& outline) {
+        std::vector<Column> columns;
+        for (const Station& from : outline.stations) columns.push_back(column(from));
+        const std::size_t n = columns.size();
+        const auto at = [&](std::size_t i) -> const Column& { return columns[i % n]; };
+        const auto about_corner = [&](std::size_t i) { return at(i).vertices[0] == at(i + 1).vertices[0]; };
+        std::vector<Strip> out;
+        for (std::size_t i = 0; i < n; ++i) out.push_back(strip(rim, at(i), at(i + 1)));
+        for (std::size_t i = 0, last = 0; i < n; i = last + 1) {
+            for (last = i; about_corner(last) && last < i + n; ++last) {
+            }
+            bool lie = !out[(i + n - 1) % n].empty();
+            for (std::size_t k = i; k <= last; ++k) lie = lie && !out[k % n].empty();
+            for (std::size_t k = i; k < last && !lie; ++k) out[k % n].clear();
         }
+        return out;
     }
 
-    void triangle(const Triangle& t, std::size_t band) {
-        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
-        triangles_.push_back(t);
-        far_.push_back(band > 0 ? 1 : 0);
+    // Between two columns, the first of which lies behind along the rim; empty if a triangle of it would be turned
+    // over.
+    [[nodiscard]] Strip strip(const Rim& rim, const Column& a, const Column& b) const {
+        Strip out;
+        const Vec3 up = normal(s_, rim.sides[a.side] / 3);
+        const auto add = [&](const Triangle& t, bool far) {
+            if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.push_back({t, static_cast<char>(far)});
+        };
+        // the rim may have vertices between: they go to the column that is deeper
+        const std::uint32_t apex = a.deep >= b.deep ? a.vertices[1] : b.vertices[1];
+        if (apex == b.vertices[1]) add({a.vertices[0], a.vertices[1], b.vertices[1]}, false);
+        for (std::size_t k = a.side; k != b.side; k = (k + 1) % rim.sides.size())
+            add({s_.head(rim.sides[k]), s_.tail(rim.sides[k]), apex}, false);
+        if (apex == a.vertices[1]) add({b.vertices[0], a.vertices[1], b.vertices[1]}, false);
+        for (std::size_t k = 1; k < kBands; ++k) {
+            add({b.vertices[k], a.vertices[k], a.vertices[k + 1]}, true);
+            add({b.vertices[k], a.vertices[k + 1], b.vertices[k + 1]}, true);
+        }
+        const bool lies = std::all_of(out.begin(), out.end(), [&](const Banded& t) {
+            const Vec3 &p = vertices_[t.corners[0]], &q = vertices_[t.corners[1]], &r = vertices_[t.corners[2]];
+            return dot(cross(q - p, r - p), up) > 0;
+        });
+        return lies ? out : Strip{};
+    }
+
+    // Vertices of columns that no triangle has.
+    void drop_unused(std::vector<Triangle>& triangles) {
+        std::vector<std::uint32_t> now(vertices_.size(), kNone);
+        for (std::uint32_t v = 0; v < s_.vertices.size(); ++v) now[v] = v;
+        for (const Triangle& t : triangles)
+            for (const std::uint32_t v : t) now[v] = v;
+        std::uint32_t count = 0;
+        for (std::uint32_t v = 0; v < now.size(); ++v) {
+            if (now[v] == kNone) continue;
+            vertices_[count] = vertices_[v];
+            root_[count] = root_[v];
+            now[v] = count++;
+        }
+        vertices_.resize(count);
+        root_.resize(count);
+        for (Triangle& t : triangles)
+            for (std::uint32_t& v : t) v = now[v];
     }
 
     const Surface& s_;
-    std::array<double, kBands> share_; // of the depth, where bands end
-    double depth_;
+    double near_;
     RimRoom room_;
     std::vector<Vec3> vertices_;
-    std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> root_;
-    std::vector<char> far_; // per triangle of the flange
     double least_;
     Vec3 least_at_;
 };
@@ -86,7 +149,7 @@ class Builder {
 } // namespace
 
 Flanged flanged(const Surface& s, double near, double depth) {
-    Closed whole = with_lids(s, depth);
+    Closed whole = with_lids(s, depth, kTolerance * near);
     Flanged out = Builder(whole.surface, near, depth).built();
     out.part = static_cast<std::uint32_t>(s.triangles.size());
     out.lids = std::move(whole.lids);

@@ -16,62 +16,63 @@ constexpr double kFacing = -0.5;                          // cosine: sides of a 
 
 class Lids {
   public:
-    Lids(const Surface& s, double depth) : s_(s), depth_(depth), room_(s, depth) {}
+    Lids(const Surface& s, double depth, double tolerance) : s_(s), depth_(depth), room_(s, depth, tolerance) {}
 
     Closed made() {
-        for (const Rim& rim : s_.rims) add(rim);
+        for (std::size_t rim = 0; rim < s_.rims.size(); ++rim) add(s_.rims[rim], room_.outline(rim));
         out_.surface = grown(s_, s_.vertices, triangles_);
         return std::move(out_);
     }
 
   private:
-    void add(const Rim& rim) {
-        const std::vector<Station> all = stations(s_, rim);
+    void add(const Rim& rim, const Outline& outline) {
+        const auto& all = outline.stations;
         std::vector<char> narrow;
         narrow.reserve(all.size());
         for (const Station& from : all) narrow.push_back(room_.at(from) < depth_ ? 1 : 0);
         const auto wide = static_cast<std::size_t>(std::find(narrow.begin(), narrow.end(), 0) - narrow.begin());
         if (wide < all.size())
-            add_notches(all, narrow, wide);
+            add_notches(rim, outline, narrow, wide);
         else if (!rim.outer)
-            close(corners(all), false);
+            close(vertices(rim, 0, rim.sides.size() - 1), false);
     }
 
     // Of the stretches without room, in turn from a station that has it.
-    void add_notches(std::span<const Station> all, std::span<const char> narrow, std::size_t wide) {
-        std::vector<Station> stretch;
-        for (std::size_t i = 1; i <= all.size(); ++i) {
-            const std::size_t k = (wide + i) % all.size();
-            if (narrow[k] != 0) {
-                stretch.push_back(all[k]);
+    void add_notches(const Rim& rim, const Outline& outline, std::span<const char> narrow, std::size_t wide) {
+        const auto& all = outline.stations;
+        for (std::size_t i = 1, first = 0; i <= all.size(); ++i) {
+            if (narrow[(wide + i) % all.size()] != 0) {
+                if (first == 0) first = i;
                 continue;
             }
-            if (const auto ring = corners(stretch); faces_itself(ring)) close(ring, true);
-            stretch.clear();
+            const std::size_t from = all[(wide + first) % all.size()].side, to = all[(wide + i - 1) % all.size()].side;
+            if (first > 0 && from != to && faces_itself(outline, from, to)) close(vertices(rim, from, to), true);
+            first = 0;
         }
     }
 
-    // Whether the side that turns most from the first, and the one that turns most from that, look towards each other.
-    [[nodiscard]] bool faces_itself(std::span<const std::uint32_t> ring) const {
-        if (ring.size() < 3) return false;
-        const auto out = [&](std::size_t i) { return outwards(s_, s_.outgoing[ring[i]]); };
-        const auto farthest = [&](const Vec3& from) {
-            Vec3 most = from;
-            for (std::size_t i = 0; i + 1 < ring.size(); ++i)
-                if (const Vec3 own = out(i); dot(own, from) < dot(most, from)) most = own;
-            return most;
+    // Whether the edge that turns most from the first, and the one that turns most from that, look towards each other:
+    // of those between two sides of the rim.
+    static bool faces_itself(const Outline& outline, std::size_t from, std::size_t to) {
+        std::vector<Vec3> out;
+        for (const auto& edge : outline.edges)
+            if (from < to ? edge.side >= from && edge.side < to : edge.side >= from || edge.side < to)
+                out.push_back(edge.out);
+        const auto farthest = [&](const Vec3& way) {
+            return *std::min_element(out.begin(), out.end(),
+                                     [&](const Vec3& a, const Vec3& b) { return dot(a, way) < dot(b, way); });
         };
-        const Vec3 one = farthest(out(0));
+        const Vec3 one = farthest(out.front());
         return dot(one, farthest(one)) < kFacing;
     }
 
-    // The vertices of stations that follow each other, each once.
-    static std::vector<std::uint32_t> corners(std::span<const Station> all) {
+    // Where the sides begin, from one to another, both included.
+    [[nodiscard]] std::vector<std::uint32_t> vertices(const Rim& rim, std::size_t from, std::size_t to) const {
         std::vector<std::uint32_t> out;
-        for (const Station& from : all)
-            if (out.empty() || out.back() != from.vertex) out.push_back(from.vertex);
-        if (out.size() > 1 && out.front() == out.back()) out.pop_back();
-        return out;
+        for (std::size_t k = from;; k = (k + 1) % rim.sides.size()) {
+            out.push_back(s_.tail(rim.sides[k]));
+            if (k == to) return out;
+        }
     }
 
     // Puts a lid on the ring of vertices, if one can lie there; of a notch the last side is its mouth.
@@ -139,6 +140,6 @@ class Lids {
 
 } // namespace
 
-Closed with_lids(const Surface& s, double depth) { return Lids(s, depth).made(); }
+Closed with_lids(const Surface& s, double depth, double tolerance) { return Lids(s, depth, tolerance).made(); }
 
 } // namespace filum::surface

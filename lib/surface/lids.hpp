@@ -21,7 +21,7 @@ struct Closed {
 // every notch: a stretch of a rim without that room anywhere, two sides of which look towards each other, opening by
 // less than 60 degrees; its mouth is closed straight.  There is no lid where its rim crosses
 // itself, seen square to it; where it lies more than 45 degrees off the surface beside it; or where another part of a
-// rim lies in it: that is left open.
-Closed with_lids(const Surface& s, double depth);
+// rim lies in it: that is left open. `tolerance` as for RimRoom.
+Closed with_lids(const Surface& s, double depth, double tolerance);
 
 } // namespace filum::surface

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace filum::surface {
 
@@ -14,69 +15,115 @@ constexpr double kFan = 30;         // degrees between neighbouring directions a
 constexpr double kSample = 0.25;    // of the depth, between points of the rims
 constexpr double kAhead = 1e-6;     // of the distance: what is no farther ahead lies beside
 
-// The directions at the vertex between two sides of a rim: several about a corner that sticks out, else the middle one.
-void add_stations(const Surface& s, std::uint32_t before, std::uint32_t after, std::vector<Station>& to) {
-    const std::uint32_t v = s.tail(after);
-    const Vec3 a = outwards(s, before), b = outwards(s, after), n = normal(s, before / 3) + normal(s, after / 3);
+const Vec3& begin_of(const Surface& s, const Rim& rim, std::size_t side) {
+    return s.vertices[s.tail(rim.sides[side % rim.sides.size()])];
+}
+
+double distance_to(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 d = b - a;
+    const double t = norm2(d) > 0 ? std::clamp(dot(p - a, d) / norm2(d), 0.0, 1.0) : 0;
+    return distance(p, a + t * d);
+}
+
+// The farthest side that an edge from where `first` begins may lead to the beginning of; they are numbered on past the
+// last of the rim.
+std::size_t edge_end(const Surface& s, const Rim& rim, std::size_t first, double tolerance, double longest) {
+    const Vec3& a = begin_of(s, rim, first);
+    std::size_t end = first + 1;
+    for (; end < rim.sides.size(); ++end) {
+        const Vec3& b = begin_of(s, rim, end + 1);
+        if (distance(a, b) > longest) break;
+        for (std::size_t k = first + 1; k <= end; ++k)
+            if (distance_to(begin_of(s, rim, k), a, b) > tolerance) return end;
+    }
+    return end;
+}
+
+Vec3 outwards(const Surface& s, const Rim& rim, std::size_t first, std::size_t end) {
+    Vec3 up;
+    for (std::size_t k = first; k < end; ++k)
+        up = up + distance(begin_of(s, rim, k), begin_of(s, rim, k + 1)) * normal(s, rim.sides[k] / 3);
+    return geom::unit(cross(begin_of(s, rim, end) - begin_of(s, rim, first), up), {});
+}
+
+// The directions at the vertex between two edges: several about a corner that sticks out, else the middle one; along
+// the edges where they lie upon each other, as in a crack.
+void add_stations(const Surface& s, const Rim& rim, const Outline::Edge& before, const Outline::Edge& after,
+                  const Vec3& along, std::vector<Station>& to) {
+    const std::uint32_t h = rim.sides[after.side];
+    const Vec3 &a = before.out, &b = after.out;
     const double turn = geom::angle(a, b);
-    const bool corner = dot(cross(a, b), n) > 0 && turn > geom::radians(kFan);
+    const bool corner = dot(cross(a, b), normal(s, h / 3)) > 0 && turn > geom::radians(kFan);
     const auto parts = corner ? static_cast<std::size_t>(std::ceil(turn / geom::radians(kFan))) : 0;
-    const Vec3 aside = cross(geom::unit(cross(a, b), n), a);
-    if (!corner) to.push_back({v, geom::unit(a + b, a)});
+    const Vec3 aside = cross(geom::unit(cross(a, b), {}), a);
+    if (!corner) to.push_back({s.tail(h), after.side, geom::unit(a + b, along)});
     for (std::size_t k = 0; corner && k <= parts; ++k) {
         const double w = turn * static_cast<double>(k) / static_cast<double>(parts);
-        to.push_back({v, std::cos(w) * a + std::sin(w) * aside});
+        to.push_back({s.tail(h), after.side, std::cos(w) * a + std::sin(w) * aside});
     }
+}
+
+Outline outline_of(const Surface& s, const Rim& rim, double tolerance, double longest) {
+    Outline out;
+    for (std::size_t first = 0, end = 0; first < rim.sides.size(); first = end) {
+        end = edge_end(s, rim, first, tolerance, longest);
+        out.edges.push_back({first, outwards(s, rim, first, end)});
+    }
+    for (std::size_t i = 0; i < out.edges.size(); ++i) {
+        const auto& after = out.edges[i];
+        const auto& next = out.edges[(i + 1) % out.edges.size()];
+        const Vec3 along = geom::unit(begin_of(s, rim, next.side) - begin_of(s, rim, after.side), after.out);
+        add_stations(s, rim, out.edges[(i + out.edges.size() - 1) % out.edges.size()], after, along, out.stations);
+    }
+    return out;
 }
 
 } // namespace
 
-Vec3 outwards(const Surface& s, std::uint32_t h) {
-    return geom::unit(cross(s.vertices[s.head(h)] - s.vertices[s.tail(h)], normal(s, h / 3)), {});
+RimRoom::RimRoom(const Surface& s, double depth, double tolerance)
+    : s_(s), depth_(depth), tolerance_(tolerance), tree_(geom::Bvh(boxes())) {}
+
+void RimRoom::add(const Rim& rim, const Outline& outline) {
+    for (std::size_t i = 0; i < outline.edges.size(); ++i) {
+        const auto& next = outline.edges[(i + 1) % outline.edges.size()];
+        const std::uint32_t from = s_.tail(rim.sides[outline.edges[i].side]), to = s_.tail(rim.sides[next.side]);
+        const Vec3 &a = s_.vertices[from], &b = s_.vertices[to];
+        const auto edge = static_cast<std::uint32_t>(edges_.size());
+        edges_.push_back({a, b, outline.edges[i].out, from, to});
+        const double parts = std::ceil(distance(a, b) / (kSample * depth_));
+        points_.push_back({a, edge});
+        for (double k = 1; k < parts; ++k) points_.push_back({a + k / parts * (b - a), edge});
+    }
 }
 
-std::vector<Station> stations(const Surface& s, const Rim& rim) {
-    std::vector<Station> out;
-    for (std::size_t i = 0; i < rim.sides.size(); ++i)
-        add_stations(s, rim.sides[(i + rim.sides.size() - 1) % rim.sides.size()], rim.sides[i], out);
-    return out;
-}
-
-RimRoom::RimRoom(const Surface& s, double depth)
-    : s_(s), depth_(depth), points_(points(s, kSample * depth)), tree_(geom::Bvh(boxes())) {}
-
-std::vector<RimRoom::Point> RimRoom::points(const Surface& s, double apart) {
-    std::vector<Point> out;
-    for (const Rim& rim : s.rims)
-        for (const std::uint32_t h : rim.sides) {
-            const Vec3 &a = s.vertices[s.tail(h)], &b = s.vertices[s.head(h)];
-            const double parts = std::ceil(distance(a, b) / apart);
-            out.push_back({a, s.tail(h), s.tail(h)});
-            for (double k = 1; k < parts; ++k) out.push_back({a + k / parts * (b - a), s.tail(h), s.head(h)});
-        }
-    return out;
-}
-
-std::vector<geom::Box3> RimRoom::boxes() const {
+// Of the points, after it has made them.
+std::vector<geom::Box3> RimRoom::boxes() {
+    for (const Rim& rim : s_.rims) add(rim, outlines_.emplace_back(outline_of(s_, rim, tolerance_, kSample * depth_)));
     std::vector<geom::Box3> out;
     out.reserve(points_.size());
     for (const Point& p : points_) out.push_back({p.at, p.at});
     return out;
 }
 
-double RimRoom::at(const Station& from) const {
+double RimRoom::radius(const Station& from, const Point& other) const {
+    constexpr double kAny = std::numeric_limits<double>::infinity();
     const Vec3& p = s_.vertices[from.vertex];
-    double radius = depth_ / kPartOfRoom;
-    tree_.near(p, 2 * radius, [&](std::uint32_t i) {
-        const Point& other = points_[i];
-        if (other.from == from.vertex || other.to == from.vertex) return 2 * radius;
-        const Vec3 to = other.at - p;
-        if (norm(to) == 0) radius = 0; // rims that touch
-        if (const double ahead = dot(to, from.out); ahead > kAhead * norm(to))
-            radius = std::min(radius, dot(to, to) / (2 * ahead));
-        return 2 * radius;
+    const Edge& edge = edges_[other.edge];
+    const bool own = edge.from == from.vertex || edge.to == from.vertex, faces = dot(edge.out, from.out) < 0;
+    if (own && !(other.at == edge.a && edge.to == from.vertex)) return kAny;
+    if (!own && faces && distance_to(p, edge.a, edge.b) < tolerance_) return 0;
+    const Vec3 to = other.at - p;
+    const double ahead = dot(to, from.out) - (faces ? 0 : tolerance_);
+    return ahead > kAhead * norm(to) ? dot(to, to) / (2 * ahead) : kAny;
+}
+
+double RimRoom::at(const Station& from) const {
+    double least = depth_ / kPartOfRoom;
+    tree_.near(s_.vertices[from.vertex], 2 * least, [&](std::uint32_t i) {
+        least = std::min(least, radius(from, points_[i]));
+        return 2 * least;
     });
-    return kPartOfRoom * radius;
+    return kPartOfRoom * least;
 }
 
 } // namespace filum::surface

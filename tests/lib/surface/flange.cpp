@@ -113,6 +113,28 @@ TEST(flange, closes_no_tip) {
     EXPECT_EQ(lids(0, 1), 0U); // there is room
 }
 
+// As cutting a mesh along a curve leaves it: vertices anywhere along it, and off it by rounding or noise, so that the
+// sides point anywhere.
+TEST(flange, follows_a_rough_rim_not_its_sides) {
+    std::mt19937 random(7);
+    const auto noise = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+    std::vector<geom::Vec2> rough; // angle, radius
+    for (int k = 0; k < 500; ++k) rough.push_back({std::numbers::pi / 250 * (k + 0.9 * noise()), 12 + 0.04 * noise()});
+    mesh::Mesh m = grid(500, 10, 500, 4, [&](geom::Vec2 p) {
+        const auto [a, r] = rough[static_cast<std::size_t>(std::lround(p.x)) % 500];
+        const double out = p.y == 0 ? r : 12 + p.y;
+        return Vec3{out * std::cos(a), out * std::sin(a), 0};
+    });
+    for (mesh::Triangle& t : m.triangles)
+        for (std::uint32_t& v : t) v -= v % 501 == 500 ? 500 : 0; // it comes round
+    const auto f = flanged(connected(std::move(m)), 0.5, 5);      // half of the hole's radius is 6
+    EXPECT_TRUE(f.lids.empty());
+    EXPECT_GT(f.least, 4.9);
+    EXPECT_NEAR(flange_area(f), std::numbers::pi * (144 - 49 + 27 * 27 - 22 * 22), 20);
+    for (std::uint32_t t = f.part; t < f.surface.triangles.size(); ++t)
+        EXPECT_NEAR(normal(f.surface, t).z, normal(f.surface, 0).z, 1e-9);
+}
+
 // Surfaces with rims at random, of steps, notches and holes.
 TEST(flange, never_lies_over_itself) {
     for (int seed = 0; seed < trials(20); ++seed) {

@@ -11,6 +11,8 @@
 namespace filum::surface {
 namespace {
 
+constexpr double kTolerance = 0.05;
+
 // A plate of 40 x 40 mm without what `out` says, in triangles of half a millimetre.
 Surface plate(const std::function<bool(geom::Vec2)>& out) {
     Notes notes;
@@ -30,7 +32,7 @@ std::function<bool(geom::Vec2)> slot(double wide, double deep) {
 
 TEST(lids, a_slot_is_closed_at_its_mouth) {
     const Surface s = plate(slot(3, 12));
-    const Closed c = with_lids(s, 5);
+    const Closed c = with_lids(s, 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_TRUE(c.lids[0].notch);
     EXPECT_NEAR(c.lids[0].area, 36, 1e-9);
@@ -45,36 +47,36 @@ TEST(lids, a_slot_is_closed_at_its_mouth) {
 TEST(lids, every_slot_of_a_comb_is_closed) {
     const Surface s =
         plate([](geom::Vec2 p) { return std::fmod(p.x + 2.5, 10) < 4 && p.x > 5 && p.x < 35 && p.y > 25; });
-    const Closed c = with_lids(s, 5);
+    const Closed c = with_lids(s, 5, kTolerance);
     EXPECT_EQ(c.lids.size(), 3U);
     EXPECT_NEAR(area(c.surface), 1600, 1e-9);
 }
 
 TEST(lids, a_hole_is_no_notch) {
-    const Closed c = with_lids(plate([](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 4; }), 5);
+    const Closed c = with_lids(plate([](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 4; }), 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_FALSE(c.lids[0].notch);
 }
 
 TEST(lids, with_room_for_a_flange_slots_stay_open) {
     const Surface s = plate(slot(13, 20));
-    EXPECT_TRUE(with_lids(s, 3).lids.empty());
-    EXPECT_EQ(with_lids(s, 3).surface.triangles.size(), s.triangles.size());
-    EXPECT_EQ(with_lids(s, 4).lids.size(), 1U); // 13 mm are less than twice 2 x 4
+    EXPECT_TRUE(with_lids(s, 3, kTolerance).lids.empty());
+    EXPECT_EQ(with_lids(s, 3, kTolerance).surface.triangles.size(), s.triangles.size());
+    EXPECT_EQ(with_lids(s, 4, kTolerance).lids.size(), 1U); // 13 mm are less than twice 2 x 4
 }
 
 TEST(lids, a_corner_that_goes_in_is_no_notch) {
-    EXPECT_TRUE(with_lids(plate([](geom::Vec2 p) { return p.x > 15 && p.y > 15; }), 5).lids.empty());
+    EXPECT_TRUE(with_lids(plate([](geom::Vec2 p) { return p.x > 15 && p.y > 15; }), 5, kTolerance).lids.empty());
 }
 
 TEST(lids, a_bay_behind_a_narrow_mouth_stays_open) {
     const auto out = [](geom::Vec2 p) { return slot(3, 8)(p) || (std::abs(p.x - 20) < 15 && std::abs(p.y - 22) < 14); };
-    EXPECT_TRUE(with_lids(plate(out), 5).lids.empty());
+    EXPECT_TRUE(with_lids(plate(out), 5, kTolerance).lids.empty());
 }
 
 TEST(lids, a_slot_round_a_corner_is_closed_too) {
     const auto out = [](geom::Vec2 p) { return slot(3, 15)(p) || (p.x > 18 && p.x < 34 && p.y > 12 && p.y < 15); };
-    const Closed c = with_lids(plate(out), 5);
+    const Closed c = with_lids(plate(out), 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_NEAR(area(c.surface), 1600, 1e-9);
 }
@@ -91,7 +93,7 @@ TEST(lids, another_part_in_a_slot_keeps_it_open) {
     const auto first = static_cast<std::uint32_t>(m.vertices.size());
     for (const Vec3& p : {Vec3{19, -5, 0}, Vec3{21, -5, 0}, Vec3{20, 8, 0}}) m.vertices.push_back(p);
     m.triangles.push_back({first, first + 1, first + 2});
-    EXPECT_TRUE(with_lids(connect(std::move(m), notes), 5).lids.empty());
+    EXPECT_TRUE(with_lids(connect(std::move(m), notes), 5, kTolerance).lids.empty());
 }
 
 } // namespace
