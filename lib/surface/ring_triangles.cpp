@@ -5,7 +5,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <algorithm>
+#include <set>
 
 namespace filum::surface {
 
@@ -32,6 +32,29 @@ std::vector<Point> seen(std::span<const Vec3> ring) {
     return out;
 }
 
+// The faces within the ring, which is constrained and runs counter-clockwise: from those to its left, as far as no
+// constraint is crossed.
+std::set<Triangulation::Face_handle> within(const Triangulation& t,
+                                            const std::vector<Triangulation::Vertex_handle>& ring) {
+    std::vector<Triangulation::Face_handle> next;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        Triangulation::Face_handle face;
+        int across = 0; // the corner of the face that the side lies across from
+        if (!t.is_edge(ring[i], ring[(i + 1) % ring.size()], face, across)) continue;
+        const bool left = face->vertex(Triangulation::ccw(across)) == ring[i];
+        next.push_back(left ? face : face->neighbor(across));
+    }
+    std::set<Triangulation::Face_handle> out;
+    while (!next.empty()) {
+        const auto face = next.back();
+        next.pop_back();
+        if (!out.insert(face).second) continue;
+        for (int k = 0; k < 3; ++k)
+            if (!face->is_constrained(k)) next.push_back(face->neighbor(k));
+    }
+    return out;
+}
+
 } // namespace
 
 std::vector<mesh::Triangle> ring_triangles(std::span<const Vec3> ring) {
@@ -44,12 +67,11 @@ std::vector<mesh::Triangle> ring_triangles(std::span<const Vec3> ring) {
         vertices.back()->info() = i;
     }
     for (std::size_t i = 0; i < points.size(); ++i) t.insert_constraint(vertices[i], vertices[(i + 1) % points.size()]);
+    const auto inside = within(t, vertices);
     std::vector<mesh::Triangle> out;
-    for (const auto face : t.finite_face_handles()) {
-        const Point middle = CGAL::centroid(t.triangle(face));
-        if (CGAL::bounded_side_2(points.begin(), points.end(), middle, Kernel()) != CGAL::ON_BOUNDED_SIDE) continue;
-        out.push_back({face->vertex(2)->info(), face->vertex(1)->info(), face->vertex(0)->info()});
-    }
+    for (const auto face : t.finite_face_handles())
+        if (inside.contains(face))
+            out.push_back({face->vertex(2)->info(), face->vertex(1)->info(), face->vertex(0)->info()});
     return out;
 }
 
