@@ -127,11 +127,13 @@ void draw_in_space(Canvas& c, Vec3 a, Vec3 b, double width, Rgb colour) {
     }
 }
 
-// What does not lie on the surface: beads that should, and moves without material.
+constexpr double kLoose = 0.3; // of a bead's width: what lies beside the surface is drawn so thin, to be told apart
+
+// What does not lie on the surface: turns beyond its rims, beads that should lie on it, and moves without material.
 void draw_loose(Canvas& c, const Laid& laid) {
     const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
     for (const Stroke& s : laid.loose)
-        draw_in_space(c, s.a, s.b, std::max(thread, c.plan.scale * (s.half_a + s.half_b)), from_srgb8(s.colour));
+        draw_in_space(c, s.a, s.b, std::max(thread, kLoose * c.plan.scale * (s.half_a + s.half_b)), from_srgb8(s.colour));
     for (const auto& s : c.scene.spans)
         for (std::size_t i = 0; i + 1 < s.points.size() && !toolpath::extrudes(s.role); ++i)
             draw_in_space(c, s.points[i], s.points[i + 1], thread, role_colour(toolpath::Role::travel));
@@ -163,7 +165,7 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, d
     Key key(c.image);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
-    if (laid.loose_length > 0) key.text("off the surface: " + fixed_text(laid.loose_length, 1) + " mm");
+    if (laid.loose_length > 0) key.text("thin: off the surface, " + fixed_text(laid.loose_length, 1) + " mm");
     if (!show.by.empty()) {
         const Scale s = scale_of(find_field(*c.scene.sheet, show.by, 0));
         const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");
