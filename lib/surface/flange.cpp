@@ -1,6 +1,7 @@
 #include "surface/flange.hpp"
 
 #include "surface/rim_room.hpp"
+#include "surface/ring_triangles.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,13 +51,13 @@ class Builder {
     // Vertices from the rim outwards; the same again where the flange is no deeper.
     struct Column {
         std::array<std::uint32_t, kBands + 1> vertices{};
-        std::size_t side = 0; // of the rim: that begins there
+        std::size_t edge = 0; // of the outline: that begins there
         double deep = 0;
     };
 
     Column column(const Station& from) {
         const Vec3& p = s_.vertices[from.vertex];
-        Column out{{from.vertex, from.vertex, from.vertex}, from.side, room_.at(from)};
+        Column out{{from.vertex, from.vertex, from.vertex}, from.edge, room_.at(from)};
         if (out.deep < kLeastDepth * near_) out.deep = 0;
         if (out.deep < least_) {
             least_ = out.deep;
@@ -82,7 +83,7 @@ class Builder {
         const auto at = [&](std::size_t i) -> const Column& { return columns[i % n]; };
         const auto about_corner = [&](std::size_t i) { return at(i).vertices[0] == at(i + 1).vertices[0]; };
         std::vector<Strip> out;
-        for (std::size_t i = 0; i < n; ++i) out.push_back(strip(rim, at(i), at(i + 1)));
+        for (std::size_t i = 0; i < n; ++i) out.push_back(strip(rim, outline, at(i), at(i + 1)));
         for (std::size_t i = 0, last = 0; i < n; i = last + 1) {
             for (last = i; about_corner(last) && last < i + n; ++last) {
             }
@@ -93,29 +94,38 @@ class Builder {
         return out;
     }
 
-    // Between two columns, the first of which lies behind along the rim; empty if a triangle of it would be turned
-    // over.
-    [[nodiscard]] Strip strip(const Rim& rim, const Column& a, const Column& b) const {
-        Strip out;
-        const Vec3 up = normal(s_, rim.sides[a.side] / 3);
-        const auto add = [&](const Triangle& t, bool far) {
-            if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.push_back({t, static_cast<char>(far)});
+    // Between two columns, the first of which lies behind along the rim; empty if it cannot lie without a triangle that
+    // is turned over.
+    [[nodiscard]] Strip strip(const Rim& rim, const Outline& outline, const Column& a, const Column& b) const {
+        if (a.deep == 0 && b.deep == 0) return {};
+        Strip out = first_band(rim, outline.edges[a.edge].side, outline.edges[b.edge].side, a, b);
+        const auto add = [&](const Triangle& t) {
+            if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.push_back({t, 1});
         };
-        // the rim may have vertices between: they go to the column that is deeper
-        const std::uint32_t apex = a.deep >= b.deep ? a.vertices[1] : b.vertices[1];
-        if (apex == b.vertices[1]) add({a.vertices[0], a.vertices[1], b.vertices[1]}, false);
-        for (std::size_t k = a.side; k != b.side; k = (k + 1) % rim.sides.size())
-            add({s_.head(rim.sides[k]), s_.tail(rim.sides[k]), apex}, false);
-        if (apex == a.vertices[1]) add({b.vertices[0], a.vertices[1], b.vertices[1]}, false);
-        for (std::size_t k = 1; k < kBands; ++k) {
-            add({b.vertices[k], a.vertices[k], a.vertices[k + 1]}, true);
-            add({b.vertices[k], a.vertices[k + 1], b.vertices[k + 1]}, true);
+        for (std::size_t k = 1; k < kBands && !out.empty(); ++k) {
+            add({b.vertices[k], a.vertices[k], a.vertices[k + 1]});
+            add({b.vertices[k], a.vertices[k + 1], b.vertices[k + 1]});
         }
+        const Vec3& up = outline.edges[a.edge].up;
         const bool lies = std::all_of(out.begin(), out.end(), [&](const Banded& t) {
             const Vec3 &p = vertices_[t.corners[0]], &q = vertices_[t.corners[1]], &r = vertices_[t.corners[2]];
             return dot(cross(q - p, r - p), up) > 0;
         });
         return lies ? out : Strip{};
+    }
+
+    // Between the columns' first ends and the rim, which may have vertices between, as rough as they are.
+    [[nodiscard]] Strip first_band(const Rim& rim, std::size_t from, std::size_t to, const Column& a,
+                                   const Column& b) const {
+        std::vector<std::uint32_t> ring{a.vertices[0]};
+        for (std::size_t k = from; k != to; k = (k + 1) % rim.sides.size()) ring.push_back(s_.head(rim.sides[k]));
+        for (const std::uint32_t v : {b.vertices[1], a.vertices[1]})
+            if (v != ring.back() && v != ring.front()) ring.push_back(v);
+        std::vector<Vec3> points;
+        for (const std::uint32_t v : ring) points.push_back(vertices_[v]);
+        Strip out;
+        for (const auto& [p, q, r] : ring_triangles(points)) out.push_back({{ring[p], ring[q], ring[r]}, 0});
+        return out;
     }
 
     // Vertices of columns that no triangle has.

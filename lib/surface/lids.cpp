@@ -45,7 +45,8 @@ class Lids {
                 if (first == 0) first = i;
                 continue;
             }
-            const std::size_t from = all[(wide + first) % all.size()].side, to = all[(wide + i - 1) % all.size()].side;
+            const auto side = [&](std::size_t k) { return outline.edges[all[(wide + k) % all.size()].edge].side; };
+            const std::size_t from = side(first), to = side(i - 1);
             if (first > 0 && from != to && faces_itself(outline, from, to)) close(vertices(rim, from, to), true);
             first = 0;
         }

@@ -39,27 +39,27 @@ std::size_t edge_end(const Surface& s, const Rim& rim, std::size_t first, double
     return end;
 }
 
-Vec3 outwards(const Surface& s, const Rim& rim, std::size_t first, std::size_t end) {
+Outline::Edge edge_between(const Surface& s, const Rim& rim, std::size_t first, std::size_t end) {
     Vec3 up;
     for (std::size_t k = first; k < end; ++k)
         up = up + distance(begin_of(s, rim, k), begin_of(s, rim, k + 1)) * normal(s, rim.sides[k] / 3);
-    return geom::unit(cross(begin_of(s, rim, end) - begin_of(s, rim, first), up), {});
+    up = geom::unit(up, {});
+    return {first, up, geom::unit(cross(begin_of(s, rim, end) - begin_of(s, rim, first), up), {})};
 }
 
-// The directions at the vertex between two edges: several about a corner that sticks out, else the middle one; along
-// the edges where they lie upon each other, as in a crack.
-void add_stations(const Surface& s, const Rim& rim, const Outline::Edge& before, const Outline::Edge& after,
+// The directions at the vertex between two edges: several about a corner that sticks out, else the middle one; `along`
+// where the edges lie upon each other, as in a crack.
+void add_stations(std::uint32_t vertex, std::size_t edge, const Outline::Edge& before, const Outline::Edge& after,
                   const Vec3& along, std::vector<Station>& to) {
-    const std::uint32_t h = rim.sides[after.side];
     const Vec3 &a = before.out, &b = after.out;
     const double turn = geom::angle(a, b);
-    const bool corner = dot(cross(a, b), normal(s, h / 3)) > 0 && turn > geom::radians(kFan);
+    const bool corner = dot(cross(a, b), before.up + after.up) > 0 && turn > geom::radians(kFan);
     const auto parts = corner ? static_cast<std::size_t>(std::ceil(turn / geom::radians(kFan))) : 0;
     const Vec3 aside = cross(geom::unit(cross(a, b), {}), a);
-    if (!corner) to.push_back({s.tail(h), after.side, geom::unit(a + b, along)});
+    if (!corner) to.push_back({vertex, edge, geom::unit(a + b, along)});
     for (std::size_t k = 0; corner && k <= parts; ++k) {
         const double w = turn * static_cast<double>(k) / static_cast<double>(parts);
-        to.push_back({s.tail(h), after.side, std::cos(w) * a + std::sin(w) * aside});
+        to.push_back({vertex, edge, std::cos(w) * a + std::sin(w) * aside});
     }
 }
 
@@ -67,13 +67,13 @@ Outline outline_of(const Surface& s, const Rim& rim, double tolerance, double lo
     Outline out;
     for (std::size_t first = 0, end = 0; first < rim.sides.size(); first = end) {
         end = edge_end(s, rim, first, tolerance, longest);
-        out.edges.push_back({first, outwards(s, rim, first, end)});
+        out.edges.push_back(edge_between(s, rim, first, end));
     }
-    for (std::size_t i = 0; i < out.edges.size(); ++i) {
-        const auto& after = out.edges[i];
-        const auto& next = out.edges[(i + 1) % out.edges.size()];
+    const std::size_t n = out.edges.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Outline::Edge &before = out.edges[(i + n - 1) % n], &after = out.edges[i], &next = out.edges[(i + 1) % n];
         const Vec3 along = geom::unit(begin_of(s, rim, next.side) - begin_of(s, rim, after.side), after.out);
-        add_stations(s, rim, out.edges[(i + out.edges.size() - 1) % out.edges.size()], after, along, out.stations);
+        add_stations(s.tail(rim.sides[after.side]), i, before, after, along, out.stations);
     }
     return out;
 }

@@ -11,7 +11,7 @@ namespace filum::surface {
 // A vertex of a rim, and a unit direction out from it, in the tangent plane.
 struct Station {
     std::uint32_t vertex = 0;
-    std::size_t side = 0; // of the rim: that begins there
+    std::size_t edge = 0; // of the outline: that begins there
     Vec3 out;
 };
 
@@ -20,7 +20,7 @@ struct Station {
 struct Outline {
     struct Edge {
         std::size_t side = 0; // of the rim: the first
-        Vec3 out;             // along the surface and away from it, square to the edge; unit
+        Vec3 up, out;         // of the surface beside it; square to that and to the edge, away from the surface; unit
     };
     std::vector<Edge> edges;       // each to where the next begins
     std::vector<Station> stations; // where edges begin: several about a corner that sticks out, else one
