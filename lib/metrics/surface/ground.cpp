@@ -169,7 +169,9 @@ Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
             const filum::surface::curve::Place at = ground.foot(c.points[i], c.axes[i]);
             const double before = i > 0 ? c.along[i] - c.along[i - 1] : 0;
             const double after = i + 1 < c.points.size() ? c.along[i + 1] - c.along[i] : 0;
-            out.normals[k].push_back(ground.normal(at));
+            const bool beside = c.axes[i] != Vec3{} &&
+                                past_rim(ground.surface, at, c.points[i], c.width[std::min(i, c.width.size() - 1)]);
+            out.normals[k].push_back(beside ? c.axes[i] : ground.normal(at));
             off[k].push_back({distance(c.points[i], at.point), (before + after) / 2});
         }
     });

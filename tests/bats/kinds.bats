@@ -1,0 +1,59 @@
+#!/usr/bin/env bats
+# Faces of kinds that nobody looked at, from a seed (tests/surfaces/make-kind): what must hold of every plan.
+
+load common
+
+SEED=6
+
+setup() {
+    cd "$BATS_TEST_TMPDIR"
+    made="$BATS_TEST_DIRNAME/../surfaces/make-kind"
+}
+
+# lies KIND PLAN...: it covers most of the face, says what it does not as an independent sampler finds it, declares
+# what is tight, has no number that is none, and no more cuts than those it tells.
+lies() {
+    local kind=$1
+    shift
+    "$made" "$kind" $SEED | geodesic --quiet -o face.surface
+    surfpath "$@" face.surface -o face.toolpath 2> said || { cat said; return 1; }
+    ! peek --text face.toolpath | grep -qiw -e nan -e inf
+    peek face.toolpath | sed -n 's/^fact *surfpath: \(uncovered\|cuts\) \([0-9.e+-]*\).*/told_\1\t\2/p' > figures
+    metrics --format tsv --surface face.surface face.toolpath >> figures
+    awk -F '\t' -v kind="$kind" -v plan="$*" '{ is[$1] = $2 }
+        END {
+            bare = 1 - is["coverage"]; told = is["told_uncovered"] / is["surface_mm2"]
+            good = is["coverage"] > 0.9 && (bare - told) ^ 2 < 0.015 ^ 2 && is["tight_undeclared_mm"] == 0 &&
+                is["cuts"] == is["told_cuts"]
+            if (!good) print kind, plan ": covered", is["coverage"], "told bare", told, "tight", is["tight_undeclared_mm"],
+                "cuts", is["cuts"], is["told_cuts"]
+            exit !good
+        }' figures
+}
+
+@test "hybrid lays every kind of face, and tells what it leaves" {
+    for kind in small wedge-tip crescent neck coil crack annulus gear three-slots; do lies $kind hybrid; done
+}
+
+@test "lines that turn outside do, beyond rims that are rough, narrow, cracked or notched" {
+    for kind in wedge-tip crescent crack gear annulus; do lies $kind field --angle 30 --turn-outside 8; done
+}
+
+@test "kinds are the same from the same seed, and others from another" {
+    "$made" --list | cut -f1 > kinds
+    [ "$(wc -l < kinds)" -ge 36 ]
+    for kind in blade gear; do
+        "$made" $kind 3 > a
+        "$made" $kind 3 > b
+        "$made" $kind 4 > c
+        cmp a b
+        ! cmp -s a c
+    done
+}
+
+@test "the same for any number of threads" {
+    "$made" two $SEED | geodesic --quiet -o face.surface
+    for n in 1 2 8; do surfpath --quiet hybrid --threads $n face.surface > $n.toolpath; done
+    cmp 1.toolpath 2.toolpath
+    cmp 1.toolpath 8.toolpath
+}
