@@ -59,10 +59,7 @@ class Builder {
         const Vec3& p = s_.vertices[from.vertex];
         Column out{{from.vertex, from.vertex, from.vertex}, from.edge, room_.at(from)};
         if (out.deep < kLeastDepth * near_) out.deep = 0;
-        if (out.deep < least_) {
-            least_ = out.deep;
-            least_at_ = p;
-        }
+        see(out.deep, from.vertex);
         const double ends[] = {std::min(near_, out.deep), out.deep};
         for (std::size_t k = 0, before = 0; k < kBands; before = k++) {
             out.vertices[k + 1] = out.vertices[k];
@@ -85,13 +82,22 @@ class Builder {
         std::vector<Strip> out;
         for (std::size_t i = 0; i < n; ++i) out.push_back(strip(rim, outline, at(i), at(i + 1)));
         for (std::size_t i = 0, last = 0; i < n; i = last + 1) {
-            for (last = i; about_corner(last) && last < i + n; ++last) {
-            }
+            last = i;
+            while (about_corner(last) && last < i + n) ++last;
             bool lie = !out[(i + n - 1) % n].empty();
             for (std::size_t k = i; k <= last; ++k) lie = lie && !out[k % n].empty();
             for (std::size_t k = i; k < last && !lie; ++k) out[k % n].clear();
         }
+        for (std::size_t i = 0; i < n; ++i)
+            if (out[i].empty()) see(0, at(i).vertices[0]);
         return out;
+    }
+
+    // That the flange is so deep at the vertex.
+    void see(double deep, std::uint32_t vertex) {
+        if (!(deep < least_)) return;
+        least_ = deep;
+        least_at_ = s_.vertices[vertex];
     }
 
     // Between two columns, the first of which lies behind along the rim; empty if it cannot lie without a triangle that
