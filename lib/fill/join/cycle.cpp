@@ -1,7 +1,6 @@
 #include "fill/join/cycle.hpp"
 
 #include "fill/join/double_spiral.hpp"
-#include "fill/join/links.hpp"
 #include "fill/join/ring_graph.hpp"
 #include "geom/disjoint_sets.hpp"
 #include "polygon/segments.hpp"
@@ -52,7 +51,7 @@ class Joiner {
   public:
     Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
-          width_(width), groups_(graph_.size()), splices_(graph_), links_(1.5 * width), hung_(&hung) {
+          width_(width), groups_(graph_.size()), splices_(graph_), hung_(&hung) {
         if (!hung) return;
         for (std::uint32_t r = 0; r < rings.size(); ++r)
             over_air_.push_back(std::any_of(rings.points.begin() + rings.start[r],
@@ -96,17 +95,11 @@ class Joiner {
                 groups_.unite(r, w.ring);
                 wound[w.ring] = 1;
             }
-            for (const Link& l : splice->links) links_.push_back({rim(*splice, l.from), rim(*splice, l.to)});
             splices_.add(*splice);
         }
     }
 
     [[nodiscard]] bool runs_over_air(std::uint32_t ring) const { return !over_air_.empty() && over_air_[ring] != 0; }
-
-    [[nodiscard]] Vec2 rim(const Splice& splice, Rim r) const {
-        const Window& w = splice.windows[r.window];
-        return graph_.at(w.ring, r.end ? w.s1 : w.s0);
-    }
 
     // The one of most lanes across ring r among a few places.
     [[nodiscard]] std::optional<Splice> best_spiral(std::uint32_t r) {
@@ -137,10 +130,9 @@ class Joiner {
         return best;
     }
 
-    // Whether neither the outline nor a link is in the way of this one.
+    // Whether the outline is not in the way of this link.
     [[nodiscard]] bool clear(const geom::Segment& l) const {
-        if (stay_inside_ && outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; })) return false;
-        return !links_.any_nearer(l, rings::kNarrowest * width_);
+        return !stay_inside_ || !outline_grid_.crosses(l.a, l.b, outline_, [](std::uint32_t) { return true; });
     }
 
     // Places, evenly spread over every ring that still stands apart, where another ring is near.
@@ -185,7 +177,6 @@ class Joiner {
             const double window = half * c.bead;
             if (!make(c, window, b) || !fits(b, window)) continue;
             splices_.add(b.splice(2 * window));
-            for (const int k : {0, 1}) links_.push_back(b.link(k));
             groups_.unite(c.ring, c.other);
         }
     }
@@ -244,7 +235,6 @@ class Joiner {
     int may_hang_ = 0;          // links, as hung_ says
     geom::DisjointSets groups_; // of rings
     Splices splices_;
-    Links links_;
     const Hanging* hung_;
     std::vector<char> over_air_; // per ring; none if nothing hangs
 };

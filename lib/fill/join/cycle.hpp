@@ -16,7 +16,8 @@ inline constexpr int kHangsMost = 2;
 
 // Joins rings along a spanning tree.  Where two rings face each other, both give up a short window of about one bead
 // width and two links close the gap, so two closed curves become one (Lemma 1: exchange).  Windows never overlap and
-// links never cross anything, so the result does not cross itself.  Neighbours are found by true segment distance up to
+// links never cross a ring; so links do not cross either, which run between two rings in the order of their windows,
+// and the result does not cross itself.  Neighbours are found by true segment distance up to
 // 2.2 `width`: rings spaced `width` inside a connected erosion then always form one connected graph (Lemma 2).
 //
 // With `spirals`, stacks of three rings or more become double spirals first: two turns for all of them instead of two

@@ -34,7 +34,7 @@ Lanes lanes_across(const RingGraph& graph, std::uint32_t ring, double s, bool ah
 // What may not be done.
 struct Room {
     std::function<bool(std::uint32_t, double, double)> free; // ring, s0, s1: not cut out yet
-    std::function<bool(Vec2, Vec2)> clear;                   // no link or outline is in the way
+    std::function<bool(Vec2, Vec2)> clear;                   // no outline is in the way
 };
 
 // As many of the lanes about the one asked for as have room, as one curve with two turns: before the line, and behind
