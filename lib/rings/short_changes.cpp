@@ -1,10 +1,8 @@
 #include "rings/short_changes.hpp"
 
-#include "geom/disjoint_sets.hpp"
 #include "rings/wall_lanes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace filum::rings {
 
@@ -14,72 +12,59 @@ namespace {
 class Levels {
   public:
     Levels(const MedialAxis& axis, const std::vector<char>& wall, std::vector<int>& lanes, double width, int sign)
-        : axis_(&axis), wall_(&wall), lanes_(&lanes), width_(width), sign_(sign), stretch_(lanes.size()),
-          length_(lanes.size()), radius_(lanes.size()), in_(lanes.size(), 0), members_(lanes.size()) {}
+        : axis_(&axis), wall_(&wall), lanes_(&lanes), width_(width), sign_(sign), seen_(lanes.size(), 0) {}
 
     void run() {
-        std::vector<std::uint32_t> order;
+        std::vector<std::uint32_t> order, here;
         for (std::uint32_t e = 0; e < wall_->size(); ++e)
             if ((*wall_)[e]) order.push_back(e);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return sign_ * (*lanes_)[a] > sign_ * (*lanes_)[b]; });
-        std::vector<std::uint32_t> lowered; // the pieces of stretches that have come down to the level below
-        for (std::size_t i = 0; i < order.size() || !lowered.empty();) {
-            int level = lowered.empty() ? (*lanes_)[order[i]] : (*lanes_)[lowered[0]];
-            if (i < order.size() && sign_ * (*lanes_)[order[i]] > sign_ * level) level = (*lanes_)[order[i]];
-            std::vector<std::uint32_t> here;
-            for (const std::uint32_t e : lowered)
-                if ((*lanes_)[e] == level) here.push_back(e);
-            for (; i < order.size() && (*lanes_)[order[i]] == level; ++i) {
-                here.push_back(order[i]);
-                enter(order[i]);
-            }
-            std::erase_if(lowered, [&](std::uint32_t e) { return (*lanes_)[e] == level; });
-            for (const std::uint32_t e : here) join_neighbours(e);
-            for (const std::uint32_t e : here) lower(stretch_.root(e), level, lowered);
+        for (std::size_t i = 0; i < order.size() || !here.empty();) {
+            const int level = here.empty() ? (*lanes_)[order[i]] : (*lanes_)[here[0]];
+            for (; i < order.size() && (*lanes_)[order[i]] == level; ++i) here.push_back(order[i]);
+            std::vector<std::uint32_t> lowered; // they go on with the level below
+            for (const std::uint32_t first : here)
+                if ((*lanes_)[first] == level)
+                    for (const std::uint32_t e : short_stretch(first, level)) {
+                        (*lanes_)[e] = level - sign_;
+                        lowered.push_back(e);
+                    }
+            here = std::move(lowered);
         }
     }
 
   private:
-    [[nodiscard]] double ramp() const { return kRamp * width_; }
-    void enter(std::uint32_t e) {
-        in_[e] = 1, length_[e] = axis_->length(2 * e), members_[e] = {e};
-        const double a = axis_->radius[axis_->from[2 * e]], b = axis_->radius[axis_->to(2 * e)];
-        radius_[e] = sign_ > 0 ? std::max(a, b) : std::min(a, b);
-    }
-    template <class F>
-    void each_neighbour(std::uint32_t e, F&& f) const {
-        for (const std::uint32_t h : {2 * e, 2 * e + 1})
-            for (std::uint32_t g = axis_->next[h ^ 1]; g != h; g = axis_->next[g ^ 1])
-                if ((*wall_)[g / 2]) f(g / 2);
-    }
-    void join_neighbours(std::uint32_t e) {
-        each_neighbour(e, [&](std::uint32_t other) {
-            if (!in_[other]) return;
-            const std::uint32_t one = stretch_.root(e), two = stretch_.root(other);
-            if (!stretch_.unite(one, two)) return;
-            const std::uint32_t a = std::min(one, two), b = std::max(one, two); // a stands for both
-            length_[a] += length_[b];
-            radius_[a] = sign_ > 0 ? std::max(radius_[a], radius_[b]) : std::min(radius_[a], radius_[b]);
-            if (members_[a].size() < members_[b].size()) std::swap(members_[a], members_[b]);
-            if (length_[a] < ramp()) members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
-            members_[b].clear();
-        });
-    }
-    // Takes a lane from (gives one to) a stretch if it is short, goes on in a wall with fewer (more), and may be.
-    void lower(std::uint32_t r, int level, std::vector<std::uint32_t>& lowered) {
-        const auto& members = members_[r];
-        const int to = level - sign_;
-        if (length_[r] >= ramp() || to < 1) return;
-        if (std::any_of(members.begin(), members.end(), [&](std::uint32_t e) { return (*lanes_)[e] != level; })) return;
-        const double share = radius_[r] / width_ - (to - 1); // the inmost lane's
-        if (share > kWidest || share < 1 / kWidest) return;
+    // The pieces of the stretch about `first`, if it is to have a lane less (more): it is short, goes on in a wall with
+    // fewer (more), and may be.
+    std::vector<std::uint32_t> short_stretch(std::uint32_t first, int level) {
+        std::vector<std::uint32_t> out{first};
+        double length = 0, thickest = 0, thinnest = axis_->radius[axis_->from[2 * first]];
         bool ends = false;
-        for (const std::uint32_t e : members)
-            each_neighbour(e, [&](std::uint32_t other) { ends = ends || !in_[other]; });
-        if (!ends) return;
-        for (const std::uint32_t e : members) (*lanes_)[e] = to;
-        lowered.insert(lowered.end(), members.begin(), members.end());
+        seen_[first] = ++round_;
+        for (std::size_t k = 0; k < out.size(); ++k) {
+            const std::uint32_t e = out[k];
+            length += axis_->length(2 * e);
+            if (length >= kRamp * width_ || (*lanes_)[e] != level) return {};
+            for (const std::uint32_t h : {2 * e, 2 * e + 1}) {
+                thickest = std::max(thickest, axis_->radius[axis_->from[h]]);
+                thinnest = std::min(thinnest, axis_->radius[axis_->from[h]]);
+                for (std::uint32_t g = axis_->next[h ^ 1]; g != h; g = axis_->next[g ^ 1]) {
+                    const std::uint32_t other = g / 2;
+                    if (!(*wall_)[other] || seen_[other] == round_) continue;
+                    if (sign_ * (*lanes_)[other] < sign_ * level) {
+                        ends = true;
+                        continue;
+                    }
+                    seen_[other] = round_;
+                    out.push_back(other);
+                }
+            }
+        }
+        const int to = level - sign_;
+        const double inmost = (sign_ > 0 ? thickest : thinnest) / width_ - (to - 1); // the share of that lane
+        if (!ends || to < 1 || inmost > kWidest || inmost < 1 / kWidest) return {};
+        return out;
     }
 
     const MedialAxis* axis_;
@@ -87,10 +72,8 @@ class Levels {
     std::vector<int>* lanes_;
     double width_; // mm
     int sign_;
-    geom::DisjointSets stretch_;
-    std::vector<double> length_, radius_; // per root
-    std::vector<char> in_;
-    std::vector<std::vector<std::uint32_t>> members_; // per root, while it is short
+    std::vector<std::uint32_t> seen_; // per piece: the last round that has met it
+    std::uint32_t round_ = 0;
 };
 
 } // namespace
