@@ -15,7 +15,7 @@ struct Rings {
     std::vector<Vec2> points;
     std::vector<double> width; // mm, per point: of the strip there
     std::vector<std::uint32_t> start{0};
-    std::vector<int> lane; // per ring, counted from 1 along the outline; ascending
+    std::vector<int> lane; // per ring, counted from 1 along the outline; ascending; 0: no ring but an open line
 
     [[nodiscard]] std::size_t size() const { return lane.size(); }
     void add(const Rings& more);

@@ -52,6 +52,8 @@ class Joiner {
     Joiner(const rings::Rings& rings, double width, const Loops& outline, const Hanging& hung)
         : graph_(rings, 1.5 * width), outline_(polygon::segments(outline)), outline_grid_(outline_, 1.5 * width),
           width_(width), groups_(graph_.size()), splices_(graph_), hung_(&hung) {
+        for (std::uint32_t r = 1; r < graph_.size(); ++r) // lines with ends never become one
+            if (graph_.open(r)) groups_.unite(r - 1, r);
         if (!hung) return;
         for (std::uint32_t r = 0; r < rings.size(); ++r)
             over_air_.push_back(std::any_of(rings.points.begin() + rings.start[r],
@@ -69,7 +71,8 @@ class Joiner {
             link(all, {kLink});
         }
         for (may_hang_ = 1; *hung_ && may_hang_ <= kHangsMost && groups_.sets() > 1; ++may_hang_) link(true, {kLink});
-        if (groups_.sets() > 1) { // parts that only touch: links beside a neck of no width leave the region a little
+        if (groups_.sets() > 1 &&
+            !graph_.open(0)) { // parts that only touch: links beside a neck of no width leave the region a little
             stay_inside_ = false;
             link(true, {kLink, rings::kNarrowest});
         }

@@ -28,7 +28,9 @@ inline constexpr int kHangsMost = 2;
 // With `hung`, links are laid in the air only if rings cannot be joined elsewhere, and at its rim rather than further
 // out; rings that run there are in no double spiral.
 //
-// Returns one closed curve if all rings could be joined, else one per connected group, the longest first.
+// Returns one closed curve if all rings could be joined, else one per connected group, the longest first.  Rings beside
+// open lines (the first of `rings`) become parts of those, which are returned first and in their order; no two of them
+// become one.
 // Places come first where rings are a bead apart and a bead wide.  Ties: the lower ring, then the earlier place on it.
 std::vector<Curve> join_rings(const rings::Rings& rings, double width, const Loops& outline = {}, bool spirals = false,
                               const Hanging& hung = {});

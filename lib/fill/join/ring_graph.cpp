@@ -8,8 +8,10 @@ std::vector<geom::Segment> segments_of(const rings::Rings& rings) {
     std::vector<geom::Segment> out;
     out.reserve(rings.points.size());
     for (std::uint32_t r = 0; r < rings.size(); ++r)
-        for (std::uint32_t i = rings.start[r]; i < rings.start[r + 1]; ++i)
-            out.push_back({rings.points[i], rings.points[i + 1 == rings.start[r + 1] ? rings.start[r] : i + 1]});
+        for (std::uint32_t i = rings.start[r], end = rings.start[r + 1]; i < end; ++i) {
+            const std::uint32_t after_last = rings.lane[r] == 0 ? i : rings.start[r];
+            out.push_back({rings.points[i], rings.points[i + 1 == end ? after_last : i + 1]});
+        }
     return out;
 }
 
@@ -32,6 +34,7 @@ RingGraph::RingGraph(const rings::Rings& rings, double cell)
 
 double RingGraph::wrapped(std::uint32_t ring, double s) const {
     const double l = length_[ring];
+    if (open(ring)) return std::clamp(s, 0.0, l);
     s = std::fmod(s, l);
     return s < 0 ? s + l : s;
 }

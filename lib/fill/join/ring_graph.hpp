@@ -28,6 +28,7 @@ class RingGraph {
     RingGraph(const rings::Rings& rings, double cell);
 
     [[nodiscard]] std::size_t size() const { return length_.size(); }
+    [[nodiscard]] bool open(std::uint32_t ring) const { return rings_->lane[ring] == 0; } // a line with two ends
     [[nodiscard]] double length(std::uint32_t ring) const { return length_[ring]; }
     [[nodiscard]] std::uint32_t points(std::uint32_t ring) const {
         return rings_->start[ring + 1] - rings_->start[ring];
@@ -98,7 +99,7 @@ class RingGraph {
     [[nodiscard]] double wrapped(std::uint32_t ring, double s) const;
 
     const rings::Rings* rings_;
-    std::vector<geom::Segment> segments_; // from each point to the next
+    std::vector<geom::Segment> segments_; // from each point to the next; from the last of an open line to itself
     std::vector<std::uint32_t> ring_of_;  // per segment
     std::vector<double> s_, length_;      // arc length at the segment's begin; per ring
     geom::SegmentGrid grid_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace filum::fill::join {
 
@@ -22,6 +23,12 @@ double length(const Curve& line) {
 }
 
 } // namespace
+
+Splices::Splices(const RingGraph& graph) : graph_(&graph), used_(graph.size()) {
+    // an open line is a ring with a window where it begins and ends, and no link there
+    for (std::uint32_t r = 0; r < graph.size(); ++r)
+        if (graph.open(r)) add({{{r, 0, 0}}, {}});
+}
 
 bool Splices::free(std::uint32_t ring, double s0, double s1) const {
     const double l = graph_->length(ring);
@@ -110,23 +117,27 @@ std::vector<Curve> Splices::trace() const {
     const auto all = arcs();
     std::vector<char> seen(all.size(), 0);
     std::vector<Curve> out;
-    for (std::uint32_t start = 0; start < all.size(); ++start) {
+    std::vector<std::uint32_t> starts(all.size());
+    std::iota(starts.begin(), starts.end(), 0U);
+    std::stable_partition(starts.begin(), starts.end(), [&](std::uint32_t a) { return all[a].next[0].arc == kNone; });
+    for (const std::uint32_t start : starts) {
         if (seen[start]) continue;
         std::vector<End> way; // where arcs are entered
         double points = 0;    // about so many
-        for (End at{start, false}; !seen[at.arc]; at = all[at.arc].next[at.last ? 0 : 1]) {
+        for (End at{start, false}; at.arc != kNone && !seen[at.arc]; at = all[at.arc].next[at.last ? 0 : 1]) {
             const Arc& arc = all[at.arc];
             seen[at.arc] = 1;
             way.push_back(at);
             points += graph_->points(arc.ring) * (arc.s1 - arc.s0) / graph_->length(arc.ring) + 8;
         }
-        Curve line{true, {}, {}};
+        Curve line{all[start].next[0].arc != kNone, {}, {}};
         line.points.reserve(static_cast<std::size_t>(points));
         line.width.reserve(static_cast<std::size_t>(points));
         for (const End at : way) walk(all[at.arc], at.last, line);
         out.push_back(std::move(line));
     }
-    std::stable_sort(out.begin(), out.end(), [](const Curve& a, const Curve& b) { return length(a) > length(b); });
+    const auto closed = std::find_if(out.begin(), out.end(), [](const Curve& c) { return c.closed; });
+    std::stable_sort(closed, out.end(), [](const Curve& a, const Curve& b) { return length(a) > length(b); });
     return out;
 }
 

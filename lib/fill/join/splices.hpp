@@ -1,6 +1,7 @@
 // Windows cut out of rings, and the beads laid instead: where rings become one curve.  Private to lib/fill.
 #pragma once
 
+#include "base/none.hpp"
 #include "fill/join/ring_graph.hpp"
 
 #include <cstdint>
@@ -40,25 +41,26 @@ struct Splice {
 
 class Splices {
   public:
-    explicit Splices(const RingGraph& graph) : graph_(&graph), used_(graph.size()) {}
+    explicit Splices(const RingGraph& graph);
 
     // Whether no window has taken any of `ring` between s0 and s1, and enough of it is left.
     [[nodiscard]] bool free(std::uint32_t ring, double s0, double s1) const;
     void add(Splice splice);
 
-    // The closed curves that the rings have become, the longest first; rings without windows as they were.
+    // The curves that the rings have become, the longest first; rings without windows as they were.  Before them open
+    // ones, in the order of the open lines that they begin as.
     [[nodiscard]] std::vector<Curve> trace() const;
 
   private:
     struct End {
-        std::uint32_t arc = 0;
-        bool last = false; // the arc's last point, else its first
+        std::uint32_t arc = kNone; // else an end of an open curve
+        bool last = false;         // the arc's last point, else its first
     };
     struct Arc { // what is left of a ring between two windows
         std::uint32_t ring;
         double s0, s1;
         End next[2];         // what the links at its first and last point lead to
-        const Link* link[2]; // none if it leads straight on
+        const Link* link[2]; // none if it leads straight on, or nowhere
         bool along[2];       // the link from its first point to its last, else backwards
     };
     [[nodiscard]] std::vector<Arc> arcs() const;

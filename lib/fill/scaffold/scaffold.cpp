@@ -1,11 +1,14 @@
 #include "fill/scaffold/scaffold.hpp"
 
-#include "fill/scaffold/splice.hpp"
+#include "fill/join/cycle.hpp"
+#include "fill/join/double_spiral.hpp"
 #include "fill/scaffold/strand_bead.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/inset.hpp"
 #include "polygon/stretches.hpp"
+#include "rings/lanes.hpp"
+#include "toolpath/curve_place.hpp"
 #include "toolpath/merge.hpp"
 
 #include <algorithm>
@@ -58,6 +61,52 @@ double distance_to(const Loops& part, Vec2 p) {
     return least;
 }
 
+std::vector<geom::Segment> segments(const std::vector<toolpath::Curve>& curves) {
+    std::vector<geom::Segment> out;
+    for (const auto& c : curves)
+        for (std::size_t i = 0; i + (c.closed ? 0 : 1) < c.points.size(); ++i)
+            out.push_back({c.points[i], c.points[(i + 1) % c.points.size()]});
+    return out;
+}
+
+// Leads an open curve, too short for a link beside it, on from its end to a ring next to that and once around it.
+bool lead_on(toolpath::Curve& open, const toolpath::Curve& ring, const std::vector<geom::Segment>& all, double width) {
+    const auto sums = toolpath::arc_lengths(ring);
+    const Vec2 end = open.points.back();
+    const toolpath::CurvePlace at = toolpath::nearest_place(ring, sums, end);
+    if (at.off > join::kNeighbourReach * width) return false;
+    const Vec2 a = geom::lerp(end, at.point, join::kLinkEnd), b = geom::lerp(at.point, end, join::kLinkEnd);
+    if (std::any_of(all.begin(), all.end(), [&](const auto& s) { return geom::cross_properly(a, b, s.a, s.b); }))
+        return false;
+    const double gap = std::min(width, sums.back()) / 4; // two round ends fill it
+    toolpath::add_stretch(ring, at,
+                          toolpath::place_at(ring, sums, std::fmod(at.along + sums.back() - gap, sums.back())), open);
+    return true;
+}
+
+// The curves with the rings of the region beside them in the same strokes.
+std::vector<toolpath::Curve> with_rings(std::vector<toolpath::Curve> curves, const Loops& region,
+                                        const ScaffoldOptions& o, Notes& notes) {
+    rings::Rings lines;
+    for (toolpath::Curve& c : curves) {
+        if (c.width.size() == 1) c.width.resize(c.points.size(), c.width[0]);
+        lines.add(c, 0);
+    }
+    lines.add(rings::lanes(region, {.width = o.bead_width, .most = o.rings}));
+    auto out = join::join_rings(lines, o.bead_width, region);
+    const auto open = out.begin() + static_cast<std::ptrdiff_t>(curves.size());
+    for (auto ring = open; ring != out.end();) {
+        const auto all = segments(out);
+        if (std::any_of(out.begin(), open, [&](auto& c) { return lead_on(c, *ring, all, o.bead_width); })) {
+            ring = out.erase(ring);
+            continue;
+        }
+        notes.push_back({"", "ring not joined", 1, "curves", 1, -1, ring->points[0].x, ring->points[0].y});
+        ++ring;
+    }
+    return out;
+}
+
 } // namespace
 
 std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, const ScaffoldOptions& o, Notes& notes) {
@@ -82,7 +131,7 @@ std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, c
         parts.erase(next);
     }
     for (auto& curve : out) polygon::rotate(curve.points, o.angle);
-    if (o.rings > 0) splice_rings(region, w, o.rings, out, notes);
+    if (o.rings > 0) out = with_rings(std::move(out), region, o, notes);
     if (again > 0) {
         const Vec2 p = out.front().points.front();
         notes.push_back({"", "boundary passed again", again, "mm", 1, -1, p.x, p.y});

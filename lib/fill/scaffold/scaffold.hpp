@@ -36,9 +36,10 @@ struct ScaffoldOptions {
 // outermost strand.
 //
 // One curve; more where a region thinner than a bead (and its rings) falls apart, or strands on the edge of a hole are
-// cut off: each further one is a stop.  Rings are spliced into the curve, each by two short links; one that finds no
-// place is a closed curve by itself, with a note.  Parts too thin for a bead are noted as "not reached by a bead".
-// Tie: as strand_walk.hpp.  Cost: near-linear in the points and strands.
+// cut off: each further one is a stop.  Rings are joined to the curve as rings to each other (join_rings), or it
+// leads on from its end round one; a ring that finds no place is a closed curve by itself, with a note.  Parts too thin
+// for a bead are noted as "not reached by a bead". Tie: as strand_walk.hpp.  Cost: near-linear in the points and
+// strands.
 std::vector<toolpath::Curve> scaffold(const Loops& region, const Loops& frame, const ScaffoldOptions& options,
                                       Notes& notes);
 
