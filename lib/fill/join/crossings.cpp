@@ -53,33 +53,17 @@ void append(const toolpath::Curve& from, std::size_t first, std::size_t last, to
     }
 }
 
-// The curve without the points at its end that are where it begins.
-toolpath::Curve closed(toolpath::Curve curve) {
-    while (curve.points.size() > 3 && curve.points.back() == curve.points.front()) curve.drop_last();
-    return curve;
-}
-
-// The curve with what lies between its segments i < j run the other way round.
-toolpath::Curve turned(const toolpath::Curve& c, std::size_t i, std::size_t j, const Knot& x) {
-    toolpath::Curve out{true, {}, {}};
-    append(c, 0, i, out);
-    append(x, out);
-    append(c, j, i + 1, out);
-    append(x, out);
-    if (j + 1 < c.points.size()) append(c, j + 1, c.points.size() - 1, out);
-    return closed(std::move(out));
-}
-
-// The curve a with b run through where segment j of b crosses its segment i.
-toolpath::Curve merged(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b, std::size_t j,
-                       const Knot& x) {
+// The curve a up to its segment i, then by x over points `first` to `last` of b, and by x back to its point `next`.
+toolpath::Curve by_way_of(const toolpath::Curve& a, std::size_t i, const Knot& x, const toolpath::Curve& b,
+                          std::size_t first, std::size_t last, std::size_t next) {
     toolpath::Curve out{true, {}, {}};
     append(a, 0, i, out);
     append(x, out);
-    append(b, j + 1, j + b.points.size(), out);
+    append(b, first, last, out);
     append(x, out);
-    if (i + 1 < a.points.size()) append(a, i + 1, a.points.size() - 1, out);
-    return closed(std::move(out));
+    if (next < a.points.size()) append(a, next, a.points.size() - 1, out);
+    while (out.points.size() > 3 && out.points.back() == out.points.front()) out.drop_last();
+    return out;
 }
 
 } // namespace
@@ -117,11 +101,14 @@ std::size_t uncross(std::vector<toolpath::Curve>& curves, double cell, Notes& no
     auto pairs = crossing_pairs(curves, cell);
     for (std::size_t left = 4 * pairs.size(); left > 0 && !pairs.empty(); --left) {
         const OnCurve a = place_of(curves, pairs[0].first), b = place_of(curves, pairs[0].second);
-        const Knot x = crossing(curves[a.curve], a.segment, curves[b.curve], b.segment);
-        if (a.curve == b.curve) {
-            curves[a.curve] = turned(curves[a.curve], a.segment, b.segment, x);
+        toolpath::Curve& one = curves[a.curve];
+        const toolpath::Curve& two = curves[b.curve];
+        const std::size_t i = a.segment, j = b.segment;
+        const Knot x = crossing(one, i, two, j);
+        if (a.curve == b.curve) { // what lies between is run the other way round
+            one = by_way_of(one, i, x, one, j, i + 1, j + 1);
         } else {
-            curves[a.curve] = merged(curves[a.curve], a.segment, curves[b.curve], b.segment, x);
+            one = by_way_of(one, i, x, two, j + 1, j + two.points.size(), i + 1);
             curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(b.curve));
         }
         pairs = crossing_pairs(curves, cell);
