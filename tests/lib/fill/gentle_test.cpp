@@ -189,6 +189,25 @@ TEST(Rounded, KeepsBeadsInsideTheOutline) {
         EXPECT_LE(round.width[i] / 2, room(round.points[i]) + 0.02 * kWidth);
 }
 
+// Lines with two ends take in the rings beside them, and never each other.
+TEST(JoinRings, LeavesOpenLinesOpen) {
+    const double w = kWidth;
+    rings::Rings lines;
+    for (const double y : {0.0, w}) lines.add({false, {{0, y}, {4, y}, {10, y}}, {w, w, w}}, 0);
+    const Loops outer = rectangle(-w, -w, 10 + w, 2 * w);
+    Curve ring{true, {outer[0].begin(), outer[0].end()}, std::vector<double>(outer[0].size(), w)};
+    lines.add(ring, 1);
+    const auto out = join_rings(lines, w);
+    ASSERT_EQ(out.size(), 2U);
+    for (const std::size_t k : {0U, 1U}) {
+        EXPECT_FALSE(out[k].closed);
+        EXPECT_EQ(out[k].points.front(), lines.points[3 * k]);
+        EXPECT_EQ(out[k].points.back(), lines.points[3 * k + 2]);
+    }
+    EXPECT_EQ(crossing_pairs(out, w).size(), 0U);
+    EXPECT_NEAR(laid(out), w * (2 * 10 + 2 * (10 + 2 * w + 3 * w)), w * w / 4);
+}
+
 TEST(Rounded, StartsAnywhereOnTheLine) { // the first point may be a corner or not
     Curve shifted = square(10);
     shifted.points.insert(shifted.points.begin(), {5, 0});
