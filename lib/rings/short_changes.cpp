@@ -35,8 +35,8 @@ class Levels {
     }
 
   private:
-    // The pieces of the stretch about `first`, if it is to have a lane less (more): it is short, goes on in a wall with
-    // fewer (more), and may be.
+    // The pieces of the stretch that ends with `first`, if it is to have a lane less (more): it is short, goes on there
+    // in a wall with fewer (more), and may be.
     std::vector<std::uint32_t> short_stretch(std::uint32_t first, int level) {
         std::vector<std::uint32_t> out{first};
         double length = 0, thickest = 0, thinnest = axis_->radius[axis_->from[2 * first]];
@@ -60,10 +60,11 @@ class Levels {
                     out.push_back(other);
                 }
             }
+            if (!ends) return {}; // it is found from its end
         }
         const int to = level - sign_;
         const double inmost = (sign_ > 0 ? thickest : thinnest) / width_ - (to - 1); // the share of that lane
-        if (!ends || to < 1 || inmost > kWidest || inmost < 1 / kWidest) return {};
+        if (to < 1 || inmost > kWidest || inmost < 1 / kWidest) return {};
         return out;
     }
 
