@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <queue>
 
 namespace filum::rings {
 
@@ -64,13 +63,6 @@ class Profiles {
 
     Beading run() {
         for (const std::uint32_t i : relief_.falling) walls_.set[i] ? of_wall(i) : of_corner(i);
-        blend();
-        for (std::uint32_t i = 0; i < axis().nodes(); ++i) {
-            Profile& p = out_.profile[i];
-            const double rest = axis().radius[i] - out_.width * p.full;
-            if (!walls_.set[i]) p.lanes = rest <= 0 ? axis().radius[i] / out_.width : p.full + rest / p.inner;
-            p.top = std::max(p.top, p.lanes);
-        }
         find_ends();
         out_.axis = std::move(walls_.axis);
         out_.wall = std::move(walls_.wall);
@@ -86,54 +78,12 @@ class Profiles {
         p.full = std::max(0.0, p.lanes - 1);
         p.inner = (axis().radius[i] - out_.width * p.full) / (p.lanes - p.full);
     }
-    void of_corner(std::uint32_t i) { out_.profile[i] = out_.profile[axis().to(relief_.up[i])]; }
-
-    struct Visit {
-        double along;
-        std::uint32_t node, source;
-        friend bool operator<(const Visit& a, const Visit& b) {
-            return a.along != b.along ? a.along > b.along : a.node > b.node;
-        }
-    };
-
-    // Where a corner rises out of a wall, the wall's profile goes over into the corner's within a width.  The wall's
-    // lanes first grow with the radius up to a full width, or a thin wall's many narrow lanes would go on.
-    void blend() {
-        const double reach = out_.width;
-        std::vector<double> along(axis().nodes(), reach);
-        std::vector<std::uint32_t> source(axis().nodes());
-        std::priority_queue<Visit> queue;
-        const auto go_on = [&](const Visit& v) {
-            std::uint32_t h = relief_.up[v.node];
-            do {
-                const std::uint32_t j = axis().to(h);
-                const double far = v.along + axis().length(h);
-                if (!walls_.set[j] && axis().radius[j] > axis().radius[v.node] && far < along[j]) {
-                    along[j] = far;
-                    source[j] = v.source;
-                    queue.push({far, j, v.source});
-                }
-                h = axis().next[h ^ 1];
-            } while (h != relief_.up[v.node]);
-        };
-        for (std::uint32_t i = 0; i < axis().nodes(); ++i)
-            if (walls_.set[i]) go_on({0, i, i});
-        while (!queue.empty()) {
-            const Visit v = queue.top();
-            queue.pop();
-            if (v.along == along[v.node]) go_on(v);
-        }
-        for (const std::uint32_t i : relief_.falling) {
-            if (along[i] >= reach) continue;
-            const Profile& from = out_.profile[source[i]];
-            Profile& p = out_.profile[i];
-            const double t = along[i] / reach;
-            const double grown = (axis().radius[i] - out_.width * from.full) / (from.top - from.full);
-            const double inner = std::max(from.inner, std::min(out_.width, grown));
-            p.full = std::lerp(from.full, p.full, t);
-            p.inner = std::lerp(inner, p.inner, t);
-            p.top = std::lerp(from.top, p.top, t);
-        }
+    // A corner has the profile of what it leads up to.
+    void of_corner(std::uint32_t i) {
+        Profile& p = out_.profile[i];
+        p = out_.profile[axis().to(relief_.up[i])];
+        const double rest = axis().radius[i] - out_.width * p.full;
+        p.lanes = rest <= 0 ? axis().radius[i] / out_.width : p.full + rest / p.inner;
     }
 
     // `reach` and `last`: from the top down, so that no lane begins again in a tip below where it has ended.
@@ -155,6 +105,10 @@ class Profiles {
             Profile& p = out_.profile[i];
             p.last = p.top - kLeastLane;
             if (!walls_.set[i]) p.last = std::min(p.last, p.lanes - out_.reach[up / 2]);
+            if (!relief_.dead_end[i] && p.lanes < 1) { // a neck: the first lane goes through it, on both sides
+                p.top = p.lanes;
+                p.last = 0;
+            }
             if (!relief_.dead_end[i] || axis().radius[u] <= axis().radius[i]) continue;
             if (axis().radius[i] < out_.tip[up / 2]) p.last = -1; // no lane
             const double above = out_.profile[u].last;

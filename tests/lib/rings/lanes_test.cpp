@@ -84,6 +84,14 @@ TEST(Lanes, AreNeverWiderThanTwiceAndWhereTheyRunAsWideAsTheWallAsks) {
     }
 }
 
+TEST(Lanes, TheFirstOneEndsInNoNeck) { // that widens as corners do
+    for (const double half : {0.15, 0.05, 0.01}) {
+        Loops hourglass;
+        hourglass.add(std::vector<Vec2>{{-3, -3}, {0, -half}, {3, -3}, {3, 3}, {0, half}, {-3, 3}});
+        EXPECT_EQ(lanes(hourglass, {.width = kWidth, .most = 1}).size(), 1U) << half;
+    }
+}
+
 TEST(Lanes, FromTheOutlineAreTheFirstOfAll) {
     const Loops region = test::random_regions(5).at(0);
     const Rings all = lanes(region, {.width = kWidth}), two = lanes(region, {.width = kWidth, .most = 2});
