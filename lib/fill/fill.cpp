@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "fill/identify.hpp"
+#include "fill/join/crossings.hpp"
 #include "fill/rows/rectilinear.hpp"
 #include "fill/rows/zigzag.hpp"
 #include "fill/scaffold/scaffold.hpp"
@@ -122,6 +123,7 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     const std::size_t first = notes.size();
     out.curves = curves_by_pattern(r, o, out.unplaced, notes);
     if (o.thin == "half-height" && o.pattern == "spiral") stack_thin_walls(r, o, notes, first, out);
+    if (o.pattern != "spiral") join::lay_on_grid(out.curves, o.bead_width, notes); // which is made and checked there
     place(r, notes, first, out);
     return out;
 }
@@ -157,7 +159,9 @@ toolpath::RegionPaths fill_scaffold(const polygon::Region& region, const Options
                                     .shift = shifted ? o.stagger : 0,
                                     .rings = rings(o, 0)};
         if (r.join == Join::vertical) s.from = before.exit;
-        return scaffold::scaffold(r.loops, before.columns[before.column].region, s, told);
+        auto curves = scaffold::scaffold(r.loops, before.columns[before.column].region, s, told);
+        join::lay_on_grid(curves, o.bead_width, told);
+        return curves;
     };
     toolpath::RegionPaths out = fill_by(lay, region, notes);
     before.exit.reset();

@@ -4,17 +4,13 @@
 #include "polygon/segments.hpp"
 #include "rings/fewer_points.hpp"
 #include "rings/lanes.hpp"
-#include "toolpath/merge.hpp"
+#include "toolpath/grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace filum::fill {
 
 namespace {
-
-// To the micrometre, which machines are told: what does not cross here does not cross there.
-geom::Vec2 snapped(geom::Vec2 p) { return {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3}; }
 
 // Whether a bead runs from a to b and back over itself to c: no turn at all, and where it is cut, rounding makes it
 // cross itself.
@@ -26,7 +22,7 @@ bool spike(geom::Vec2 a, geom::Vec2 b, geom::Vec2 c) {
 
 // Puts the line on the grid; drops points that fall together and the tips of spikes.
 void tidy(toolpath::Curve& line) {
-    for (geom::Vec2& p : line.points) p = snapped(p);
+    for (geom::Vec2& p : line.points) p = toolpath::on_grid(p);
     toolpath::Curve out;
     const auto size = [&] { return out.points.size(); };
     for (std::size_t i = 0; i < line.points.size(); ++i) {

@@ -1,8 +1,5 @@
 #include "fill/join/crossings.hpp"
 
-#include "geom/segment.hpp"
-#include "geom/segment_grid.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +33,7 @@ Knot crossing(const toolpath::Curve& a, std::size_t i, const toolpath::Curve& b,
     const Vec2 p = a.points[i], u = a.points[i2] - p, q = b.points[j], v = b.points[j2] - q;
     const double t = std::clamp(cross(q - p, v) / cross(u, v), 0.0, 1.0);
     const Vec2 at = p + t * u;
-    return {{std::round(at.x * 1e3) / 1e3, std::round(at.y * 1e3) / 1e3},
-            std::min(std::lerp(a.width[i], a.width[i2], t), std::max(b.width[j], b.width[j2]))};
+    return {toolpath::on_grid(at), std::min(std::lerp(a.width[i], a.width[i2], t), std::max(b.width[j], b.width[j2]))};
 }
 
 void append(const Knot& knot, toolpath::Curve& to) {
@@ -68,26 +64,6 @@ toolpath::Curve by_way_of(const toolpath::Curve& a, std::size_t i, const Knot& x
 
 } // namespace
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<toolpath::Curve>& curves,
-                                                                    double cell) {
-    std::vector<geom::Segment> all;
-    for (const auto& c : curves)
-        for (std::size_t i = 0; i < segments_of(c); ++i)
-            all.push_back({c.points[i], c.points[i + 1 == c.points.size() ? 0 : i + 1]});
-    const geom::SegmentGrid grid(all, cell);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-        const geom::Vec2 a = all[i].a, b = all[i].b;
-        grid.near({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
-                  [&](std::uint32_t j) {
-                      if (j > i && geom::cross_properly(a, b, all[j].a, all[j].b)) out.emplace_back(i, j);
-                  });
-    }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end()); // a pair may share several cells
-    return out;
-}
-
 void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Notes& notes) {
     const auto pairs = crossing_pairs(curves, cell);
     if (pairs.empty()) return;
@@ -115,6 +91,18 @@ std::size_t uncross(std::vector<toolpath::Curve>& curves, double cell, Notes& no
     }
     if (!pairs.empty()) note_crossings(curves, cell, notes);
     return pairs.size();
+}
+
+void lay_on_grid(std::vector<toolpath::Curve>& curves, double cell, Notes& notes) {
+    for (toolpath::Curve& c : curves) toolpath::put_on_grid(c);
+    if (toolpath::part_crossings(curves, cell).empty()) return;
+    const bool rings = std::all_of(curves.begin(), curves.end(), [](const toolpath::Curve& c) {
+        return c.closed && c.width.size() == c.points.size();
+    });
+    if (rings)
+        uncross(curves, cell, notes);
+    else
+        note_crossings(curves, cell, notes);
 }
 
 } // namespace filum::fill::join

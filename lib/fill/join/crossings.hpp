@@ -2,19 +2,14 @@
 #pragma once
 
 #include "base/note.hpp"
+#include "toolpath/grid.hpp"
 #include "toolpath/path.hpp"
 
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace filum::fill::join {
 
-// Pairs (i, j), i < j, of segments that cross properly: each goes from one side of the other to the other side.
-// Segments are numbered through all curves, a closed curve's last one included.  Ascending.
-// cell: mm, about the length of a segment or the space between lines; only the speed depends on it.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_pairs(const std::vector<toolpath::Curve>& curves,
-                                                                    double cell);
+using toolpath::crossing_pairs;
 
 // The note "curve crosses itself" with their number and the place of the first, if there are any.
 void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Notes& notes);
@@ -26,5 +21,9 @@ void note_crossings(const std::vector<toolpath::Curve>& curves, double cell, Not
 // rounding moves them about for ever, which no input is known to do.  Curves are closed, with a width per point and no
 // features yet.
 std::size_t uncross(std::vector<toolpath::Curve>& curves, double cell, Notes& notes);
+
+// Puts the curves on the grid of machines (toolpath/grid.hpp), and sees to it that they cross nothing there: by moving
+// points, and where that is not enough by uncross; where that cannot be, as curves are open, a note tells.
+void lay_on_grid(std::vector<toolpath::Curve>& curves, double cell, Notes& notes);
 
 } // namespace filum::fill::join

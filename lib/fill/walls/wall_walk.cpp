@@ -219,7 +219,7 @@ toolpath::Curve lay_walls(const WallGraph& g, const Circuit& circuit, const std:
     toolpath::Curve out;
     out.closed = closed;
     const auto push = [&](Vec2 p, double width) {
-        p = {std::round(p.x * 1e3) / 1e3, std::round(p.y * 1e3) / 1e3};
+        p = toolpath::on_grid(p);
         if (!out.points.empty() && out.points.back() == p) return;
         out.add(p, width);
     };
