@@ -2,6 +2,7 @@
 
 #include "rings/wall_lanes.hpp"
 #include "toolpath/curve_place.hpp"
+#include "toolpath/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,8 @@ Vec2 beside(const Wall& w, std::size_t i, int side) {
     return line[i] + side * w.line.width[i] / 4 / geom::norm(d) * geom::left_of(d);
 }
 
-// The curve that keeps only the lane on `side` of the wall, or both, in its middle; if its lanes are there.
+// The curve that keeps only the lane on `side` of the wall, or both, in its middle; if its lanes are there and
+// nothing crosses the middle line.
 std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, double width, int side, bool both) {
     const double back = tip ? std::min(w.length / 4, w.line.width.back() / 2) : 0; // lanes turn round before the tip
     const Wall lanes = part(w, 0, back);
@@ -76,6 +78,8 @@ std::optional<Curve> to_middle(const Measured& m, const Wall& w, bool tip, doubl
         add_point(out, w.line.points[i], w.line.width[i] / (both ? 2 : 1));
     if (!tip) add_stretch(m.curve, a1, b1, out);
     for (std::size_t i = w.line.points.size(); both && i-- > 0;) add_point(out, w.line.points[i], w.line.width[i] / 2);
+    toolpath::put_on_grid(out);
+    if (!toolpath::crossing_pairs({out}, width).empty()) return std::nullopt;
     return out;
 }
 
@@ -115,6 +119,7 @@ std::optional<std::size_t> pass_once(Curve& curve, const WallGraph& walls, doubl
     for (const auto k : order) {
         auto [w, tip] = towards_tip(walls, k, width);
         w = part(w, width / 2, tip ? 0 : width / 2);
+        toolpath::put_on_grid(w.line);
         if (w.length < kShort * width || w.line.points.size() < 2) continue;
         for (const int side : {1, -1})
             if (auto open = to_middle(m, w, tip, width, side, false)) {
@@ -132,7 +137,8 @@ std::vector<std::vector<Vec2>> stack_lanes(Curve& curve, const WallGraph& walls,
         auto [first, last] = thin_stretch(whole, least);
         const bool tip = ends_at_tip && last > whole.length - 1e-9;
         if (!tip) last = std::min(last, whole.length - width / 2);
-        const Wall w = part(whole, std::max(first, width / 2), whole.length - last);
+        Wall w = part(whole, std::max(first, width / 2), whole.length - last);
+        toolpath::put_on_grid(w.line);
         if (w.length < kShort / 2 * width || w.line.points.size() < 2) continue;
         const Measured m(curve);
         for (const int side : {1, -1})
