@@ -25,8 +25,8 @@ bool Linker::rises() const {
 
 // The entry of the front region nearest to the nozzle, if it is in reach, to which no bead of the region lies across
 // the way.  Only an open curve can, as it has no entry where it is nearest.  If one lies across every way, the nearest
-// entry, with a note.
-std::optional<Linker::Entry> Linker::climb_to(Notes& notes) {
+// entry; what it crosses is told when all of the region lies (settle.cpp).
+std::optional<Linker::Entry> Linker::climb_to() const {
     const auto& r = window_.front();
     const Vec2 from = at_->xy();
     const double reach = reaches(r).back() * (r.width + width_before_) / 2;
@@ -37,15 +37,14 @@ std::optional<Linker::Entry> Linker::climb_to(Notes& notes) {
         if (is_free(r.index, from, entry->place.point, 0, kEnds, kEnds)) return entry;
         tried[entry->place.curve] = 1;
     }
-    notes.push_back({"", "jog across a bead", nearest->place.distance, "mm", 1, r.paths.layer, from.x, from.y});
     return nearest;
 }
 
 // A plain lift, then a short jog to the front region.
-std::optional<Linker::Entry> Linker::climb(const Emit& emit, Notes& notes) {
+std::optional<Linker::Entry> Linker::climb(const Emit& emit) {
     const auto& r = window_.front();
     if (!may_climb_ || !rises()) return std::nullopt;
-    auto entry = climb_to(notes);
+    auto entry = climb_to();
     if (!entry) return std::nullopt;
     if (options_.interlace == Interlace::none && !turn_)
         *entry = drift(*entry); // else lanes lead wherever the column goes

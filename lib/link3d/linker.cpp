@@ -81,6 +81,22 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
             : options_.connect == Connect::outside                                     ? Next::outside
             : options_.connect == Connect::inside && window_[1].paths.layer == r.layer ? Next::outside
                                                                                        : Next::anywhere;
+    std::vector<Span> spans;
+    print_region([&](const Span& s) { spans.push_back(s); }, notes);
+    settle(spans, notes);
+    at_ = spans.back().points.back();
+    for (const Span& s : spans) emit(s);
+    joins_.clear();
+    pin_.reset();
+    printed_.add(window_.front().index.bounds(), r.z);
+    may_climb_ = true;
+    width_before_ = window_.front().width;
+    window_.pop_front();
+}
+
+// Gets to the front region and prints its curves, one after the other.
+void Linker::print_region(const Emit& emit, Notes& notes) {
+    const auto& r = window_.front().paths;
     const Entry first = enter(emit, notes);
     start_ = first.place.point;
     std::vector<char> done(r.curves.size(), 0);
@@ -92,12 +108,6 @@ void Linker::print_front(const Emit& emit, Notes& notes) {
         done[entry.place.curve] = 1;
         print_curve(entry, left == 1, emit, notes);
     }
-    joins_.clear();
-    pin_.reset();
-    printed_.add(window_.front().index.bounds(), r.z);
-    may_climb_ = true;
-    width_before_ = window_.front().width;
-    window_.pop_front();
 }
 
 // The curve of the front region that is to be printed last, unless the region is entered there: the one that is longer
@@ -131,7 +141,7 @@ Linker::Entry Linker::enter(const Emit& emit, Notes& notes) {
     const bool above = goes_on(r);
     std::optional<Entry> joined;
     if (above)
-        joined = r.paths.join == Join::beside ? step_in(emit) : climb(emit, notes);
+        joined = r.paths.join == Join::beside ? step_in(emit) : climb(emit);
     else if (at_ && options_.connect == Connect::outside)
         joined = go_around(emit, notes);
     else if (at_ && options_.connect == Connect::inside)

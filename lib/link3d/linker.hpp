@@ -94,10 +94,12 @@ class Linker {
     };
 
     void print_front(const Emit& emit, Notes& notes);
+    void print_region(const Emit& emit, Notes& notes);
+    void settle(std::vector<toolpath::Span>& spans, Notes& notes) const; // settle.cpp
     Entry enter(const Emit& emit, Notes& notes);
     [[nodiscard]] std::optional<Entry> other_end(const Entry& entry) const;
-    std::optional<Entry> climb_to(Notes& notes);
-    std::optional<Entry> climb(const Emit& emit, Notes& notes);
+    [[nodiscard]] std::optional<Entry> climb_to() const;
+    std::optional<Entry> climb(const Emit& emit);
     std::optional<Entry> step_in(const Emit& emit);
     [[nodiscard]] bool beside_last() const;
     void jog(const Entry& entry, const Emit& emit);

@@ -1,0 +1,84 @@
+// What was laid of a region, as machines round it.
+#include "link3d/linker.hpp"
+#include "toolpath/grid.hpp"
+
+#include <algorithm>
+
+namespace filum::link3d {
+
+namespace {
+
+using toolpath::Curve;
+using toolpath::Role;
+using toolpath::Span;
+
+// The points of spans in columns: what follows each other and is rounded to one place, as of a lift, moves together.
+struct Columns {
+    std::vector<Vec3*> points;
+    std::vector<std::size_t> begin; // of each column
+
+    // Whether it begins a column.
+    bool add(Vec3& p) {
+        const bool begins = points.empty() || toolpath::on_grid(points.back()->xy()) != toolpath::on_grid(p.xy());
+        if (begins) begin.push_back(points.size());
+        points.push_back(&p);
+        return begins;
+    }
+    [[nodiscard]] std::size_t last() const { return begin.size() - 1; }
+    void move(std::size_t column, Vec2 to) {
+        const std::size_t end = column == last() ? points.size() : begin[column + 1];
+        for (std::size_t k = begin[column]; k < end; ++k) *points[k] = {to.x, to.y, points[k]->z};
+    }
+};
+
+// What lies in the layer, as open curves on the grid; point i of curve c is column first[c] + i.
+struct Lines {
+    std::vector<Curve> curves;
+    std::vector<std::size_t> first;
+    std::vector<char> join; // per segment
+
+    // The segment that ends at a column.
+    void add(Vec2 from, Vec2 to, std::size_t column, bool is_join) {
+        if (curves.empty() || first.back() + curves.back().points.size() != column) {
+            curves.push_back({false, {toolpath::on_grid(from)}, {1}});
+            first.push_back(column - 1);
+        }
+        curves.back().points.push_back(toolpath::on_grid(to));
+        join.push_back(is_join ? 1 : 0);
+    }
+};
+
+bool in_layer(const Span& s, std::size_t i, double z) {
+    if (!toolpath::extrudes(s.role)) return false;
+    return s.role == Role::lift || (s.points[i].z == z && s.points[i + 1].z == z);
+}
+
+} // namespace
+
+// Puts what was laid of the front region on the grid and parts what crosses there.  Its first point stays: the nozzle
+// is there.  Joins that cross a bead all the same are told.
+void Linker::settle(std::vector<Span>& spans, Notes& notes) const {
+    const auto& r = window_.front();
+    Columns columns;
+    Lines lines;
+    for (Span& s : spans)
+        for (std::size_t i = 0; i < s.points.size(); ++i) {
+            const bool moves = columns.add(s.points[i]) && i > 0;
+            if (moves && in_layer(s, i - 1, r.paths.z))
+                lines.add(s.points[i - 1].xy(), s.points[i].xy(), columns.last(), !toolpath::fills(s.role));
+        }
+    const auto given = lines.curves;
+    const auto left = toolpath::part_crossings(lines.curves, r.width, toolpath::on_grid(columns.points.front()->xy()));
+    for (std::size_t c = 0; c < given.size(); ++c)
+        for (std::size_t i = 0; i < given[c].points.size(); ++i)
+            if (lines.curves[c].points[i] != given[c].points[i])
+                columns.move(lines.first[c] + i, lines.curves[c].points[i]);
+    const auto crossed =
+        std::count_if(left.begin(), left.end(), [&](auto p) { return lines.join[p.first] || lines.join[p.second]; });
+    if (crossed == 0) return;
+    const Vec2 at = spans.front().points.back().xy();
+    notes.push_back({"", "jog across a bead", static_cast<double>(crossed), "places",
+                     static_cast<std::uint64_t>(crossed), r.paths.layer, at.x, at.y});
+}
+
+} // namespace filum::link3d
