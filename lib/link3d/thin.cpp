@@ -1,6 +1,7 @@
 // What a lane takes from the beads beside it.
 #include "geom/segment.hpp"
 #include "link3d/bead.hpp"
+#include "toolpath/grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -123,8 +124,20 @@ void settle(Thinned& t, double least) {
     for (std::size_t i = t.take.size(); i-- > 0;) give(i);
 }
 
-// The points where the bead's far edge stays in place, if that folds nothing and `lines` leave room; `less` is what
-// their width loses, mm.  A point at `fixed` stays.
+// Puts points that moved back where the bead would cross itself.
+void stay_apart(const std::vector<Vec2>& from, double cell, std::vector<Vec2>& to) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const auto& [s, t] : toolpath::crossing_pairs({{false, to, {1}}}, cell))
+            for (const std::uint32_t i : {s, s + 1, t, t + 1}) {
+                changed = changed || to[i] != from[i];
+                to[i] = from[i];
+            }
+    }
+}
+
+// The points where the bead's far edge stays in place, if that folds and crosses nothing and `lines` leave room; `less`
+// is what their width loses, mm.  A point at `fixed` stays.
 std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, double reach, const SegmentIndex& lines,
                         std::optional<Vec2> fixed) {
     const auto& from = t.bead.points;
@@ -155,6 +168,7 @@ std::vector<Vec2> aside(const Thinned& t, const std::vector<double>& less, doubl
             changed = true;
         }
     }
+    stay_apart(from, reach, out);
     return out;
 }
 

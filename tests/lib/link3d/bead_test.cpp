@@ -2,6 +2,7 @@
 #include "curves.hpp"
 #include "link3d/bead.hpp"
 #include "link3d/strip_route.hpp"
+#include "toolpath/grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -162,6 +163,28 @@ TEST(Bead, StaysWhereAJogLeavesIt) {
                     kept ? std::optional(jog) : std::nullopt);
         EXPECT_EQ(std::count(b.points.begin(), b.points.end(), jog), kept ? 1 : 0);
     }
+}
+
+// A point of a slender tip that moves aside would go through the tip's other side (a slice of a house).
+TEST(Bead, TipsThatWouldCrossThemselvesStay) {
+    Bead b{{{20.105, 0.708},
+            {20.131, 0.6},
+            {20.154, 0.568},
+            {20.177, 0.549},
+            {20.25, 0.472},
+            {20.284, 0.449},
+            {20.248, 0.469},
+            {20.149, 0.508},
+            {20.12, 0.524},
+            {20.084, 0.537},
+            {19.8, 0.6}},
+           {.4007, .4007, .3727, .3407, .2634, .2237, .2634, .3407, .3727, .4007, .4}};
+    const std::vector<Vec2> lane{
+        {20.4863, 0.029}, {20.593, 0.1985}, {20.51, 0.2985}, {20.1243, 0.3055}, {20.0423, 0.3395}};
+    const Curve line{false, b.points, b.width};
+    ASSERT_TRUE(toolpath::crossing_pairs({line}, kWidth).empty());
+    EXPECT_GT(thin_beside(b, lane, kWidth / 2, kWidth, 0.5, SegmentIndex(std::span(&line, 1))), 0);
+    EXPECT_TRUE(toolpath::crossing_pairs({{false, b.points, b.width}}, kWidth).empty());
 }
 
 TEST(StripRoute, TakesTheBestPlaceThenTheNearest) {

@@ -229,6 +229,24 @@ TEST(Linker, ClimbsAcrossNoOpenCurve) {
     EXPECT_EQ(told(link(column({{below}, {wall, behind}}))), 1) << "nothing else is in reach";
 }
 
+// The nozzle comes up 4 um beside a bead that lies across the jog: the bead gives way.
+TEST(Linker, ClimbsAcrossNoBeadNextToItsEnd) {
+    const Curve below{false, {{0, 0.004}, {5, 0.004}}, {kWidth}};
+    const Curve across{false, {{2, 0}, {8, 0}}, {kWidth}}, behind{false, {{5, -0.3}, {5, -3}}, {kWidth}};
+    const Result r = link(column({{below}, {across, behind}}));
+    EXPECT_EQ(crossings(r.spans), 0U);
+    EXPECT_TRUE(
+        std::none_of(r.notes.begin(), r.notes.end(), [](const Note& n) { return n.what == "jog across a bead"; }));
+    ASSERT_EQ(r.spans[1].role, Role::lift);
+    EXPECT_EQ(r.spans[1].points.front(), r.spans[0].points.back());
+    EXPECT_EQ(r.spans[1].points.back().xy(), (Vec2{5, -0.3}));
+    double most = 0;
+    for (const auto& p : r.spans.back().points)
+        most = std::max(most, std::min(geom::distance(p.xy(), {2, 0}), geom::distance(p.xy(), {8, 0})));
+    EXPECT_GT(most, 0);
+    EXPECT_LE(most, 0.0101);
+}
+
 TEST(Linker, TravelsOverWhatIsPrinted) {
     std::vector<RegionPaths> regions;
     const auto add = [&](double x, std::uint32_t layer, Join join) {
