@@ -133,7 +133,8 @@ constexpr double kLoose = 0.3; // of a bead's width: what lies beside the surfac
 void draw_loose(Canvas& c, const Laid& laid) {
     const double thread = std::clamp(c.plan.height / 700.0, 1.0, 4.0);
     for (const Stroke& s : laid.loose)
-        draw_in_space(c, s.a, s.b, std::max(thread, kLoose * c.plan.scale * (s.half_a + s.half_b)), from_srgb8(s.colour));
+        draw_in_space(c, s.a, s.b, std::max(thread, kLoose * c.plan.scale * (s.half_a + s.half_b)),
+                      from_srgb8(s.colour));
     for (const auto& s : c.scene.spans)
         for (std::size_t i = 0; i + 1 < s.points.size() && !toolpath::extrudes(s.role); ++i)
             draw_in_space(c, s.points[i], s.points[i + 1], thread, role_colour(toolpath::Role::travel));
