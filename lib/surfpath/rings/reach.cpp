@@ -249,9 +249,15 @@ Reach reach(const Surface& s, double spacing, double radius) {
 
 void tell_reach(const Reach& r, plan::Plan& plan) {
     plan.facts.push_back({"", "rings-bound", r.share(), ""});
-    if (r.surface - r.reached > kToldOut * r.surface)
-        plan.notes.push_back({"", "out of reach of rings of the least radius", r.surface - r.reached, "mm2", r.dead, -1,
-                              r.at.x, r.at.y, r.at.z});
+    if (!(r.surface - r.reached > kToldOut * r.surface)) return;
+    Note out{"", "out of reach of rings of the least radius", r.surface - r.reached, "mm2"};
+    if (r.dead > 0) { // else it is all out of reach, and no place more than others
+        out.count = r.dead;
+        out.x = r.at.x;
+        out.y = r.at.y;
+        out.z = r.at.z;
+    }
+    plan.notes.push_back(out);
 }
 
 } // namespace filum::surfpath::rings

@@ -79,6 +79,15 @@ TEST(Reach, tells_what_is_beyond) {
     EXPECT_GT(plan.notes[0].y, 5); // beside a tooth or in it
 }
 
+TEST(Reach, tells_one_case_without_a_place_where_all_is_beyond) {
+    Plan plan;
+    tell_reach(reach(cells_of(40, 30, [](Vec2) { return true; }), 90, 2.4), plan);
+    ASSERT_EQ(plan.notes.size(), 1U);
+    EXPECT_EQ(plan.notes[0].count, 1U);
+    EXPECT_NEAR(plan.notes[0].amount, 1200, 1e-6);
+    EXPECT_TRUE(std::isnan(plan.notes[0].x));
+}
+
 // A face with walls, doors, pockets and holes at random.
 Surface random_face(std::mt19937& random) {
     const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
