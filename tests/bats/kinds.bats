@@ -35,8 +35,8 @@ lies() {
     for kind in small wedge-tip crescent coil gear three-slots; do lies $kind hybrid; done
 }
 
-@test "lines that turn outside do, beyond rims that are rough, narrow, cracked or notched" {
-    for kind in crescent crack gear; do lies $kind field --angle 30 --turn-outside 8; done
+@test "lines that turn outside do, beyond rims that are rough, narrow or notched" {
+    for kind in crescent gear; do lies $kind field --angle 30 --turn-outside 8; done
 }
 
 # sampled KIND PLAN...: what it says of itself is what 4,000 places at random say, within four standard deviations and

@@ -47,7 +47,7 @@ def edges(option):
     return [",".join([repr(v)] * numbers_of(option)) for v in ends]
 
 
-# All numbers are read by the same code, so each gets every fourth of the odd values, in turn.
+# All numbers are read by the same code, and all names of files, so each gets every fourth of the odd values, in turn.
 FAILED, turn = [], 0
 for one in commands():
     for o in one.options.values():
@@ -59,7 +59,8 @@ for one in commands():
         if input_of(one) is None or o.unit == "":
             continue
         needed = settings_for(one, o) or []
-        tries = [(v, False) for v in (ODD[turn % 4 :: 4] if o.is_number() else ODD)] + [(v, True) for v in (edges(o) if o.is_number() else [])]
+        some = o.is_number() or o.unit == "FILE"
+        tries = [(v, False) for v in (ODD[turn % 4 :: 4] if some else ODD)] + [(v, True) for v in (edges(o) if o.is_number() else [])]
         for value, within in tries:
             if why := wrong(one, [*needed, f"--{o.name}={value}"], within):
                 FAILED.append(f"{name}={value!r}: {why}")
