@@ -14,28 +14,36 @@ ODD = ["", "x", "nan", "inf", "-inf", "1e308", "-1e308", "1e999", "1e-320", "-0"
 SECONDS, PATIENCE, BYTES = 20, 0.15, 4 << 30  # of CPU; PATIENCE: where only it may end what is asked for
 
 
-def limited(may_take_long):
-    if may_take_long:
-        signal.setitimer(signal.ITIMER_PROF, PATIENCE)  # ends the command with SIGPROF
-    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
-    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+def patient():
+    signal.setitimer(signal.ITIMER_PROF, PATIENCE)  # ends the command with SIGPROF
+
+
+def run(words, before):
+    """The code it ends with, and what it says.  before: called in the new process, which makes its start twice as long."""
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, preexec_fn=before) as process:
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (SECONDS, SECONDS))
+        resource.prlimit(process.pid, resource.RLIMIT_AS, (BYTES, BYTES))
+        try:
+            said = process.communicate(timeout=10 * SECONDS)[1]
+        except subprocess.TimeoutExpired:
+            process.kill()
+            raise
+    return process.returncode, said.decode(errors="replace")
 
 
 def wrong(command, words, may_take_long):
     """may_take_long: what is asked for is within the limits, so that only the patience of this test ends it."""
     try:
-        done = subprocess.run([command.name, *words, input_of(command), "--output", "/dev/null"], capture_output=True,
-                              preexec_fn=lambda: limited(may_take_long), timeout=10 * SECONDS)
+        code, text = run([command.name, *words, input_of(command), "--output", "/dev/null"], patient if may_take_long else None)
     except subprocess.TimeoutExpired:
         return "it hangs"
-    if may_take_long and done.returncode == -signal.SIGPROF:
+    if may_take_long and code == -signal.SIGPROF:
         return ""
-    text = done.stderr.decode(errors="replace")
-    if done.returncode not in range(6):
-        return f"it ends with {done.returncode}"
+    if code not in range(6):
+        return f"it ends with {code}"
     if "internal error" in text or "out of memory" in text:
         return text
-    if done.returncode == 2 and len(text.splitlines()) != 1:
+    if code == 2 and len(text.splitlines()) != 1:
         return f"no one line: {text}"
     return ""
 
