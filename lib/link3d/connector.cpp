@@ -1,9 +1,11 @@
-// Joins to regions that do not lie above: strands that are not part of the part.
+#include "link3d/connector.hpp"
+
 #include "geom/segment.hpp"
-#include "link3d/linker.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 namespace filum::link3d {
 
@@ -54,11 +56,9 @@ std::vector<double> necks(std::vector<Vec3>& way, double width) {
     return out;
 }
 
-} // namespace
-
 // mm of the connector below which there is neither the bed nor a connector one layer below.
-double Linker::uncarried(std::span<const Vec3> way) const {
-    const auto& r = window_.front();
+double uncarried(const State& state, std::span<const Vec3> way) {
+    const auto& r = state.region();
     double free = 0;
     for (std::size_t i = 0; i + 1 < way.size(); ++i) {
         const double l = geom::distance(way[i].xy(), way[i + 1].xy()), z = way[i].z;
@@ -66,7 +66,7 @@ double Linker::uncarried(std::span<const Vec3> way) const {
         const int pieces = static_cast<int>(std::ceil(l / r.width));
         for (int k = 0; k < pieces; ++k) {
             const Vec2 p = geom::lerp(way[i].xy(), way[i + 1].xy(), (k + 0.5) / pieces);
-            const bool carried = std::any_of(strands_.begin(), strands_.end(), [&](const auto& s) {
+            const bool carried = std::any_of(state.strands.begin(), state.strands.end(), [&](const auto& s) {
                 const double down = z - s.first.z;
                 return down > 0.5 * r.paths.height && down < 1.5 * r.paths.height &&
                        geom::point_segment_distance(s.first.xy(), s.second.xy(), p) < r.width;
@@ -77,17 +77,57 @@ double Linker::uncarried(std::span<const Vec3> way) const {
     return free;
 }
 
+// Of the part: of what is printed, and of all regions that are known.
+Box2 all_bounds(const State& state) {
+    Box2 box = state.printed.bounds();
+    for (const auto& w : state.window)
+        if (!w.index.empty()) {
+            box.add(w.index.bounds().lo);
+            box.add(w.index.bounds().hi);
+        }
+    return box;
+}
+
+// The straight way at one height meets no region of its layer that is still to be printed, the front one only if
+// `front`.
+bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
+    const double near = state.region().paths.height / 2;
+    return std::all_of(state.window.begin() + (front ? 0 : 1), state.window.end(), [&](const Waiting& w) {
+        return std::abs(w.paths.z - a.z) > near || is_free(w.index, a.xy(), b.xy(), kMargin, 0, 0);
+    });
+}
+
+// The way crosses no connector within its own layer.
+bool misses_strands(const State& state, Vec3 a, Vec3 b) {
+    const double thick = 0.99 * state.region().paths.height;
+    return std::none_of(state.strands.begin(), state.strands.end(), [&](const auto& s) {
+        const auto& [c, d] = s;
+        return std::min(a.z, b.z) < std::max(c.z, d.z) + thick && std::min(c.z, d.z) < std::max(a.z, b.z) + thick &&
+               geom::cross_properly(a.xy(), b.xy(), c.xy(), d.xy());
+    });
+}
+
+// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
+bool leads_out(const State& state, Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) {
+    const auto& r = state.region();
+    return is_free(own, a.xy(), b.xy(), kMargin, kEnds, 0) &&
+           !state.printed.blocks(a, b, a.z - r.paths.height / 2, kDetourMargin * r.width, leaves);
+}
+
 // The way around the part to one of the front region's extreme places, or to an end of an open curve there.
-std::optional<std::pair<std::vector<Vec3>, Linker::Entry>> Linker::way_around(double margin) const {
-    const auto& r = window_.front();
+std::optional<std::pair<std::vector<Vec3>, Entry>> way_around(const State& state, double margin) {
+    const auto& r = state.region();
     const auto free = [&](Vec3 a, Vec3 b) {
-        const bool leaves = a == *at_;
-        return leads_out(a, b, leaves ? *last_ : r.index, leaves) && misses_others(a, b, leaves);
+        const bool leaves = a == *state.at;
+        return leads_out(state, a, b, leaves ? *state.before.lines : r.index, leaves) &&
+               misses_others(state, a, b, leaves);
     };
-    const auto clear = [&](Vec3 a, Vec3 b) { return misses_strands(a, b) && !printed_.hits(a, b, options_.head); };
+    const auto clear = [&](Vec3 a, Vec3 b) {
+        return misses_strands(state, a, b) && !state.printed.hits(a, b, state.options.head);
+    };
     std::optional<std::pair<std::vector<Vec3>, Entry>> best;
     const auto consider = [&](const Entry& entry) {
-        auto way = around(around_, margin, *at_, at_height(entry.place.point, r.paths.z), free, clear);
+        auto way = around(state.around, margin, *state.at, at_height(entry.place.point, r.paths.z), free, clear);
         if (way && (!best || length(*way) < length(best->first))) best = {std::move(*way), entry};
     };
     for (const Place& p : r.index.extremes()) {
@@ -103,94 +143,71 @@ std::optional<std::pair<std::vector<Vec3>, Linker::Entry>> Linker::way_around(do
     return best;
 }
 
-// A connector outside everything printed to whichever place of the front region makes it the shortest; close to the
-// part, or where the head must come down beside it, as far away as the head is wide.
-std::optional<Linker::Entry> Linker::go_around(const Emit& emit, Notes& notes) {
-    const auto& r = window_.front();
-    if (!may_climb_ || !last_) return std::nullopt;
-    if (around_.empty()) around_ = all_bounds();
-    const auto& head = options_.head;
+} // namespace
+
+std::optional<Entry> go_around(State& state) {
+    const auto& r = state.region();
+    if (!state.before.printed || !state.before.lines) return std::nullopt;
+    if (state.around.empty()) state.around = all_bounds(state);
+    const auto& head = state.options.head;
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
     std::optional<std::pair<std::vector<Vec3>, Entry>> best;
     for (const double margin : {kDetourMargin * r.width, cone + kClearance, carriage + kClearance})
-        if ((best = way_around(margin))) break;
+        if ((best = way_around(state, margin))) break;
     if (!best) return std::nullopt;
     auto& [way, entry] = *best;
-    const double free = uncarried(way);
-    if (options_.strand == Strand::carried && free > kUncarried * length_xy(way)) return std::nullopt;
-    ++counts_.connectors;
-    counts_.connector_length += length_xy(way);
-    counts_.connector_free += free;
+    const double free = uncarried(state, way);
+    if (state.options.strand == Strand::carried && free > kUncarried * length_xy(way)) return std::nullopt;
+    ++state.counts.connectors;
+    state.counts.connector_length += length_xy(way);
+    state.counts.connector_free += free;
     const Vec3 middle = way[way.size() / 2];
-    joins_.push_back({false, {way[way.size() - 2].xy(), way.back().xy()}, {r.width}});
-    printed_.connector(way);
-    for (std::size_t i = 0; i + 1 < way.size(); ++i) strands_.emplace_back(way[i], way[i + 1]);
-    printed_.begin(); // the two ends of a connector are two bodies
-    auto width = necks(way, r.width);
-    at_ = way.back();
-    const Span span{Role::connector, stroke_,          r.paths.layer,   r.paths.region,
-                    std::move(way),  std::move(width), {r.paths.height}};
+    state.front.joins.push_back({false, {way[way.size() - 2].xy(), way.back().xy()}, {r.width}});
+    state.printed.connector(way);
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) state.strands.emplace_back(way[i], way[i + 1]);
+    state.printed.begin(); // the two ends of a connector are two bodies
+    Span out = span(state, Role::connector);
+    out.width = necks(way, r.width);
+    out.points = std::move(way);
+    out.height = {r.paths.height};
     double volume = 0;
-    for (std::size_t i = 0; i + 1 < span.points.size(); ++i) volume += toolpath::volume(span, i);
-    counts_.connector_volume += volume;
-    notes.push_back({"", "connector to be trimmed", volume, "mm3", 1, r.paths.layer, middle.x, middle.y});
-    emit(span);
+    for (std::size_t i = 0; i + 1 < out.points.size(); ++i) volume += toolpath::volume(out, i);
+    state.counts.connector_volume += volume;
+    state.notes.push_back({"", "connector to be trimmed", volume, "mm3", 1, r.paths.layer, middle.x, middle.y});
+    put(state, std::move(out));
     return entry;
 }
 
-// A strand straight over to the front region, if that is on the same layer and nothing of it is crossed.
-std::optional<Linker::Entry> Linker::go_inside(const Emit& emit) {
-    const auto& r = window_.front();
-    if (!beside_last()) return std::nullopt;
-    const auto entry = nearest_entry(r, at_->xy(), std::numeric_limits<double>::infinity(), {});
+std::optional<Entry> go_inside(State& state) {
+    const auto& r = state.region();
+    if (!beside_last(state)) return std::nullopt;
+    const auto entry = nearest_entry(r, state.at->xy());
     if (!entry) return std::nullopt;
-    const Vec3 a = *at_, b = at_height(entry->place.point, r.paths.z);
-    if (!is_free(*last_, a.xy(), b.xy(), Linker::kMargin, kEnds, 0) || !leads_out(b, a, r.index, true) ||
-        printed_.hits(a, b, options_.head))
+    const Vec3 a = *state.at, b = at_height(entry->place.point, r.paths.z);
+    if (!is_free(*state.before.lines, a.xy(), b.xy(), kMargin, kEnds, 0) || !leads_out(state, b, a, r.index, true) ||
+        state.printed.hits(a, b, state.options.head) || !misses_others(state, a, b, false))
         return std::nullopt;
-    if (!misses_others(a, b, false)) return std::nullopt;
-    ++counts_.strands;
-    counts_.strand_length += entry->place.distance;
-    printed_.begin();
-    jog(*entry, emit);
+    ++state.counts.strands;
+    state.counts.strand_length += entry->place.distance;
+    state.printed.begin();
+    jog(state, *entry);
     return entry;
 }
 
-// Of the part: of what is printed, and of all regions that are known.
-Box2 Linker::all_bounds() const {
-    Box2 box = printed_.bounds();
-    for (const auto& w : window_)
-        if (!w.index.empty()) {
-            box.add(w.index.bounds().lo);
-            box.add(w.index.bounds().hi);
-        }
-    return box;
-}
-
-// The straight way at one height meets no region of its layer that is still to be printed, the front one only if
-// `front`.
-bool Linker::misses_others(Vec3 a, Vec3 b, bool front) const {
-    const double near = window_.front().paths.height / 2;
-    return std::all_of(window_.begin() + (front ? 0 : 1), window_.end(), [&](const Waiting& w) {
-        return std::abs(w.paths.z - a.z) > near || is_free(w.index, a.xy(), b.xy(), Linker::kMargin, 0, 0);
+bool sees_outside(const State& state, Vec2 p, const SegmentIndex& own) {
+    const auto& r = state.region();
+    if (state.options.connect == Connect::inside) {
+        const auto next = nearest_entry(state.window[1], p);
+        return next && is_free(own, p, next->place.point, kMargin, kEnds, 0);
+    }
+    const Box2 box = all_bounds(state);
+    const double m = 2 * r.width;
+    const Vec3 a = at_height(p, r.paths.z);
+    const std::array<Vec2, 4> ends{
+        {{box.lo.x - m, p.y}, {box.hi.x + m, p.y}, {p.x, box.lo.y - m}, {p.x, box.hi.y + m}}};
+    return std::any_of(ends.begin(), ends.end(), [&](Vec2 b) {
+        return leads_out(state, a, at_height(b, a.z), own, true) && misses_others(state, a, at_height(b, a.z), false);
     });
-}
-
-// The way crosses no connector within its own layer.
-bool Linker::misses_strands(Vec3 a, Vec3 b) const {
-    const double thick = 0.99 * window_.front().paths.height;
-    return std::none_of(strands_.begin(), strands_.end(), [&](const auto& s) {
-        const auto& [c, d] = s;
-        return std::min(a.z, b.z) < std::max(c.z, d.z) + thick && std::min(c.z, d.z) < std::max(a.z, b.z) + thick &&
-               geom::cross_properly(a.xy(), b.xy(), c.xy(), d.xy());
-    });
-}
-
-// A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
-bool Linker::leads_out(Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) const {
-    const auto& r = window_.front();
-    return is_free(own, a.xy(), b.xy(), Linker::kMargin, kEnds, 0) &&
-           !printed_.blocks(a, b, a.z - r.paths.height / 2, kDetourMargin * r.width, leaves);
 }
 
 } // namespace filum::link3d

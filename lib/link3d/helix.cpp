@@ -1,6 +1,4 @@
-// True helical z (docs/algorithms/link3d.md#ramps-and-helices): each turn of a column rises evenly by one layer, as
-// thick as the gap to the turn below it.
-#include "link3d/linker.hpp"
+#include "link3d/helix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +15,8 @@ constexpr double kMisfits = 0.01;           // share of a turn that may be thinn
 constexpr double kSeam = 0.9;               // of a turn: so far from each other are places on both sides of its ends
 constexpr double kTurnStep = 5;             // bead widths between the points of a turn, at most
 
-} // namespace
-
 // The front region's curve from `entry` once around, in pieces; with how far each point is along it, 0 to 1.
-Linker::Turn Linker::turn(const Waiting& r, const Entry& entry) {
+Turn turn(const Waiting& r, const Entry& entry) {
     Turn out;
     const Bead b = cut(r.paths.curves[entry.place.curve], entry.place, false, 0);
     const double all = length(b.points);
@@ -43,62 +39,62 @@ Linker::Turn Linker::turn(const Waiting& r, const Entry& entry) {
 
 // How far along the turn the place nearest to p is, 0 to 1; nothing if that is more than `reach` mm away.  Where the
 // turn's ends meet, that end which is nearer to `t`.
-std::optional<double> Linker::Turn::at(const SegmentIndex& index, Vec2 p, double t, double reach) const {
+std::optional<double> at(const Turn& turn, const SegmentIndex& index, Vec2 p, double t, double reach) {
     const auto place = index.nearest(p, reach);
     if (!place) return std::nullopt;
-    const double at = along[place->segment] + place->t * (along[place->segment + 1] - along[place->segment]);
+    const double at =
+        turn.along[place->segment] + place->t * (turn.along[place->segment + 1] - turn.along[place->segment]);
     return std::abs(at - t) > kSeam ? std::round(t) : at;
 }
 
-// Whether the front region, entered there, and the next one can be turns of one helix.
-bool Linker::winds_on(const Entry& entry) const {
-    if (options_.lift != Lift::helical || climbing() == 0 || leads_in()) return false;
-    const auto& here = window_[0];
-    const auto& above = window_[1];
+} // namespace
+
+bool winds_on(const State& state, const Entry& entry) {
+    if (state.options.lift != Lift::helical || climbing(state) == 0 || leads_in(state)) return false;
+    const auto& here = state.window[0];
+    const auto& above = state.window[1];
     if (here.paths.curves.size() != 1 || above.paths.curves.size() != 1 || here.open || above.open) return false;
     const auto next =
-        nearest_entry(above, entry.place.point, reaches(above).front() * (here.width + above.width) / 2, {});
+        nearest_entry(above, entry.place.point, reaches(state, above).front() * (here.width + above.width) / 2);
     if (!next) return false;
     const Turn below = turn(here, entry), on = turn(above, *next);
     const SegmentIndex index(std::span(&below.line, 1));
     std::size_t misfits = 0;
     for (std::size_t i = 0; i < on.along.size(); ++i) {
-        const auto at = below.at(index, on.line.points[i], on.along[i], here.width);
-        const double gap = 1 + on.along[i] - at.value_or(0);
-        misfits += !at || gap < kLeast || gap > kMost ? 1 : 0;
+        const auto place = at(below, index, on.line.points[i], on.along[i], here.width);
+        const double gap = 1 + on.along[i] - place.value_or(0);
+        misfits += !place || gap < kLeast || gap > kMost ? 1 : 0;
     }
     return static_cast<double>(misfits) <= kMisfits * static_cast<double>(on.along.size());
 }
 
-// Prints the front region's one curve as a turn that rises from where the nozzle is.  The last turn of a helix is
-// followed by one at its top that lays what is missing there; its end is the bead's that is returned.
-Bead Linker::wind(const Entry& entry, bool goes_on, const Emit& emit) {
-    const auto& r = window_.front();
-    Turn now = turn(r, entry);
-    const double from = at_->z, rise = r.paths.z - from, h = r.paths.height;
+Bead wind(State& state, const Entry& entry, bool goes_on) {
+    const auto& r = state.region();
+    const Turn now = turn(r, entry);
+    const double from = state.at->z, rise = r.paths.z - from, h = r.paths.height;
+    std::optional<Turn>& under = state.column.turn;
     std::optional<SegmentIndex> below;
-    if (turn_) below.emplace(std::span(&turn_->line, 1));
-    Span s{Role::bead, stroke_, r.paths.layer, r.paths.region, {}, now.line.width, {}};
-    Span top = s;
+    if (under) below.emplace(std::span(&under->line, 1));
+    Span rising = span(state, Role::bead);
+    rising.width = now.line.width;
+    Span top = rising;
     for (std::size_t i = 0; i < now.along.size(); ++i) {
-        const double t = now.along[i];
-        const double under = turn_ ? turn_->at(*below, now.line.points[i], t, 2 * r.width).value_or(t) : 1;
-        s.points.push_back(at_height(now.line.points[i], from + t * rise));
-        s.height.push_back(turn_ ? h * std::clamp(1 + t - under, kLeast, kMost) : h * std::max(kFaint, t));
-        top.points.push_back(at_height(now.line.points[i], r.paths.z));
+        const Vec2 p = now.line.points[i];
+        const double t = now.along[i], t_under = under ? at(*under, *below, p, t, 2 * r.width).value_or(t) : 1;
+        rising.points.push_back(at_height(p, from + t * rise));
+        rising.height.push_back(h * (under ? std::clamp(1 + t - t_under, kLeast, kMost) : std::max(kFaint, t)));
+        top.points.push_back(at_height(p, r.paths.z));
         top.height.push_back(h * std::max(kFaint, 1 - t));
     }
-    s.points.front() = *at_;
-    at_ = s.points.back();
-    ++counts_.turns;
-    emit(s);
+    rising.points.front() = *state.at;
+    put(state, std::move(rising));
+    ++state.counts.turns;
     if (goes_on) {
-        turn_ = now;
+        under = now;
     } else {
-        turn_.reset();
-        top.points.front() = *at_;
-        at_ = top.points.back();
-        emit(top);
+        under.reset();
+        top.points.front() = *state.at;
+        put(state, std::move(top));
     }
     return {now.line.points, now.line.width};
 }

@@ -1,5 +1,6 @@
 // What was laid of a region, as machines round it.
-#include "link3d/linker.hpp"
+#include "link3d/settle.hpp"
+
 #include "toolpath/grid.hpp"
 
 #include <algorithm>
@@ -55,10 +56,9 @@ bool in_layer(const Span& s, std::size_t i, double z) {
 
 } // namespace
 
-// Puts what was laid of the front region on the grid and parts what crosses there.  Its first point stays: the nozzle
-// is there.  Joins that cross a bead all the same are told.
-void Linker::settle(std::vector<Span>& spans, Notes& notes) const {
-    const auto& r = window_.front();
+void settle(State& state) {
+    auto& spans = state.front.spans;
+    const auto& r = state.region();
     Columns columns;
     Lines lines;
     for (Span& s : spans)
@@ -77,8 +77,8 @@ void Linker::settle(std::vector<Span>& spans, Notes& notes) const {
         std::count_if(left.begin(), left.end(), [&](auto p) { return lines.join[p.first] || lines.join[p.second]; });
     if (crossed == 0) return;
     const Vec2 at = spans.front().points.back().xy();
-    notes.push_back({"", "jog across a bead", static_cast<double>(crossed), "places",
-                     static_cast<std::uint64_t>(crossed), r.paths.layer, at.x, at.y});
+    state.notes.push_back({"", "jog across a bead", static_cast<double>(crossed), "places",
+                           static_cast<std::uint64_t>(crossed), r.paths.layer, at.x, at.y});
 }
 
 } // namespace filum::link3d

@@ -1,8 +1,6 @@
 #include "link3d/stacked.hpp"
 
 #include "geom/polyline.hpp"
-#include "link3d/features.hpp"
-#include "link3d/linker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +9,7 @@ namespace filum::link3d {
 
 namespace {
 
-constexpr double kOn = 0.002;         // mm; nearer to a line is on it
+constexpr double kOnLine = 0.002;     // mm; nearer to a line is on it
 constexpr double kSameLength = 0.005; // mm; a segment on a line is as long as its way along it
 
 } // namespace
@@ -26,7 +24,7 @@ Stacked::Stacked(const std::vector<std::vector<Vec2>>& lines) : laid_(lines.size
 
 Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
     if (!index_) return Pass::plain;
-    const auto p = index_->nearest(a, kOn), q = index_->nearest(b, kOn);
+    const auto p = index_->nearest(a, kOnLine), q = index_->nearest(b, kOnLine);
     if (!p || !q || p->curve != q->curve) return Pass::plain;
     const auto& sums = along_[p->curve];
     const auto at = [&](const Place& x) { return sums[x.segment] + x.t * (sums[x.segment + 1] - sums[x.segment]); };
@@ -45,7 +43,7 @@ Stacked::Pass Stacked::pass(Vec2 a, Vec2 b) {
     return Pass::lower;
 }
 
-Stacked::Laid Stacked::lay(const Bead& bead, double z, double height, double ramp) {
+Laid Stacked::lay(const Bead& bead, double z, double height, double ramp) {
     Laid out;
     const auto push = [&](Vec2 p, double width, Pass pass) {
         const bool half = pass != Pass::plain;
@@ -67,23 +65,6 @@ Stacked::Laid Stacked::lay(const Bead& bead, double z, double height, double ram
         push(b, width(i + 1), now);
     }
     return out;
-}
-
-// Prints a bead of a region that has stacked walls; false if it has none.
-bool Linker::print_stacked(const Bead& bead, const Emit& emit) {
-    const auto& r = window_.front().paths;
-    if (r.stacked.empty()) return false;
-    if (!stacked_ || stacked_in_ != r.region) {
-        stacked_.emplace(r.stacked);
-        stacked_in_ = r.region;
-    }
-    auto laid = stacked_->lay(bead, r.z, r.height, window_.front().width / 2);
-    if (geom::distance(laid.points.front(), *at_) < kSamePoint) laid.points.front() = *at_; // spans chain exactly
-    at_ = laid.points.back();
-    emit_by_feature({toolpath::Role::bead, stroke_, r.layer, r.region, std::move(laid.points), std::move(laid.width),
-                     std::move(laid.height)},
-                    r.curves, window_.front().index, emit);
-    return true;
 }
 
 } // namespace filum::link3d

@@ -1,7 +1,7 @@
 // Walls laid in two passes, one on the other (docs/algorithms/fill.md).
 #pragma once
 
-#include "link3d/bead.hpp"
+#include "link3d/ramp.hpp"
 
 #include <optional>
 #include <utility>
@@ -15,10 +15,6 @@ class Stacked {
   public:
     explicit Stacked(const std::vector<std::vector<Vec2>>& lines);
 
-    struct Laid {
-        std::vector<Vec3> points;
-        std::vector<double> width, height;
-    };
     // The bead as it lies in a layer that ends at `z`, `height` thick.  Along a wall the first pass lies half a layer
     // lower than the rest, the second on it; both are half as thick and twice as wide as the bead says.  The nozzle
     // gets from one to the other along `ramp` mm, at most half a segment, so the bead begins at z.

@@ -1,13 +1,9 @@
-// How the linker gets to the next layer.
-#include "link3d/linker.hpp"
+#include "link3d/ramp.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace filum::link3d {
-
-using toolpath::Role;
-using toolpath::Span;
 
 namespace {
 
@@ -66,41 +62,6 @@ Laid lay(const Bead& bead, double z, double height, const Ramp& ramp, double ste
         out.height.push_back(height * std::max(kFaint, up - over));
     });
     return out;
-}
-
-// Longest slope 1 : 20, and never shorter than five beads (docs/algorithms/link3d.md#ramps-and-helices).
-double Linker::ramp_length() const {
-    const auto& r = window_.front();
-    return std::max(20 * (r.paths.z - at_->z), 5 * r.width);
-}
-
-// Whether the front region's curve is long enough to be entered by a ramp.
-bool Linker::ramps(const Entry& entry) const {
-    const auto& curve = window_.front().paths.curves[entry.place.curve];
-    if (!window_.front().paths.stacked.empty()) return false; // climbs by halves as it is
-    return options_.lift != Lift::plain && curve.closed && length(curve.points) > 3 * ramp_length();
-}
-
-// The jog to the front region's curve is the beginning of the ramp.
-void Linker::begin_ramp(const Entry& entry, const Emit& emit) {
-    const auto& r = window_.front();
-    ramp_ = {ramp_length(), geom::distance(at_->xy(), entry.place.point), at_->z};
-    ++counts_.ramps;
-    if (ramp_.lead <= kSamePoint) {
-        ramp_.lead = 0;
-        return;
-    }
-    const double up = ramp_.lead / ramp_.length;
-    const Vec3 to = at_height(entry.place.point, r.paths.z - (r.paths.z - at_->z) * (1 - up));
-    Span s{Role::lift,
-           stroke_,
-           r.paths.layer,
-           r.paths.region,
-           {*at_, to},
-           {kThin * r.width},
-           {r.paths.height * kFaint, r.paths.height * std::max(kFaint, up)}};
-    at_ = to;
-    emit(s);
 }
 
 } // namespace filum::link3d

@@ -1,0 +1,99 @@
+#include "link3d/climb.hpp"
+
+#include "link3d/entry.hpp"
+#include "link3d/helix.hpp"
+
+#include <algorithm>
+
+namespace filum::link3d {
+
+namespace {
+
+using toolpath::Role;
+using toolpath::Span;
+
+// The entry of the front region nearest to the nozzle, if it is in reach, to which no bead of the region lies across
+// the way.  Only an open curve can, as it has no entry where it is nearest.  If one lies across every way, the nearest
+// entry; what it crosses is told when all of the region lies (settle.cpp).
+std::optional<Entry> climb_to(const State& state) {
+    const auto& r = state.region();
+    const Vec2 from = state.at->xy();
+    const double reach = reaches(state, r).back() * (r.width + state.before.width) / 2;
+    const auto nearest = nearest_entry(r, from, reach);
+    if (!nearest || !r.open) return nearest;
+    std::vector<char> tried(r.paths.curves.size(), 0);
+    for (auto entry = nearest; entry; entry = nearest_entry(r, from, reach, tried)) {
+        if (is_free(r.index, from, entry->place.point, 0, kEnds, kEnds)) return entry;
+        tried[entry->place.curve] = 1;
+    }
+    return nearest;
+}
+
+// Longest slope 1 : 20, and never shorter than five beads (docs/algorithms/link3d.md#ramps-and-helices).
+double ramp_length(const State& state) {
+    const auto& r = state.region();
+    return std::max(20 * (r.paths.z - state.at->z), 5 * r.width);
+}
+
+// Whether the front region's curve is long enough to be entered by a ramp.
+bool ramps(const State& state, const Entry& entry) {
+    const auto& r = state.region().paths;
+    const auto& curve = r.curves[entry.place.curve];
+    if (!r.stacked.empty()) return false; // climbs by halves as it is
+    return state.options.lift != Lift::plain && curve.closed && length(curve.points) > 3 * ramp_length(state);
+}
+
+// The jog to the front region's curve is the beginning of the ramp.
+void begin_ramp(State& state, const Entry& entry) {
+    const auto& r = state.region();
+    Ramp& ramp = state.front.ramp;
+    ramp = {ramp_length(state), geom::distance(state.at->xy(), entry.place.point), state.at->z};
+    ++state.counts.ramps;
+    if (ramp.lead <= kSamePoint) {
+        ramp.lead = 0;
+        return;
+    }
+    const double up = ramp.lead / ramp.length;
+    const Vec3 to = at_height(entry.place.point, r.paths.z - (r.paths.z - state.at->z) * (1 - up));
+    Span out = span(state, Role::lift);
+    out.points = {*state.at, to};
+    out.width = {kThin * r.width};
+    out.height = {r.paths.height * kFaint, r.paths.height * std::max(kFaint, up)};
+    put(state, std::move(out));
+}
+
+} // namespace
+
+bool rises(const State& state) {
+    const auto& r = state.region().paths;
+    const double rise = state.at ? r.z - state.at->z : 0;
+    return rise >= 0.5 * r.height && rise <= 1.5 * r.height;
+}
+
+std::optional<Entry> climb(State& state) {
+    const auto& r = state.region();
+    if (!state.before.printed || !rises(state)) return std::nullopt;
+    auto entry = climb_to(state);
+    if (!entry) return std::nullopt;
+    if (state.options.interlace == Interlace::none && !state.column.turn)
+        *entry = drift(state, *entry); // else lanes lead wherever the column goes
+    state.front.joins.push_back({false, {state.at->xy(), entry->place.point}, {kThin * r.width}});
+    ++state.counts.lifts;
+    state.counts.lift_length += entry->place.distance;
+    if (state.column.turn || winds_on(state, *entry)) {
+        state.front.winds = true;
+        if (entry->place.distance > kSamePoint)
+            extrude(state, Role::lift, {*state.at, at_height(entry->place.point, state.at->z)});
+        return entry;
+    }
+    if (ramps(state, *entry)) {
+        begin_ramp(state, *entry);
+        return entry;
+    }
+    std::vector<Vec3> way{*state.at, at_height(state.at->xy(), r.paths.z)};
+    if (entry->place.distance > kSamePoint) way.push_back(at_height(entry->place.point, r.paths.z));
+    extrude(state, Role::lift, std::move(way));
+    return entry;
+}
+
+} // namespace filum::link3d

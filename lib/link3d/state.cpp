@@ -1,0 +1,81 @@
+#include "link3d/state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filum::link3d {
+
+using toolpath::Curve;
+using toolpath::Role;
+using toolpath::Span;
+
+std::size_t climbing(const State& state) {
+    std::size_t n = 0;
+    while (static_cast<std::int64_t>(n) < state.options.look_ahead && n + 1 < state.window.size() &&
+           goes_on(state.window[n + 1]) && !state.window[n + 1].paths.curves.empty())
+        ++n;
+    return n;
+}
+
+bool leads_in(const State& state) { return state.window.size() > 1 && state.window[1].paths.join == Join::beside; }
+
+bool beside_last(const State& state) {
+    return state.before.printed && state.before.lines && std::abs(state.at->z - state.region().paths.z) <= 1e-6;
+}
+
+std::array<double, 2> reaches(const State& state, const Waiting& to) {
+    const double reach = state.options.reach;
+    if (to.paths.join == Join::beside) return {reach, reach};
+    return {std::min(reach, 0.6), std::min(reach, 1.0)};
+}
+
+std::vector<Curve> as_printed(const State& state, std::uint32_t c, const Bead& bead, const std::vector<Vec2>& lane) {
+    std::vector<Curve> curves = state.region().paths.curves;
+    curves[c] = {false, bead.points, bead.width};
+    curves.insert(curves.end(), state.front.joins.begin(), state.front.joins.end());
+    if (lane.size() > 1) curves.push_back({false, lane, {state.region().width}});
+    return curves;
+}
+
+Span span(const State& state, Role role) {
+    const auto& r = state.region().paths;
+    return {role, state.stroke, r.layer, r.region, {}, {}, {}};
+}
+
+void put(State& state, Span span) {
+    state.at = span.points.back();
+    state.front.spans.push_back(std::move(span));
+}
+
+void extrude(State& state, Role role, std::vector<Vec3> points) {
+    Span out = span(state, role);
+    out.points = std::move(points);
+    out.width = {kThin * state.region().width};
+    out.height = {state.region().paths.height};
+    put(state, std::move(out));
+}
+
+void jog(State& state, const Entry& entry) {
+    const auto& r = state.region();
+    const Vec2 to = entry.place.point;
+    state.front.joins.push_back({false, {state.at->xy(), to}, {kThin * r.width}});
+    if (entry.place.distance > kSamePoint) extrude(state, Role::jog, {*state.at, at_height(to, r.paths.z)});
+}
+
+void stop_and_travel(State& state, Vec2 to) {
+    const Vec3 there = at_height(to, state.region().paths.z);
+    if (state.at) {
+        Span out = span(state, Role::travel);
+        out.points = travel(state.printed, *state.at, there, state.options.head);
+        state.counts.travel_length += length(out.points);
+        ++state.counts.breaks;
+        ++state.stroke;
+        put(state, std::move(out));
+    } else {
+        state.at = there;
+    }
+    ++state.counts.strokes;
+    state.printed.begin();
+}
+
+} // namespace filum::link3d
