@@ -40,7 +40,7 @@ constexpr const char* kThin =
 
 struct Options {
     fill::Options how;
-    std::string method = "cyc"; // of the spiral
+    enum class Method : std::uint8_t { cyc, sun2019 } method = Method::cyc; // of the spiral
     baselines::sun2019::SpiralOptions sun2019;
 };
 
@@ -55,7 +55,7 @@ cli::Spec spec(Options& all) {
         .out = cli::writes(stream::Payload::paths),
         .memory = "one region per thread, and outlines filled before, up to 32 MB",
         .options =
-            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatterns),
+            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
              Option{"method", &all.method, "", "how to build a spiral"}
                  .one_of({"cyc", "sun2019"})
                  .when("pattern=spiral"),
@@ -67,7 +67,7 @@ cli::Spec spec(Options& all) {
                  .when("pattern=spiral !method=sun2019")
                  .a_limit(),
              Option{"thin", &o.thin, "", kThin}
-                 .one_of({"lanes", "half-height", "single"})
+                 .one_of(fill::kThinNames)
                  .when("pattern=spiral !method=sun2019")
                  .a_limit(),
              Option{"min-radius", &o.min_radius, "MM",
@@ -108,7 +108,7 @@ cli::Spec spec(Options& all) {
 
 void run(const Options& o, const cli::Io& io) {
     const fill::Options& options = o.how;
-    if (options.pattern == "scaffold") {
+    if (options.pattern == fill::Pattern::scaffold) {
         fill::strand_spacing(options);
         fill::Before before;
         const auto work = [&](const stream::RawFrame& frame, const auto& emit, Notes& notes) {
@@ -118,7 +118,7 @@ void run(const Options& o, const cli::Io& io) {
     }
     baselines::sun2019::SpiralOptions paper = o.sun2019;
     paper.offset = options.bead_width;
-    const bool as_paper = options.pattern == "spiral" && o.method == "sun2019";
+    const bool as_paper = options.pattern == fill::Pattern::spiral && o.method == Options::Method::sun2019;
     fill::Reuse filled = as_paper ? baselines::sun2019::filler(paper) : fill::Reuse(options);
     std::atomic<bool> any_hollow = false;
     cli::map_stage(io, stream::Payload::regions, stream::Payload::paths, [&](stream::RawFrame frame, Notes& notes) {

@@ -54,26 +54,40 @@ void pass_one_wall_once(const polygon::Region& r, double width, toolpath::Curve&
     if (twice > 0) notes.push_back({"", "wall laid twice", twice, "mm", 1, -1, at.x, at.y});
 }
 
+std::vector<toolpath::Curve> by_spiral(const polygon::Region& r, const Options& o, double& unplaced, Notes& notes) {
+    const double w = o.bead_width;
+    if (o.thin == Thin::single)
+        if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
+    Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least_width(o), .min_radius = o.min_radius}, notes);
+    unplaced = s.unplaced;
+    if (o.thin == Thin::single && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
+    return std::move(s.curves);
+}
+
+// Of all patterns but scaffold, which depends on the regions before.
 std::vector<toolpath::Curve> curves_by_pattern(const polygon::Region& r, const Options& o, double& unplaced,
                                                Notes& notes) {
     const double w = o.bead_width;
-    if (o.pattern == "spiral") {
-        if (o.thin == "single")
-            if (auto walls = single_walls(r, w, notes); !walls.empty()) return walls;
-        Spiral s = spiral(r.loops, {.bead_width = w, .min_width = least_width(o), .min_radius = o.min_radius}, notes);
-        unplaced = s.unplaced;
-        if (o.thin == "single" && s.curves.size() == 1) pass_one_wall_once(r, w, s.curves[0], notes);
-        return std::move(s.curves);
-    }
-    if (o.pattern == "contour") return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)});
-    if (o.pattern == "rectilinear")
+    const auto rows_within = [&](int outer, bool linked) {
+        return rows::zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = outer, .linked = linked}, notes,
+                            &unplaced);
+    };
+    switch (o.pattern) {
+    case Pattern::contour:
+        return contour(r.loops, {.bead_width = w, .rings = rings(o, 0)});
+    case Pattern::zigzag:
+        return rows_within(0, true);
+    case Pattern::spiral_zigzag:
+        return rows_within(rings(o, 2), true);
+    case Pattern::contour_zigzag:
+        return rows_within(rings(o, 2), false);
+    case Pattern::rectilinear:
         return rows::rectilinear(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = rings(o, 0)}, notes);
-    if (o.pattern != "zigzag" && o.pattern != "spiral+zigzag" && o.pattern != "contour+zigzag")
-        throw Error(Exit::usage, "cannot fill by the pattern '" + o.pattern + "'");
-    const int outer = o.pattern == "zigzag" ? 0 : rings(o, 2);
-    const bool linked = o.pattern != "contour+zigzag";
-    return rows::zigzag(r.loops, {.bead_width = w, .angle = angle(r, o), .rings = outer, .linked = linked}, notes,
-                        &unplaced);
+    case Pattern::spiral:
+    case Pattern::scaffold:
+        break;
+    }
+    return by_spiral(r, o, unplaced, notes);
 }
 
 // Lays walls whose lanes would be narrower than the least width in two passes, one on the other.
@@ -114,7 +128,7 @@ std::size_t column(const polygon::Region& r, Before& before) {
 } // namespace
 
 toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& notes) {
-    if (o.pattern == "scaffold") {
+    if (o.pattern == Pattern::scaffold) {
         Before before;
         return fill_scaffold(r, o, before, notes);
     }
@@ -122,8 +136,9 @@ toolpath::RegionPaths fill(const polygon::Region& r, const Options& o, Notes& no
     identify(out, r);
     const std::size_t first = notes.size();
     out.curves = curves_by_pattern(r, o, out.unplaced, notes);
-    if (o.thin == "half-height" && o.pattern == "spiral") stack_thin_walls(r, o, notes, first, out);
-    if (o.pattern != "spiral") join::lay_on_grid(out.curves, o.bead_width, notes); // which is made and checked there
+    if (o.thin == Thin::half_height && o.pattern == Pattern::spiral) stack_thin_walls(r, o, notes, first, out);
+    if (o.pattern != Pattern::spiral)
+        join::lay_on_grid(out.curves, o.bead_width, notes); // which is made and checked there
     place(r, notes, first, out);
     return out;
 }

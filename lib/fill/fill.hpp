@@ -5,19 +5,29 @@
 #include "polygon/region.hpp"
 #include "toolpath/path.hpp"
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace filum::fill {
 
-// The names that Options::pattern takes.
-inline const std::vector<std::string> kPatterns = {"spiral",         "contour",     "zigzag",  "spiral+zigzag",
-                                                   "contour+zigzag", "rectilinear", "scaffold"};
+// spiral_zigzag and contour_zigzag: rings outside, as of the first, and rows inside.
+enum class Pattern : std::uint8_t { spiral, contour, zigzag, spiral_zigzag, contour_zigzag, rectilinear, scaffold };
+inline constexpr std::array kPatternNames{"spiral",         "contour",     "zigzag",  "spiral+zigzag",
+                                          "contour+zigzag", "rectilinear", "scaffold"};
+
+// How walls of the spiral that are thinner than a bead are laid.
+enum class Thin : std::uint8_t {
+    lanes,       // two narrow ones, there and back
+    half_height, // there at half the layer's height, and back on top
+    single,      // once, where the curve may have two ends for it
+};
+inline constexpr std::array kThinNames{"lanes", "half-height", "single"};
 
 struct Options {
-    std::string pattern = "spiral"; // one of kPatterns
+    Pattern pattern = Pattern::spiral;
     double bead_width = 0.4;        // mm
     double min_width = 0.1;         // mm: narrower beads of the spiral are reported
     double min_radius = 0;          // mm: the spiral turns no tighter where it has room
@@ -25,13 +35,13 @@ struct Options {
                                     // none: the pattern's own (0; scaffold 0, 90)
     std::int64_t rings = -1;        // along the outline: of contour at most this many, of the others exactly;
                                     // -1: the pattern's own number (all, 2 of the hybrids, 0)
-    std::string thin = "lanes";     // walls of the spiral thinner than a bead: lanes, half-height or single
-    double spacing = 0;             // scaffold: mm between strands; 0: two and a half bead widths
-    double stagger = 0;             // scaffold: spacings by which every other round of angles is shifted
+    Thin thin = Thin::lanes;
+    double spacing = 0; // scaffold: mm between strands; 0: two and a half bead widths
+    double stagger = 0; // scaffold: spacings by which every other round of angles is shifted
 };
 
 // What fills `region`, with the region's own data handed on.  Curves and ties as the pattern's own header says; spiral,
-// zigzag and spiral+zigzag give one closed curve.  Throws Error(usage) for a pattern that does not exist.
+// zigzag and spiral+zigzag give one closed curve.
 toolpath::RegionPaths fill(const polygon::Region& region, const Options& options, Notes& notes);
 
 // The same by another way to lay curves, such as a baseline's.

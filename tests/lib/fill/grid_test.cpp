@@ -32,29 +32,28 @@ void expect_on_grid(const Loops& loops, const Options& o, const std::string& nam
 }
 
 TEST(OnGrid, EveryPattern) {
-    for (const std::string& pattern : kPatterns)
+    for (std::size_t k = 0; k < kPatternNames.size(); ++k)
         for (unsigned seed = 0; seed < 8; ++seed)
             for (const Loops& loops : random_regions(seed)) {
-                const bool straight = pattern != "spiral" && pattern != "contour";
                 Options o;
-                o.pattern = pattern;
-                if (straight) o.angles_deg = {37};
-                expect_on_grid(loops, o, pattern + " " + std::to_string(seed));
+                o.pattern = static_cast<Pattern>(k);
+                if (o.pattern != Pattern::spiral && o.pattern != Pattern::contour) o.angles_deg = {37};
+                expect_on_grid(loops, o, kPatternNames[k] + std::to_string(seed));
             }
 }
 
 TEST(OnGrid, RingsOfScaffoldsAndThinWalls) {
     Options ringed, thin;
-    ringed.pattern = "scaffold";
+    ringed.pattern = Pattern::scaffold;
     ringed.rings = 2;
     thin.bead_width = 0.7;
     thin.min_width = 0.35;
     for (unsigned seed = 0; seed < 8; ++seed)
         for (const Loops& loops : random_regions(seed)) {
             expect_on_grid(loops, ringed, "rings " + std::to_string(seed));
-            for (const char* how : {"single", "half-height"}) {
+            for (const Thin how : {Thin::single, Thin::half_height}) {
                 thin.thin = how;
-                expect_on_grid(loops, thin, how + std::to_string(seed));
+                expect_on_grid(loops, thin, kThinNames[static_cast<std::size_t>(how)] + std::to_string(seed));
             }
         }
 }

@@ -66,7 +66,7 @@ void expect_as(Reuse& reuse, const Reuse::Work& work) {
 }
 
 TEST(Reuse, GivesWhatFillGives) {
-    for (const char* pattern : {"spiral", "zigzag", "rectilinear"})
+    for (const Pattern pattern : {Pattern::spiral, Pattern::zigzag, Pattern::rectilinear})
         for (const std::size_t most : {0U, 150U, 1U << 20}) { // none held, some forgotten, all held
             Options o;
             o.pattern = pattern, o.min_width = 0.3, o.angles_deg = {0, 90};

@@ -169,7 +169,7 @@ TEST(Scaffold, ConvexAreasPassNothingAgain) {
 
 TEST(Scaffold, LayersOfAColumnBeginWhereTheOneBelowEnded) {
     Options o;
-    o.pattern = "scaffold";
+    o.pattern = Pattern::scaffold;
     for (const auto& angles : {std::vector<double>{0, 90}, std::vector<double>{0, 60, 120}, std::vector<double>{17}}) {
         o.angles_deg = angles;
         for (const auto& area : {rectangle(0, 0, 20, 20), disc({3, 4}, 5), yoke(),
@@ -195,7 +195,7 @@ TEST(Scaffold, LayersOfAColumnBeginWhereTheOneBelowEnded) {
 
 TEST(Scaffold, PoresRunThroughWhatTapers) {
     Options o;
-    o.pattern = "scaffold", o.angles_deg = {0}, o.spacing = 1;
+    o.pattern = Pattern::scaffold, o.angles_deg = {0}, o.spacing = 1;
     Before before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 20; ++layer) {
@@ -209,7 +209,7 @@ TEST(Scaffold, PoresRunThroughWhatTapers) {
 
 TEST(Scaffold, EveryOtherRoundIsStaggered) {
     Options o;
-    o.pattern = "scaffold", o.angles_deg = {0, 90}, o.spacing = 1, o.stagger = 0.5;
+    o.pattern = Pattern::scaffold, o.angles_deg = {0, 90}, o.spacing = 1, o.stagger = 0.5;
     Before before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 8; ++layer) {
@@ -239,7 +239,7 @@ TEST(Scaffold, RingsBelongToTheStroke) {
 
 TEST(Scaffold, SpacingBelowTheBeadWidthIsRefused) {
     Options o;
-    o.pattern = "scaffold";
+    o.pattern = Pattern::scaffold;
     o.bead_width = 0.5;
     o.spacing = 0.49;
     EXPECT_THROW(strand_spacing(o), Error);

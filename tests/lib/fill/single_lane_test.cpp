@@ -20,7 +20,7 @@ struct Filled {
     std::vector<Curve> curves;
     Notes notes;
 };
-Filled filled(const Loops& area, const std::string& thin) {
+Filled filled(const Loops& area, Thin thin) {
     polygon::Region r;
     r.loops = area;
     r.area = polygon::signed_area(area);
@@ -44,7 +44,7 @@ double length_of_all(const std::vector<Curve>& curves) {
 }
 
 TEST(SingleLane, ANeckBetweenFatPartsIsPassedOnce) {
-    const auto lanes = filled(neck(), "lanes"), single = filled(neck(), "single");
+    const auto lanes = filled(neck(), Thin::lanes), single = filled(neck(), Thin::single);
     ASSERT_EQ(single.curves.size(), 1U);
     EXPECT_TRUE(lanes.curves[0].closed);
     EXPECT_FALSE(single.curves[0].closed);
@@ -66,7 +66,7 @@ TEST(SingleLane, ANeckBetweenFatPartsIsPassedOnce) {
 }
 
 TEST(SingleLane, ADeadEndIsWhereTheCurveEnds) {
-    const auto single = filled(fin(14, 2.3), "single");
+    const auto single = filled(fin(14, 2.3), Thin::single);
     ASSERT_EQ(single.curves.size(), 1U);
     const Curve& c = single.curves[0];
     EXPECT_FALSE(c.closed);
@@ -77,7 +77,7 @@ TEST(SingleLane, ADeadEndIsWhereTheCurveEnds) {
 
 TEST(SingleLane, OnlyTheLongestOfSeveralIsPassedOnce) {
     const Loops area = with(fin(14, 2.3), rectangle(4, 4, 9, 4.3));
-    const auto single = filled(area, "single");
+    const auto single = filled(area, Thin::single);
     ASSERT_EQ(single.curves.size(), 1U);
     const Notes notes = besides_narrow(single.notes);
     ASSERT_EQ(notes.size(), 1U);
@@ -87,7 +87,7 @@ TEST(SingleLane, OnlyTheLongestOfSeveralIsPassedOnce) {
 
 TEST(SingleLane, ShortAndThickWallsStayAsTheyAre) {
     for (const auto& area : {rectangle(0, 0, 5, 5), fin(6, 2.3), fin(14, 2.9)}) {
-        const auto lanes = filled(area, "lanes"), single = filled(area, "single");
+        const auto lanes = filled(area, Thin::lanes), single = filled(area, Thin::single);
         EXPECT_TRUE(same(lanes.curves, single.curves));
     }
 }
@@ -105,7 +105,7 @@ TEST(StackLanes, HairWallsArePassedTwiceOnTheirMiddle) {
             Notes notes, plain;
             const double lanes = laid(fill(r, o, plain).curves);
             EXPECT_EQ(plain.size(), 1U);
-            o.thin = "half-height";
+            o.thin = Thin::half_height;
             const auto paths = fill(r, o, notes);
             for (const Note& n : notes) EXPECT_LT(n.amount, 1.5) << thickness; // mm: a link where the box narrows
             ASSERT_EQ(paths.curves.size(), 1U);
@@ -134,11 +134,11 @@ TEST(StackLanes, ThickerWallsKeepTheirLanes) {
         r.loops = area;
         r.area = polygon::signed_area(area);
         Options o;
-        o.thin = "half-height";
+        o.thin = Thin::half_height;
         Notes notes;
         const auto paths = fill(r, o, notes);
         EXPECT_TRUE(paths.stacked.empty());
-        EXPECT_TRUE(same(paths.curves, filled(area, "lanes").curves));
+        EXPECT_TRUE(same(paths.curves, filled(area, Thin::lanes).curves));
     }
 }
 
@@ -147,7 +147,7 @@ TEST(SingleLane, RandomRegionsKeepOneSoundCurve) {
     for (unsigned seed = 0; seed < 40; ++seed)
         for (const auto& area : random_regions(seed)) {
             if (polygon::signed_area(area) < 2) continue;
-            const auto lanes = filled(area, "lanes"), single = filled(area, "single");
+            const auto lanes = filled(area, Thin::lanes), single = filled(area, Thin::single);
             EXPECT_EQ(single.curves.size(), lanes.curves.size()) << seed;
             expect_sound(single.curves);
             EXPECT_EQ(crossings(single.curves), 0U) << seed;

@@ -147,7 +147,7 @@ TEST(WallWalk, FillTakesItWhereAskedTo) {
     Notes notes;
     EXPECT_TRUE(fill(r, o, notes).curves.at(0).closed);
     EXPECT_TRUE(notes.empty());
-    o.thin = "single";
+    o.thin = Thin::single;
     EXPECT_FALSE(fill(r, o, notes).curves.at(0).closed);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].what, "wall laid twice");
