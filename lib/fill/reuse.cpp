@@ -1,5 +1,6 @@
 #include "fill/reuse.hpp"
 
+#include "base/mix.hpp"
 #include "fill/identify.hpp"
 
 #include <bit>
@@ -8,18 +9,15 @@ namespace filum::fill {
 
 namespace {
 
-std::uint64_t mixed(std::uint64_t x) { // splitmix64
-    x += 0x9e3779b97f4a7c15U;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-}
-
 std::uint64_t key_of(const polygon::Loops& loops, double layer) {
-    std::uint64_t h = mixed(std::bit_cast<std::uint64_t>(layer));
-    for (const std::uint32_t s : loops.start) h = mixed(h ^ s);
-    for (const geom::Vec2 p : loops.points)
-        h = mixed(mixed(h ^ std::bit_cast<std::uint64_t>(p.x)) ^ std::bit_cast<std::uint64_t>(p.y));
+    std::uint64_t h = 0;
+    const auto add = [&](std::uint64_t bits) { h = mixed((h ^ bits) + kMixStep); };
+    add(std::bit_cast<std::uint64_t>(layer));
+    for (const std::uint32_t s : loops.start) add(s);
+    for (const geom::Vec2 p : loops.points) {
+        add(std::bit_cast<std::uint64_t>(p.x));
+        add(std::bit_cast<std::uint64_t>(p.y));
+    }
     return h;
 }
 

@@ -1,5 +1,7 @@
 #include "link3d/interlace.hpp"
 
+#include "base/mix.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +14,6 @@ constexpr double kGolden = 0.38196601; // 1 - 1 / golden ratio
 constexpr double kSpread = 9.6; // bead widths that golden starts spread over: kGolden times it is above kStartStep
 constexpr double kRandom = 12;  // bead widths that random starts spread over
 
-// The next number of a generator with the same numbers everywhere (Steele, Lea, Flood: splitmix64), in [0, 1).
-double next(std::uint64_t& state) {
-    std::uint64_t z = state += 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return static_cast<double>((z ^ (z >> 31U)) >> 11U) / 9007199254740992.0;
-}
-
 } // namespace
 
 double start_offset(Interlace scheme, std::uint32_t layer, double before, std::uint64_t& state) {
@@ -28,7 +22,7 @@ double start_offset(Interlace scheme, std::uint32_t layer, double before, std::u
     if (scheme == Interlace::none) return 0;
     // as if drawn until it is far enough from the one before
     const double lo = std::max(0.0, before - kStartStep), hi = std::min(kRandom, before + kStartStep);
-    const double at = next(state) * (lo + kRandom - hi);
+    const double at = next_share(state) * (lo + kRandom - hi);
     return at < lo ? at : at - lo + hi;
 }
 

@@ -1,5 +1,6 @@
 #include "render/strokes.hpp"
 
+#include "base/mix.hpp"
 #include "geom/segment.hpp"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ constexpr double kMostCells = 1 << 20;  // along an axis: 20 bits each in a key
 constexpr double kMostPieces = 1 << 17; // of strokes, a cell long each: bounds the memory for hair-thin ones
 constexpr double kTouch = 0.9;          // of half the width: what two passes share further out is their common border
 constexpr double kNear = 3;             // widths along the path that count as neighbours
-
-std::uint64_t mixed(std::uint64_t v) { // Stafford's variant 13
-    v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    v = (v ^ (v >> 27)) * 0x94d049bb133111ebULL;
-    return v ^ (v >> 31);
-}
 
 // How far from its line something may be that a stroke covers.
 double radius(const Stroke& s) { return std::hypot(std::max(s.half_a, s.half_b), s.reach); }

@@ -1,5 +1,6 @@
 #include "sequence/canon.hpp"
 
+#include "base/mix.hpp"
 #include "geom/disjoint_sets.hpp"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ constexpr int kSweeps = 8;    // up and down, at most, until no more nodes are t
 constexpr int kSetApart = 16; // nodes of each part that are set apart
 constexpr std::uint64_t kLink = 0x9e3779b97f4a7c15U, kPrecedence = 0xc2b2ae3d27d4eb4fU, kChosen = 0x165667b19e3779f9U;
 
-std::uint64_t scrambled(std::uint64_t x) { // the finaliser of splitmix64
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-}
-
 // Colours that tell nodes apart by their neighbours' colours, and by which of them are in the same column.
 struct Colours {
     const Graph& g;
@@ -27,15 +22,15 @@ struct Colours {
     std::vector<std::uint64_t> of;
 
     Colours(const Graph& graph, std::span<const Index> columns) : g(graph), column(columns), of(graph.size()) {
-        for (Index v = 0; v < g.size(); ++v) of[v] = scrambled(g.node[v].layer + kLink);
+        for (Index v = 0; v < g.size(); ++v) of[v] = mixed(g.node[v].layer + kLink);
     }
     [[nodiscard]] std::uint64_t sum(Index v, std::span<const Index> others, std::uint64_t kind) const {
         std::uint64_t sum = 0;
-        for (const Index u : others) sum += scrambled(of[u] + (column[u] == column[v] ? 3 : 1) * kind);
+        for (const Index u : others) sum += mixed(of[u] + (column[u] == column[v] ? 3 : 1) * kind);
         return sum;
     }
     void tell(Index v, const Arcs& links, const Arcs& precedence) {
-        of[v] = scrambled(of[v] * 5 + sum(v, links[v], kLink) + 3 * sum(v, precedence[v], kPrecedence));
+        of[v] = mixed(of[v] * 5 + sum(v, links[v], kLink) + 3 * sum(v, precedence[v], kPrecedence));
     }
     // Arcs lead to higher layers, and nodes are numbered by layer, so one sweep carries a colour all the way.
     void sweep() {
@@ -83,7 +78,7 @@ bool set_apart(const std::vector<std::vector<Index>>& parts, Colours& c) {
         const auto alike =
             std::adjacent_find(nodes.begin(), nodes.end(), [&](Index a, Index b) { return colour[a] == colour[b]; });
         if (alike == nodes.end()) continue;
-        colour[*alike] = scrambled(colour[*alike] + kChosen);
+        colour[*alike] = mixed(colour[*alike] + kChosen);
         any = true;
     }
     return any;
@@ -108,7 +103,7 @@ std::vector<Index> canonical_order(const Graph& g, std::span<const Index> column
     std::vector<Index> part(g.size());
     for (const auto& nodes : parts) {
         std::uint64_t sum = 0;
-        for (const Index v : nodes) sum += scrambled(colour[v]);
+        for (const Index v : nodes) sum += mixed(colour[v]);
         for (const Index v : nodes) {
             of_part[v] = sum;
             part[v] = nodes[0];

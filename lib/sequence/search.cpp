@@ -1,18 +1,13 @@
 #include "sequence/search.hpp"
 
+#include "base/mix.hpp"
+
 #include <algorithm>
 #include <unordered_map>
 
 namespace filum::sequence {
 
 namespace {
-
-std::uint64_t mixed(std::uint64_t x) { // splitmix64
-    x += 0x9e3779b97f4a7c15U;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-}
 
 // A stroke that was kept, and the one before it.
 struct Step {
@@ -94,7 +89,7 @@ struct BeamSearch {
         Candidate c{from, parent, static_cast<Index>(tried.size()), static_cast<Index>(path.size())};
         for (const Index v : path) {
             c.state.score += weight[v];
-            c.state.hash ^= mixed(v) & hashed;
+            c.state.hash ^= mixed(v + kMixStep) & hashed;
         }
         tried.insert(tried.end(), path.begin(), path.end());
         candidates.push_back(c);

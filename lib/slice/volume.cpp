@@ -1,6 +1,7 @@
 #include "slice/volume.hpp"
 
 #include "base/error.hpp"
+#include "base/mix.hpp"
 #include "base/number.hpp"
 #include "mesh/place.hpp"
 #include "parallel/parallel.hpp"
@@ -38,13 +39,6 @@ std::vector<Level> levels_within(const Sweep& sweep, const std::vector<std::size
         }
     }
     return out;
-}
-
-// A number that looks random, from 0 to 1.
-double scattered(std::uint64_t n) {
-    n = (n ^ (n >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    n = (n ^ (n >> 27)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((n ^ (n >> 31)) >> 11) * 0x1p-53;
 }
 
 // The area that closed contours wind round, by rows.
@@ -97,8 +91,8 @@ Reading read_points(const Part& part, double z, const geom::Box3& box, std::size
     out.cell = w * d / static_cast<double>(columns * rows);
     for (std::size_t i = 0; i < columns * rows; ++i) {
         const std::size_t column = i % columns, row = i / columns;
-        const double u = static_cast<double>(column) + scattered(2 * (seed * 1000003 + i)),
-                     v = static_cast<double>(row) + scattered(2 * (seed * 1000003 + i) + 1);
+        const double u = static_cast<double>(column) + as_share(mixed(2 * (seed * 1000003 + i))),
+                     v = static_cast<double>(row) + as_share(mixed(2 * (seed * 1000003 + i) + 1));
         out.point.push_back(
             {box.lo.x + w * u / static_cast<double>(columns), box.lo.y + d * v / static_cast<double>(rows)});
         out.winding.push_back(part.winding->at({out.point.back().x, out.point.back().y, z}));
@@ -190,7 +184,8 @@ Measured measure(const Sweep& sweep, std::size_t planes, std::size_t points, int
     const std::size_t each = std::max<std::size_t>(2, planes / 4 / asked);
     Measured out;
     for (std::size_t k = 0; k < asked; ++k) { // one out of each of as many equal stretches, at random
-        const double at = (static_cast<double>(k) + (asked < n ? scattered(k + 1) : 0.5)) / static_cast<double>(asked);
+        const double at =
+            (static_cast<double>(k) + (asked < n ? as_share(mixed(k + 1)) : 0.5)) / static_cast<double>(asked);
         out.layers.push_back(std::min(n - 1, static_cast<std::size_t>(at * static_cast<double>(n))));
     }
     const Sweep probe = sweep_over(*sweep.part, sweep.options, levels_within(sweep, out.layers, each), threads);
