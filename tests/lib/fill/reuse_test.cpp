@@ -69,7 +69,9 @@ TEST(Reuse, GivesWhatFillGives) {
     for (const Pattern pattern : {Pattern::spiral, Pattern::zigzag, Pattern::rectilinear})
         for (const std::size_t most : {0U, 150U, 1U << 20}) { // none held, some forgotten, all held
             Options o;
-            o.pattern = pattern, o.min_width = 0.3, o.angles_deg = {0, 90};
+            o.pattern = pattern;
+            o.min_width = 0.3;
+            o.angles_deg = {0, 90};
             Reuse reuse(o, most);
             expect_as(reuse, [&](const polygon::Region& r, Notes& notes) { return fill(r, o, notes); });
         }

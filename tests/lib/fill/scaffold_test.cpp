@@ -195,7 +195,9 @@ TEST(Scaffold, LayersOfAColumnBeginWhereTheOneBelowEnded) {
 
 TEST(Scaffold, PoresRunThroughWhatTapers) {
     Options o;
-    o.pattern = Pattern::scaffold, o.angles_deg = {0}, o.spacing = 1;
+    o.pattern = Pattern::scaffold;
+    o.angles_deg = {0};
+    o.spacing = 1;
     Before before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 20; ++layer) {
@@ -209,7 +211,10 @@ TEST(Scaffold, PoresRunThroughWhatTapers) {
 
 TEST(Scaffold, EveryOtherRoundIsStaggered) {
     Options o;
-    o.pattern = Pattern::scaffold, o.angles_deg = {0, 90}, o.spacing = 1, o.stagger = 0.5;
+    o.pattern = Pattern::scaffold;
+    o.angles_deg = {0, 90};
+    o.spacing = 1;
+    o.stagger = 0.5;
     Before before;
     Notes notes;
     for (std::uint32_t layer = 0; layer < 8; ++layer) {

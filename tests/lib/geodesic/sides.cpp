@@ -135,7 +135,8 @@ TEST(Sides, ClosedSignedIsolinesKeepTheirTriangles) {
     const std::vector<Vec3> square{{4, 4, 0}, {4, 16, 0}, {16, 16, 0}, {16, 4, 0}, {4, 4, 0}};
     s.segments = surface::trace(plate.surface, square).segments;
     Options o;
-    o.levels = {2}, o.with_sides = true;
+    o.levels = {2};
+    o.with_sides = true;
     measure(plate, s, o, notes);
     ASSERT_EQ(plate.isolines.size(), 2U);
     const auto& inner = plate.isolines[0];

@@ -106,7 +106,8 @@ std::vector<Span> dome() {
             const Vec3 a = out.back().points.back(), na = out.back().normals.back();
             const Vec3 b = s.points.front(), nb = s.normals.front();
             Span t = travel(a, b);
-            t.points = {a, a + 5 * na, b + 5 * nb, b}, t.normals = {na, na, nb, nb};
+            t.points = {a, a + 5 * na, b + 5 * nb, b};
+            t.normals = {na, na, nb, nb};
             out.push_back(t);
         }
         out.push_back(s);

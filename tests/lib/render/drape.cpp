@@ -32,7 +32,10 @@ std::vector<toolpath::Span> lanes(int missing, double z = 0, Vec3 normal = {0, 0
 
 Options plain(const char* view = "top") {
     Options o;
-    o.view = view, o.size = {300, 300}, o.no_centres = true, o.voids = true;
+    o.view = view;
+    o.size = {300, 300};
+    o.no_centres = true;
+    o.voids = true;
     return o;
 }
 
@@ -108,7 +111,8 @@ TEST(Drape, FollowsThePathToTheBack) {
 
 TEST(Drape, ShowsBeadsThatDoNotLieOnTheSurface) {
     Scene s;
-    s.sheet = square(), s.spans = {lane({1, 5, 4}, {9, 5, 4}), lane({1, 2, 0.4}, {9, 2, 0.4})};
+    s.sheet = square();
+    s.spans = {lane({1, 5, 4}, {9, 5, 4}), lane({1, 2, 0.4}, {9, 2, 0.4})};
     const Laid laid = lay(s, tint(s, By::role, nullptr));
     EXPECT_NEAR(laid.loose_length, 8, 1e-9);
     const auto blue = [](Srgb8 c) { return c.b > c.r + 40; };
@@ -168,7 +172,8 @@ TEST(Drape, PutsLaterLayersOnTop) {
         Scene part = s;
         part.spans.assign(s.spans.begin() + from, s.spans.begin() + to);
         Options o = plain();
-        o.color = "stroke", o.around = {5, 5, 0, 4};
+        o.color = "stroke";
+        o.around = {5, 5, 0, 4};
         return decode(draw(part, o, "class", 1)).at(150, 120);
     };
     const Srgb8 both = alone(0, 20), lower = alone(0, 10), upper = alone(10, 20);
@@ -179,7 +184,8 @@ TEST(Drape, PutsLaterLayersOnTop) {
 TEST(Drape, MarksOverlapButNoTurns) {
     const auto dark = [](Srgb8 c) { return c.r < 70 && c.g < 100 && c.b < 150; };
     Options o = plain();
-    o.overlap = true, o.size = {400, 400};
+    o.overlap = true;
+    o.size = {400, 400};
     Scene s;
     s.sheet = square();
     toolpath::Span turn = lane({1, 2, 0}, {8, 2, 0});
@@ -229,7 +235,9 @@ TEST(Drape, DrawsVectorsAlongTheirDirection) {
             f.values.insert(f.values.end(), {v.x, v.y, v.z});
         s.sheet->fields = {f};
         Options o = plain();
-        o.voids = false, o.arrows = "dir", o.around = {5, 5, 0, 3};
+        o.voids = false;
+        o.arrows = "dir";
+        o.around = {5, 5, 0, 3};
         const Decoded d = decode(draw(s, o, "class", 1));
         std::pair<int, int> out;
         for (unsigned y = 10; y < 250; ++y)
@@ -313,7 +321,10 @@ TEST(Drape, BearsExtremes) {
         return s;
     };
     Options o = plain("auto");
-    o.size = {64, 48}, o.voids = false, o.overlap = true, o.views = "face,front,1,1,1";
+    o.size = {64, 48};
+    o.voids = false;
+    o.overlap = true;
+    o.views = "face,front,1,1,1";
     for (const double size : {1e-6, 1.0, 1e6})
         for (const Vec3 place : {Vec3{}, Vec3{1e8, -1e8, 1e8}}) {
             Scene s = at(size, place);
@@ -331,7 +342,9 @@ TEST(Drape, BearsExtremes) {
     s.spans[3].points[1].x = 1e300;
     EXPECT_THROW(draw(s, o, "class", 1), Error);
     s.spans.pop_back();
-    o.samples = 4096, o.views = "", o.around = {2, 2, 0, 1e-3};
+    o.samples = 4096;
+    o.views = "";
+    o.around = {2, 2, 0, 1e-3};
     EXPECT_EQ(decode(draw(s, o, "class", 1)).width, 64u);
 }
 
@@ -362,7 +375,8 @@ TEST(Drape, DrawsSeveralSurfacesInColoursOfTheirOwn) {
     ASSERT_EQ(s.patches.size(), 2U);
     EXPECT_EQ(s.sheet->surface.rims.size(), 2U);
     Options o = plain();
-    o.voids = false, o.size = {600, 300};
+    o.voids = false;
+    o.size = {600, 300};
     const Decoded d = decode(draw(s, o, "class", 1));
     const Srgb8 a = d.at(180, 80), b = d.at(420, 80);
     EXPECT_GT(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b), 60);

@@ -50,7 +50,9 @@ TEST(Flat, ShowsASquareOfItsSize) {
     Scene s = filled();
     add(s, square(0, 0, 4, 4), {});
     Options o;
-    o.layer = 0, o.size = {300, 300}, o.no_centres = true;
+    o.layer = 0;
+    o.size = {300, 300};
+    o.no_centres = true;
     const Decoded d = decode(draw(s, o, "progress", 1));
     // The longer side, 4.4 mm with the round ends, takes 0.94 of the width (or the shorter 0.90 of the height).
     const double side = std::min(0.94 * 300 / 4.4, 0.90 * 300 / 4.0) * 4;
@@ -62,7 +64,9 @@ TEST(Flat, ShowsVoidsRed) {
     Scene s = filled(5);
     add(s, square(0, 0, 4, 4), {});
     Options o;
-    o.layer = 0, o.size = {300, 300}, o.no_centres = true;
+    o.layer = 0;
+    o.size = {300, 300};
+    o.no_centres = true;
     const Decoded d = decode(draw(s, o, "progress", 1));
     const double side = std::min(0.94 * 300 / 4.4, 0.90 * 300 / 4.0) * 4;
     EXPECT_NEAR(d.share(red), 0.5 * side * side / 90000, 0.03);
@@ -73,7 +77,10 @@ TEST(Flat, MarksOverlapDark) {
     for (const auto& s : filled().spans) twice.spans.push_back(s);
     const auto brightness = [](const Scene& s) {
         Options o;
-        o.layer = 0, o.size = {200, 200}, o.color = "layer", o.no_centres = true;
+        o.layer = 0;
+        o.size = {200, 200};
+        o.color = "layer";
+        o.no_centres = true;
         const Decoded d = decode(draw(s, o, "layer", 1));
         const Srgb8 c = d.at(100, 104); // off the borders between beads
         return c.r + c.g + c.b;
@@ -112,7 +119,9 @@ TEST(Svg, HasTrueWidthsInMillimetres) {
 
 TEST(Perspective, ShowsASlabFromAbove) {
     Options o;
-    o.view = "top", o.size = {240, 180}, o.no_table = true;
+    o.view = "top";
+    o.size = {240, 180};
+    o.no_table = true;
     const Decoded d = decode(draw(filled(), o, "layer", 1));
     const double side = 0.9 * 180; // 4 mm across the height, 4.4 along the width
     EXPECT_NEAR(d.share(colourful), side * side * 1.1 / (240 * 180), 0.12);
@@ -146,7 +155,9 @@ TEST(Pictures, OfNothingAndNextToNothing) {
     for (const bool flat : {false, true}) {
         for (const char* color : {"progress", "stroke", "layer", "width", "class"}) {
             Options o;
-            o.size = {64, 48}, o.color = color, o.layer = flat ? 0 : -1;
+            o.size = {64, 48};
+            o.color = color;
+            o.layer = flat ? 0 : -1;
             EXPECT_EQ(decode(draw({}, o, color, 1)).width, 64u);
             EXPECT_EQ(decode(draw(dot, o, color, 1)).height, 48u);
             o.svg = flat;
@@ -164,7 +175,8 @@ TEST(Pictures, OutlinesAreDrawnAsSolids) {
         add(s, r, {});
     }
     Options o;
-    o.size = {120, 90}, o.no_table = true;
+    o.size = {120, 90};
+    o.no_table = true;
     EXPECT_GT(decode(draw(s, o, "stroke", 1)).share(colourful), 0.2);
     o.layer = 3;
     Scene flat;

@@ -46,7 +46,8 @@ stream::RawFrame region_frame() {
     r.stroke = 9;
     r.join = Join::beside;
     r.inradius = 0.6;
-    r.areas = {{polygon::AreaKind::sparse, r.loops, 0.5, 3, polygon::Pattern::wave}}, r.walls = 2;
+    r.areas = {{polygon::AreaKind::sparse, r.loops, 0.5, 3, polygon::Pattern::wave}};
+    r.walls = 2;
     return frame(r);
 }
 
@@ -81,7 +82,9 @@ stream::RawFrame surface_frame() {
     s.isolines = {{0.5, false, {{0.5, 0, 0}, {0, 0.5, 0}}, {0}},
                   {0.7, true, {{0.5, 0, 0}, {0, 0.5, 0}, {0.5, 0.5, 0}}, {0, 0, 1}}};
     s.sources = {{2, 3}, {{1, {0.5, 0.5, 0.15}, {1, 1, 0.5}}}};
-    s.name = "A.1", s.faces = {7, 8}, s.algorithm = "geo-fiso";
+    s.name = "A.1";
+    s.faces = {7, 8};
+    s.algorithm = "geo-fiso";
     return frame(s);
 }
 

@@ -65,7 +65,9 @@ TEST(collide, checks_a_program_by_its_lines_alone) {
     o.machine = "marlin";
     o.program = at.write("p.gcode", "G90\nM83\nG0 X0 Y0 Z0.2\nG1 X10 Y0 E1\nG0 X30 Y0\n"
                                     "G1 X40 Y0 E1\nM104 S0\n");
-    o.format = "tsv", o.strict = false, o.bead = {0.4, 0.2};
+    o.format = "tsv";
+    o.strict = false;
+    o.bead = {0.4, 0.2};
     const auto figure = [&](const std::string& name) {
         run(o, io("collide", "-", at("figures")));
         std::istringstream lines(at.text("figures"));

@@ -31,7 +31,8 @@ double top(const Span& s) {
 TEST(route, goes_straight_where_nothing_stands) {
     const Folder at;
     Options o;
-    o.bed = true, o.lift = {1};
+    o.bed = true;
+    o.lift = {1};
     Stream all;
     const auto spans = routed(at, o, &all);
     ASSERT_EQ(spans.size(), 3U);
