@@ -165,7 +165,7 @@ void end_at(Scene& scene, std::uint64_t last) {
     for (auto& span : scene.spans) {
         const std::uint64_t points = span.points.size();
         if (before + points > last + 1) {
-            const auto keep = static_cast<std::size_t>(last + 1 > before ? last + 1 - before : 0);
+            const std::size_t keep = last + 1 > before ? last + 1 - before : 0;
             span.points.resize(keep);
             if (span.width.size() > 1) span.width.resize(keep);
             if (span.height.size() > 1) span.height.resize(keep);

@@ -131,7 +131,7 @@ Plan plan(const Graph& g, const Columns& columns, std::uint64_t budget) {
             complete = complete && p.complete;
         }
         budget -= std::min(budget, p.steps);
-        regions -= static_cast<std::uint64_t>(part.node.size());
+        regions -= part.node.size();
     }
     if (!relaxed) out.relaxation = 0;
     out.complete = searched && complete;

@@ -27,7 +27,7 @@ class Reader {
             std::from_chars(array.offset.data(), array.offset.data() + array.offset.size(), offset);
         if (error != std::errc() || stop == array.offset.data()) fail("has no offset");
         if (offset > encoding.appended.size()) too_short();
-        text_ = encoding.appended.substr(static_cast<std::size_t>(offset));
+        text_ = encoding.appended.substr(offset);
     }
 
     std::string bytes() {
