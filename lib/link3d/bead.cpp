@@ -15,14 +15,15 @@ void append(Bead& b, Vec2 p, double w, bool per_point) {
     if (per_point) b.width.push_back(w);
 }
 
-// Walks back along the end of the bead by `gap` mm.
+// Walks back along the end of the bead by `gap` mm; to a corner, if it would end within kCorner behind it: so short a
+// piece lies on the segment before it where machine code rounds it, and what goes on from there could cross that.
 void shorten(Bead& b, double gap) {
     const bool per_point = b.width.size() > 1;
     while (b.points.size() > 2) {
         const Vec2 last = b.points.back(), before = b.points[b.points.size() - 2];
         const double l = geom::distance(last, before);
-        if (l > gap + kSamePoint) break;
-        gap -= l;
+        if (l > gap + kCorner) break;
+        gap = std::max(0.0, gap - l);
         b.points.pop_back();
         if (per_point) b.width.pop_back();
     }
