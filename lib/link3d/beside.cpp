@@ -12,6 +12,8 @@ namespace {
 using toolpath::Curve;
 
 bool crosses_no_join(const State& state, Vec2 a, Vec2 b) {
+    const double z = state.region().paths.z;
+    if (!misses_strands(state, at_height(a, z), at_height(b, z))) return false;
     return std::none_of(state.front.joins.begin(), state.front.joins.end(),
                         [&](const Curve& j) { return geom::cross_properly(a, b, j.points[0], j.points[1]); });
 }
@@ -25,8 +27,7 @@ std::optional<Entry> step_in(State& state) {
     const auto entry = nearest_entry(r, from, reaches(state, r).back() * (r.width + state.before.width) / 2);
     if (!entry) return std::nullopt;
     const Vec2 to = entry->place.point;
-    if (!is_free(*state.before.lines, from, to, kMargin, kEnds, 0) || !is_free(r.index, from, to, kMargin, 0, kEnds))
-        return std::nullopt;
+    if (!leaves_freely(state, from, to) || !is_free(r.index, from, to, kMargin, 0, kEnds)) return std::nullopt;
     ++state.counts.brims;
     jog(state, *entry);
     return entry;

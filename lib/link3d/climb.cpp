@@ -62,6 +62,17 @@ void begin_ramp(State& state, const Entry& entry) {
     put(state, std::move(out));
 }
 
+// The jog to a turn of a helix: it lies on the layer below, where there is room for what a ramp begins with.
+Span onto_turn(const State& state, Vec2 to) {
+    const auto& r = state.region();
+    const double h = kFaint * r.paths.height;
+    Span out = span(state, Role::lift);
+    out.points = {*state.at, at_height(to, state.at->z + h)};
+    out.width = {kThin * r.width};
+    out.height = {h};
+    return out;
+}
+
 } // namespace
 
 bool rises(const State& state) {
@@ -82,8 +93,7 @@ std::optional<Entry> climb(State& state) {
     state.counts.lift_length += entry->place.distance;
     if (state.column.turn || winds_on(state, *entry)) {
         state.front.winds = true;
-        if (entry->place.distance > kSamePoint)
-            extrude(state, Role::lift, {*state.at, at_height(entry->place.point, state.at->z)});
+        if (entry->place.distance > kSamePoint) put(state, onto_turn(state, entry->place.point));
         return entry;
     }
     if (ramps(state, *entry)) {

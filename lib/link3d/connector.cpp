@@ -97,16 +97,6 @@ bool misses_others(const State& state, Vec3 a, Vec3 b, bool front) {
     });
 }
 
-// The way crosses no connector within its own layer.
-bool misses_strands(const State& state, Vec3 a, Vec3 b) {
-    const double thick = 0.99 * state.region().paths.height;
-    return std::none_of(state.strands.begin(), state.strands.end(), [&](const auto& s) {
-        const auto& [c, d] = s;
-        return std::min(a.z, b.z) < std::max(c.z, d.z) + thick && std::min(c.z, d.z) < std::max(a.z, b.z) + thick &&
-               geom::cross_properly(a.xy(), b.xy(), c.xy(), d.xy());
-    });
-}
-
 // A straight way at one height crosses nothing of its own region, and meets nothing else that is as high.
 bool leads_out(const State& state, Vec3 a, Vec3 b, const SegmentIndex& own, bool leaves) {
     const auto& r = state.region();
@@ -119,8 +109,8 @@ std::optional<std::pair<std::vector<Vec3>, Entry>> way_around(const State& state
     const auto& r = state.region();
     const auto free = [&](Vec3 a, Vec3 b) {
         const bool leaves = a == *state.at;
-        return leads_out(state, a, b, leaves ? *state.before.lines : r.index, leaves) &&
-               misses_others(state, a, b, leaves);
+        return leads_out(state, a, b, leaves ? state.before.lines.back() : r.index, leaves) &&
+               misses_others(state, a, b, leaves) && (!leaves || leaves_freely(state, a.xy(), b.xy()));
     };
     const auto clear = [&](Vec3 a, Vec3 b) {
         return misses_strands(state, a, b) && !state.printed.hits(a, b, state.options.head);
@@ -147,7 +137,7 @@ std::optional<std::pair<std::vector<Vec3>, Entry>> way_around(const State& state
 
 std::optional<Entry> go_around(State& state) {
     const auto& r = state.region();
-    if (!state.before.printed || !state.before.lines) return std::nullopt;
+    if (!state.before.printed || state.before.lines.empty()) return std::nullopt;
     if (state.around.empty()) state.around = all_bounds(state);
     const auto& head = state.options.head;
     const double cone = head.cone_radius(head.cone_height), carriage = std::max(head.carriage_x, head.carriage_y) / 2;
@@ -184,9 +174,11 @@ std::optional<Entry> go_inside(State& state) {
     const auto entry = nearest_entry(r, state.at->xy());
     if (!entry) return std::nullopt;
     const Vec3 a = *state.at, b = at_height(entry->place.point, r.paths.z);
-    if (!is_free(*state.before.lines, a.xy(), b.xy(), kMargin, kEnds, 0) || !leads_out(state, b, a, r.index, true) ||
-        state.printed.hits(a, b, state.options.head) || !misses_others(state, a, b, false))
+    if (!leaves_freely(state, a.xy(), b.xy()) || !leads_out(state, b, a, r.index, true) ||
+        state.printed.hits(a, b, state.options.head) || !misses_others(state, a, b, false) ||
+        !misses_strands(state, a, b))
         return std::nullopt;
+    state.strands.emplace_back(a, b);
     ++state.counts.strands;
     state.counts.strand_length += entry->place.distance;
     state.printed.begin();

@@ -53,7 +53,10 @@ void print_turn(State& state, const Entry& entry) {
     const bool goes_on = winds_on(state, entry);
     Bead end = wind(state, entry, goes_on);
     if (goes_on) return;
-    if (const auto lane = leave(state, entry.place.curve, end, [&] { return end; })) lay_lane(state, *lane);
+    const auto lane = leave(state, entry.place.curve, end, [&] { return end; });
+    if (state.options.connect != Connect::stop)
+        keep_lines(state, SegmentIndex(as_printed(state, entry.place.curve, end, lane ? *lane : std::vector<Vec2>{})));
+    if (lane) lay_lane(state, *lane);
 }
 
 } // namespace
@@ -80,7 +83,7 @@ void print_curve(State& state, const Entry& entry, bool last) {
         thin_beside(out, *way, kThin * r.width, r.width, kThin, SegmentIndex(as_printed(state, c, out)),
                     state.front.pin);
     if (last && (state.options.connect != Connect::stop || leads_in(state)))
-        state.before.lines = SegmentIndex(as_printed(state, c, out, way ? *way : std::vector<Vec2>{}));
+        keep_lines(state, SegmentIndex(as_printed(state, c, out, way ? *way : std::vector<Vec2>{})));
     print(state, out, ramp);
     if (way) lay_lane(state, *way);
 }

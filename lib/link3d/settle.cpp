@@ -49,9 +49,12 @@ struct Lines {
     }
 };
 
-bool in_layer(const Span& s, std::size_t i, double z) {
+constexpr double kSunk = 0.1; // of a layer: what lies no deeper, as the end of a ramp, is in the way of joins
+
+// Whether a segment lies in the layer down from `least`.
+bool in_layer(const Span& s, std::size_t i, double least) {
     if (!toolpath::extrudes(s.role)) return false;
-    return s.role == Role::lift || (s.points[i].z == z && s.points[i + 1].z == z);
+    return s.role == Role::lift || (s.points[i].z >= least && s.points[i + 1].z >= least);
 }
 
 } // namespace
@@ -64,7 +67,7 @@ void settle(State& state) {
     for (Span& s : spans)
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const bool moves = columns.add(s.points[i]) && i > 0;
-            if (moves && in_layer(s, i - 1, r.paths.z))
+            if (moves && in_layer(s, i - 1, r.paths.z - kSunk * r.paths.height))
                 lines.add(s.points[i - 1].xy(), s.points[i].xy(), columns.last(), !toolpath::fills(s.role));
         }
     const auto given = lines.curves;

@@ -1,5 +1,7 @@
 #include "link3d/state.hpp"
 
+#include "geom/segment.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,31 @@ std::size_t climbing(const State& state) {
 bool leads_in(const State& state) { return state.window.size() > 1 && state.window[1].paths.join == Join::beside; }
 
 bool beside_last(const State& state) {
-    return state.before.printed && state.before.lines && std::abs(state.at->z - state.region().paths.z) <= 1e-6;
+    const double z = state.region().paths.z;
+    return state.before.printed && !state.before.lines.empty() && std::abs(state.before.z - z) <= 1e-6 &&
+           std::abs(state.at->z - z) <= 1e-6;
+}
+
+void keep_lines(State& state, SegmentIndex as_printed) {
+    const double z = state.region().paths.z;
+    if (std::abs(std::exchange(state.before.z, z) - z) > 1e-6) state.before.lines.clear();
+    state.before.lines.push_back(std::move(as_printed));
+}
+
+bool leaves_freely(const State& state, Vec2 a, Vec2 b) {
+    const auto& lines = state.before.lines;
+    return std::all_of(lines.begin(), lines.end(), [&](const SegmentIndex& i) {
+        return is_free(i, a, b, kMargin, &i == &lines.back() ? kEnds : 0, 0);
+    });
+}
+
+bool misses_strands(const State& state, Vec3 a, Vec3 b) {
+    const double thick = 0.99 * state.region().paths.height;
+    return std::none_of(state.strands.begin(), state.strands.end(), [&](const auto& s) {
+        const auto& [c, d] = s;
+        return std::min(a.z, b.z) < std::max(c.z, d.z) + thick && std::min(c.z, d.z) < std::max(a.z, b.z) + thick &&
+               geom::cross_properly(a.xy(), b.xy(), c.xy(), d.xy());
+    });
 }
 
 std::array<double, 2> reaches(const State& state, const Waiting& to) {

@@ -45,9 +45,11 @@ struct Front {
 
 // Of the region before.
 struct Before {
-    bool printed = false;              // something of it
-    double width = 0;                  // mm, of its beads
-    std::optional<SegmentIndex> lines; // as printed, if a join on its own layer may leave it
+    bool printed = false; // something of it
+    double width = 0;     // mm, of its beads
+    // If joins on its layer may leave it: of all regions printed on that layer, as printed; its own are the last.
+    std::vector<SegmentIndex> lines;
+    double z = 0; // mm, of these
 };
 
 // Of the column that is climbed.
@@ -69,8 +71,8 @@ struct State {
     Before before;
     Column column;
     Printed printed;
-    std::vector<std::pair<Vec3, Vec3>> strands; // legs of connectors
-    Box2 around;                                // what they go around
+    std::vector<std::pair<Vec3, Vec3>> strands; // and legs of connectors
+    Box2 around;                                // what these go around
     Counts counts;
     Notes notes;
 
@@ -87,6 +89,15 @@ bool leads_in(const State& state);
 
 // Whether the region before, which is known as it was printed, is of the front region's layer.
 bool beside_last(const State& state);
+
+// Keeps the lines of the front region for joins that leave it on its own layer, or that must not cross it there.
+void keep_lines(State& state, SegmentIndex as_printed);
+
+// The straight way a -> b on the layer of the region before crosses nothing printed there.  It begins on that region.
+bool leaves_freely(const State& state, Vec2 a, Vec2 b);
+
+// The straight way a -> b crosses no strand or connector of its layer.
+bool misses_strands(const State& state, Vec3 a, Vec3 b);
 
 // The jogs to a region, in mean widths of both.  Of climbs those that begin within the region above are sought first,
 // longer ones could begin above a neighbour of that region, and cross its outer bead.  From a brim they lead over the

@@ -16,12 +16,24 @@ struct Segment {
     toolpath::Role role = toolpath::Role::bead;
 };
 
-// The layer that z falls into, a thousandth of a layer forgiven; the top one for anything above.
-const LayerMark& mark_at(const std::vector<LayerMark>& marks, double z, bool& above) {
+// The layer that a segment falls into by its upper end; the top one for anything above.  Of level ones a thousandth of
+// a layer is forgiven; what rises, as turns of a helix do by less than that, belongs to the layer that it rises to.
+const LayerMark& mark_of(const std::vector<LayerMark>& marks, const Segment& s, bool& above) {
+    const double z = std::max(s.a.z, s.b.z), forgiven = s.a.z == s.b.z ? 1e-3 : 1e-9;
     const auto it = std::lower_bound(marks.begin(), marks.end(), z,
-                                     [](const LayerMark& m, double v) { return m.z + m.height * 1e-3 < v; });
+                                     [&](const LayerMark& m, double v) { return m.z + m.height * forgiven < v; });
     above = it == marks.end();
     return above ? marks.back() : *it;
+}
+
+void add(LayerBeads& to, const geom::Vec3& p) {
+    if (to.points.empty()) to.first_z = p.z;
+    if (!to.z.empty() || p.z != to.first_z) {
+        to.z.resize(to.points.size(), static_cast<float>(to.first_z));
+        to.z.push_back(static_cast<float>(p.z));
+    }
+    to.points.push_back(p.xy());
+    to.width.push_back(0);
 }
 
 void add(Beads& beads, const Segment& s) {
@@ -34,7 +46,7 @@ void add(Beads& beads, const Segment& s) {
     double height = s.height;
     if (!beads.marks.empty()) {
         bool above = false;
-        const LayerMark& mark = mark_at(beads.marks, (s.a.z + s.b.z) / 2, above);
+        const LayerMark& mark = mark_of(beads.marks, s, above);
         layer = mark.index;
         height = mark.height;
         beads.misplaced += above ? 1 : 0;
@@ -44,12 +56,10 @@ void add(Beads& beads, const Segment& s) {
     const bool follows = beads.moving && s.a == beads.at && layer == beads.last_layer && s.region == beads.last_region;
     if (!follows || to.pieces.empty() || to.pieces.back().role != s.role) {
         to.pieces.push_back({static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows});
-        to.points.push_back(s.a.xy());
-        to.width.push_back(0);
+        add(to, s.a);
     }
     to.width.back() = static_cast<float>(s.section / height);
-    to.points.push_back(s.b.xy());
-    to.width.push_back(0);
+    add(to, s.b);
     ++beads.segments;
     beads.at = s.b;
     beads.last_layer = layer;

@@ -32,6 +32,8 @@ struct LayerBeads {
     double height = 0;         // mm
     std::vector<Vec2> points;  //
     std::vector<float> width;  // mm, of the segment from a point to the next: cross-section / layer height
+    std::vector<float> z;      // mm, of points; none if all lie as high as the first
+    double first_z = 0;        // mm
     std::vector<Piece> pieces; //
 
     [[nodiscard]] std::size_t end(std::size_t piece) const {
@@ -39,7 +41,7 @@ struct LayerBeads {
     }
 };
 
-// All layers by number: 20 bytes per segment.
+// All layers by number: 20 bytes per segment, 24 where they rise.
 struct Beads {
     std::vector<LayerMark> marks; // ascending z; empty if no Regions are known
     std::map<std::uint32_t, LayerBeads> layer;
@@ -54,7 +56,7 @@ struct Beads {
 // Layers as the Regions tell: one mark per layer number.
 std::vector<LayerMark> layer_marks(const std::vector<polygon::Region>& regions);
 
-// Adds the extruding segments of `span`.  A segment belongs to the layer that its mean height falls into, whatever
+// Adds the extruding segments of `span`.  A segment belongs to the layer that its upper end falls into, whatever
 // layer the span claims; only without marks the claim is taken.  Segments shorter than 1 nm in XY deposit nothing here.
 void add(Beads& beads, const toolpath::Span& span);
 

@@ -19,7 +19,8 @@ struct Bead {
     geom::Vec2 a, b;
     double width = 0; // mm, > 0
     std::uint32_t slot = 0;
-    std::uint32_t order = 0; // in the program
+    std::uint32_t order = 0;    // in the program
+    float from_z = 0, to_z = 0; // mm, at a and b
 };
 
 // All in mm2.

@@ -35,17 +35,19 @@ bool boxes_meet(const Bead& s, const Bead& t) {
 }
 
 // True if they cross; `at` is where.
-bool cross(const Bead& s, const Bead& t, Vec2& at) {
+bool cross(const Bead& s, const Bead& t, double over, Vec2& at) {
     const double d1 = geom::orient(s.a, s.b, t.a), d2 = geom::orient(s.a, s.b, t.b);
     if (d1 * d2 >= -1e-12) return false;
-    if (geom::orient(t.a, t.b, s.a) * geom::orient(t.a, t.b, s.b) >= -1e-12) return false;
-    at = geom::lerp(t.a, t.b, d1 / (d1 - d2));
-    return true;
+    const double e1 = geom::orient(t.a, t.b, s.a), e2 = geom::orient(t.a, t.b, s.b);
+    if (e1 * e2 >= -1e-12) return false;
+    const double u = d1 / (d1 - d2), v = e1 / (e1 - e2);
+    at = geom::lerp(t.a, t.b, u);
+    return std::abs(std::lerp(double{t.from_z}, t.to_z, u) - std::lerp(double{s.from_z}, s.to_z, v)) <= over;
 }
 
 } // namespace
 
-Crossings crossings(std::span<const Bead> beads, std::size_t slots) {
+Crossings crossings(std::span<const Bead> beads, std::size_t slots, double over) {
     constexpr std::size_t kPlaces = 16;
     Crossings out;
     out.slot.assign(slots, 0);
@@ -59,7 +61,7 @@ Crossings crossings(std::span<const Bead> beads, std::size_t slots) {
                 const Bead &s = beads[in[i]], &t = beads[in[j]];
                 Vec2 at;
                 if (!boxes_meet(s, t) || std::max(s.order, t.order) - std::min(s.order, t.order) <= 1) continue;
-                if (!cross(s, t, at) || g.cell_at(at) != cell) continue; // once, where it is
+                if (!cross(s, t, over, at) || g.cell_at(at) != cell) continue; // once, where it is
                 ++out.whole;
                 if (s.slot == t.slot) ++out.slot[s.slot];
                 places.emplace_back(std::max(s.order, t.order), at);

@@ -13,7 +13,8 @@ struct Crossings {
 
 // Pairs of beads whose centre lines cross properly: each has its ends on either side of the other, by orientations
 // whose product is below -1e-12 mm4 (so ends that touch, within about a micrometre, do not cross).  Beads that follow
-// each other in the program are no pair.  `slots` > every bead's slot.
-Crossings crossings(std::span<const Bead> beads, std::size_t slots);
+// each other in the program are no pair, nor are those of which one passes more than `over` mm above the other, as the
+// end of a layer does over its ramp.  `slots` > every bead's slot.
+Crossings crossings(std::span<const Bead> beads, std::size_t slots, double over = 0);
 
 } // namespace filum::metrics::planar

@@ -8,6 +8,8 @@ namespace filum::metrics::planar {
 
 namespace {
 
+constexpr double kOver = 0.1; // of a layer: a bead that passes so far above another one does not cross it
+
 // What one layer is measured from.
 struct LayerInput {
     std::uint32_t layer = 0;
@@ -63,6 +65,10 @@ std::vector<Bead> spread(const LayerBeads& from, std::vector<RegionFigures>& row
         for (std::size_t i = p.first; i + 1 < from.end(k); ++i) {
             out.push_back({from.points[i], from.points[i + 1], from.width[i], slot,
                            p.order + static_cast<std::uint32_t>(i - p.first)});
+            if (!from.z.empty()) {
+                out.back().from_z = from.z[i];
+                out.back().to_z = from.z[i + 1];
+            }
             row->length += geom::distance(from.points[i], from.points[i + 1]);
             ++row->segments;
         }
@@ -95,7 +101,7 @@ LayerFigures measure(const LayerInput& w, double pixel) {
         outline[static_cast<std::size_t>(row - out.regions.begin())] = &r->loops;
     }
     const LayerCover areas = cover(beads, outline, row_spacing(beads, pixel));
-    const Crossings crossed = crossings(beads, outline.size());
+    const Crossings crossed = crossings(beads, outline.size(), w.beads != nullptr ? kOver * w.beads->height : 0);
     out.cover = areas.whole;
     out.crossings = crossed.whole;
     out.crossing = crossed.place;
