@@ -94,7 +94,7 @@ class Walk {
             return;
         }
         narrow(h);
-        const double f = std::min(lane_ - 1 + reach, (lane_ - 1 + std::min<double>(lane_, b_->profile[i].top)) / 2);
+        const double f = std::min(lane_ - 1 + reach, middle(i)); // no deeper than beside the corner
         double t = 0;
         if (ri > b_->depth(i, f)) {
             const auto share = share_at(h, f);

@@ -1,12 +1,14 @@
 #include "metrics/planar/beads.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace filum::metrics::planar {
 
 namespace {
 
 constexpr double kShort = 1e-6; // mm
+constexpr double kAlike = 1e-6; // of a layer's height
 
 struct Segment {
     geom::Vec3 a, b;
@@ -58,7 +60,11 @@ void add(Beads& beads, const Segment& s) {
         to.pieces.push_back({static_cast<std::uint32_t>(to.points.size()), s.region, beads.segments, s.role, follows});
         add(to, s.a);
     }
-    to.width.back() = static_cast<float>(s.section / height);
+    to.width.back() = static_cast<float>(s.section / s.height);
+    if (std::abs(s.height - height) > kAlike * height) {
+        to.thick.resize(to.points.size(), 1);
+        to.thick.back() = static_cast<float>(s.height / height);
+    }
     add(to, s.b);
     ++beads.segments;
     beads.at = s.b;

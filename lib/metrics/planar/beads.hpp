@@ -31,17 +31,21 @@ struct Piece {
 struct LayerBeads {
     double height = 0;         // mm
     std::vector<Vec2> points;  //
-    std::vector<float> width;  // mm, of the segment from a point to the next: cross-section / layer height
+    std::vector<float> width;  // mm, of the segment from a point to the next
     std::vector<float> z;      // mm, of points; none if all lie as high as the first
+    std::vector<float> thick;  // of the layer's height, of segments, as width; 1 of those behind the last
     double first_z = 0;        // mm
     std::vector<Piece> pieces; //
 
+    [[nodiscard]] double thickness(std::size_t segment) const {
+        return segment < thick.size() ? double{thick[segment]} : 1;
+    }
     [[nodiscard]] std::size_t end(std::size_t piece) const {
         return piece + 1 < pieces.size() ? pieces[piece + 1].first : points.size();
     }
 };
 
-// All layers by number: 20 bytes per segment, 24 where they rise.
+// All layers by number: 20 bytes per segment, 28 where they rise or are thinner than their layer.
 struct Beads {
     std::vector<LayerMark> marks; // ascending z; empty if no Regions are known
     std::map<std::uint32_t, LayerBeads> layer;

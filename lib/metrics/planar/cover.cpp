@@ -98,7 +98,7 @@ Rows rows(std::span<const Lane> lanes, std::span<const Edge> edges, double spaci
 LayerCover cover(std::span<const Bead> beads, std::span<const polygon::Loops* const> outline, double spacing) {
     LayerCover out;
     out.slot.resize(outline.size());
-    for (const Bead& b : beads) out.slot[b.slot].deposited += geom::distance(b.a, b.b) * b.width;
+    for (const Bead& b : beads) out.slot[b.slot].deposited += geom::distance(b.a, b.b) * b.width * b.thick;
     for (const Cover& s : out.slot) out.whole.deposited += s.deposited;
     const auto lane = lanes(beads);
     const auto edge = edges(outline);

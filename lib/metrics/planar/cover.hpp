@@ -21,6 +21,7 @@ struct Bead {
     std::uint32_t slot = 0;
     std::uint32_t order = 0;    // in the program
     float from_z = 0, to_z = 0; // mm, at a and b
+    float thick = 1;            // of its layer
 };
 
 // All in mm2.
@@ -28,7 +29,7 @@ struct Cover {
     double area = 0;      // inside the outline
     double covered = 0;   // of it, under beads
     double united = 0;    // under beads
-    double deposited = 0; // sum of length * width: what is extruded
+    double deposited = 0; // sum of length * width * thickness, of the layer: what is extruded
 
     [[nodiscard]] double outside() const { return united - covered; }
     // Material laid where there is some already (less the round ends, which lie outside the sum of length * width).

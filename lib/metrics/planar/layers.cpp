@@ -65,6 +65,7 @@ std::vector<Bead> spread(const LayerBeads& from, std::vector<RegionFigures>& row
         for (std::size_t i = p.first; i + 1 < from.end(k); ++i) {
             out.push_back({from.points[i], from.points[i + 1], from.width[i], slot,
                            p.order + static_cast<std::uint32_t>(i - p.first)});
+            out.back().thick = static_cast<float>(from.thickness(i));
             if (!from.z.empty()) {
                 out.back().from_z = from.z[i];
                 out.back().to_z = from.z[i + 1];

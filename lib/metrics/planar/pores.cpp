@@ -146,7 +146,7 @@ double deposited(const LayerBeads& beads) {
     for (std::size_t k = 0; k < beads.pieces.size(); ++k) {
         if (beads.pieces[k].role == Role::connector) continue;
         for (std::size_t i = beads.pieces[k].first; i + 1 < beads.end(k); ++i)
-            sum += beads.width[i] * geom::distance(beads.points[i], beads.points[i + 1]);
+            sum += beads.width[i] * beads.thickness(i) * geom::distance(beads.points[i], beads.points[i + 1]);
     }
     return sum;
 }

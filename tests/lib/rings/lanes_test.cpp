@@ -92,6 +92,30 @@ TEST(Lanes, TheFirstOneEndsInNoNeck) { // that widens as corners do
     }
 }
 
+// A corner of the outline beside an arm thinner than a bead: the lane goes round it no deeper than it runs, not to the
+// middle of the arm and back.
+TEST(Lanes, DoNotTurnBackAtTheSidesOfArms) {
+    for (const double radius : {0.6, 0.9, 1.3, 2.0})
+        for (const int arms : {3, 4, 5, 7, 9})
+            for (const double wave : {0.2, 0.35, 0.5}) {
+                std::vector<Vec2> star;
+                for (int i = 0; i < 150; ++i) {
+                    const double a = 2 * std::numbers::pi * i / 150, r = radius * (1 + wave * std::sin(arms * a));
+                    star.push_back({r * std::cos(a), r * std::sin(a)});
+                }
+                Loops region;
+                region.add(star);
+                int back = 0;
+                for (const Curve& c : curves_of(lanes(region, {.width = 0.9, .most = 1})))
+                    for (std::size_t i = 0, n = c.points.size(); i < n; ++i) {
+                        const Vec2 u = c.points[(i + 1) % n] - c.points[i],
+                                   v = c.points[(i + 2) % n] - c.points[(i + 1) % n];
+                        back += dot(u, v) < -0.5 * geom::norm(u) * geom::norm(v) ? 1 : 0;
+                    }
+                EXPECT_LE(back, 3 * arms) << radius << " " << arms << " " << wave; // some, at tips
+            }
+}
+
 TEST(Lanes, FromTheOutlineAreTheFirstOfAll) {
     const Loops region = test::random_regions(5).at(0);
     const Rings all = lanes(region, {.width = kWidth}), two = lanes(region, {.width = kWidth, .most = 2});

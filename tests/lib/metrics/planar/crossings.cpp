@@ -63,6 +63,14 @@ TEST(Crossings, OnGridLinesCountOnce) {
     EXPECT_EQ(crossings(beads, 1).whole, 100);
 }
 
+TEST(Crossings, WhatPassesOverDoesNot) {
+    std::vector<Bead> beads{{{0, 0}, {2, 2}, 0.4, 0, 0, 0.0F, 0.2F}, {{0, 2}, {2, 0}, 0.4, 0, 5, 0.2F, 0.2F}};
+    EXPECT_EQ(crossings(beads, 1, 0.02).whole, 0); // at 0.1 and 0.2 mm
+    EXPECT_EQ(crossings(beads, 1, 0.11).whole, 1);
+    beads[0].from_z = 0.2F;
+    EXPECT_EQ(crossings(beads, 1, 0.02).whole, 1);
+}
+
 TEST(Crossings, OfFollowersDoNotCount) {
     const std::vector<Bead> beads{
         {{0, 0}, {2, 2}, 0.4, 0, 0}, {{0, 2}, {2, 0}, 0.4, 0, 1}, {{1, 3}, {1.1, -1}, 0.4, 0, 2}};

@@ -111,11 +111,30 @@ TEST(Beads, BelongToTheLayerTheyLieIn) {
     EXPECT_EQ(b.misplaced, 1);
 }
 
-TEST(Beads, WidthIsSectionByLayerHeight) {
+TEST(Beads, AreAsWideAsTheyAreLaidAndAsThick) {
     Beads b;
     b.marks = layer_marks({region(0, 0, box(0, 0, 5, 5))});
-    add(b, bead({{0, 0, 0.1}, {1, 0, 0.1}}, 0.4, 0.1)); // half as high as its layer
-    EXPECT_NEAR(b.layer[0].width[0], 0.2, 1e-7);
+    add(b, bead({{0, 0, 0.2}, {1, 0, 0.2}}, 0.4, 0.2));
+    add(b, bead({{2, 0, 0.1}, {3, 0, 0.1}}, 0.4, 0.1)); // half as high as its layer
+    add(b, bead({{4, 0, 0.2}, {5, 0, 0.2}}, 0.4, 0.2));
+    const LayerBeads& l = b.layer[0];
+    for (const std::size_t i : {0, 2, 4}) EXPECT_NEAR(l.width[i], 0.4, 1e-7);
+    EXPECT_EQ(l.thickness(0), 1);
+    EXPECT_NEAR(l.thickness(2), 0.5, 1e-7);
+    EXPECT_EQ(l.thickness(4), 1);
+}
+
+// A helix of many points rises by less than a thousandth of a layer from one to the next.
+TEST(Beads, ThatRiseBelongToTheLayerAbove) {
+    Beads b;
+    b.marks = layer_marks({region(0, 0, box(0, 0, 5, 5)), region(1, 1, box(0, 0, 5, 5))});
+    add(b, bead({{0, 0, 0.2}, {1, 0, 0.2 + 1e-5}, {2, 0, 0.2 + 2e-5}}, 0.4, 0.2));
+    add(b, bead({{0, 1, 0.2 + 1e-5}, {1, 1, 0.2 + 1e-5}}, 0.4, 0.2)); // level, and rounded
+    EXPECT_EQ(b.layer[1].points.size(), 3U);
+    EXPECT_EQ(b.layer[0].points.size(), 2U);
+    ASSERT_EQ(b.layer[1].z.size(), 3U);
+    EXPECT_NEAR(b.layer[1].z[2], 0.2 + 2e-5, 1e-7);
+    EXPECT_TRUE(b.layer[0].z.empty());
 }
 
 } // namespace
