@@ -125,4 +125,35 @@ TEST(Connectors, GoInsideWithinALayer) {
     }
 }
 
+// The brim about a region is of its stroke, and in the way of strands that leave it.
+TEST(Connectors, GoInsideAcrossNoBrim) {
+    const auto square = [](double r) { return Curve{true, {{-r, -r}, {r, -r}, {r, r}, {-r, r}}, {kWidth}}; };
+    const std::vector<RegionPaths> regions{region(0, 0, Join::start, {square(4)}),
+                                           region(1, 0, Join::beside, {square(4 - kWidth)}),
+                                           region(2, 0, Join::start, {rings({12, 0}, 2, 4)})};
+    const auto r = link(regions, with(Connect::inside));
+    EXPECT_EQ(crossings(r.spans), 0U);
+    EXPECT_EQ(r.counts.brims, 1U);
+    EXPECT_EQ(r.counts.strands, 0U);
+    EXPECT_EQ(count(r, "connector impossible, broken"), 1U);
+}
+
+// A strand may run between two lines that are printed later; no jog joins these then.
+TEST(Connectors, AreCrossedByNoJog) {
+    const auto line = [](double y) { return Curve{false, {{10, y}, {14, y}}, {kWidth}}; };
+    std::vector<RegionPaths> regions{region(0, 0, Join::start, {rings({0, 0}, 2, 4)}),
+                                     region(1, 0, Join::start, {rings({24, 0}, 2, 4)})};
+    const auto alone = link(regions, with(Connect::inside));
+    ASSERT_EQ(alone.counts.strands, 1U);
+    const auto strand = std::find_if(alone.spans.begin(), alone.spans.end(),
+                                     [](const Span& s) { return s.role == Role::jog && geom::length(s.points) > 4; });
+    ASSERT_NE(strand, alone.spans.end());
+    const double y = (strand->points.front().y + strand->points.back().y) / 2;
+    regions.push_back(region(2, 0, Join::start, {line(y - 0.25), line(y + 0.25)}));
+    const auto r = link(regions, with(Connect::inside));
+    EXPECT_EQ(r.counts.strands, 2U);
+    EXPECT_EQ(crossings(r.spans), 0U);
+    EXPECT_EQ(r.counts.parted, 1U);
+}
+
 } // namespace filum::link3d

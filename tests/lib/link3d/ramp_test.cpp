@@ -106,6 +106,24 @@ TEST(Helix, WindsEvenlyWhereLayersAreAlike) {
     }
 }
 
+// The jog to a first turn lies on the layer below, across its beads: as thin as a ramp begins.
+TEST(Helix, IsEnteredByAThinJogThatRises) {
+    std::vector<std::vector<Curve>> layers{{comb({0, 0}, 9, 16)}};
+    for (int i = 0; i < 6; ++i) layers.push_back({comb({0.15, 0.1}, 9, 16)});
+    Options o;
+    o.lift = Lift::helical;
+    const auto r = link(column(layers), o);
+    EXPECT_GT(r.counts.turns, 4U);
+    std::size_t jogs = 0;
+    for (const Span& s : r.spans) {
+        if (s.role != Role::lift || s.points.front().xy() == s.points.back().xy()) continue;
+        ++jogs;
+        EXPECT_NEAR(s.points.back().z - s.points.front().z, kFaint * kHeight, 1e-9);
+        EXPECT_NEAR(s.height_at(0), kFaint * kHeight, 1e-9);
+    }
+    EXPECT_GT(jogs, 0U);
+}
+
 // Layers of other shapes cannot wind: they are climbed by ramps.
 TEST(Helix, FallsBackToRamps) {
     std::vector<std::vector<Curve>> layers;
