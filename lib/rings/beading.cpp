@@ -21,9 +21,11 @@ struct Relief {
     std::vector<std::uint32_t> falling; // nodes by falling radius; ties by number
     std::vector<std::uint32_t> up;      // per node: the half-edge to its highest neighbour
     std::vector<char> dead_end;         // per node: all ways down from it lead to corners
+    std::vector<double> arms;           // per node: mm2 of the walls down from it
 };
 
-Relief relief(const MedialAxis& axis) {
+Relief relief(const WallLanes& walls) {
+    const MedialAxis& axis = walls.axis;
     Relief out;
     out.falling.resize(axis.nodes());
     std::iota(out.falling.begin(), out.falling.end(), 0U);
@@ -36,6 +38,7 @@ Relief relief(const MedialAxis& axis) {
         if (up == axis.half_edges() || axis.radius[axis.to(h)] > axis.radius[axis.to(up)]) up = h;
     }
     out.dead_end.assign(axis.nodes(), 0);
+    out.arms.assign(axis.nodes(), 0);
     for (std::size_t k = axis.nodes(); k-- > 0;) {
         const std::uint32_t i = out.falling[k];
         bool lower = false, dead = true;
@@ -45,6 +48,8 @@ Relief relief(const MedialAxis& axis) {
             if (axis.radius[j] < axis.radius[i]) {
                 lower = true;
                 dead = dead && out.dead_end[j];
+                const double wide = walls.wall[h / 2] ? axis.radius[i] + axis.radius[j] : 0;
+                out.arms[i] += out.arms[j] + wide * geom::distance(axis.node[i], axis.node[j]);
             }
             h = axis.next[h ^ 1];
         } while (h != out.up[i]);
@@ -56,7 +61,7 @@ Relief relief(const MedialAxis& axis) {
 class Profiles {
   public:
     Profiles(WallLanes walls, double width, double least_void)
-        : walls_(std::move(walls)), relief_(relief(walls_.axis)), least_void_(least_void) {
+        : walls_(std::move(walls)), relief_(relief(walls_)), least_void_(least_void) {
         out_.width = width;
         out_.profile.resize(walls_.axis.nodes());
     }
@@ -105,7 +110,9 @@ class Profiles {
             Profile& p = out_.profile[i];
             p.last = p.top - kLeastLane;
             if (!walls_.set[i]) p.last = std::min(p.last, p.lanes - out_.reach[up / 2]);
-            if (!relief_.dead_end[i] && p.lanes < 1) { // a neck: the first lane goes through it, on both sides
+            // a neck, or where a thin arm begins that counts: the first lane goes through, on both sides
+            const bool arm = !walls_.set[i] && relief_.arms[i] > least_void_;
+            if ((!relief_.dead_end[i] || arm) && p.lanes < 1) {
                 p.top = p.lanes;
                 p.last = 0;
             }

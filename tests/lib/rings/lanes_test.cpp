@@ -92,6 +92,22 @@ TEST(Lanes, TheFirstOneEndsInNoNeck) { // that widens as corners do
     }
 }
 
+// An arm thinner than half a bead, and ever thinner, that leaves a wall by steps as steep as a corner's.
+TEST(Lanes, TheFirstOneRunsIntoThinArms) {
+    for (const double turn : {0.0, 0.4, 0.8})
+        for (const double end : {0.26, 0.2, 0.1}) {
+            const auto at = [&](double x, double y) {
+                return Vec2{x * std::cos(turn) - y * std::sin(turn), x * std::sin(turn) + y * std::cos(turn)};
+            };
+            Loops arm;
+            arm.add(std::vector<Vec2>{at(0, -0.13), at(16, -end / 2), at(16, end / 2), at(0, 0.13)});
+            const Loops region = polygon::unite(test::rectangle(-0.4, -8, 0.38, 3), arm);
+            ASSERT_EQ(region.size(), 1U);
+            EXPECT_GT(test::coverage(region, curves_of(lanes(region, {.width = kWidth})), 0.02), 0.98)
+                << turn << " " << end;
+        }
+}
+
 // A corner of the outline beside an arm thinner than a bead: the lane goes round it no deeper than it runs, not to the
 // middle of the arm and back.
 TEST(Lanes, DoNotTurnBackAtTheSidesOfArms) {
