@@ -61,7 +61,7 @@ END
     [ "$(says benchy)" = "strokes $strokes, stops $stops" ]
     [ "$(says benchy-layer)" = "strokes $strokes, stops $stops" ]
     grep -q "^| \*\*Filum\*\*, default | \*\*$strokes\*\* |" "$top/README.md"
-    grep -q "^$strokes is proven" "$top/README.md"
+    [ "$(sed -nE 's/^([0-9]+) is proven.*/\1/p' "$top/README.md")" -le "$strokes" ]
     [ "$(says scaffold)" = "strokes 1, stops 0" ]
     # and it is still so
     "$top/scripts/draw-docs" --build "$FILUM_BUILD" --out "$BATS_TEST_TMPDIR" benchy-layer scaffold
