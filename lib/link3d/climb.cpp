@@ -10,7 +10,6 @@ namespace filum::link3d {
 namespace {
 
 using toolpath::Role;
-using toolpath::Span;
 
 // The entry of the front region nearest to the nozzle, if it is in reach, to which no bead of the region lies across
 // the way.  Only an open curve can, as it has no entry where it is nearest.  If one lies across every way, the nearest
@@ -55,22 +54,13 @@ void begin_ramp(State& state, const Entry& entry) {
     }
     const double up = ramp.lead / ramp.length;
     const Vec3 to = at_height(entry.place.point, r.paths.z - (r.paths.z - state.at->z) * (1 - up));
-    Span out = span(state, Role::lift);
-    out.points = {*state.at, to};
-    out.width = {kThin * r.width};
-    out.height = {r.paths.height * kFaint, r.paths.height * std::max(kFaint, up)};
-    put(state, std::move(out));
+    extrude(state, Role::lift, {*state.at, to}, {r.paths.height * kFaint, r.paths.height * std::max(kFaint, up)});
 }
 
 // The jog to a turn of a helix: it lies on the layer below, where there is room for what a ramp begins with.
-Span onto_turn(const State& state, Vec2 to) {
-    const auto& r = state.region();
-    const double h = kFaint * r.paths.height;
-    Span out = span(state, Role::lift);
-    out.points = {*state.at, at_height(to, state.at->z + h)};
-    out.width = {kThin * r.width};
-    out.height = {h};
-    return out;
+void begin_turn(State& state, Vec2 to) {
+    const double h = kFaint * state.region().paths.height;
+    extrude(state, Role::lift, {*state.at, at_height(to, state.at->z + h)}, {h});
 }
 
 } // namespace
@@ -88,12 +78,12 @@ std::optional<Entry> climb(State& state) {
     if (!entry) return std::nullopt;
     if (state.options.interlace == Interlace::none && !state.column.turn)
         *entry = drift(state, *entry); // else lanes lead wherever the column goes
-    state.front.joins.push_back({false, {state.at->xy(), entry->place.point}, {kThin * r.width}});
+    keep_join(state, entry->place.point);
     ++state.counts.lifts;
     state.counts.lift_length += entry->place.distance;
     if (state.column.turn || winds_on(state, *entry)) {
         state.front.winds = true;
-        if (entry->place.distance > kSamePoint) put(state, onto_turn(state, entry->place.point));
+        if (entry->place.distance > kSamePoint) begin_turn(state, entry->place.point);
         return entry;
     }
     if (ramps(state, *entry)) {

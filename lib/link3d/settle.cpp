@@ -1,4 +1,3 @@
-// What was laid of a region, as machines round it.
 #include "link3d/settle.hpp"
 
 #include "toolpath/grid.hpp"
@@ -49,9 +48,7 @@ struct Lines {
     }
 };
 
-constexpr double kSunk = 0.1; // of a layer: what lies no deeper, as the end of a ramp, is in the way of joins
-
-// Whether a segment lies in the layer down from `least`.
+// Whether a segment lies in the layer, no deeper than `least`: there, as the end of a ramp, it is in the way of joins.
 bool in_layer(const Span& s, std::size_t i, double least) {
     if (!toolpath::extrudes(s.role)) return false;
     return s.role == Role::lift || (s.points[i].z >= least && s.points[i + 1].z >= least);
@@ -67,7 +64,7 @@ void settle(State& state) {
     for (Span& s : spans)
         for (std::size_t i = 0; i < s.points.size(); ++i) {
             const bool moves = columns.add(s.points[i]) && i > 0;
-            if (moves && in_layer(s, i - 1, r.paths.z - kSunk * r.paths.height))
+            if (moves && in_layer(s, i - 1, r.paths.z - toolpath::kLevel * r.paths.height))
                 lines.add(s.points[i - 1].xy(), s.points[i].xy(), columns.last(), !toolpath::fills(s.role));
         }
     const auto given = lines.curves;

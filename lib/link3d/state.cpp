@@ -73,19 +73,24 @@ void put(State& state, Span span) {
     state.front.spans.push_back(std::move(span));
 }
 
-void extrude(State& state, Role role, std::vector<Vec3> points) {
+void extrude(State& state, Role role, std::vector<Vec3> points, std::vector<double> height) {
     Span out = span(state, role);
     out.points = std::move(points);
     out.width = {kThin * state.region().width};
-    out.height = {state.region().paths.height};
+    if (height.empty()) height = {state.region().paths.height};
+    out.height = std::move(height);
     put(state, std::move(out));
 }
 
+void keep_join(State& state, Vec2 to) {
+    state.front.joins.push_back({false, {state.at->xy(), to}, {kThin * state.region().width}});
+}
+
 void jog(State& state, const Entry& entry) {
-    const auto& r = state.region();
     const Vec2 to = entry.place.point;
-    state.front.joins.push_back({false, {state.at->xy(), to}, {kThin * r.width}});
-    if (entry.place.distance > kSamePoint) extrude(state, Role::jog, {*state.at, at_height(to, r.paths.z)});
+    keep_join(state, to);
+    if (entry.place.distance > kSamePoint)
+        extrude(state, Role::jog, {*state.at, at_height(to, state.region().paths.z)});
 }
 
 void stop_and_travel(State& state, Vec2 to) {

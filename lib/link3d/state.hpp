@@ -114,8 +114,11 @@ toolpath::Span span(const State& state, toolpath::Role role);
 // Writes the span down; the nozzle is where it ends.
 void put(State& state, toolpath::Span span);
 
-// A span of a thin bead, as thick as the layer.
-void extrude(State& state, toolpath::Role role, std::vector<Vec3> points);
+// A span of a thin bead; `height` mm, per point or one for all: none where it is as thick as the layer.
+void extrude(State& state, toolpath::Role role, std::vector<Vec3> points, std::vector<double> height = {});
+
+// Keeps a join from where the nozzle is to `to` among those of the front region's layer.
+void keep_join(State& state, Vec2 to);
 
 // Straight to a place of the front region, on its layer.
 void jog(State& state, const Entry& entry);

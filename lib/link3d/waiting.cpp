@@ -25,7 +25,6 @@ Waiting waiting(toolpath::RegionPaths region) {
     return {std::move(region), std::move(index), width, closed, open};
 }
 
-// A shorter piece before a sharp corner would fold over its neighbours where machine code rounds it.
 Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from) {
     const Vec2 a = curve.points[place.segment], b = curve.points[(place.segment + 1) % curve.points.size()];
     const double to_a = geom::distance(place.point, a), to_b = geom::distance(place.point, b);
@@ -36,8 +35,6 @@ Place at_corner(Place place, const toolpath::Curve& curve, Vec2 from) {
     return place;
 }
 
-// The nearest place of a closed curve or end of an open one, of those not done.  Tie: closed curves first, then by
-// index.
 std::optional<Entry> nearest_entry(const Waiting& r, Vec2 p, double limit, std::span<const char> done) {
     std::optional<Entry> best;
     if (r.closed) {

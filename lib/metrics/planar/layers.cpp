@@ -8,8 +8,6 @@ namespace filum::metrics::planar {
 
 namespace {
 
-constexpr double kOver = 0.1; // of a layer: a bead that passes so far above another one does not cross it
-
 // What one layer is measured from.
 struct LayerInput {
     std::uint32_t layer = 0;
@@ -102,7 +100,8 @@ LayerFigures measure(const LayerInput& w, double pixel) {
         outline[static_cast<std::size_t>(row - out.regions.begin())] = &r->loops;
     }
     const LayerCover areas = cover(beads, outline, row_spacing(beads, pixel));
-    const Crossings crossed = crossings(beads, outline.size(), w.beads != nullptr ? kOver * w.beads->height : 0);
+    const Crossings crossed =
+        crossings(beads, outline.size(), w.beads != nullptr ? toolpath::kLevel * w.beads->height : 0);
     out.cover = areas.whole;
     out.crossings = crossed.whole;
     out.crossing = crossed.place;
