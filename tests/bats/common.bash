@@ -98,7 +98,7 @@ make_inputs() {
     fill sequenced --output Paths
     link3d Paths --output Toolpath
     postproc Toolpath --set purge=0 --output part.gcode # without a line before the part, which ingest notes
-    disc 15 > disc.off
+    disc 9 > disc.off
     geodesic disc.off --source boundary --spacing 2 --output Surface
 }
 

@@ -10,7 +10,7 @@ import sys
 from contract import commands, numbers_of, settings_for
 from effect import input_of
 
-ODD = ["", "x", "nan", "inf", "-inf", "1e308", "-1e308", "1e999", "1e-320", "-0", "0x10", "1,2,3,4,5,6,7", ",", "1;2", "\u2212 3"]
+ODD = ["", "x", "nan", "inf", "-inf", "1e308", "-1e308", "1e999", "1e-320", "0x10", "1,2,3,4,5,6,7", ",", "1;2", "\u2212 3"]
 SECONDS, PATIENCE, BYTES = 20, 0.15, 4 << 30  # of CPU; PATIENCE: where only it may end what is asked for
 
 
@@ -51,7 +51,7 @@ def wrong(command, words, may_take_long):
 def edges(option):
     least, most, _, _ = option.range
     step = max(abs(least), 1) * 1e-3
-    ends = [least - step, least, least + step, most, most * 2 if most > 0 else most + 1]
+    ends = [least - step, least or -0.0, least + step, most, most * 2 if most > 0 else most + 1]
     return [",".join([repr(v)] * numbers_of(option)) for v in ends]
 
 

@@ -75,6 +75,20 @@ TEST(Linker, LaysALaneWhenThePinIsFar) {
     }
 }
 
+// A band of two lanes, entered by a jog from one to the other: of the two ends that its bead can have one is shut in.
+TEST(Linker, LeavesAStripOnTheSideThatIsOpen) {
+    for (const std::size_t bands : {2U, 3U}) {
+        std::vector<std::vector<Curve>> layers(bands, {{true, {{0, 0}, {20, 0}, {20, kWidth}, {0, kWidth}}, {kWidth}}});
+        layers.push_back({rings({19, 0}, 1, 2)});
+        Options options;
+        options.look_ahead = 1;
+        const auto r = link(column(layers), options);
+        check(column(layers), r);
+        EXPECT_EQ(r.counts.strokes, 1U) << bands;
+        EXPECT_EQ(r.counts.lanes, 1U);
+    }
+}
+
 // The column leans by more than a bead per layer: entries drift with it.
 TEST(Linker, FollowsAColumnThatLeansAndShrinks) {
     std::vector<std::vector<Curve>> layers;
