@@ -80,7 +80,7 @@ struct RegionPaths {
     std::vector<std::vector<Vec2>> stacked;
 };
 
-// Of a layer's height: beads whose heights differ by more lie over each other and do not meet.
+// Of a layer's height: beads that share no more of it lie over each other and do not meet.
 inline constexpr double kLevel = 0.1;
 
 enum class Role : std::uint8_t {

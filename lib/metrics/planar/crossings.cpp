@@ -1,6 +1,7 @@
 #include "metrics/planar/crossings.hpp"
 
 #include "geom/segment_grid.hpp"
+#include "toolpath/path.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,20 +35,28 @@ bool boxes_meet(const Bead& s, const Bead& t) {
            std::max(s.a.y, s.b.y) >= std::min(t.a.y, t.b.y) && std::max(t.a.y, t.b.y) >= std::min(s.a.y, s.b.y);
 }
 
+// Whether the earlier bead is in the later one's way where their middle lines cross, there at these heights.
+bool meet(const Bead& earlier, double top, const Bead& later, double nozzle, double height) {
+    const double least = toolpath::kLevel * height;
+    if (height == 0 || nozzle < top - least) return true;
+    return std::min(top, nozzle) - std::max(top - earlier.thick * height, nozzle - later.thick * height) > least;
+}
+
 // True if they cross; `at` is where.
-bool cross(const Bead& s, const Bead& t, double over, Vec2& at) {
+bool cross(const Bead& s, const Bead& t, double height, Vec2& at) {
     const double d1 = geom::orient(s.a, s.b, t.a), d2 = geom::orient(s.a, s.b, t.b);
     if (d1 * d2 >= -1e-12) return false;
     const double e1 = geom::orient(t.a, t.b, s.a), e2 = geom::orient(t.a, t.b, s.b);
     if (e1 * e2 >= -1e-12) return false;
     const double u = d1 / (d1 - d2), v = e1 / (e1 - e2);
     at = geom::lerp(t.a, t.b, u);
-    return std::abs(std::lerp(double{t.from_z}, t.to_z, u) - std::lerp(double{s.from_z}, s.to_z, v)) <= over;
+    const double z_t = std::lerp(double{t.from_z}, t.to_z, u), z_s = std::lerp(double{s.from_z}, s.to_z, v);
+    return s.order < t.order ? meet(s, z_s, t, z_t, height) : meet(t, z_t, s, z_s, height);
 }
 
 } // namespace
 
-Crossings crossings(std::span<const Bead> beads, std::size_t slots, double over) {
+Crossings crossings(std::span<const Bead> beads, std::size_t slots, double height) {
     constexpr std::size_t kPlaces = 16;
     Crossings out;
     out.slot.assign(slots, 0);
@@ -61,7 +70,7 @@ Crossings crossings(std::span<const Bead> beads, std::size_t slots, double over)
                 const Bead &s = beads[in[i]], &t = beads[in[j]];
                 Vec2 at;
                 if (!boxes_meet(s, t) || std::max(s.order, t.order) - std::min(s.order, t.order) <= 1) continue;
-                if (!cross(s, t, over, at) || g.cell_at(at) != cell) continue; // once, where it is
+                if (!cross(s, t, height, at) || g.cell_at(at) != cell) continue; // once, where it is
                 ++out.whole;
                 if (s.slot == t.slot) ++out.slot[s.slot];
                 places.emplace_back(std::max(s.order, t.order), at);

@@ -13,8 +13,9 @@ struct Crossings {
 
 // Pairs of beads whose centre lines cross properly: each has its ends on either side of the other, by orientations
 // whose product is below -1e-12 mm4 (so ends that touch, within about a micrometre, do not cross).  Beads that follow
-// each other in the program are no pair, nor are those of which one passes more than `over` mm above the other, as the
-// end of a layer does over its ramp.  `slots` > every bead's slot.
-Crossings crossings(std::span<const Bead> beads, std::size_t slots, double over = 0);
+// each other in the program are no pair.  With the layer's `height` (mm, > 0) neither are those of which one lies over
+// the other, as the end of a layer does over its ramp: where they share no more than kLevel of the layer, and the later
+// one's nozzle does not run below the top of the earlier one by more.  `slots` > every bead's slot.
+Crossings crossings(std::span<const Bead> beads, std::size_t slots, double height = 0);
 
 } // namespace filum::metrics::planar

@@ -100,8 +100,7 @@ LayerFigures measure(const LayerInput& w, double pixel) {
         outline[static_cast<std::size_t>(row - out.regions.begin())] = &r->loops;
     }
     const LayerCover areas = cover(beads, outline, row_spacing(beads, pixel));
-    const Crossings crossed =
-        crossings(beads, outline.size(), w.beads != nullptr ? toolpath::kLevel * w.beads->height : 0);
+    const Crossings crossed = crossings(beads, outline.size(), w.beads != nullptr ? w.beads->height : 0);
     out.cover = areas.whole;
     out.crossings = crossed.whole;
     out.crossing = crossed.place;

@@ -63,12 +63,19 @@ TEST(Crossings, OnGridLinesCountOnce) {
     EXPECT_EQ(crossings(beads, 1).whole, 100);
 }
 
-TEST(Crossings, WhatPassesOverDoesNot) {
-    std::vector<Bead> beads{{{0, 0}, {2, 2}, 0.4, 0, 0, 0.0F, 0.2F}, {{0, 2}, {2, 0}, 0.4, 0, 5, 0.2F, 0.2F}};
-    EXPECT_EQ(crossings(beads, 1, 0.02).whole, 0); // at 0.1 and 0.2 mm
-    EXPECT_EQ(crossings(beads, 1, 0.11).whole, 1);
-    beads[0].from_z = 0.2F;
-    EXPECT_EQ(crossings(beads, 1, 0.02).whole, 1);
+// At 0.1 mm, laid so thick, and at 0.2 mm, the rest of the layer.
+TEST(Crossings, WhatLiesOverDoesNot) {
+    std::vector<Bead> beads{{{0, 0}, {2, 2}, 0.4, 0, 0, 0.0F, 0.2F, 0.5F},
+                            {{0, 2}, {2, 0}, 0.4, 0, 5, 0.2F, 0.2F, 0.5F}};
+    EXPECT_EQ(crossings(beads, 1, 0.2).whole, 0);
+    std::swap(beads[0].order, beads[1].order);
+    EXPECT_EQ(crossings(beads, 1, 0.2).whole, 1) << "the nozzle runs below what was laid";
+    std::swap(beads[0].order, beads[1].order);
+    beads[1].thick = 0.7F;
+    EXPECT_EQ(crossings(beads, 1, 0.2).whole, 1) << "laid thicker than there is room for";
+    beads[0].thick = 0.05F;
+    EXPECT_EQ(crossings(beads, 1, 0.2).whole, 0) << "over a film of hardly anything";
+    EXPECT_EQ(crossings(beads, 1).whole, 1);
 }
 
 TEST(Crossings, OfFollowersDoNotCount) {
