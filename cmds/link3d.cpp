@@ -1,7 +1,7 @@
 // link3d - curves to one toolpath
 // reads:  Paths
 // writes: Toolpath
-// memory: the regions it looks ahead; all of them with --connect outside or --links sun2019
+// memory: the regions it looks ahead; all of them with --connect inside or outside, or --links sun2019
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "baselines/sun2019/link.hpp"
@@ -97,7 +97,7 @@ cli::Spec spec(Options& o) {
         .description = kDescription,
         .in = cli::reads(stream::Payload::paths),
         .out = cli::writes(stream::Payload::toolpath),
-        .memory = "the regions it looks ahead; all of them with --connect outside or --links sun2019",
+        .memory = "the regions it looks ahead; all of them with --connect inside or outside, or --links sun2019",
         .options = options(o),
         .examples = {{"slice part.stl | regions | sequence | fill | link3d > part.toolpath", "the toolpath of a part"},
                      {"slice part.stl | regions | sequence | fill | link3d --connect outside > part.toolpath",

@@ -100,8 +100,8 @@ Next next(const State& state) {
 void Linker::add(toolpath::RegionPaths region, const Emit& emit, Notes& notes) {
     if (region.join == Join::start) ++state_.counts.planned;
     state_.window.push_back(waiting(std::move(region)));
-    // Connectors go around everything, so everything must be known.
-    if (state_.options.connect != Connect::outside &&
+    // Connectors and strands keep clear of everything, so everything must be known.
+    if (state_.options.connect == Connect::stop &&
         static_cast<std::int64_t>(state_.window.size()) > state_.options.look_ahead)
         print_front(emit, notes);
 }
