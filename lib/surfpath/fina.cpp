@@ -17,7 +17,8 @@ Plan fina(const surface::Sheet& sheet, const Options& o) {
     const auto field = geodesic::exact(closed, bridged(s, closed, sheet.sources));
     std::vector<rows::Raw> raw;
     double sign = 1;
-    for (const auto& side : side_rows(s, closed, field, sheet.sources, o.spacing)) {
+    const bool fitted = o.beyond.empty(); // a flange's own rim is no end of the part
+    for (const auto& side : side_rows(s, closed, field, sheet.sources, o.spacing, fitted)) {
         add(raw, side, sign);
         sign = -sign;
     }

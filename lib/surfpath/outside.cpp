@@ -14,9 +14,9 @@ namespace {
 constexpr double kTouches = 1e-6; // mm
 constexpr double kRunsOut = 1.5;  // depths: how far sources go on over the flange, which may be left at a slant
 
-// Whether the point lies on a side of the triangle that is a rim.
-bool on_rim(const Surface& s, std::uint32_t triangle, const Vec3& p) {
-    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
+// Whether the point lies on a rim: perhaps at a vertex of it, in a triangle that has no side there.
+bool on_rim(const Surface& s, const Vec3& p) {
+    for (std::uint32_t h = 0; h < s.twin.size(); ++h)
         if (s.twin[h] == surface::kNone && surface::distance_to_side(s, h, p) < kTouches) return true;
     return false;
 }
@@ -25,9 +25,8 @@ bool on_rim(const Surface& s, std::uint32_t triangle, const Vec3& p) {
 void go_on(const Surface& s, const Surface& flanged, Line line, double length, surface::Sources& to) {
     const std::size_t n = line.size();
     if (n < 2 || line.closed) return;
-    const std::uint32_t last = line.places[n - 2].triangle;
-    const Place end{last, line.places[n - 1].point};
-    if (!on_rim(s, last, end.point)) return;
+    const Place end{line.places[n - 2].triangle, line.places[n - 1].point};
+    if (!on_rim(s, end.point)) return;
     const Line on = surface::curve::walk(flanged, end, end.point - line.places[n - 2].point, length);
     for (std::size_t i = 0; i + 1 < on.size(); ++i)
         if (distance(on[i], on[i + 1]) > kTouches) to.segments.push_back({on.places[i].triangle, on[i], on[i + 1]});

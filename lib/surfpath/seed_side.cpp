@@ -193,7 +193,7 @@ SeedSides seed_sides(const Surface& s, const surface::Sources& seed) {
 }
 
 std::vector<std::vector<Isoline>> side_rows(const Surface& s, const Surface& closed, const geodesic::ExactField& field,
-                                            const surface::Sources& seed, double spacing) {
+                                            const surface::Sources& seed, double spacing, bool fitted) {
     const SeedSides sides = seed_sides(s, seed);
     std::vector<double> tip(sides.count, 0);
     for (std::size_t t = 0; t < s.triangles.size(); ++t)
@@ -203,7 +203,7 @@ std::vector<std::vector<Isoline>> side_rows(const Surface& s, const Surface& clo
     std::vector<FarRim> rims;
     surface::Sources ends; // of all sides: none is nearer to that of another, or its rows would not be even
     for (std::uint32_t side = 0; side < sides.count; ++side) {
-        rims.push_back(far_rim(s, sides, side, field.distance, spacing));
+        rims.push_back(fitted ? far_rim(s, sides, side, field.distance, spacing) : FarRim{});
         const auto& rim = rims.back().rim.segments;
         if (step(rims.back(), spacing) > 0) ends.segments.insert(ends.segments.end(), rim.begin(), rim.end());
     }

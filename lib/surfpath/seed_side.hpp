@@ -31,12 +31,12 @@ double step(const FarRim& rim, double spacing);
 // step / 2, and on in steps, less than `end`.
 std::vector<double> levels(double end, double step);
 
-// Per side of the seed, lines along it, `spacing` apart, the first one half a spacing away.  If the side ends in a rim
-// that runs along the seed, within 10 % of `spacing` they lie so that the last one is half a spacing from that rim all
-// along: level sets of the distance from the seed as a share of that from both; else of the distance from the seed.
-// `field` and what else is measured is so on `closed`, which begins with the triangles of `s`.
+// Per side of the seed, lines along it, `spacing` apart, the first one half a spacing away.  If they are to be `fitted`
+// and the side ends in a rim that runs along the seed, within 10 % of `spacing` they lie so that the last one is half a
+// spacing from that rim all along: level sets of the distance from the seed as a share of that from both; else of the
+// distance from the seed.  `field` and what else is measured is so on `closed`, which begins with the triangles of `s`.
 std::vector<std::vector<surface::Isoline>> side_rows(const surface::Surface& s, const surface::Surface& closed,
                                                      const geodesic::ExactField& field, const surface::Sources& seed,
-                                                     double spacing);
+                                                     double spacing, bool fitted);
 
 } // namespace filum::surfpath

@@ -1,7 +1,7 @@
 #include "surfpath/rows/boustrophedon.hpp"
 
 #include "surface/curve/walk.hpp"
-#include "surfpath/plan/order.hpp"
+#include "surfpath/plan/improve.hpp"
 #include "surfpath/plan/stagger.hpp"
 #include "surfpath/rows/loops.hpp"
 
@@ -153,11 +153,11 @@ class Path {
             l.to = 2 * number[l.to / 2] + l.to % 2;
             if (l.from > l.to) std::swap(l.from, l.to);
         }
-        // Mostly a narrow beam finds a way with good turns only.
+        // Mostly a narrow beam finds a way with good turns only, or one with few others, that exchanges make good.
         const plan::Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
         std::vector<Chain> out;
         for (const std::size_t kept : kBeams) {
-            out = order(n, links, costs, kept);
+            out = plan::improved(n, links, costs, kTight, order(n, links, costs, kept));
             if (good(out, links) || kept * n > kMostWork) break;
         }
         for (Chain& chain : out)

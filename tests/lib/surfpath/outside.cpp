@@ -85,20 +85,48 @@ TEST(outside, rows_that_cover_nothing_of_the_part_are_left_out) {
     EXPECT_LT(fact(on, "rows"), 23);
 }
 
+// The second one ends in a vertex of the rim, in a triangle that has no side there.
 TEST(outside, sources_go_on_over_the_flange) {
-    surface::Sheet sheet = flat_plate();
-    for (const surface::Segment& g : surface::section(sheet.surface, {{0, 1, 0}, 7}))
+    for (const auto& [rise, up] : {std::pair(0.0, 7.0), std::pair(0.2, 10.0)}) {
+        surface::Sheet sheet = flat_plate();
+        for (const surface::Segment& g : surface::section(sheet.surface, {{-rise, 1, 0}, up}))
+            sheet.sources.segments.push_back(g);
+        const Flange f = flange(sheet, outside_by(Algorithm::fina, 4)).value();
+        double least = 0, most = 0;
+        for (const surface::Segment& g : f.sheet.sources.segments)
+            for (const Vec3& p : {g.a, g.b}) {
+                EXPECT_NEAR(p.y, up + rise * p.x, 1e-9);
+                least = std::min(least, p.x);
+                most = std::max(most, p.x);
+            }
+        EXPECT_NEAR(least, -4, 1e-9);
+        EXPECT_NEAR(most, 34, 1e-9);
+    }
+}
+
+// A seed that divides a face narrower above and below than in its middle: rows are those of the distance from the seed,
+// and not led towards the flange's own rim, where they would bend beside its corners.
+TEST(outside, rows_stay_straight_where_rims_come_nearer) {
+    Notes notes;
+    surface::Sheet sheet{surface::connect(surface::grid(30, 40, 24, 32,
+                                                        [](geom::Vec2 p) {
+                                                            const double y = p.y - 20, half = 15 - 5 * y * y / 400;
+                                                            return Vec3{(p.x / 15 - 1) * half, y, 0};
+                                                        }),
+                                          notes),
+                         {},
+                         {}};
+    for (const surface::Segment& g : surface::section(sheet.surface, {{0, 1, 0}, 0}))
         sheet.sources.segments.push_back(g);
-    const Flange f = flange(sheet, outside_by(Algorithm::fina, 4)).value();
-    double least = 0, most = 0;
-    for (const surface::Segment& g : f.sheet.sources.segments)
-        for (const Vec3& p : {g.a, g.b}) {
-            EXPECT_NEAR(p.y, 7, 1e-9);
-            least = std::min(least, p.x);
-            most = std::max(most, p.x);
-        }
-    EXPECT_NEAR(least, -4, 1e-9);
-    EXPECT_NEAR(most, 34, 1e-9);
+    const Plan on = planned(sheet, {.algorithm = Algorithm::fina}, 5);
+    EXPECT_EQ(fact(on, "hairpins"), 0);
+    EXPECT_LT(fact(on, "uncovered"), 1);
+    for (const Stroke& stroke : on.strokes)
+        for (const Piece& piece : stroke.pieces)
+            for (const Place& p : piece.line.places)
+                if (std::abs(p.point.x) < 9) {
+                    EXPECT_NEAR(std::abs(p.point.y) - std::floor(std::abs(p.point.y)), 0.5, 1e-6) << p.point.x;
+                }
 }
 
 } // namespace

@@ -1,0 +1,187 @@
+#include "surfpath/plan/improve.hpp"
+
+#include "surface/surface.hpp"
+
+#include <algorithm>
+
+namespace filum::surfpath::plan {
+
+namespace {
+
+using surface::kNone;
+
+constexpr std::size_t kDeepest = 6; // links put in at once: each more takes ten times as long
+constexpr double kRounding = 1e-9;
+constexpr std::uint64_t kMostRows = 20'000'000; // looked at in all searches: a tenth of a second
+
+std::uint32_t entry(const Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
+
+// Per end of a row the link that it has, kNone if none.
+using Linked = std::vector<std::uint32_t>;
+
+class Exchange {
+  public:
+    Exchange(std::uint32_t rows, std::span<const Link> links, const Costs& costs)
+        : rows_(rows), links_(links), costs_(costs), of_(2 * rows) {
+        for (std::uint32_t l = 0; l < links.size(); ++l) {
+            of_[links[l].from].push_back(l);
+            of_[links[l].to].push_back(l);
+        }
+        for (auto& all : of_)
+            std::stable_sort(all.begin(), all.end(), [&](auto a, auto b) { return links[a].cost < links[b].cost; });
+    }
+
+    [[nodiscard]] Linked linked(const std::vector<std::vector<Visit>>& chains) const {
+        Linked out(2 * rows_, kNone);
+        for (const auto& chain : chains)
+            for (std::size_t i = 1; i < chain.size(); ++i) {
+                const std::uint32_t a = entry(chain[i - 1]) ^ 1U, b = entry(chain[i]);
+                for (const std::uint32_t l : of_[a])
+                    if (other(l, a) == b) out[a] = out[b] = l;
+            }
+        return out;
+    }
+
+    [[nodiscard]] double cost(const Linked& now) const {
+        double sum = 0;
+        std::vector<int> over[2] = {std::vector<int>(rows_, 0), std::vector<int>(rows_, 0)}; // by how many more per row
+        for (std::uint32_t e = 0; e < now.size(); ++e) {
+            if (now[e] == kNone) {
+                sum += costs_.breaks / 2;
+                continue;
+            }
+            const Link& l = links_[now[e]];
+            if (e != l.from) continue;
+            sum += l.cost;
+            ++over[l.from % 2][l.from / 2];
+            --over[l.from % 2][l.to / 2];
+        }
+        for (const auto& side : over) {
+            int across = 0;
+            for (const int more : side) sum += (across += more) == 0 ? costs_.gap : 0;
+        }
+        return sum;
+    }
+
+    // Takes the link out for others, or puts some in at the open end; false, and leaves all as it is, if nothing is the
+    // better for it.  Looks at `most` rows from each end.
+    bool exchange(Linked& now, std::uint32_t link, std::uint64_t most) {
+        Linked trial = now;
+        take_out(trial, link);
+        const bool from = lead_on(now, trial, links_[link].from, links_[link].cost, most);
+        return from || lead_on(now, trial, links_[link].to, links_[link].cost, most);
+    }
+    bool join(Linked& now, std::uint32_t end, std::uint64_t most) {
+        Linked trial = now;
+        return lead_on(now, trial, end, costs_.breaks, most);
+    }
+
+    [[nodiscard]] std::vector<std::vector<Visit>> chains(const Linked& now) const {
+        std::vector<std::vector<Visit>> out;
+        std::vector<char> seen(rows_, 0);
+        for (std::uint32_t e = 0; e < now.size(); ++e) {
+            if (now[e] != kNone || seen[e / 2] != 0) continue;
+            auto& chain = out.emplace_back();
+            for (std::uint32_t in = e; in != kNone;) {
+                seen[in / 2] = 1;
+                chain.push_back({in / 2, in % 2 == 1});
+                const std::uint32_t l = now[in ^ 1U];
+                in = l == kNone ? kNone : other(l, in ^ 1U);
+            }
+        }
+        return out;
+    }
+
+  private:
+    [[nodiscard]] std::uint32_t other(std::uint32_t link, std::uint32_t end) const {
+        return links_[link].from == end ? links_[link].to : links_[link].from;
+    }
+    void take_out(Linked& now, std::uint32_t link) const { now[links_[link].from] = now[links_[link].to] = kNone; }
+    void put_in(Linked& now, std::uint32_t link) const { now[links_[link].from] = now[links_[link].to] = link; }
+
+    // Whether the way along the chain from its open end `e` leaves a row by the end `by`.
+    [[nodiscard]] bool leaves(const Linked& now, std::uint32_t e, std::uint32_t by) {
+        for (std::uint32_t in = e;;) {
+            look(1);
+            const std::uint32_t out = in ^ 1U;
+            if (out == by) return true;
+            if (now[out] == kNone) return false;
+            in = other(now[out], out);
+        }
+    }
+
+    // Makes `now` the best that is found from the open end of `trial`; false if that is no better than it is.
+    bool lead_on(Linked& now, Linked& trial, std::uint32_t end, double saved, std::uint64_t most) {
+        best_ = now;
+        const double before = least_ = cost(now) - kRounding;
+        left_ = most;
+        search(trial, end, saved);
+        std::swap(now, best_);
+        return least_ < before;
+    }
+
+    // From the open end `e`.  `saved`: what was taken out less what was put in.
+    void search(Linked& now, std::uint32_t e, double saved) {
+        if (left_ == 0) return;
+        keep(now);
+        if (put_in_.size() == kDeepest) return;
+        for (const std::uint32_t l : of_[e]) {
+            const double left = saved - links_[l].cost;
+            if (left <= 0) return; // cheapest first
+            const std::uint32_t u = other(l, e), out = now[u];
+            if (u == (e ^ 1U) || std::count(put_in_.begin(), put_in_.end(), out) > 0) continue;
+            if (leaves(now, e, u)) continue; // would close a ring
+            if (out != kNone) take_out(now, out);
+            put_in(now, l);
+            put_in_.push_back(l);
+            if (out == kNone)
+                keep(now);
+            else
+                search(now, other(out, u), left + links_[out].cost);
+            put_in_.pop_back();
+            take_out(now, l);
+            if (out != kNone) put_in(now, out);
+        }
+    }
+
+    void keep(const Linked& now) {
+        look(rows_);
+        if (const double c = cost(now); c < least_) {
+            least_ = c - kRounding;
+            best_ = now;
+        }
+    }
+
+    void look(std::uint64_t rows) { left_ -= std::min(left_, rows); }
+
+    std::uint32_t rows_;
+    std::span<const Link> links_;
+    Costs costs_;
+    std::vector<std::vector<std::uint32_t>> of_; // per end: links, cheapest first
+    Linked best_;
+    double least_ = 0;
+    std::vector<std::uint32_t> put_in_;
+    std::uint64_t left_ = 0; // rows that may still be looked at
+};
+
+} // namespace
+
+std::vector<std::vector<Visit>> improved(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
+                                         double dear, std::vector<std::vector<Visit>> chains) {
+    Exchange all(rows, links, costs);
+    Linked now = all.linked(chains);
+    const auto is_dear = [&](std::uint32_t l) { return now[links[l].from] == l && links[l].cost >= dear; };
+    const auto is_open = [&](std::uint32_t e) { return chains.size() > 1 && now[e] == kNone; };
+    std::uint64_t searches = chains.size() > 1 ? 2 * chains.size() : 0;
+    for (std::uint32_t l = 0; l < links.size(); ++l) searches += is_dear(l) ? 2 : 0;
+    for (bool again = searches > 0; again;) {
+        again = false;
+        for (std::uint32_t l = 0; l < links.size(); ++l)
+            again = (is_dear(l) && all.exchange(now, l, kMostRows / searches)) || again;
+        for (std::uint32_t e = 0; e < now.size(); ++e)
+            again = (is_open(e) && all.join(now, e, kMostRows / searches)) || again;
+    }
+    return searches > 0 ? all.chains(now) : std::move(chains);
+}
+
+} // namespace filum::surfpath::plan
