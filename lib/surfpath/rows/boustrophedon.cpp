@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <optional>
+#include <utility>
 
 namespace filum::surfpath::rows {
 
@@ -27,6 +28,17 @@ struct Led {
     std::vector<Chain> chains, left;
 };
 
+// A path, and what was done for it.
+struct Draft {
+    plan::Plan plan;
+    std::vector<Chain> left; // of the rows, what is left out
+    std::size_t turns = 0;
+    double costs = 0, transited = 0, wasted = 0; // mm that turns cost; mm of ways; mm2 by joins of strokes
+
+    // As mm of fibre, by `spacing`: what turns are as bad as, and what ways and joins lay twice and leave bare.
+    [[nodiscard]] double added(double spacing) const { return costs + transited + wasted / spacing; }
+};
+
 std::uint32_t entry(const plan::Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
 std::uint32_t leave(const plan::Visit& v) { return entry(v) ^ 1u; }
 
@@ -36,39 +48,36 @@ class Path {
         : surface_(s), rows_(rows), transits_(rows), turner_(s, rows, transits_, o), turns_(turner_.turns()), o_(o) {}
 
     plan::Plan plan() {
-        auto chains = ordered();
-        lay(joined(chains));
-        // A chain that comes back to where it began may become a detour of another stroke for less than a way to it.
-        if (const auto apart = transited_ > 0 ? led_but_loops(chains) : Led{}; !apart.chains.empty()) {
-            const auto led = std::tuple(out_, turned_, transited_, wasted_, left_);
-            const double before = added();
-            const std::size_t strokes = out_.strokes.size();
-            lay(apart);
-            if (out_.strokes.size() > strokes || added() >= before)
-                std::tie(out_, turned_, transited_, wasted_, left_) = led;
+        for (const auto& chains : orders()) {
+            consider(lay(joined(chains)));
+            // A chain that comes back to where it began may become a detour of another stroke for less than a way to
+            // it.
+            if (best_->transited > 0)
+                if (const Led apart = led_but_loops(chains); !apart.chains.empty()) consider(lay(apart));
         }
-        leave_out_scraps();
-        out_.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
-                      {"", "turns", turned_, ""},
-                      {"", "transits", transited_, "mm"}};
+        plan::Plan& out = best_->plan;
+        leave_out_scraps(out);
+        out.facts = {{"", "rows", static_cast<double>(rows_.rows.size()), ""},
+                     {"", "turns", static_cast<double>(best_->turns), ""},
+                     {"", "transits", best_->transited, "mm"}};
         if (rows_.rows.empty())
-            out_.notes.push_back(
+            out.notes.push_back(
                 {"", "surface without a row: narrower than the spacing", surface::area(surface_), "mm2"});
         if (rows_.drops > 0)
-            out_.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
-                                  rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
-        if (!left_.empty()) tell_left_out();
-        if (out_.strokes.size() > 1)
-            out_.notes.push_back({"", "no way on along rims and rows: cut",
-                                  static_cast<double>(out_.strokes.size() - 1), "cuts", out_.strokes.size() - 1});
-        return std::move(out_);
+            out.notes.push_back({"", "row too short to turn at both ends, left out", rows_.dropped * o_.spacing, "mm2",
+                                 rows_.drops, -1, rows_.dropped_at.x, rows_.dropped_at.y, rows_.dropped_at.z});
+        if (!best_->left.empty()) tell_left_out(best_->left, out.notes);
+        if (out.strokes.size() > 1)
+            out.notes.push_back({"", "no way on along rims and rows: cut", static_cast<double>(out.strokes.size() - 1),
+                                 "cuts", out.strokes.size() - 1});
+        return std::move(out);
     }
 
   private:
     // A stroke shorter than two radii, as rows that are left out for that, is not worth a cut.  The longest stays.
-    void leave_out_scraps() {
+    void leave_out_scraps(plan::Plan& out) const {
         std::vector<double> length;
-        for (const plan::Stroke& stroke : out_.strokes) {
+        for (const plan::Stroke& stroke : out.strokes) {
             length.push_back(0);
             for (const plan::Piece& piece : stroke.pieces) length.back() += surface::curve::length(piece.line);
         }
@@ -78,50 +87,53 @@ class Path {
         Vec3 at;
         for (std::size_t i = 0; i < length.size(); ++i) {
             if (length[i] >= 2 * o_.least_radius || static_cast<std::ptrdiff_t>(i) == longest) {
-                kept.push_back(std::move(out_.strokes[i]));
+                kept.push_back(std::move(out.strokes[i]));
                 continue;
             }
-            at = out_.strokes[i].pieces[0].line[0];
+            at = out.strokes[i].pieces[0].line[0];
             scraps += length[i];
         }
         const std::size_t count = length.size() - kept.size();
-        out_.strokes = std::move(kept);
+        out.strokes = std::move(kept);
         if (count > 0)
-            out_.notes.push_back({"", "stroke shorter than two radii: not worth a cut, left out", scraps * o_.spacing,
-                                  "mm2", count, -1, at.x, at.y, at.z});
+            out.notes.push_back({"", "stroke shorter than two radii: not worth a cut, left out", scraps * o_.spacing,
+                                 "mm2", count, -1, at.x, at.y, at.z});
     }
 
-    void tell_left_out() {
+    void tell_left_out(const std::vector<Chain>& left, Notes& notes) const {
         double all = 0;
-        for (const Chain& c : left_) all += length(c);
-        const Vec3 at = rows_.rows[left_[0][0].row].line[0];
-        out_.notes.push_back({"", "rows shorter than half of the way to them along what is laid, left out",
-                              all * o_.spacing, "mm2", left_.size(), -1, at.x, at.y, at.z});
+        for (const Chain& c : left) all += length(c);
+        const Vec3 at = rows_.rows[left[0][0].row].line[0];
+        notes.push_back({"", "rows shorter than half of the way to them along what is laid, left out", all * o_.spacing,
+                         "mm2", left.size(), -1, at.x, at.y, at.z});
     }
 
-    // Makes strokes of chains; anew, whatever was made of others.
-    void lay(const Led& led) {
+    // Keeps it if it has fewer strokes than what is kept, or as many and adds less.
+    void consider(Draft draft) {
+        const auto rank = [&](const Draft& d) { return std::pair(d.plan.strokes.size(), d.added(o_.spacing)); };
+        if (!best_ || rank(draft) < rank(*best_)) best_ = std::move(draft);
+    }
+
+    // Makes strokes of chains.
+    [[nodiscard]] Draft lay(const Led& led) const {
         const std::vector<Chain>& chains = led.chains;
-        left_ = led.left;
-        out_ = {};
-        turned_ = transited_ = wasted_ = 0;
+        Draft out;
+        out.left = led.left;
         std::vector<std::vector<LaidTurn>> turns(chains.size());
         for (std::size_t c = 0; c < chains.size(); ++c)
-            for (std::size_t i = 1; i < chains[c].size(); ++i)
-                turns[c].push_back(turn(leave(chains[c][i - 1]), entry(chains[c][i])));
+            for (std::size_t i = 1; i < chains[c].size(); ++i) {
+                turns[c].push_back(turn(leave(chains[c][i - 1]), entry(chains[c][i]), out.transited));
+                out.costs += turns[c].back().cost;
+                ++out.turns;
+            }
         if (o_.staggered) stagger(chains, turns);
-        for (std::size_t c = 0; c < chains.size(); ++c) {
-            out_.strokes.push_back(stroke(chains[c], turns[c]));
-            turned_ += static_cast<double>(turns[c].size());
-        }
-        const auto joined =
-            join_strokes(surface_, out_.strokes, {.spacing = o_.spacing, .radius = o_.least_radius, .tight = o_.tight});
-        wasted_ = joined.waste;
-        tell_crossed(joined.crossed, o_.spacing, out_.notes);
+        for (std::size_t c = 0; c < chains.size(); ++c) out.plan.strokes.push_back(stroke(chains[c], turns[c]));
+        const auto joined = join_strokes(surface_, out.plan.strokes,
+                                         {.spacing = o_.spacing, .radius = o_.least_radius, .tight = o_.tight});
+        out.wasted = joined.waste;
+        tell_crossed(joined.crossed, o_.spacing, out.plan.notes);
+        return out;
     }
-
-    // What ways and joins lay twice and leave bare, as mm of fibre.
-    [[nodiscard]] double added() const { return transited_ + wasted_ / o_.spacing; }
 
     // The chains led into each other, but for those whose ends lie near enough to each other to be closed; none if
     // there are no such.
@@ -141,7 +153,8 @@ class Path {
         return out;
     }
 
-    [[nodiscard]] std::vector<Chain> ordered() const {
+    // Orders of the rows to choose from.
+    [[nodiscard]] std::vector<std::vector<Chain>> orders() const {
         std::vector<plan::Link> links;
         for (const LaidTurn& t : turns_) links.push_back({t.from, t.to, t.cost});
         const auto n = static_cast<std::uint32_t>(rows_.rows.size());
@@ -155,13 +168,16 @@ class Path {
         }
         // Mostly a narrow beam finds a way with good turns only, or one with few others, that exchanges make good.
         const plan::Costs costs{kBreak, o_.least_radius * o_.least_radius / o_.spacing};
-        std::vector<Chain> out;
+        std::vector<std::vector<Chain>> out;
         for (const std::size_t kept : kBeams) {
-            out = plan::improved(n, links, costs, kTight, order(n, links, costs, kept));
-            if (good(out, links) || kept * n > kMostWork) break;
+            const auto found = order(n, links, costs, kept);
+            out = {plan::improved(n, links, costs, kTight, found)};
+            if (out[0].size() > 1) out.push_back(found); // its chains may be nearer to each other
+            if (good(out[0], links) || kept * n > kMostWork) break;
         }
-        for (Chain& chain : out)
-            for (plan::Visit& v : chain) v.row = row[v.row];
+        for (auto& chains : out)
+            for (Chain& chain : chains)
+                for (plan::Visit& v : chain) v.row = row[v.row];
         return out;
     }
 
@@ -275,8 +291,8 @@ class Path {
         return out.size() > 2 || a.triangle == b.triangle ? out : Line{};
     }
 
-    // The turn from one end to another, by `forward` false the other way round.
-    LaidTurn turn(std::uint32_t from, std::uint32_t to) {
+    // The turn from one end to another, or a way, whose length counts to `transited`.
+    [[nodiscard]] LaidTurn turn(std::uint32_t from, std::uint32_t to, double& transited) const {
         const auto [a, b] = std::minmax(from, to);
         const auto it = std::lower_bound(turns_.begin(), turns_.end(), std::pair(a, b),
                                          [](const LaidTurn& t, auto& k) { return std::pair(t.from, t.to) < k; });
@@ -290,7 +306,7 @@ class Path {
         const auto stretches = known                            ? std::vector<Line>{transits_.along(from, to)}
                                : way && way->length <= o_.along ? way->stretches
                                                                 : std::vector<Line>{across(from, to)};
-        for (const Line& l : stretches) transited_ += surface::curve::length(l);
+        for (const Line& l : stretches) transited += surface::curve::length(l);
         LaidTurn out = turner_.eased(from, stretches, to);
         out.eased = true;
         return out;
@@ -353,9 +369,7 @@ class Path {
     Turner turner_;
     std::vector<LaidTurn> turns_;
     Turning o_;
-    plan::Plan out_;
-    std::vector<Chain> left_;                        // of the rows, what is left out
-    double turned_ = 0, transited_ = 0, wasted_ = 0; // turns; mm of ways; mm2 by joins of strokes
+    std::optional<Draft> best_;
 };
 
 } // namespace

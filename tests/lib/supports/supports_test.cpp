@@ -1,6 +1,7 @@
 #include "supports/supports.hpp"
 
 #include "../fill/pattern_check.hpp"
+#include "../trials.hpp"
 
 namespace filum::supports {
 namespace {
@@ -140,7 +141,7 @@ TEST(Supports, CarriesAPlateAcrossTheGap) {
 TEST(Supports, TaperWithoutHanging) {
     std::vector<std::vector<Loops>> parts{std::vector<Loops>(60, test::disc({0, 0}, 3))};
     for (int k = 0; k < 3; ++k) parts[0].push_back(test::disc({0, 0}, 14));
-    for (unsigned seed = 0; seed < 4; ++seed) parts.push_back(random_layers(seed));
+    for (unsigned seed = 0; seed < static_cast<unsigned>(trials(4)); ++seed) parts.push_back(random_layers(seed));
     for (const auto& part : parts)
         for (const bool on_part : {true, false}) {
             Options straight = with_support(), o;
