@@ -166,7 +166,8 @@ void draw_key(Canvas& c, const Tint& tint, const Show& show, const Laid& laid, d
     Key key(c.image);
     if (!show.around.empty()) key.clear(kPaper);
     key.ruler(c.plan.scale);
-    if (laid.loose_length > 0) key.text("thin: off the surface, " + fixed_text(laid.loose_length, 1) + " mm");
+    if (laid.loose_length > 0)
+        key.text("thin: off the surface, " + fixed_text(100 * laid.loose_length / laid.length, 0) + "%");
     if (!show.by.empty()) {
         const Scale s = scale_of(find_field(*c.scene.sheet, show.by, 0));
         const char* unit = show.by == "distance" ? " mm" : (show.by.starts_with("stress.") ? " MPa" : "");

@@ -13,8 +13,8 @@ struct Laid {
     Strokes beads{{}};         // of all extruding spans, as wide as they are
     std::vector<Stroke> loose; // those that do not lie on the surface: farther from it than half their width and as
                                // many heights as their layer's number, seen from the side that their normals look to
-    double loose_length = 0;   // mm
-    bool behind = false;       // most of the path lies on the side that the surface does not face
+    double length = 0, loose_length = 0; // mm: of all, and of those
+    bool behind = false;                 // most of the path lies on the side that the surface does not face
 };
 
 // Spans without normals take those of the triangles nearest to them.  Precondition: scene.sheet.
