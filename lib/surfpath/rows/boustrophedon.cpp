@@ -49,11 +49,11 @@ class Path {
 
     plan::Plan plan() {
         for (const auto& chains : orders()) {
-            consider(lay(joined(chains)));
-            // A chain that comes back to where it began may become a detour of another stroke for less than a way to
-            // it.
-            if (best_->transited > 0)
-                if (const Led apart = led_but_loops(chains); !apart.chains.empty()) consider(lay(apart));
+            Draft led = lay(joined(chains));
+            const bool ways = led.transited > 0;
+            consider(std::move(led));
+            // A chain that comes back to where it began may become a detour of another stroke, for less than a way.
+            if (const Led apart = ways ? led_but_loops(chains) : Led{}; !apart.chains.empty()) consider(lay(apart));
         }
         plan::Plan& out = best_->plan;
         leave_out_scraps(out);
