@@ -21,7 +21,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
         lib/python3/dist-packages/filum/stream_pb2.py lib/python3/dist-packages/filum/__init__.py; do
         [ -s "tree/usr/$file" ] || { echo "missing: $file" && return 1; }
     done
-    dpkg-deb -f filum_*.deb Depends | grep -q libprotobuf
+    dpkg-deb -f filum_*.deb Depends | grep -q libtbb
     dpkg-deb -f python3-filum_*.deb Depends | grep -q python3-numpy
     [ "$(dpkg-deb -f python3-filum_*.deb Architecture)" = all ]
     ! grep -rlI "$FILUM_SOURCE" tree/usr

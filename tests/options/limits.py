@@ -49,13 +49,13 @@ def wrong(command, words, may_take_long):
 
 
 def edges(option):
-    least, most, _, _ = option.range
+    least, most, is_open, _ = option.range
     step = max(abs(least), 1) * 1e-3
-    ends = [least - step, least or -0.0, least + step, most, most * 2 if most > 0 else most + 1]
+    ends = [least - step, least + step if is_open else least or -0.0, most, most * 2 if most > 0 else most + 1]
     return [",".join([repr(v)] * numbers_of(option)) for v in ends]
 
 
-# All numbers are read by the same code, and all names of files, so each gets every fourth of the odd values, in turn.
+# All numbers are read by the same code, and all names of files, so each gets every seventh of the odd values, in turn.
 FAILED, turn = [], 0
 for one in commands():
     for o in one.options.values():
@@ -68,7 +68,7 @@ for one in commands():
             continue
         needed = settings_for(one, o) or []
         some = o.is_number() or o.unit == "FILE"
-        tries = [(v, False) for v in (ODD[turn % 4 :: 4] if some else ODD)] + [(v, True) for v in (edges(o) if o.is_number() else [])]
+        tries = [(v, False) for v in (ODD[turn % 7 :: 7] if some else ODD)] + [(v, True) for v in (edges(o) if o.is_number() else [])]
         for value, within in tries:
             if why := wrong(one, [*needed, f"--{o.name}={value}"], within):
                 FAILED.append(f"{name}={value!r}: {why}")

@@ -1,3 +1,4 @@
+#include "../trials.hpp"
 #include "stacks.hpp"
 
 #include <cmath>
@@ -131,7 +132,7 @@ TEST(Linker, DriftsFromCornersAcrossBeadsOnly) {
 
 // A leaning column with teeth a few micrometres deep all round: a join that ends on one does not run through another.
 TEST(Linker, CrossesNoFineTeeth) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(trials(40)); ++seed) {
         Random random{seed};
         std::vector<std::vector<Curve>> layers;
         for (int i = 0; i < 12; ++i) {
