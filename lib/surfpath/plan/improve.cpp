@@ -14,8 +14,6 @@ constexpr std::size_t kDeepest = 6; // links put in at once: each more takes ten
 constexpr double kRounding = 1e-9;
 constexpr std::uint64_t kMostRows = 20'000'000; // looked at in all searches: a tenth of a second
 
-std::uint32_t entry(const Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
-
 // Per end of a row the link that it has, kNone if none.
 using Linked = std::vector<std::uint32_t>;
 
@@ -35,7 +33,7 @@ class Exchange {
         Linked out(2 * rows_, kNone);
         for (const auto& chain : chains)
             for (std::size_t i = 1; i < chain.size(); ++i) {
-                const std::uint32_t a = entry(chain[i - 1]) ^ 1U, b = entry(chain[i]);
+                const std::uint32_t a = leave(chain[i - 1]), b = entry(chain[i]);
                 for (const std::uint32_t l : of_[a])
                     if (other(l, a) == b) out[a] = out[b] = l;
             }
@@ -74,22 +72,6 @@ class Exchange {
     bool join(Linked& now, std::uint32_t end, std::uint64_t most) {
         Linked trial = now;
         return lead_on(now, trial, end, costs_.breaks, most);
-    }
-
-    [[nodiscard]] std::vector<std::vector<Visit>> chains(const Linked& now) const {
-        std::vector<std::vector<Visit>> out;
-        std::vector<char> seen(rows_, 0);
-        for (std::uint32_t e = 0; e < now.size(); ++e) {
-            if (now[e] != kNone || seen[e / 2] != 0) continue;
-            auto& chain = out.emplace_back();
-            for (std::uint32_t in = e; in != kNone;) {
-                seen[in / 2] = 1;
-                chain.push_back({in / 2, in % 2 == 1});
-                const std::uint32_t l = now[in ^ 1U];
-                in = l == kNone ? kNone : other(l, in ^ 1U);
-            }
-        }
-        return out;
     }
 
   private:
@@ -167,12 +149,12 @@ class Exchange {
 } // namespace
 
 std::vector<std::vector<Visit>> improved(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
-                                         double dear, std::vector<std::vector<Visit>> chains) {
+                                         double dear, std::vector<std::vector<Visit>> given) {
     Exchange all(rows, links, costs);
-    Linked now = all.linked(chains);
+    Linked now = all.linked(given);
     const auto is_dear = [&](std::uint32_t l) { return now[links[l].from] == l && links[l].cost >= dear; };
-    const auto is_open = [&](std::uint32_t e) { return chains.size() > 1 && now[e] == kNone; };
-    std::uint64_t searches = chains.size() > 1 ? 2 * chains.size() : 0;
+    const auto is_open = [&](std::uint32_t e) { return given.size() > 1 && now[e] == kNone; };
+    std::uint64_t searches = given.size() > 1 ? 2 * given.size() : 0;
     for (std::uint32_t l = 0; l < links.size(); ++l) searches += is_dear(l) ? 2 : 0;
     for (bool again = searches > 0; again;) {
         again = false;
@@ -181,7 +163,7 @@ std::vector<std::vector<Visit>> improved(std::uint32_t rows, std::span<const Lin
         for (std::uint32_t e = 0; e < now.size(); ++e)
             again = (is_open(e) && all.join(now, e, kMostRows / searches)) || again;
     }
-    return searches > 0 ? all.chains(now) : std::move(chains);
+    return searches > 0 ? chains(links, now) : std::move(given);
 }
 
 } // namespace filum::surfpath::plan

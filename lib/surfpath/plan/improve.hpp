@@ -10,6 +10,6 @@ namespace filum::surfpath::plan {
 // together again (Lin and Kernighan 1973).  Goes on until no such link is left, none can be exchanged, or a tenth of a
 // second's work is done.  Costs are those of order(), links those that the chains were made of.  Ties: the first link.
 std::vector<std::vector<Visit>> improved(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
-                                         double dear, std::vector<std::vector<Visit>> chains);
+                                         double dear, std::vector<std::vector<Visit>> given);
 
 } // namespace filum::surfpath::plan

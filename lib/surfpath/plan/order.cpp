@@ -232,12 +232,10 @@ class Beam {
 
 } // namespace
 
-std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
-                                      std::size_t kept) {
-    const auto link = Beam(rows, links, costs, kept).run();
+std::vector<std::vector<Visit>> chains(std::span<const Link> links, std::span<const std::uint32_t> link) {
     std::vector<std::vector<Visit>> out;
-    std::vector<char> seen(rows, 0);
-    for (std::uint32_t e = 0; e < 2 * rows; ++e) {
+    std::vector<char> seen(link.size() / 2, 0);
+    for (std::uint32_t e = 0; e < link.size(); ++e) {
         if (link[e] != kNone || seen[e / 2]) continue;
         auto& chain = out.emplace_back();
         for (std::uint32_t in = e;;) {
@@ -249,6 +247,11 @@ std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> 
         }
     }
     return out;
+}
+
+std::vector<std::vector<Visit>> order(std::uint32_t rows, std::span<const Link> links, const Costs& costs,
+                                      std::size_t kept) {
+    return chains(links, Beam(rows, links, costs, kept).run());
 }
 
 } // namespace filum::surfpath::plan

@@ -24,10 +24,17 @@ struct Visit {
     bool reversed = false;
 };
 
+// The end by which a row is entered; it is left by the other one.
+inline std::uint32_t entry(const Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
+inline std::uint32_t leave(const Visit& v) { return entry(v) ^ 1U; }
+
 struct Costs {
     double breaks = 0; // for every chain
     double gap = 0;    // where, on one of both sides, no link leads from the rows up to here to those beyond
 };
+
+// The chains that links make: `link` is per end the one that it has, kNone if none.  They close no ring.
+std::vector<std::vector<Visit>> chains(std::span<const Link> links, std::span<const std::uint32_t> link);
 
 // Chains that pass every row once, joined by links; the sum of all costs is small.  Rows are taken one after the other;
 // of the ways to join the ends that lie open behind them, the cheapest `kept` go on (a beam through the frontier states

@@ -39,9 +39,6 @@ struct Draft {
     [[nodiscard]] double added(double spacing) const { return costs + transited + wasted / spacing; }
 };
 
-std::uint32_t entry(const plan::Visit& v) { return 2 * v.row + (v.reversed ? 1 : 0); }
-std::uint32_t leave(const plan::Visit& v) { return entry(v) ^ 1u; }
-
 class Path {
   public:
     Path(const Surface& s, const Rows& rows, const Turning& o)
