@@ -42,6 +42,16 @@ finds() {
     finds 'lib/cli/more.cpp:1: lib/cli includes lib/geom'
 }
 
+@test "a test with another kind of name" {
+    printf 'TEST(Vec, IsOne) {\n}\n' >"$tree/tests/lib/geom/vec.cpp"
+    run "$check" "$tree"
+    [ "$status" -eq 0 ]
+    printf 'TEST(Vec, is_one) {\n}\n' >"$tree/tests/lib/geom/vec.cpp"
+    finds "tests/lib/geom/vec.cpp:1: test 'Vec.is_one'"
+    mv "$tree/tests/lib/geom/vec.cpp" "$tree/tests/lib/geom/vec_test.cpp"
+    finds "tests/lib/geom/vec_test.cpp: is in tests/lib"
+}
+
 @test "a line that names a folder below it in the file" {
     printf 'base: geom\ngeom: base\ncli: base\n' >"$tree/lib/LAYERS"
     finds "lib/LAYERS:1: 'base' names 'geom'"

@@ -22,7 +22,7 @@ double segment_distance(Vec2 a, Vec2 b, Vec2 p) {
     return distance(a + t * d, p);
 }
 
-TEST(exact, a_flat_sheet_has_euclidean_distances) {
+TEST(Exact, AFlatSheetHasEuclideanDistances) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const auto s = surfaces::sheet(20, 10, 16, 8, seed);
         std::mt19937 random(seed);
@@ -33,7 +33,7 @@ TEST(exact, a_flat_sheet_has_euclidean_distances) {
     }
 }
 
-TEST(exact, points_anywhere_are_sources) {
+TEST(Exact, PointsAnywhereAreSources) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const auto s = surfaces::sheet(20, 10, 16, 8, seed);
         std::mt19937 random(seed);
@@ -57,7 +57,7 @@ TEST(exact, points_anywhere_are_sources) {
 }
 
 // What is nearer than a line knows how far it is, though windows are kept from what is farther.
-TEST(exact, what_is_shut_costs_nothing_and_changes_nothing_on_the_near_side) {
+TEST(Exact, WhatIsShutCostsNothingAndChangesNothingOnTheNearSide) {
     for (unsigned seed = 0; seed < 10; ++seed) {
         const auto s = surfaces::sheet(20, 20, 16, 16, seed);
         const auto from = exact(s.surface, {{0}, {}});
@@ -79,7 +79,7 @@ TEST(exact, what_is_shut_costs_nothing_and_changes_nothing_on_the_near_side) {
     }
 }
 
-TEST(exact, a_line_across_a_bent_sheet_is_a_source) {
+TEST(Exact, ALineAcrossABentSheetIsASource) {
     // a quarter of a cylinder between two flats: unrolls to the plane, if triangles follow its rulings
     const double r = 3, flat = 4, bend = r * std::numbers::pi / 2;
     const auto lift = [&](Vec2 p) -> Vec3 {
@@ -101,7 +101,7 @@ TEST(exact, a_line_across_a_bent_sheet_is_a_source) {
         }
 }
 
-TEST(exact, slanting_segments_have_round_ends) {
+TEST(Exact, SlantingSegmentsHaveRoundEnds) {
     const auto s = surfaces::sheet(20, 10, 16, 8, 3);
     const Vec2 a{6.1, 3.3}, b{13.7, 6.9};
     // the segment in pieces, by where it crosses edges
@@ -135,7 +135,7 @@ TEST(exact, slanting_segments_have_round_ends) {
     }
 }
 
-TEST(exact, the_rim_is_a_source) {
+TEST(Exact, TheRimIsASource) {
     const auto s = surfaces::sheet(20, 10, 16, 8, 3);
     Sources sources;
     ASSERT_EQ(s.surface.rims.size(), 1U);
@@ -149,7 +149,7 @@ TEST(exact, the_rim_is_a_source) {
     }
 }
 
-TEST(exact, paths_bend_around_holes) {
+TEST(Exact, PathsBendAroundHoles) {
     // a square hole [4, 8] x [4, 8] in [0, 12]^2, seen from a corner
     const auto s = surfaces::sheet(
         12, 12, 12, 12, 5,
@@ -201,7 +201,7 @@ TEST(exact, paths_bend_around_holes) {
     EXPECT_GT(bent, 20);
 }
 
-TEST(exact, over_a_cube) {
+TEST(Exact, OverACube) {
     const Surface s = surfaces::cube(2);
     const auto field = exact(s, {{0}, {}});
     EXPECT_NEAR(field.distance[1], 2, 1e-12);
@@ -220,7 +220,7 @@ TEST(exact, over_a_cube) {
     EXPECT_NEAR(farthest, std::sqrt(20), 1e-9);
 }
 
-TEST(exact, around_a_vertex_of_more_or_less_than_a_full_turn) {
+TEST(Exact, AroundAVertexOfMoreOrLessThanAFullTurn) {
     // a fan of k like triangles around a vertex, legs of length 1, rim folded up and down
     for (const int k : {3, 4, 5, 8, 10, 12}) {
         const double z = k <= 5 ? 0.3 : 0.8, r = std::sqrt(1 - z * z);
@@ -284,7 +284,7 @@ class Unfolder {
     std::vector<char> crossed_;
 };
 
-TEST(exact, agrees_with_unfolding_every_strip) {
+TEST(Exact, AgreesWithUnfoldingEveryStrip) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         const Surface s = surfaces::bumpy_sphere(1, 0.3, seed); // 32 triangles
         const auto frame = frames(s);
@@ -302,7 +302,7 @@ TEST(exact, agrees_with_unfolding_every_strip) {
     }
 }
 
-TEST(exact, is_symmetric_and_slopes_at_most_one) {
+TEST(Exact, IsSymmetricAndSlopesAtMostOne) {
     const Surface s = surfaces::bumpy_sphere(4, 0.05, 4); // 2048 triangles
     const auto a = exact(s, {{17}, {}}), b = exact(s, {{400}, {}});
     EXPECT_NEAR(a.distance[400], b.distance[17], 1e-11);
@@ -313,7 +313,7 @@ TEST(exact, is_symmetric_and_slopes_at_most_one) {
         EXPECT_NEAR(both.distance[v], std::min(a.distance[v], b.distance[v]), 1e-11);
 }
 
-TEST(exact, sources_of_one_field_are_none_of_another_on_its_ground) {
+TEST(Exact, SourcesOfOneFieldAreNoneOfAnotherOnItsGround) {
     const Surface s = surfaces::bumpy_sphere(3, 0.2, 1);
     const auto first = exact(s, {{17}, {}}), alone = exact(s, {{40}, {}});
     const auto second = exact(s, {{40}, {}}, std::numeric_limits<double>::infinity(), first.ground);
@@ -322,14 +322,14 @@ TEST(exact, sources_of_one_field_are_none_of_another_on_its_ground) {
     EXPECT_EQ(second.propagated, alone.propagated);
 }
 
-TEST(exact, a_sphere_is_approached) {
+TEST(Exact, ASphereIsApproached) {
     const Surface s = surfaces::bumpy_sphere(5, 0, 0);
     const auto field = exact(s, {{4}, {}}); // the north pole
     for (std::size_t v = 0; v < s.vertices.size(); ++v)
         EXPECT_NEAR(field.distance[v], std::acos(std::clamp(s.vertices[v].z, -1.0, 1.0)), 2e-3);
 }
 
-TEST(exact, components_without_a_source_are_infinitely_far) {
+TEST(Exact, ComponentsWithoutASourceAreInfinitelyFar) {
     std::vector<Vec3> v{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
     const Surface s = surfaces::make(v, {{0, 1, 2}, {3, 4, 5}});
     ASSERT_EQ(s.components, 2U);
@@ -342,7 +342,7 @@ TEST(exact, components_without_a_source_are_infinitely_far) {
     EXPECT_EQ(distance_at(s, one, 1, {5.2, 0.2, 0}), kInf);
 }
 
-TEST(exact, slivers_change_nothing) {
+TEST(Exact, SliversChangeNothing) {
     // every triangle split near a corner again and again: aspect ratios beyond a thousand
     const auto base = surfaces::sheet(20, 10, 8, 4, 2);
     std::vector<Vec3> v = base.surface.vertices;
@@ -359,7 +359,7 @@ TEST(exact, slivers_change_nothing) {
     for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(field.distance[i], distance(v[10], s.vertices[i]), 1e-7);
 }
 
-TEST(exact, distances_alone_are_the_same) {
+TEST(Exact, DistancesAloneAreTheSame) {
     const Surface s = surfaces::bumpy_sphere(5, 0.05, 3);
     const Sources sources{{7}, {{100, s.vertices[s.triangles[100][0]], s.vertices[s.triangles[100][1]]}}};
     const auto all = exact(s, sources).distance;

@@ -22,13 +22,13 @@ double mean_error(const std::vector<double>& a, const std::vector<double>& b, do
     return sum / count;
 }
 
-TEST(heat, comes_near_on_a_sphere) {
+TEST(Heat, ComesNearOnASphere) {
     const Surface s = surfaces::bumpy_sphere(5, 0.002, 1);
     const Sources pole{{4}, {}};
     EXPECT_LT(mean_error(Heat(s, pole).distance(), exact(s, pole).distance, 0.1), 0.02);
 }
 
-TEST(heat, is_exact_near_the_source) {
+TEST(Heat, IsExactNearTheSource) {
     const auto s = surfaces::sheet(40, 40, 60, 60, 4);
     const Sources cut{{}, surface::section(s.surface, {{1, 0.3, 0}, 17.2})};
     const auto near = Heat(s.surface, cut).distance();
@@ -43,7 +43,7 @@ TEST(heat, is_exact_near_the_source) {
     EXPECT_GT(mean_error(paper, truth, 1), 2 * mean_error(near, truth, 1));
 }
 
-TEST(heat, components_without_a_source_are_infinitely_far) {
+TEST(Heat, ComponentsWithoutASourceAreInfinitelyFar) {
     const auto a = surfaces::sheet(10, 10, 12, 12, 4);
     auto v = a.surface.vertices;
     auto t = a.surface.triangles;
@@ -61,7 +61,7 @@ TEST(heat, components_without_a_source_are_infinitely_far) {
     }
 }
 
-TEST(heat, survives_slivers) {
+TEST(Heat, SurvivesSlivers) {
     const auto base = surfaces::sheet(20, 10, 40, 20, 2);
     std::vector<Vec3> v = base.surface.vertices;
     std::vector<mesh::Triangle> t;
@@ -75,7 +75,7 @@ TEST(heat, survives_slivers) {
     EXPECT_LT(mean_error(Heat(s, from).distance(), exact(s, from).distance, 1), 0.03);
 }
 
-TEST(heat, is_raised_where_it_would_fade) {
+TEST(Heat, IsRaisedWhereItWouldFade) {
     // a strip whose diagonal is no measure of how long it is: folded like an accordion
     const auto lift = [](Vec2 p) {
         const double turn = std::fmod(p.x, 2.0);
@@ -89,7 +89,7 @@ TEST(heat, is_raised_where_it_would_fade) {
     EXPECT_LT(mean_error(d, truth, 1), 0.05);
 }
 
-TEST(heat, the_certificate_tells_how_far_off_it_is) {
+TEST(Heat, TheCertificateTellsHowFarOffItIs) {
     const Surface s = surfaces::bumpy_sphere(5, 0, 1);
     const Sources sources{{0}, {}};
     const auto truth = exact(s, sources).distance;

@@ -32,7 +32,7 @@ void expect_on_surface(const Surface& s, const Isoline& line) {
     }
 }
 
-TEST(isolines, around_a_point_in_the_plane_are_circles) {
+TEST(Isolines, AroundAPointInThePlaneAreCircles) {
     const auto s = surfaces::sheet(20, 20, 20, 20, 1);
     const Vec3 p{10.1, 9.7, 0};
     const auto field = exact(s.surface, {{}, {surface::nearest(s.surface, p)}});
@@ -53,7 +53,7 @@ TEST(isolines, around_a_point_in_the_plane_are_circles) {
     EXPECT_EQ(open, (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 4}));
 }
 
-TEST(isolines, of_a_bumpy_surface_are_closed_and_have_their_level) {
+TEST(Isolines, OfABumpySurfaceAreClosedAndHaveTheirLevel) {
     for (unsigned seed = 0; seed < 6; ++seed) {
         const Surface s = surfaces::bumpy_sphere(3, 0.15, seed);
         const auto field = exact(s, {{seed, 40 + seed}, {}});
@@ -70,7 +70,7 @@ TEST(isolines, of_a_bumpy_surface_are_closed_and_have_their_level) {
     }
 }
 
-TEST(isolines, edges_may_be_crossed_twice) {
+TEST(Isolines, EdgesMayBeCrossedTwice) {
     // two sources, one at each end of a strip of two long triangles: between them the distance rises and falls
     const Surface s = surfaces::make({{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
     const auto field = exact(s, {{0, 1, 2, 3}, {}});
@@ -88,7 +88,7 @@ TEST(isolines, edges_may_be_crossed_twice) {
     EXPECT_NEAR(std::abs(lines[0].points.front().x - lines[0].points.back().x), 0, 1e-9);
 }
 
-TEST(isolines, are_round_between_edges) {
+TEST(Isolines, AreRoundBetweenEdges) {
     const Surface s = surfaces::make({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, {{0, 1, 2}, {0, 2, 3}});
     const double level[] = {6};
     const auto lines = isolines(s, exact(s, {{0}, {}}), level);
@@ -103,7 +103,7 @@ TEST(isolines, are_round_between_edges) {
 }
 
 // The middle of the left rim's triangle is 0.5 mm from it, less a rounding: what lies about it is farther.
-TEST(isolines, that_pass_a_vertex_by_a_rounding_are_closed) {
+TEST(Isolines, ThatPassAVertexByARoundingAreClosed) {
     Notes notes;
     const auto coarse = surface::connect(surface::grid(8, 1.8, 8, 1,
                                                        [](geom::Vec2 p) {
@@ -117,7 +117,7 @@ TEST(isolines, that_pass_a_vertex_by_a_rounding_are_closed) {
     EXPECT_TRUE(lines[0].closed);
 }
 
-TEST(isolines, of_linear_values_cut_edges_in_proportion) {
+TEST(Isolines, OfLinearValuesCutEdgesInProportion) {
     const auto s = surfaces::sheet(10, 10, 10, 10, 3);
     std::vector<double> height;
     for (const Vec2 p : s.flat) height.push_back(p.x + 0.3 * p.y);
@@ -130,14 +130,14 @@ TEST(isolines, of_linear_values_cut_edges_in_proportion) {
     }
 }
 
-TEST(isolines, do_not_cross_into_unreached_components) {
+TEST(Isolines, DoNotCrossIntoUnreachedComponents) {
     const Surface s =
         surfaces::make({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {9, 0, 0}, {9, 4, 0}, {5, 0, 0}}, {{0, 1, 2}, {3, 4, 5}});
     const double levels[] = {1, 2};
     EXPECT_EQ(isolines(s, exact(s, {{0}, {}}), levels).size(), 2U);
 }
 
-TEST(choose, names_sources) {
+TEST(Choose, NamesSources) {
     const auto s = surfaces::sheet(
         12, 12, 12, 12, 5,
         [](Vec2 p) {
@@ -173,7 +173,7 @@ TEST(choose, names_sources) {
     EXPECT_THROW(choose(surfaces::cube(1), "boundary", notes), Error);
 }
 
-TEST(certificate, measures_slopes) {
+TEST(Certificate, MeasuresSlopes) {
     const auto s = surfaces::sheet(10, 10, 10, 10, 3);
     std::vector<double> d;
     for (const Vec2 p : s.flat) d.push_back(0.6 * p.x + 0.8 * p.y);
@@ -192,7 +192,7 @@ TEST(certificate, measures_slopes) {
     EXPECT_LT(slope_error(s.surface, d).area, 100);
 }
 
-TEST(measure, draws_levels_and_multiples_of_the_spacing) {
+TEST(Measure, DrawsLevelsAndMultiplesOfTheSpacing) {
     surface::Sheet sheet{surfaces::sheet(10, 4, 10, 4, 3).surface, {}, {}};
     Notes notes;
     const auto sources = choose(sheet.surface, "plane:1,0,0,0", notes);

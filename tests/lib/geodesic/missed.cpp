@@ -19,7 +19,7 @@ double rounded(double v, int digits) {
 
 // A sector of a ring whose vertices lie on rays from its centre: windows end at vertices again and again, and by
 // rounding before them on both sides.
-TEST(exact, reaches_vertices_on_the_borders_of_windows) {
+TEST(Exact, ReachesVerticesOnTheBordersOfWindows) {
     const std::uint32_t nu = 120, nv = 80;
     mesh::Mesh m;
     for (std::uint32_t j = 0; j <= nv; ++j)
@@ -45,7 +45,7 @@ TEST(exact, reaches_vertices_on_the_borders_of_windows) {
     for (std::size_t v = 0; v < s.vertices.size(); ++v) EXPECT_NEAR(field.distance[v], norm(s.vertices[v]) - 20, 0.001);
 }
 
-TEST(exact, rays_along_sides_make_no_window_without_numbers) {
+TEST(Exact, RaysAlongSidesMakeNoWindowWithoutNumbers) {
     for (unsigned seed = 0; seed < 60; ++seed) { // plane grids, turned: their sides lie in lines but for rounding
         const double angle = 0.1 * seed, c = std::cos(angle), d = std::sin(angle);
         std::vector<Vec3> v;

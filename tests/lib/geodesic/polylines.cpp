@@ -69,14 +69,14 @@ Points circle(Vec2 c, double r, int n, bool closed) {
     return out;
 }
 
-TEST(polylines, a_closed_one_may_begin_on_a_vertex) {
+TEST(Polylines, AClosedOneMayBeginOnAVertex) {
     const auto s = regular(50);
     for (const bool closed : {true, false})
         for (const int n : {4, 7, 40, 400}) EXPECT_LT(error(s, {circle({25, 25}, 10, n, closed)}), 1e-9) << n;
 }
 
 // The nearer a corner lies to a vertex or an edge, the narrower are the windows that it sends across there.
-TEST(polylines, corners_next_to_vertices_and_edges_lose_nothing) {
+TEST(Polylines, CornersNextToVerticesAndEdgesLoseNothing) {
     const auto s = regular(20);
     for (double by = 1; by > 1e-13; by /= 10)
         for (const double bend : {1e-3, 0.02, 1.0})
@@ -89,7 +89,7 @@ TEST(polylines, corners_next_to_vertices_and_edges_lose_nothing) {
                 }
 }
 
-TEST(polylines, through_vertices_along_edges_closed_and_open_several) {
+TEST(Polylines, ThroughVerticesAlongEdgesClosedAndOpenSeveral) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         std::mt19937 random(seed);
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };

@@ -8,7 +8,7 @@ namespace {
 
 using namespace filum::geom;
 
-TEST(hull, holds_all_points_and_turns_left_at_each_corner) {
+TEST(Hull, HoldsAllPointsAndTurnsLeftAtEachCorner) {
     std::mt19937 random(7);
     for (int trial = 0; trial < 200; ++trial) {
         std::uniform_int_distribution<int> at(0, trial % 2 == 0 ? 6 : 1000); // many on lines, or few

@@ -21,7 +21,7 @@ struct Places {
     Vec3 point() { return {number(), number(), number()}; }
 };
 
-TEST(point_tree, finds_the_nearest_and_of_equals_the_first) {
+TEST(PointTree, FindsTheNearestAndOfEqualsTheFirst) {
     Places r;
     std::vector<Vec3> points;
     for (int i = 0; i < 300; ++i) points.push_back(r.point());
@@ -53,7 +53,7 @@ void leaves_none_out(const std::vector<V>& points, const std::vector<V>& asked, 
         }
 }
 
-TEST(point_grid, leaves_out_none_that_is_near) {
+TEST(PointGrid, LeavesOutNoneThatIsNear) {
     Places r;
     std::vector<Vec2> flat{{1e300, 0}, {-1e300, 3}};
     std::vector<Vec3> points;
@@ -68,7 +68,7 @@ TEST(point_grid, leaves_out_none_that_is_near) {
     PointGrid<Vec3>().near({}, 1, [](std::uint32_t) { FAIL(); });
 }
 
-TEST(segment_grid, a_cell_has_what_comes_nearer_than_the_margin) {
+TEST(SegmentGrid, ACellHasWhatComesNearerThanTheMargin) {
     Places r;
     std::vector<Segment> segments;
     for (int i = 0; i < 60; ++i) segments.push_back({r.flat(), r.flat()});
@@ -92,7 +92,7 @@ TEST(segment_grid, a_cell_has_what_comes_nearer_than_the_margin) {
     }
 }
 
-TEST(disjoint_sets, are_those_of_painting_over) {
+TEST(DisjointSets, AreThoseOfPaintingOver) {
     std::mt19937 random(3);
     DisjointSets sets(50);
     std::vector<std::uint32_t> colour(50);
@@ -109,7 +109,7 @@ TEST(disjoint_sets, are_those_of_painting_over) {
         for (std::size_t w = 0; w < 50; ++w) EXPECT_EQ(set[v] == set[w], colour[v] == colour[w]);
 }
 
-TEST(polyline, lengths) {
+TEST(Polyline, Lengths) {
     const std::vector<Vec2> flat{{0, 0}, {3, 4}, {3, 4}, {3, 5}};
     EXPECT_EQ(length(flat), 6);
     EXPECT_EQ(arc_lengths(flat), (std::vector<double>{0, 5, 5, 6}));

@@ -10,7 +10,7 @@ using kinematics::Build;
 using kinematics::Lack;
 using kinematics::Singular;
 
-TEST(arm, tables_stand_where_the_makers_say) {
+TEST(Arm, TablesStandWhereTheMakersSay) {
     const Frame ur = kinematics::forward(ur10e(), {});
     EXPECT_LT(distance(ur.origin, {-1184.25, -290.7, 60.85}), 1e-9);
     EXPECT_LT(distance(ur.turn.z, {0, -1, 0}), 1e-12);
@@ -24,7 +24,7 @@ TEST(arm, tables_stand_where_the_makers_say) {
     EXPECT_EQ(all().back().second.build, Build::general);
 }
 
-TEST(arm, forward_is_a_product_of_turns) {
+TEST(Arm, ForwardIsAProductOfTurns) {
     Random random;
     for (const auto& [name, arm] : all())
         for (int i = 0; i < 100; ++i) {
@@ -34,7 +34,7 @@ TEST(arm, forward_is_a_product_of_turns) {
         }
 }
 
-TEST(arm, every_way_to_stand_is_found_and_stands_there) {
+TEST(Arm, EveryWayToStandIsFoundAndStandsThere) {
     Random random;
     for (const auto& [name, arm] : all()) {
         const bool general = arm.build == Build::general;
@@ -63,7 +63,7 @@ TEST(arm, every_way_to_stand_is_found_and_stands_there) {
     }
 }
 
-TEST(arm, what_is_out_of_reach_has_no_way_and_says_by_how_much) {
+TEST(Arm, WhatIsOutOfReachHasNoWayAndSaysByHowMuch) {
     for (const auto& [name, arm] : all()) {
         if (arm.build == Build::general) continue;
         const bool wrist = arm.build == Build::wrist;
@@ -95,7 +95,7 @@ TEST(arm, what_is_out_of_reach_has_no_way_and_says_by_how_much) {
     }
 }
 
-TEST(arm, singularities_are_seen_in_their_own_terms) {
+TEST(Arm, SingularitiesAreSeenInTheirOwnTerms) {
     const auto irb = industrial(495, 175, 900, 175, 960, 135);
     // wrist: axis 5 at 4 degrees
     const auto wrist = kinematics::nearness(irb, {0.3, 0.2, 0.4, 1, 4 * pi / 180, 2});
@@ -118,7 +118,7 @@ TEST(arm, singularities_are_seen_in_their_own_terms) {
     EXPECT_NEAR(kinematics::nearness(ur10e(), {0, -1, 1.2, -1, 0.02, 0}).angle, 0.02, 1e-9);
 }
 
-TEST(arm, where_an_axis_is_free_it_stays) {
+TEST(Arm, WhereAnAxisIsFreeItStays) {
     const auto irb = industrial(495, 175, 900, 175, 960, 135);
     const Posture near{0.3, 0.2, 0.4, 1.1, 0, -0.6};
     const auto ways = kinematics::inverse(irb, kinematics::forward(irb, near), near);

@@ -72,7 +72,7 @@ void expect_followed(const Carried& c, const std::vector<Stand>& stands, const F
 
 } // namespace
 
-TEST(follow, straight_strokes_keep_the_spin) {
+TEST(Follow, StraightStrokesKeepTheSpin) {
     Random random;
     const Carried c{irb(), kTool, true, 5 * kDegree};
     for (int i = 0; i < 40; ++i) {
@@ -90,7 +90,7 @@ TEST(follow, straight_strokes_keep_the_spin) {
     }
 }
 
-TEST(follow, a_round_tool_unwinds_on_the_way) {
+TEST(Follow, ARoundToolUnwindsOnTheWay) {
     Arm arm = irb();
     arm.axes[5].min = -200 * kDegree;
     arm.axes[5].max = 200 * kDegree;
@@ -106,7 +106,7 @@ TEST(follow, a_round_tool_unwinds_on_the_way) {
     expect_followed(round, stands, kinematics::follow(round, stands, {kReady, 0, true}), "unwound");
 }
 
-TEST(follow, a_round_tool_goes_round_a_singularity) {
+TEST(Follow, ARoundToolGoesRoundASingularity) {
     // A tool that leans: the wrist is stretched, axes 4 and 6 in line, where it points along the fore arm.
     const Carried fixed{irb(), {geom::about({0, 1, 0}, 50 * kDegree), {120, 0, 150}}, false, 5 * kDegree};
     Posture q = kReady;
@@ -130,7 +130,7 @@ TEST(follow, a_round_tool_goes_round_a_singularity) {
     EXPECT_LT(*std::max_element(g.needed.begin(), g.needed.end()), 0.25);
 }
 
-TEST(follow, what_is_out_of_reach_is_told_with_its_place) {
+TEST(Follow, WhatIsOutOfReachIsToldWithItsPlace) {
     const Carried c{irb(), kTool, true, 5 * kDegree};
     const auto stands = line(down(1000, 0, 300), down(3000, 0, 300), 100);
     const Followed f = kinematics::follow(c, stands, {kReady, 0, true});
@@ -147,7 +147,7 @@ TEST(follow, what_is_out_of_reach_is_told_with_its_place) {
     EXPECT_NEAR(g.hindrance.amount, 4000 - wrist, 60);
 }
 
-TEST(follow, a_first_stand_beyond_a_limit_says_which) {
+TEST(Follow, AFirstStandBeyondALimitSaysWhich) {
     Arm arm = irb();
     arm.axes[0].min = -0.5;
     arm.axes[0].max = 0.5;
@@ -157,7 +157,7 @@ TEST(follow, a_first_stand_beyond_a_limit_says_which) {
     EXPECT_EQ(f.hindrance.stand, 0U);
 }
 
-TEST(follow, all_builds_follow_a_circle) {
+TEST(Follow, AllBuildsFollowACircle) {
     for (const auto& [name, arm] : all()) {
         Carried c{arm, kTool, true, 3 * kDegree};
         const Posture ready = name == "ur10e" ? Posture{-1.6, -1.8, -1.9, -1, 1.57, 0} : kReady;

@@ -34,7 +34,7 @@ struct Random {
 
 // X = cosB cosC x - cosB sinC y + sinB z, Y = sinC x + cosC y, Z = -sinB cosC x + sinB sinC y + cosB z, with
 // B = -acos nz, C = -atan2(ny, nx) or B = acos nz, C + pi (Zhang et al. 2021, table-table XYZBC).
-TEST(chain, agrees_with_the_published_form_of_xyzbc) {
+TEST(Chain, AgreesWithThePublishedFormOfXyzbc) {
     Chain c;
     c.carrier = Carrier::table_table;
     Random random;
@@ -59,7 +59,7 @@ TEST(chain, agrees_with_the_published_form_of_xyzbc) {
 }
 
 // LinuxCNC's trtfuncs.c, xyzac: Y = cosA (sinC x + cosC y) - sinA z - cosA dy + sinA dz + dy and so on.
-TEST(chain, agrees_with_linuxcnc_on_xyzac) {
+TEST(Chain, AgreesWithLinuxcncOnXyzac) {
     Chain c;
     c.carrier = Carrier::table_table;
     c.tilt_axis = {1, 0, 0};
@@ -77,7 +77,7 @@ TEST(chain, agrees_with_linuxcnc_on_xyzac) {
     }
 }
 
-TEST(chain, forward_undoes_inverse) {
+TEST(Chain, ForwardUndoesInverse) {
     Random random;
     for (const Carrier carrier : {Carrier::table_table, Carrier::head_table, Carrier::head_head})
         for (const Vec3 tilt : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{-1, 0, 0}, Vec3{0, -1, 0}})
@@ -95,7 +95,7 @@ TEST(chain, forward_undoes_inverse) {
                 }
 }
 
-TEST(chain, the_tip_stays_where_it_is_when_a_head_tilts) {
+TEST(Chain, TheTipStaysWhereItIsWhenAHeadTilts) {
     const Chain c = machine(Carrier::head_table, {0, 1, 0});
     const Joints upright = place(c, {10, 20, 30}, 0, 0), tilted = place(c, {10, 20, 30}, 0.5, 0);
     EXPECT_EQ(upright.xyz, (Vec3{10, 20, 30}));
@@ -104,7 +104,7 @@ TEST(chain, the_tip_stays_where_it_is_when_a_head_tilts) {
 }
 
 // Over a dome the tool comes near to upright; the turn axis must not spin there, and positions are kept.
-TEST(track, passes_the_pole_without_a_spin) {
+TEST(Track, PassesThePoleWithoutASpin) {
     const Chain c = machine(Carrier::table_table, {0, 1, 0});
     std::vector<Pose> poses;
     for (int i = -100; i <= 100; ++i) {
@@ -131,7 +131,7 @@ TEST(track, passes_the_pole_without_a_spin) {
 }
 
 // Round a cone the turn axis goes on and on; limits are met by whole turns or not at all.
-TEST(track, turns_on_without_wrapping_until_its_limits) {
+TEST(Track, TurnsOnWithoutWrappingUntilItsLimits) {
     const Chain c = machine(Carrier::head_head, {1, 0, 0});
     std::vector<Pose> poses;
     for (int i = 0; i <= 300; ++i) {
@@ -202,7 +202,7 @@ std::size_t greedy(const Chain& c, const std::vector<Pose>& poses, Joints at, co
 }
 
 // The nearer way to begin runs into the limit of the turn; the other one, half a turn off, goes through.
-TEST(track, looks_ahead_over_the_whole_stroke) {
+TEST(Track, LooksAheadOverTheWholeStroke) {
     const Chain c = machine(Carrier::table_table, {0, 1, 0});
     const auto poses = cone(0.6, 0.2, 0.2 + 1.5 * kPi);
     const Limits limits{-2, 2, -4, 4};
@@ -218,7 +218,7 @@ TEST(track, looks_ahead_over_the_whole_stroke) {
 
 // Turning back gains whole turns: two on an axis of a little more than two.  So one break serves three turns, and a
 // free axis needs none.
-TEST(track, lifts_as_seldom_as_it_can) {
+TEST(Track, LiftsAsSeldomAsItCan) {
     const Chain c = machine(Carrier::head_table, {0, 1, 0});
     const auto poses = cone(0.5, 0, 6.5 * kPi);
     std::vector<Lifting> lifting(poses.size(), Lifting::bead);
@@ -231,7 +231,7 @@ TEST(track, lifts_as_seldom_as_it_can) {
 }
 
 // A break goes where it shows least: into a join if there is one, never into a tight turn if that can be had.
-TEST(track, lifts_where_it_shows_least) {
+TEST(Track, LiftsWhereItShowsLeast) {
     const Chain c = machine(Carrier::table_table, {1, 0, 0});
     const auto poses = cone(0.5, 0, 2.5 * kPi);
     const Limits limits{-1, 0.1, -1.25 * kPi, 1.25 * kPi};
@@ -249,7 +249,7 @@ TEST(track, lifts_where_it_shows_least) {
 }
 
 // Of both ways that one is taken whose tilts the machine has, all along; an axis a little out of reach leans.
-TEST(track, keeps_the_limits_of_the_tilt) {
+TEST(Track, KeepsTheLimitsOfTheTilt) {
     const Chain c = machine(Carrier::table_table, {1, 0, 0});
     const auto poses = cone(1.0, 0, 2);
     const std::vector<Lifting> lifting(poses.size(), Lifting::bead);
@@ -264,7 +264,7 @@ TEST(track, keeps_the_limits_of_the_tilt) {
 }
 
 // x is the radius: the tip lies on the machine's x-z plane, positions are kept, the axis as far as it lies radially.
-TEST(chain, polar_has_no_y) {
+TEST(Chain, PolarHasNoY) {
     Chain c = machine(Carrier::polar, {0, 1, 0});
     Random random;
     for (const double sign : {1.0, -1.0})

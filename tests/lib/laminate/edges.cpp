@@ -40,7 +40,7 @@ Within circle(double radius, double x = 0, double way = 1) { // way 1: counter-c
 
 double out_from(const Vec3& p, double x, double radius) { return std::hypot(p.x - x, p.y) - radius; }
 
-TEST(edges, of_curves_are_to_their_left) {
+TEST(Edges, OfCurvesAreToTheirLeft) {
     const Base base = plate();
     Notes notes;
     const Edge in = edge_of(base, circle(12), 0.5, notes), out = edge_of(base, circle(12, 0, -1), 0.5, notes);
@@ -57,7 +57,7 @@ TEST(edges, of_curves_are_to_their_left) {
     EXPECT_TRUE(edge_of(base, {}, 0.5, notes).empty());
 }
 
-TEST(edges, along_rims_are_none) {
+TEST(Edges, AlongRimsAreNone) {
     const Base base = plate();
     Notes notes;
     Within within; // the left half, drawn a little beyond the rims of it
@@ -73,7 +73,7 @@ TEST(edges, along_rims_are_none) {
     }
 }
 
-TEST(edges, of_faces_are_their_borders) {
+TEST(Edges, OfFacesAreTheirBorders) {
     const Base base = plate();
     Notes notes;
     Within within;
@@ -84,7 +84,7 @@ TEST(edges, of_faces_are_their_borders) {
     EXPECT_THROW(edge_of(base, within, 0.5, notes), Error);
 }
 
-TEST(edges, plies_that_end_alike_become_a_ramp) {
+TEST(Edges, PliesThatEndAlikeBecomeARamp) {
     const Base base = plate();
     Notes notes;
     const std::vector<Ply> plies(4, Ply{.spacing = 1, .height = 0.25});
@@ -116,7 +116,7 @@ TEST(edges, plies_that_end_alike_become_a_ramp) {
     }
 }
 
-TEST(edges, what_cannot_be_a_ramp_is_told) {
+TEST(Edges, WhatCannotBeARampIsTold) {
     const Base base = plate();
     Notes notes;
     const std::vector<Ply> plies(2, Ply{.spacing = 1, .height = 0.25});

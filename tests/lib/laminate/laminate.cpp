@@ -36,7 +36,7 @@ double fact(const Laminate& l, const std::string& name) {
     return -1;
 }
 
-TEST(laminate, is_as_thick_as_its_beads_are_much) {
+TEST(Laminate, IsAsThickAsItsBeadsAreMuch) {
     const auto plies = plies_of("0,90", Ply{.spacing = 2, .height = 0.25}, false);
     const auto made = laminate(flat(), plies, narrow(), 1);
     double volume = 0, area = 0;
@@ -54,7 +54,7 @@ TEST(laminate, is_as_thick_as_its_beads_are_much) {
         EXPECT_EQ(made.map.thickness[v], 0.25 * (made.map.plies[0].passes[v] + made.map.plies[1].passes[v]));
 }
 
-TEST(laminate, lines_run_at_their_angles_on_both_sides) {
+TEST(Laminate, LinesRunAtTheirAnglesOnBothSides) {
     auto plies = plies_of("30,30", kWide, false);
     plies[1].under = true;
     const auto made = laminate(flat(), plies, narrow(), 1);
@@ -73,7 +73,7 @@ TEST(laminate, lines_run_at_their_angles_on_both_sides) {
     }
 }
 
-TEST(laminate, plies_lie_on_each_other) {
+TEST(Laminate, PliesLieOnEachOther) {
     const auto tube = sheet([](Vec2 p) { return Vec3{12 * std::cos(p.x / 12), 12 * std::sin(p.x / 12), p.y}; });
     const auto plies = plies_of("0,90", Ply{.spacing = 2, .height = 0.4}, false);
     Options o = narrow();
@@ -91,7 +91,7 @@ TEST(laminate, plies_lie_on_each_other) {
     EXPECT_EQ(map.fields.size(), 4 + 5 * plies.size());
 }
 
-TEST(laminate, turns_outside_leave_plies_even) {
+TEST(Laminate, TurnsOutsideLeavePliesEven) {
     const auto plies = plies_of("0,90", kWide, false);
     Options o = narrow();
     o.turn_outside = 5;
@@ -106,7 +106,7 @@ TEST(laminate, turns_outside_leave_plies_even) {
     EXPECT_LT(fact(made, "thickness-high"), fact(on_it, "thickness-high"));
 }
 
-TEST(laminate, plies_that_go_straight_across_a_hole_are_even_about_it) {
+TEST(Laminate, PliesThatGoStraightAcrossAHoleAreEvenAboutIt) {
     Notes notes;
     const auto level = [](Vec2 p) { return Vec3{p.x, p.y, 0}; };
     const auto hole = [](Vec2 p) { return std::hypot(p.x - 15, p.y - 15) < 4; };
@@ -130,7 +130,7 @@ double births_apart(const Laminate& l) {
 }
 
 // On a fan, where lines must be born.
-TEST(laminate, lines_of_plies_that_run_alike_are_born_apart) {
+TEST(Laminate, LinesOfPliesThatRunAlikeAreBornApart) {
     const auto fan = sheet([](Vec2 p) {
         const double a = 1.2 * p.x / 20, r = 8 + p.y;
         return Vec3{r * std::cos(a), r * std::sin(a), 0.1 * p.y};
@@ -151,7 +151,7 @@ double begins_apart(const Laminate& l) {
     return distance(at(0), at(1));
 }
 
-TEST(laminate, every_second_ply_of_a_direction_begins_at_the_other_end) {
+TEST(Laminate, EverySecondPlyOfADirectionBeginsAtTheOtherEnd) {
     const auto plies = plies_of("30,30", kWide, false);
     Options apart = narrow(), alike = narrow();
     alike.stagger = false;
@@ -159,7 +159,7 @@ TEST(laminate, every_second_ply_of_a_direction_begins_at_the_other_end) {
     EXPECT_LT(begins_apart(laminate(flat(), plies, alike, 2)), 1);
 }
 
-TEST(laminate, plies_that_end_at_a_rim_and_within_turn_outside_at_the_rim_only) {
+TEST(Laminate, PliesThatEndAtARimAndWithinTurnOutsideAtTheRimOnly) {
     auto plies = plies_of("0", kWide, false);
     plies[0].within = "half";
     Options o = narrow();
@@ -178,7 +178,7 @@ TEST(laminate, plies_that_end_at_a_rim_and_within_turn_outside_at_the_rim_only) 
     EXPECT_GE(fact(made, "ply.1.trims"), 10);
 }
 
-TEST(laminate, plies_end_where_they_should_and_those_above_step_down) {
+TEST(Laminate, PliesEndWhereTheyShouldAndThoseAboveStepDown) {
     auto plies = plies_of("0,0,90", Ply{.spacing = 1, .height = 0.25}, false);
     plies[0].within = plies[1].within = "half";
     Options o = narrow();
@@ -203,14 +203,14 @@ TEST(laminate, plies_end_where_they_should_and_those_above_step_down) {
     EXPECT_LT(fact(made, "ply.2.bare"), 0.1);
 }
 
-TEST(laminate, is_the_same_for_any_number_of_threads) {
+TEST(Laminate, IsTheSameForAnyNumberOfThreads) {
     const auto plies = plies_of("0,45", kWide, false);
     const auto a = laminate(flat(), plies, narrow(), 1), b = laminate(flat(), plies, narrow(), 8);
     EXPECT_EQ(a.map.thickness, b.map.thickness);
     EXPECT_EQ(a.map.even, b.map.even);
 }
 
-TEST(laminate, tells_a_stack_that_warps) {
+TEST(Laminate, TellsAStackThatWarps) {
     const auto made = laminate(flat(), plies_of("0,45", kWide, false), narrow(), 1);
     std::size_t told = 0;
     for (const Note& n : made.notes) told += n.what.starts_with("stack is not") ? 1 : 0;

@@ -13,7 +13,7 @@ std::vector<double> angles(const std::vector<Ply>& plies) {
     return out;
 }
 
-TEST(stack, is_mirrored) {
+TEST(Stack, IsMirrored) {
     EXPECT_EQ(angles(plies_of("0,45,-45,90", {}, true)), (std::vector<double>{0, 45, -45, 90, 90, -45, 45, 0}));
     EXPECT_EQ(plies_of("0,90", {}, true).size(), 4U);
     EXPECT_THROW(plies_of("", {}, false), Error);
@@ -22,7 +22,7 @@ TEST(stack, is_mirrored) {
     EXPECT_THROW(plies_of("0,361", {}, false), Error);
 }
 
-TEST(stack, comes_from_a_table) {
+TEST(Stack, ComesFromATable) {
     const auto plies = plies_of_table("# a tube\nangle\tspacing side tool\n0 1 over 0\n\n45 1.5 under 1 # inside\n",
                                       "x", Ply{.height = 0.3}, false);
     ASSERT_EQ(plies.size(), 2U);
@@ -33,7 +33,7 @@ TEST(stack, comes_from_a_table) {
     EXPECT_EQ(plies[1].height, 0.3);
 }
 
-TEST(stack, wrong_tables_are_refused_with_their_line) {
+TEST(Stack, WrongTablesAreRefusedWithTheirLine) {
     for (const auto& [text, says] : {std::pair{"angel\n0\n", "line 1: unknown column 'angel'"},
                                      {"angle tool\n0\n", "line 2: it has 1 words"},
                                      {"angle\n0\nx\n", "line 3"},
@@ -51,7 +51,7 @@ TEST(stack, wrong_tables_are_refused_with_their_line) {
     }
 }
 
-TEST(stack, symmetry_counts_plies_without_their_like) {
+TEST(Stack, SymmetryCountsPliesWithoutTheirLike) {
     EXPECT_EQ(symmetry(plies_of("0,45,-45,90", {}, true)).unlike, 0U);
     EXPECT_EQ(symmetry(plies_of("0,45,-45,0", {}, false)).unlike, 2U);
     EXPECT_EQ(symmetry(plies_of("0,45,-45,0", {}, false)).unequal, 0U);
@@ -64,7 +64,7 @@ TEST(stack, symmetry_counts_plies_without_their_like) {
     EXPECT_EQ(symmetry(plies).first, 0U);
 }
 
-TEST(stack, plies_under_the_surface_lie_below_those_over_it) {
+TEST(Stack, PliesUnderTheSurfaceLieBelowThoseOverIt) {
     auto plies = plies_of("0,90,90,0", {}, false);
     plies[2].under = plies[3].under = true;
     EXPECT_EQ(through(plies), (std::vector<std::size_t>{3, 2, 0, 1}));

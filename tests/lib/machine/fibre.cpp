@@ -35,13 +35,13 @@ Fibre head() {
     return f;
 }
 
-TEST(Fibre, without_a_section_there_is_none) {
+TEST(Fibre, WithoutASectionThereIsNone) {
     const Profile p = parse_profile(kLeast, "t.toml");
     EXPECT_FALSE(p.fibre.active());
     EXPECT_FALSE(p.fibre.lays(1));
 }
 
-TEST(Fibre, a_stroke_is_at_least_as_long_as_the_cutter_is_far) {
+TEST(Fibre, AStrokeIsAtLeastAsLongAsTheCutterIsFar) {
     const Profile p = with("cut = \"M64 P0\"\ncut_to_nozzle = 50\n");
     EXPECT_TRUE(p.fibre.active());
     EXPECT_TRUE(p.fibre.lays(1));
@@ -52,7 +52,7 @@ TEST(Fibre, a_stroke_is_at_least_as_long_as_the_cutter_is_far) {
               std::string::npos);
 }
 
-TEST(Fibre, what_cannot_be_is_refused_with_its_key) {
+TEST(Fibre, WhatCannotBeIsRefusedWithItsKey) {
     const std::string least = "cut = \"C\"\ncut_to_nozzle = 50\n";
     const std::pair<std::string, std::string> wrong[] = {
         {"cut_to_nozzle = 50\n", "fibre.cut"},
@@ -80,7 +80,7 @@ TEST(Fibre, what_cannot_be_is_refused_with_its_key) {
     EXPECT_NO_THROW((void)parse_profile(alone + "tool = 0\n", "t.toml"));
 }
 
-TEST(Stretches, anchor_then_pull_then_cut_and_tail) {
+TEST(Stretches, AnchorThenPullThenCutAndTail) {
     const auto s = stretches(head(), 100);
     ASSERT_EQ(s.size(), 3U);
     EXPECT_EQ(s[0].from, 0);
@@ -99,7 +99,7 @@ TEST(Stretches, anchor_then_pull_then_cut_and_tail) {
     EXPECT_EQ(s[2].before, Event::cut);
 }
 
-TEST(Stretches, push_feeds_to_the_cut_and_pauses_come_at_their_distance) {
+TEST(Stretches, PushFeedsToTheCutAndPausesComeAtTheirDistance) {
     Fibre f = head();
     f.push = true;
     f.tension_every = 20;
@@ -113,7 +113,7 @@ TEST(Stretches, push_feeds_to_the_cut_and_pauses_come_at_their_distance) {
     }
 }
 
-TEST(Stretches, a_cut_may_come_within_the_anchor_or_at_once) {
+TEST(Stretches, ACutMayComeWithinTheAnchorOrAtOnce) {
     auto s = stretches(head(), 48);
     ASSERT_EQ(s.size(), 2U);
     EXPECT_EQ(s[0].to, 3);

@@ -82,7 +82,7 @@ std::string changed(std::string text, const std::string& from, const std::string
 
 } // namespace
 
-TEST(robot_model, those_that_come_along_are_the_makers) {
+TEST(RobotModel, ThoseThatComeAlongAreTheMakers) {
     EXPECT_EQ(machine::robot_names(), (std::vector<std::string>{"irb4600-60-205", "kr10-r1420", "ur10e"}));
     const auto irb = machine::load_robot("irb4600-60-205", "", {});
     expect_same(irb, machine::urdf_robot(urdf(kIrb), "irb.urdf", {}));
@@ -102,7 +102,7 @@ TEST(robot_model, those_that_come_along_are_the_makers) {
     EXPECT_TRUE(kinematics::configuration(kuka, {0, -2, -1, 0, 0.3, 0}).bent_down);
 }
 
-TEST(robot_model, a_urdf_says_its_base_and_flange) {
+TEST(RobotModel, AUrdfSaysItsBaseAndFlange) {
     // The controller counts from a frame turned by half a turn, as Universal Robots' does.
     const std::string base =
         "<joint name=\"b\" type=\"fixed\"><parent link=\"base_link\"/><child link=\"base\"/><origin "
@@ -115,7 +115,7 @@ TEST(robot_model, a_urdf_says_its_base_and_flange) {
     EXPECT_EQ(from_root.build, kinematics::Build::wrist);
 }
 
-TEST(robot_model, what_is_no_robot_of_six_axes_says_why) {
+TEST(RobotModel, WhatIsNoRobotOfSixAxesSaysWhy) {
     const auto has = [](const std::string& message, const std::string& part) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
         EXPECT_EQ(message.rfind("cannot use robot model 'r.", 0), 0U) << message;
@@ -145,7 +145,7 @@ TEST(robot_model, what_is_no_robot_of_six_axes_says_why) {
     has(model_error(std::string(kTable) + "[more]\nx = 1\n"), "key 'more': there is no such key");
 }
 
-TEST(robot_model, frames_are_told_in_every_form) {
+TEST(RobotModel, FramesAreToldInEveryForm) {
     std::map<std::string, double> v;
     machine::add_frame("f", {geom::from_euler_zyx(0.3, -0.2, 2.5), {100, -20, 3}}, v);
     EXPECT_NEAR(v["f_a"], 0.3 / kDegree, 1e-8);

@@ -65,7 +65,7 @@ std::vector<Written> all_formats(const Mesh& m) {
 
 } // namespace
 
-TEST(Formats, all_give_back_what_was_written) {
+TEST(Formats, AllGiveBackWhatWasWritten) {
     for (int which = 0; which < 3; ++which) {
         const Mesh m = sample(which);
         for (const auto& [kind, bytes] : all_formats(m)) {
@@ -82,7 +82,7 @@ TEST(Formats, all_give_back_what_was_written) {
     }
 }
 
-TEST(Formats, minus_zero_welds_with_zero) {
+TEST(Formats, MinusZeroWeldsWithZero) {
     Mesh m = shapes::box({0, 0, 0}, {1, 1, 1});
     std::string bytes = shapes::stl_binary(m);
     for (std::size_t t = 0; t < m.triangles.size(); t += 2)
@@ -96,7 +96,7 @@ TEST(Formats, minus_zero_welds_with_zero) {
     EXPECT_EQ(read(bytes, "it").mesh.vertices.size(), 8U);
 }
 
-TEST(Obj, polygons_negative_indices_and_continued_lines) {
+TEST(Obj, PolygonsNegativeIndicesAndContinuedLines) {
     const File f = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                         "f 4 3 2 1\nf -4/7 -3//8 \\\n -2 -1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nl 1 2\n",
                         "it");
@@ -104,7 +104,7 @@ TEST(Obj, polygons_negative_indices_and_continued_lines) {
     EXPECT_NEAR(volume(f.mesh), 1, 1e-12);
 }
 
-TEST(Obj, a_concave_polygon_has_the_right_volume) {
+TEST(Obj, AConcavePolygonHasTheRightVolume) {
     std::string text; // an L, extruded by 2
     const double xy[6][2] = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
     for (const int z : {0, 2})
@@ -119,7 +119,7 @@ TEST(Obj, a_concave_polygon_has_the_right_volume) {
     EXPECT_NEAR(volume(read(text, "it").mesh), 10, 1e-9);
 }
 
-TEST(Obj, faults_are_named_with_their_line) {
+TEST(Obj, FaultsAreNamedWithTheirLine) {
     EXPECT_EQ(exit_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"), Exit::bad_input);
     EXPECT_EQ(exit_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n"), Exit::bad_input);
     EXPECT_EQ(exit_of("v 0 0\n"), Exit::bad_input);
@@ -131,7 +131,7 @@ TEST(Obj, faults_are_named_with_their_line) {
     }
 }
 
-TEST(Ply, other_elements_are_passed_over) {
+TEST(Ply, OtherElementsArePassedOver) {
     const std::string text = "ply\r\nformat ascii 1.0\r\nelement camera 1\r\nproperty float f\r\nproperty list uchar "
                              "int l\r\nelement vertex "
                              "3\r\nproperty float z\r\nproperty float y\r\nproperty float x\r\nelement face "
@@ -144,7 +144,7 @@ TEST(Ply, other_elements_are_passed_over) {
     EXPECT_EQ(m.vertices[m.triangles[0][2]], (Vec3{1, 0, 0}));
 }
 
-TEST(ThreeMf, units_components_and_transforms) {
+TEST(ThreeMf, UnitsComponentsAndTransforms) {
     const std::string unit_box = shapes::model_mesh(shapes::box({0, 0, 0}, {1, 1, 1}));
     const std::string model =
         "<model unit=\"inch\"><resources><object id=\"1\">" + unit_box +
@@ -163,7 +163,7 @@ TEST(ThreeMf, units_components_and_transforms) {
 }
 
 // PrusaSlicer puts all bodies of an object in one mesh, and says which triangles are whose.
-TEST(ThreeMf, modifiers_of_prusaslicer_are_no_material) {
+TEST(ThreeMf, ModifiersOfPrusaslicerAreNoMaterial) {
     Mesh both = shapes::box({0, 0, 0}, {10, 10, 10});
     const Mesh body = shapes::box({2, 2, 2}, {5, 5, 15});
     for (const auto& t : body.triangles) both.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
@@ -193,7 +193,7 @@ TEST(ThreeMf, modifiers_of_prusaslicer_are_no_material) {
 }
 
 // Bambu Studio and OrcaSlicer give each body an object of its own.
-TEST(ThreeMf, modifiers_of_bambu_studio_are_no_material) {
+TEST(ThreeMf, ModifiersOfBambuStudioAreNoMaterial) {
     const std::string model =
         "<model><resources><object id=\"1\">" + shapes::model_mesh(shapes::box({0, 0, 0}, {10, 10, 10})) +
         "</object><object id=\"2\">" + shapes::model_mesh(shapes::box({2, 2, 2}, {5, 5, 15})) +
@@ -207,7 +207,7 @@ TEST(ThreeMf, modifiers_of_bambu_studio_are_no_material) {
     ASSERT_EQ(f.notes.size(), 1U);
 }
 
-TEST(ThreeMf, circles_and_too_many_copies_end) {
+TEST(ThreeMf, CirclesAndTooManyCopiesEnd) {
     EXPECT_EQ(exit_of(shapes::archive("<model><resources><object id=\"1\"><components><component "
                                       "objectid=\"1\"/></components></object></resources>"
                                       "<build><item objectid=\"1\"/></build></model>")),
@@ -231,7 +231,7 @@ TEST(ThreeMf, circles_and_too_many_copies_end) {
     EXPECT_EQ(exit_of("PK\x03\x04 no zip at all, but long enough for one to be looked for in here"), Exit::bad_input);
 }
 
-TEST(Read, a_size_that_is_not_there_is_never_allocated) {
+TEST(Read, ASizeThatIsNotThereIsNeverAllocated) {
     std::string stl = shapes::stl_binary(shapes::box({0, 0, 0}, {1, 1, 1}));
     const std::uint32_t many = 100000000;
     std::memcpy(stl.data() + 80, &many, 4);
@@ -250,7 +250,7 @@ TEST(Read, a_size_that_is_not_there_is_never_allocated) {
               Exit::truncated);
 }
 
-TEST(Read, corners_that_are_no_number_are_left_out_and_said) {
+TEST(Read, CornersThatAreNoNumberAreLeftOutAndSaid) {
     Mesh m = shapes::sphere(5, 2);
     m.vertices[7].y = std::nan("");
     m.vertices[9].x = INFINITY;
@@ -272,7 +272,7 @@ TEST(Read, corners_that_are_no_number_are_left_out_and_said) {
     }
 }
 
-TEST(ThreeMf, what_would_unfold_to_too_much_is_refused_before_it_is_made) {
+TEST(ThreeMf, WhatWouldUnfoldToTooMuchIsRefusedBeforeItIsMade) {
     std::string model = "<model><resources><object id=\"0\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex "
                         "x=\"1\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"2\"/></vertices><triangles>";
     for (int t = 0; t < 1000; ++t) model += "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>";
@@ -282,7 +282,7 @@ TEST(ThreeMf, what_would_unfold_to_too_much_is_refused_before_it_is_made) {
     EXPECT_NE(what_of(shapes::archive(model + "</build></model>")).find("17000000 triangles"), std::string::npos);
 }
 
-TEST(Read, several_stl_files_in_one_are_read_or_refused) {
+TEST(Read, SeveralStlFilesInOneAreReadOrRefused) {
     const Mesh m = shapes::box({0, 0, 0}, {1, 2, 3}), n = shapes::box({5, 0, 0}, {6, 2, 3});
     const auto binary = [](const Mesh& mesh) { return shapes::stl_binary(mesh); };
     const auto ascii = [](const Mesh& mesh) { return shapes::stl_ascii(mesh); };
@@ -301,7 +301,7 @@ TEST(Read, several_stl_files_in_one_are_read_or_refused) {
     }
 }
 
-TEST(Read, foreign_files_are_named) {
+TEST(Read, ForeignFilesAreNamed) {
     const std::string stl = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                             "endloop\nendfacet\nendsolid\n";
     std::string wide = "\xff\xfe", big;
@@ -323,7 +323,7 @@ TEST(Read, foreign_files_are_named) {
     EXPECT_EQ(read("# made by hand\n" + stl, "it").mesh.triangles.size(), 1U);
 }
 
-TEST(Read, what_is_no_mesh) {
+TEST(Read, WhatIsNoMesh) {
     EXPECT_EQ(exit_of(""), Exit::truncated);
     EXPECT_EQ(exit_of("hello\n"), Exit::bad_input);
     EXPECT_EQ(exit_of(std::string(500, '\0')), Exit::bad_input);
@@ -337,7 +337,7 @@ TEST(Read, what_is_no_mesh) {
 }
 
 // Cut anywhere, a binary file says that it was cut; a text either does or is a mesh with less in it.
-TEST(Read, cut_anywhere) {
+TEST(Read, CutAnywhere) {
     const Mesh m = sample(0);
     for (const auto& [kind, bytes] : all_formats(m))
         for (std::size_t n = 0; n < bytes.size(); n += 1 + n / 97) {
@@ -352,7 +352,7 @@ TEST(Read, cut_anywhere) {
 }
 
 // Flipped bytes give an error or a mesh that keeps its promises.
-TEST(Read, flipped_bytes) {
+TEST(Read, FlippedBytes) {
     std::uint64_t state = 1;
     const auto random = [&] { return (state = state * 6364136223846793005ULL + 1442695040888963407ULL) >> 33; };
     for (const auto& [kind, bytes] : all_formats(sample(0)))

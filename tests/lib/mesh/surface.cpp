@@ -20,7 +20,7 @@ Mesh placed(Mesh m, const Placement& p) {
 
 } // namespace
 
-TEST(Place, order_is_scale_turn_move_center_bed) {
+TEST(Place, OrderIsScaleTurnMoveCenterBed) {
     const Mesh m = shapes::box({0, 0, 3}, {1, 2, 4});
     const Box3 b = bounds(placed(
         m, {.unit = "cm", .scale = {1, 2, 1}, .rotate_deg = {0, 0, 90}, .translate = {0, 0, 7}, .center = {100, 50}}));
@@ -29,24 +29,24 @@ TEST(Place, order_is_scale_turn_move_center_bed) {
     EXPECT_EQ(bounds(placed(m, {.translate = {1, 0, -5}, .on_bed = false})).lo, (Vec3{1, 0, -2}));
 }
 
-TEST(Place, a_mirrored_part_still_faces_outwards) {
+TEST(Place, AMirroredPartStillFacesOutwards) {
     EXPECT_NEAR(volume(placed(shapes::sphere(3, 2), {.scale = {-1, 1, 1}})), volume(shapes::sphere(3, 2)), 1e-9);
     EXPECT_NEAR(volume(placed(shapes::sphere(3, 2), {.scale = {-2}})), 8 * volume(shapes::sphere(3, 2)), 1e-9);
 }
 
-TEST(Place, turning_keeps_the_volume) {
+TEST(Place, TurningKeepsTheVolume) {
     for (double a = -170; a < 180; a += 35)
         EXPECT_NEAR(volume(placed(shapes::torus(9, 2, 30, 12), {.rotate_deg = {a, 2 * a, 30 - a}})),
                     volume(shapes::torus(9, 2, 30, 12)), 1e-8);
 }
 
-TEST(Place, the_unit_is_guessed_from_the_size) {
+TEST(Place, TheUnitIsGuessedFromTheSize) {
     for (const auto& [size, factor] : {std::pair{0.15, 1000.0}, std::pair{1.9, 25.4}, std::pair{60.0, 1.0}})
         EXPECT_NEAR(bounds(placed(shapes::box({0, 0, 0}, {size, size, size}), {.unit = "auto"})).hi.x, size * factor,
                     1e-9);
 }
 
-TEST(Place, what_cannot_be_obeyed) {
+TEST(Place, WhatCannotBeObeyed) {
     EXPECT_THROW(placed(shapes::sphere(1, 1), {.scale = {1, 0, 1}}), Error);
     EXPECT_THROW(placed(shapes::sphere(1, 1), {.scale = {1, 1}}), Error);
     EXPECT_THROW(placed(shapes::sphere(1e8, 1), {}), Error);
@@ -56,7 +56,7 @@ TEST(Place, what_cannot_be_obeyed) {
     EXPECT_THROW(place(m, {.unit = "in"}, true, notes), Error);
 }
 
-TEST(Shells, what_is_inside_out_is_turned) {
+TEST(Shells, WhatIsInsideOutIsTurned) {
     Notes notes;
     Mesh whole = shapes::inverted(
         shapes::together(shapes::box({0, 0, 0}, {9, 9, 9}), shapes::inverted(shapes::box({2, 2, 2}, {4, 4, 4}))));
@@ -78,7 +78,7 @@ TEST(Shells, what_is_inside_out_is_turned) {
     EXPECT_TRUE(notes.empty());
 }
 
-TEST(Holes, closed_is_told_from_open) {
+TEST(Holes, ClosedIsToldFromOpen) {
     for (Mesh m : {shapes::box({0, 0, 0}, {1, 1, 1}), shapes::sphere(4, 3), shapes::torus(5, 1, 20, 9)}) {
         EXPECT_TRUE(is_closed(m));
         EXPECT_TRUE(lids(m).triangles.empty());
@@ -90,7 +90,7 @@ TEST(Holes, closed_is_told_from_open) {
     }
 }
 
-TEST(Holes, flipped_triangles_are_turned_back) {
+TEST(Holes, FlippedTrianglesAreTurnedBack) {
     for (std::uint32_t every : {2U, 3U, 7U, 100U}) {
         Mesh m = shapes::sphere(4, 4);
         const double right = volume(m);
@@ -109,7 +109,7 @@ TEST(Holes, flipped_triangles_are_turned_back) {
     }
 }
 
-TEST(Holes, lids_close_a_mesh) {
+TEST(Holes, LidsCloseAMesh) {
     Mesh m = shapes::sphere(4, 4);
     for (std::size_t t = 0; t < m.triangles.size(); t += 97) {
         std::swap(m.triangles[t], m.triangles.back());
@@ -122,7 +122,7 @@ TEST(Holes, lids_close_a_mesh) {
     EXPECT_TRUE(is_closed(m));
 }
 
-TEST(Holes, a_sheet_has_no_hole) {
+TEST(Holes, ASheetHasNoHole) {
     Mesh m;
     m.vertices = {{0, 0, 0}, {5, 0, 0}, {5, 0, 5}, {0, 0, 5}};
     m.triangles = {{0, 1, 2}, {0, 2, 3}};

@@ -83,7 +83,7 @@ bool crosses_nowhere(const Loops& loops) {
 
 } // namespace
 
-TEST(Arrange, unions_hold_what_winding_says) {
+TEST(Arrange, UnionsHoldWhatWindingSays) {
     std::mt19937 random(7);
     for (int round = 0; round < trials(300); ++round) {
         const double step = round % 3 == 0 ? 1 : round % 3 == 1 ? 0.01 : 1e-4; // 1: everything lies on everything
@@ -102,7 +102,7 @@ TEST(Arrange, unions_hold_what_winding_says) {
     }
 }
 
-TEST(Arrange, area_is_that_of_rows) {
+TEST(Arrange, AreaIsThatOfRows) {
     std::mt19937 random(8);
     for (int round = 0; round < trials(30); ++round) {
         const Loops in = tangle(random, 6, 9, 20, round % 2 == 0 ? 1e-4 : 0.5);
@@ -115,7 +115,7 @@ TEST(Arrange, area_is_that_of_rows) {
     }
 }
 
-TEST(Arrange, a_union_once_more_is_the_same) {
+TEST(Arrange, AUnionOnceMoreIsTheSame) {
     std::mt19937 random(9);
     for (int round = 0; round < 100; ++round) {
         const Loops once = unite_exactly(tangle(random, 4, 8, 5, round % 2 == 0 ? 1e-4 : 0.25));
@@ -125,7 +125,7 @@ TEST(Arrange, a_union_once_more_is_the_same) {
     }
 }
 
-TEST(Arrange, loops_that_touch_stay_apart_in_loops_of_their_own) {
+TEST(Arrange, LoopsThatTouchStayApartInLoopsOfTheirOwn) {
     Loops in; // two squares corner to corner; a square hole with a corner on the outline
     in.add(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     in.add(std::vector<Vec2>{{1, 1}, {2, 1}, {2, 2}, {1, 2}});
@@ -139,7 +139,7 @@ TEST(Arrange, loops_that_touch_stay_apart_in_loops_of_their_own) {
     EXPECT_NEAR(signed_area(out), 1 + 1 + 16 - 2, 1e-12);
 }
 
-TEST(Arrange, what_hangs_loose_parts_nothing) {
+TEST(Arrange, WhatHangsLoosePartsNothing) {
     std::vector<Wall> in = {{{0, 0}, {4, 0}},    {{4, 0}, {4, 4}},    {{4, 4}, {0, 4}},   {{0, 4}, {0, 0}},
                             {{1, 1}, {2, 2}, 0}, {{4, 2}, {7, 2}, 0}, {{0, 1}, {4, 3}, 0}};
     const auto plane = arrange(in);
@@ -151,7 +151,7 @@ TEST(Arrange, what_hangs_loose_parts_nothing) {
     EXPECT_EQ(plane->winding[2], 1);
 }
 
-TEST(Arrange, far_away_and_huge) {
+TEST(Arrange, FarAwayAndHuge) {
     for (const double scale : {1.0, 1e3, 1e7}) {
         Loops in;
         const auto square = [&](double x, double y) {
@@ -167,7 +167,7 @@ TEST(Arrange, far_away_and_huge) {
 }
 
 // With the square of the copies as work, this would take hours.
-TEST(Arrange, many_copies_are_one) {
+TEST(Arrange, ManyCopiesAreOne) {
     Loops in;
     for (int copy = 0; copy < 100000; ++copy) in.add(std::vector<Vec2>{{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     EXPECT_NEAR(signed_area(unite_exactly(in)), 100, 1e-9);

@@ -67,7 +67,7 @@ Loops scaled(Loops l, double by) {
 
 } // namespace
 
-TEST(Simple, agrees_with_all_pairs_on_small_grids) {
+TEST(Simple, AgreesWithAllPairsOnSmallGrids) {
     Random random{7};
     std::size_t simple = 0;
     for (int round = 0; round < 60000; ++round) {
@@ -87,7 +87,7 @@ TEST(Simple, agrees_with_all_pairs_on_small_grids) {
     EXPECT_GT(simple, 1000U);
 }
 
-TEST(Simple, stars_with_holes_and_islands) {
+TEST(Simple, StarsWithHolesAndIslands) {
     Random random{3};
     const auto star = [&](Vec2 at, double r, bool hole) {
         std::vector<Vec2> p;

@@ -43,7 +43,7 @@ toolpath::Span slope(double lean_deg, double turn_deg) {
 
 } // namespace
 
-TEST(approach, every_rotary_profile_comes_from_above_along_the_tool) {
+TEST(Approach, EveryRotaryProfileComesFromAboveAlongTheTool) {
     for (const auto& name : machine::profile_names()) {
         auto p = machine::load_profile(name);
         if (!p.axes.active() || p.axes.chain.carrier == kinematics::Carrier::frame) continue;
@@ -73,7 +73,7 @@ TEST(approach, every_rotary_profile_comes_from_above_along_the_tool) {
     }
 }
 
-TEST(approach, without_a_start_nothing_is_taken_for_known) {
+TEST(Approach, WithoutAStartNothingIsTakenForKnown) {
     auto p = machine::load_profile("linuxcnc-head-table");
     const auto with = collision::read_program(first_program(p, {slope(30, 0)}), "p", p, {0.5, 0.2, {}});
     p.axes.start.reset();

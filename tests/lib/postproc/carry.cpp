@@ -76,7 +76,7 @@ double fact_of(const Written& w, const std::string& name) {
 
 } // namespace
 
-TEST(carry, what_is_out_of_reach_says_where_and_by_how_much) {
+TEST(Carry, WhatIsOutOfReachSaysWhereAndByHowMuch) {
     Asked asked;
     asked.base = "2000, 0, 500, 0, 0, 0";
     // The flange is 150 above the tip, the wrist 135 above that; axis 2 stands at 175, 495; arms of 900 and 975.8.
@@ -89,7 +89,7 @@ TEST(carry, what_is_out_of_reach_says_where_and_by_how_much) {
     EXPECT_LE(place_in(said).y, farthest + 5) << said;
 }
 
-TEST(carry, a_limit_says_which_axis) {
+TEST(Carry, ALimitSaysWhichAxis) {
     const Model model("-10, -90, -180, -400, -125, -400", "10, 150, 75, 400, 120, 400", kFast);
     Asked asked;
     asked.model = model.name();
@@ -103,7 +103,7 @@ TEST(carry, a_limit_says_which_axis) {
     }
 }
 
-TEST(carry, a_slow_axis_makes_beads_slow_and_that_is_told) {
+TEST(Carry, ASlowAxisMakesBeadsSlowAndThatIsTold) {
     const Model model(kMin, kMax, "0.2, 175, 175, 250, 250, 360");
     Asked fast, slow;
     fast.base = slow.base = "1200, 0, 500, 0, 0, 0";
@@ -137,7 +137,7 @@ TEST(carry, a_slow_axis_makes_beads_slow_and_that_is_told) {
     EXPECT_NEAR(all, seconds, 0.01 * seconds);
 }
 
-TEST(carry, a_singularity_is_told_near_and_refused_within) {
+TEST(Carry, ASingularityIsToldNearAndRefusedWithin) {
     // The arc leans the tool along the fore arm, which lies level: axes 4 and 6 in line.
     Asked asked;
     asked.base = "1200, 0, 500, 0, 0, 0";
@@ -152,7 +152,7 @@ TEST(carry, a_singularity_is_told_near_and_refused_within) {
     EXPECT_EQ(note_of(w, "singularity") != nullptr, fact_of(w, "nearest-singularity") < 5);
 }
 
-TEST(carry, without_a_model_nothing_is_checked_and_that_is_told) {
+TEST(Carry, WithoutAModelNothingIsCheckedAndThatIsTold) {
     Asked asked;
     asked.model = "";
     asked.base = "9000, 0, 500, 0, 0, 0";
@@ -168,7 +168,7 @@ TEST(carry, without_a_model_nothing_is_checked_and_that_is_told) {
     EXPECT_NE(written(asked, arc()).text.find("movej(pose_trans(filum_part,p["), std::string::npos);
 }
 
-TEST(carry, strokes_go_on_from_where_the_last_one_ended) {
+TEST(Carry, StrokesGoOnFromWhereTheLastOneEnded) {
     // Many short strokes all over a plate: whatever the axes do, each program's frames stand in one way.
     Asked asked;
     asked.base = "1200, 0, 500, 0, 0, 0";

@@ -24,7 +24,7 @@ std::vector<Vec3> random_path(unsigned seed) {
     return out;
 }
 
-TEST(fibre, the_cut_comes_as_far_before_the_end_as_the_cutter_is) {
+TEST(Fibre, TheCutComesAsFarBeforeTheEndAsTheCutterIs) {
     for (const char* mode : {"mode = \"pull\"\n", "mode = \"push\"\nratio = 1.1\n", "anchor = 30\n"}) {
         const auto p = profile(mode);
         const std::vector<std::vector<Vec3>> paths{
@@ -50,7 +50,7 @@ TEST(fibre, the_cut_comes_as_far_before_the_end_as_the_cutter_is) {
     }
 }
 
-TEST(fibre, a_stroke_of_several_spans_is_one_and_a_travel_ends_it) {
+TEST(Fibre, AStrokeOfSeveralSpansIsOneAndATravelEndsIt) {
     const auto p = profile();
     const auto one = walk(p, {fibre({{0, 0, 0}, {30, 0, 0}}), fibre({{30, 0, 0}, {60, 0, 0}}, 1)});
     ASSERT_EQ(one.strokes.size(), 1U);
@@ -62,7 +62,7 @@ TEST(fibre, a_stroke_of_several_spans_is_one_and_a_travel_ends_it) {
     expect_rules(p, two.strokes[1], 100);
 }
 
-TEST(fibre, strokes_that_are_too_short_are_left_out_and_told) {
+TEST(Fibre, StrokesThatAreTooShortAreLeftOutAndTold) {
     const auto p = profile();
     const std::vector<Span> spans{fibre({{0, 0, 0}, {60, 0, 0}}), travel({60, 0, 0}, {0, 9, 0}),
                                   fibre({{0, 9, 0}, {44.9, 9, 0}}), travel({44.9, 9, 0}, {0, 20, 0}),
@@ -99,7 +99,7 @@ TEST(fibre, strokes_that_are_too_short_are_left_out_and_told) {
 }
 
 // The first and the last one, one beside plastic without a travel: no move goes where they would have been.
-TEST(fibre, left_out_strokes_at_either_end_leave_no_way_to_them) {
+TEST(Fibre, LeftOutStrokesAtEitherEndLeaveNoWayToThem) {
     auto p = profile();
     Span plastic{Role::bead, 0, 0, 0, {{10, 0, 0}, {20, 0, 0}}, {1}, {0.2}, {}};
     const auto seen = walk(p, {fibre({{0, 0, 0}, {10, 0, 0}}), plastic, travel({20, 0, 0}, {200, 0, 0}),
@@ -112,7 +112,7 @@ TEST(fibre, left_out_strokes_at_either_end_leave_no_way_to_them) {
         }
 }
 
-TEST(fibre, too_long_a_stroke_and_too_small_a_spool_are_errors) {
+TEST(Fibre, TooLongAStrokeAndTooSmallASpoolAreErrors) {
     const auto failure = [](const machine::Profile& p) -> std::string {
         try {
             (void)measured(p, {fibre({{0, 0, 0}, {200, 0, 0}})});

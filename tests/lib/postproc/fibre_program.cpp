@@ -33,7 +33,7 @@ std::string program(const machine::Profile& p, const std::vector<Span>& spans) {
     return out;
 }
 
-TEST(fibre, the_program_changes_tools_primes_anchors_and_drags_the_tail) {
+TEST(Fibre, TheProgramChangesToolsPrimesAnchorsAndDragsTheTail) {
     Span plastic{Role::bead, 0, 0, 0, {{0, 0, 0.2}, {20, 0, 0.2}}, {0.4}, {0.2}, {}};
     auto p = profile("[format]\nviewer_comments = false\n[travel]\nlift = 2\n");
     const auto text = lines(program(p, {plastic, travel({20, 0, 0.2}, {0, 5, 0.2}), fibre({{0, 5, 0.2}, {100, 5, 0.2}}),
@@ -68,7 +68,7 @@ TEST(fibre, the_program_changes_tools_primes_anchors_and_drags_the_tail) {
     EXPECT_EQ(text, wanted);
 }
 
-TEST(fibre, an_absolute_extruder_is_set_to_nothing_at_a_change_and_behind_the_push) {
+TEST(Fibre, AnAbsoluteExtruderIsSetToNothingAtAChangeAndBehindThePush) {
     const auto p = profile("tool = 0\n[format]\nviewer_comments = false\n",
                            "kind = \"filament\"\ndiameter = 1.75\nletter = \"B\"\nmode = \"absolute\"\n");
     Span s = fibre({{0, 5, 0.2}, {100, 5, 0.2}});
@@ -81,7 +81,7 @@ TEST(fibre, an_absolute_extruder_is_set_to_nothing_at_a_change_and_behind_the_pu
     EXPECT_EQ(text, wanted);
 }
 
-TEST(fibre, a_toolpath_of_more_tools_than_the_machine_has_is_refused) {
+TEST(Fibre, AToolpathOfMoreToolsThanTheMachineHasIsRefused) {
     const auto p = machine::parse_profile("name = \"t\"\n[bed]\nx = [0, 400]\ny = [0, 400]\nz = [0, 400]\n"
                                           "[extrusion]\nkind = \"filament\"\ndiameter = 1.75\n",
                                           "t.toml");
@@ -118,7 +118,7 @@ std::vector<Span> dome() {
 constexpr const char* kTrunnion = "[kinematics]\ncarrier = \"table-table\"\ntilt_letter = \"A\"\ntilt_about = \"x\"\n"
                                   "tilt_point_y = 20\ntcp_on = \"M428\"\n";
 
-TEST(fibre, on_machines_with_rotary_axes_the_tip_is_what_counts) {
+TEST(Fibre, OnMachinesWithRotaryAxesTheTipIsWhatCounts) {
     for (const char* numbers : {"numbers = \"tip\"\n", "numbers = \"joints\"\n"}) {
         const auto p = profile("anchor_feed = 0.4\n" + std::string(kTrunnion) + numbers);
         const auto spans = dome();
@@ -138,7 +138,7 @@ TEST(fibre, on_machines_with_rotary_axes_the_tip_is_what_counts) {
     }
 }
 
-TEST(fibre, tools_change_above_the_part_and_outside_of_its_frame) {
+TEST(Fibre, ToolsChangeAboveThePartAndOutsideOfItsFrame) {
     auto spans = dome();
     spans.erase(spans.begin() + 3, spans.begin() + 5);
     Span plastic = spans[0];
@@ -152,7 +152,7 @@ TEST(fibre, tools_change_above_the_part_and_outside_of_its_frame) {
     for (const char* word : {" Y", " Z", " A", " C"}) EXPECT_NE(line.find(word), std::string::npos) << line;
 }
 
-TEST(fibre, robots_stand_still_where_they_cut) {
+TEST(Fibre, RobotsStandStillWhereTheyCut) {
     const std::string frame =
         "[kinematics]\ncarrier = \"frame\"\n[robot]\nbase = [800, 0, 400, 0, 0, 0]\ntool = [0, 0, 100, 0, 0, "
         "0]\nstart = [0, -90, 90, 0, 90, 0]\n[format]\ndialect = \"";
@@ -172,7 +172,7 @@ TEST(fibre, robots_stand_still_where_they_cut) {
     }
 }
 
-TEST(fibre, the_job_is_told_tool_by_tool) {
+TEST(Fibre, TheJobIsToldToolByTool) {
     auto p = profile("density = 1.5\n");
     Span plastic{Role::bead, 0, 0, 0, {{0, 0, 0}, {20, 0, 0}}, {0.5}, {0.2}, {}};
     const FirstPass s = measured(p, {plastic, travel({20, 0, 0}, {0, 5, 0}), fibre({{0, 5, 0}, {100, 5, 0}})});

@@ -98,7 +98,7 @@ void expect_arc(const std::vector<std::pair<Vec3, Orientation>>& frames, bool fi
 
 } // namespace
 
-TEST(robot, orientations_come_back_from_every_form) {
+TEST(Robot, OrientationsComeBackFromEveryForm) {
     RobotRandom random;
     for (int i = 0; i < 500; ++i) {
         Vec3 axis = random.unit(), heading = random.unit();
@@ -117,7 +117,7 @@ TEST(robot, orientations_come_back_from_every_form) {
     }
 }
 
-TEST(robot, krl_says_places_angles_and_the_extruder) {
+TEST(Robot, KrlSaysPlacesAnglesAndTheExtruder) {
     const auto text = robot_program({});
     EXPECT_NE(text.find("$VEL.CP=0.02\n"), std::string::npos);
     std::vector<std::pair<Vec3, Orientation>> frames;
@@ -137,7 +137,7 @@ TEST(robot, krl_says_places_angles_and_the_extruder) {
     EXPECT_NEAR(fed, length * 0.2 / (pi * 1.75 * 1.75 / 4), 1e-4);
 }
 
-TEST(robot, krl_begins_with_a_posture_that_says_its_way_to_stand) {
+TEST(Robot, KrlBeginsWithAPostureThatSaysItsWayToStand) {
     const auto text = robot_program({});
     const auto begin = numbers(text, "PTP {X");
     ASSERT_EQ(begin.size(), 1U);
@@ -159,7 +159,7 @@ TEST(robot, krl_begins_with_a_posture_that_says_its_way_to_stand) {
     EXPECT_EQ(fits, 1);
 }
 
-TEST(robot, krl_flies_by_at_most_a_third_of_the_shorter_neighbour) {
+TEST(Robot, KrlFliesByAtMostAThirdOfTheShorterNeighbour) {
     auto spans = arc();
     for (std::size_t i = 0; i < spans[0].points.size(); ++i)
         spans[0].points[i].y += i > 20 ? 3 * static_cast<double>(i - 20) : i > 10 ? 0.0 : -2.0; // of many lengths
@@ -192,7 +192,7 @@ TEST(robot, krl_flies_by_at_most_a_third_of_the_shorter_neighbour) {
 
 const Asked kRapid{"rapid", "kind = \"valve\"\non_trigger = \"trOn\"\noff_trigger = \"trOff\"\n"};
 
-TEST(robot, rapid_says_places_and_quaternions_and_switches_at_the_very_place) {
+TEST(Robot, RapidSaysPlacesAndQuaternionsAndSwitchesAtTheVeryPlace) {
     const auto text = robot_program(kRapid);
     std::vector<std::pair<Vec3, Orientation>> frames;
     std::vector<std::size_t> on, off;
@@ -208,7 +208,7 @@ TEST(robot, rapid_says_places_and_quaternions_and_switches_at_the_very_place) {
     EXPECT_EQ(off, (std::vector<std::size_t>{40})); // where it ends
 }
 
-TEST(robot, rapid_halts_for_lines_and_flies_by_with_triggers) {
+TEST(Robot, RapidHaltsForLinesAndFliesByWithTriggers) {
     const Asked halts{"rapid", "kind = \"valve\"\non = \"SetDO d,1;\"\noff = \"SetDO d,0;\"\n"};
     const auto text = lines_of(robot_program(halts));
     const auto on = std::find(text.begin(), text.end(), "SetDO d,1;");
@@ -222,7 +222,7 @@ TEST(robot, rapid_halts_for_lines_and_flies_by_with_triggers) {
         EXPECT_FALSE(line.starts_with("TriggL") && line.find(",fine,") != std::string::npos) << line;
 }
 
-TEST(robot, rapid_and_urscript_begin_with_the_axes_of_the_first_place) {
+TEST(Robot, RapidAndUrscriptBeginWithTheAxesOfTheFirstPlace) {
     const std::string angles = "MoveAbsJ [[", joints = "movej([";
     for (const auto& [dialect, word] : {std::pair<std::string, std::string>{"rapid", angles}, {"urscript", joints}}) {
         Asked asked = kRapid;
@@ -244,7 +244,7 @@ TEST(robot, rapid_and_urscript_begin_with_the_axes_of_the_first_place) {
     }
 }
 
-TEST(robot, urscript_says_metres_and_rotation_vectors_in_the_part) {
+TEST(Robot, UrscriptSaysMetresAndRotationVectorsInThePart) {
     const Asked asked{"urscript", "kind = \"valve\"\non = \"a()\"\noff = \"b()\"\n"};
     std::vector<std::pair<Vec3, Orientation>> frames;
     const auto found = numbers(robot_program(asked), "movel(pose_trans(filum_part,p[");
@@ -266,7 +266,7 @@ TEST(robot, urscript_says_metres_and_rotation_vectors_in_the_part) {
     EXPECT_THROW(robot_program(wrong), Error);
 }
 
-TEST(robot, a_long_program_goes_on_in_modules) {
+TEST(Robot, ALongProgramGoesOnInModules) {
     Asked asked = kRapid;
     auto spans = arc();
     spans[0].points.clear();

@@ -23,7 +23,7 @@ machine::Profile board(double per_second, int ahead) {
     return out;
 }
 
-TEST(throughput, no_group_of_moves_is_quicker_than_the_board_and_no_move_is_slowed_for_nothing) {
+TEST(Throughput, NoGroupOfMovesIsQuickerThanTheBoardAndNoMoveIsSlowedForNothing) {
     std::mt19937 gen(5);
     for (const int ahead : {1, 4, 16}) {
         const auto p = board(200, ahead);
@@ -63,7 +63,7 @@ TEST(throughput, no_group_of_moves_is_quicker_than_the_board_and_no_move_is_slow
     EXPECT_EQ(pace(board(std::numeric_limits<double>::infinity(), 16)).seconds, 0);
 }
 
-TEST(purge_line, is_on_the_bed_and_clear_of_the_part) {
+TEST(PurgeLine, IsOnTheBedAndClearOfThePart) {
     const machine::Bed bed{0, 200, 0, 180, 0, 200};
     std::mt19937 gen(3);
     const auto uniform = [&](double low, double high) { return low + (high - low) * (gen() / 4294967296.0); };

@@ -148,7 +148,7 @@ Span loops_round_the_pole() {
 } // namespace
 
 // Numbers are the joints: wherever the axes are on their straight way, the tip lies on a bead.
-TEST(tilted, joints_bring_the_tip_along_the_beads) {
+TEST(Tilted, JointsBringTheTipAlongTheBeads) {
     const auto spans = dome(5, 35); // the middle row passes the pole
     for (const char* machine : kMachines) {
         const auto p = profile(std::string(machine) + "orientation_deg = 1\n");
@@ -177,7 +177,7 @@ TEST(tilted, joints_bring_the_tip_along_the_beads) {
 }
 
 // Where the toolpath's own points are far apart, the tool still stays along the straight way between their normals.
-TEST(tilted, few_points_do_not_make_the_tool_lean) {
+TEST(Tilted, FewPointsDoNotMakeTheToolLean) {
     const auto spans = dome(5, 35, 3); // 11 mm and up to 15 degrees a move
     for (const char* machine : kMachines)
         for (const char* numbers : {"", "numbers = \"tip\"\ntcp_on = \"M428\"\n"}) {
@@ -214,7 +214,7 @@ TEST(tilted, few_points_do_not_make_the_tool_lean) {
 }
 
 // Numbers are the tip: X Y Z are the toolpath's own, the rotary words those of the other program.
-TEST(tilted, tip_numbers_are_the_toolpath) {
+TEST(Tilted, TipNumbersAreTheToolpath) {
     const auto spans = dome(3, 30);
     const auto p = profile(std::string(kMachines[0]) + "numbers = \"tip\"\ntcp_on = \"M428\"\ntcp_off = \"M429\"\n");
     const std::string text = program(p, spans, postproc::Place::as_is);
@@ -235,7 +235,7 @@ TEST(tilted, tip_numbers_are_the_toolpath) {
 }
 
 // F says how long each move takes: the tip's feed where the axes can follow, slower where they cannot.
-TEST(tilted, feeds_keep_the_speeds_of_all_axes) {
+TEST(Tilted, FeedsKeepTheSpeedsOfAllAxes) {
     const auto spans = dome(3, 40);
     const auto p = profile(std::string(kMachines[0]) + "tilt_speed_deg = 20\nturn_speed_deg = 15\n"
                                                        "turn_acceleration_deg = 300\norientation_deg = 0.5\n");
@@ -260,7 +260,7 @@ TEST(tilted, feeds_keep_the_speeds_of_all_axes) {
 }
 
 // A head that carries the tool must not scrape along the face on its way to where the machine parks.
-TEST(tilted, the_tool_leaves_the_last_stroke_along_its_axis) {
+TEST(Tilted, TheToolLeavesTheLastStrokeAlongItsAxis) {
     const Vec3 n{-0.6, 0, 0.8};
     Span side{Role::bead, 0, 0, 0, {{-30, 0, 5}, {-10, 0, 5}}, {1.0}, {0.2}, {n, n}};
     for (const char* machine : kMachines) {
@@ -279,7 +279,7 @@ TEST(tilted, the_tool_leaves_the_last_stroke_along_its_axis) {
 }
 
 // The far side of a long part, turned up, is higher than the part.
-TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
+TEST(Tilted, TheEndTemplateDoesNotLeadBackIntoWhatIsTurnedUp) {
     auto p = profile(kMachines[0]);
     p.templates.end = "G0 Z{z_park}\n";
     Span side{Role::bead, 0, 0, 0, {{-10, -150, 5}, {10, -150, 5}}, {1.0}, {0.2}, {{0, -1, 0}, {0, -1, 0}}};
@@ -296,7 +296,7 @@ TEST(tilted, the_end_template_does_not_lead_back_into_what_is_turned_up) {
 }
 
 // One loop after the other round the pole: a turn axis of two turns must unwind in the air, tip and tool kept below.
-TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
+TEST(Tilted, AStrokeThatCannotGoOnIsBrokenToUnwind) {
     const Span loops = loops_round_the_pole();
     const std::string limits = "turn_deg = [-370, 370]\n";
     for (const char* machine : kMachines) {
@@ -327,7 +327,7 @@ TEST(tilted, a_stroke_that_cannot_go_on_is_broken_to_unwind) {
 }
 
 // Lifting would tear a fibre off: the job must break it where it can be cut.
-TEST(tilted, a_fibre_is_not_lifted_to_unwind) {
+TEST(Tilted, AFibreIsNotLiftedToUnwind) {
     Span loops = loops_round_the_pole();
     loops.tool = 1;
     const auto p = profile(std::string(kMachines[0]) + "turn_deg = [-370, 370]\n[tools]\nchange = \"T{tool_no}\"\n" +
@@ -341,7 +341,7 @@ TEST(tilted, a_fibre_is_not_lifted_to_unwind) {
     }
 }
 
-TEST(tilted, what_the_axes_cannot_reach_is_named) {
+TEST(Tilted, WhatTheAxesCannotReachIsNamed) {
     const auto spans = dome(2, 40);
     const auto refused = [&](const std::string& more, const char* word) {
         const auto p = profile(std::string(kMachines[0]) + more);

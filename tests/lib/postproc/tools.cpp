@@ -85,7 +85,7 @@ Seen read_tools(const std::string& program) {
 
 } // namespace
 
-TEST(tools, of_three_axes_have_codes_offsets_and_feeds_of_their_own) {
+TEST(Tools, OfThreeAxesHaveCodesOffsetsAndFeedsOfTheirOwn) {
     const auto seen = read_tools(two_tools(kBed + kValves + kOwn, both()));
     EXPECT_EQ(seen.codes.at(0), (std::vector<std::string>{"OPEN 0", "SHUT 0", "OPEN 0", "SHUT 0"}));
     EXPECT_EQ(seen.codes.at(1), (std::vector<std::string>{"OPEN 1", "SHUT 1"}));
@@ -100,7 +100,7 @@ TEST(tools, of_three_axes_have_codes_offsets_and_feeds_of_their_own) {
     EXPECT_EQ(own[3], 300);
 }
 
-TEST(tools, of_rotary_axes_likewise) {
+TEST(Tools, OfRotaryAxesLikewise) {
     const std::string axes = "[kinematics]\ncarrier = \"head-table\"\ntilt_about = \"y\"\ntilt_deg = [-90, 90]\n"
                              "tip_to_tilt_z = 50\nnumbers = \"joints\"\nfeed_word = \"per-minute\"\n";
     const auto seen = read_tools(two_tools(kBed + kValves + axes + kOwn, both()));
@@ -126,7 +126,7 @@ TEST(tools, of_rotary_axes_likewise) {
     EXPECT_LT(distance(tip_of(leaning.laid.at(1).back(), {30, -2, 1.5}), {20, 5, 0.2}), 2e-3);
 }
 
-TEST(tools, lay_no_bead_that_their_nozzle_does_not) {
+TEST(Tools, LayNoBeadThatTheirNozzleDoesNot) {
     EXPECT_NO_THROW(two_tools(kBed + kValves + kOwn, both(0.6)));
     try {
         (void)two_tools(kBed + kValves + kOwn, both(0.8));
@@ -138,7 +138,7 @@ TEST(tools, lay_no_bead_that_their_nozzle_does_not) {
     }
 }
 
-TEST(tools, the_inkredible_opens_the_valve_of_the_head_in_use) {
+TEST(Tools, TheInkredibleOpensTheValveOfTheHeadInUse) {
     auto spans = both();
     std::istringstream text([&] {
         const auto p = machine::load_profile("cellink-inkredible");
@@ -162,7 +162,7 @@ TEST(tools, the_inkredible_opens_the_valve_of_the_head_in_use) {
     EXPECT_EQ(codes, "M750 M751 M760 M761 M752 M762 M763 M751 M760 M761 ");
 }
 
-TEST(tools, that_are_not_there_are_told) {
+TEST(Tools, ThatAreNotThereAreTold) {
     const auto fails = [](const std::string& profile, const std::vector<toolpath::Span>& spans,
                           const std::string& part) {
         try {

@@ -46,7 +46,7 @@ postproc::FirstPass measured(const toolpath::Span& span, const std::string& orie
 
 } // namespace
 
-TEST(turning, brings_a_part_within_the_tilts_of_the_machine) {
+TEST(Turning, BringsAPartWithinTheTiltsOfTheMachine) {
     const auto lying = postproc::turning({70, 30, 10});
     const auto refused = [](const toolpath::Span& span, const std::string& orient,
                             const std::vector<const char*>& words) {
@@ -71,7 +71,7 @@ TEST(turning, brings_a_part_within_the_tilts_of_the_machine) {
     refused(cap(lying, 2.0), "auto", {"no way to turn the part needs less"});
 }
 
-TEST(turning, finds_the_cone_that_axes_were_drawn_from) {
+TEST(Turning, FindsTheConeThatAxesWereDrawnFrom) {
     std::mt19937 engine{3};
     const auto random = [&](double lo, double hi) { return lo + (hi - lo) * (engine() / 4294967296.0); };
     for (int round = 0; round < 50; ++round) {
@@ -91,7 +91,7 @@ TEST(turning, finds_the_cone_that_axes_were_drawn_from) {
     }
 }
 
-TEST(turning, of_few_or_opposite_axes) {
+TEST(Turning, OfFewOrOppositeAxes) {
     EXPECT_EQ(postproc::narrowest_cone({}).half, 0);
     const std::vector<Vec3> one{{0, 1, 0}, {0, 1, 0}}, two{{1, 0, 0}, {0, 1, 0}}, opposite{{1, 0, 0}, {-1, 0, 0}};
     EXPECT_NEAR(postproc::narrowest_cone(one).half, 0, 1e-12);
@@ -101,7 +101,7 @@ TEST(turning, of_few_or_opposite_axes) {
     EXPECT_GE(postproc::narrowest_cone(opposite).half, pi / 2);
 }
 
-TEST(turning, upright_turns_without_a_spin) {
+TEST(Turning, UprightTurnsWithoutASpin) {
     for (const Vec3& up : {Vec3{0, 0, 1}, Vec3{0, 0, -3}, Vec3{1, 0, 0}, Vec3{0, -2, 0}, Vec3{1, 2, -0.5}}) {
         const auto t = postproc::upright(up);
         EXPECT_LT(angle(t(up), {0, 0, 1}), 3e-6);
@@ -112,7 +112,7 @@ TEST(turning, upright_turns_without_a_spin) {
     EXPECT_TRUE(postproc::upright({0, 0, 2}).none());
 }
 
-TEST(turning, is_read_from_text) {
+TEST(Turning, IsReadFromText) {
     EXPECT_TRUE(postproc::parse_orient("auto").automatic);
     EXPECT_TRUE(postproc::parse_orient("as-is").turning.none());
     const auto t = postproc::parse_orient("90,0,90").turning; // x, then z

@@ -36,7 +36,7 @@ Loops with(Loops a, const Loops& b) {
 
 double disc(double radius) { return std::numbers::pi * radius * radius; }
 
-TEST(compensated, moves_outlines_by_what_was_asked) {
+TEST(Compensated, MovesOutlinesByWhatWasAsked) {
     // a plate with a hole, and a pin in the hole
     const Loops area = with(with(square(20), ring(10, 10, 5, true)), ring(10, 10, 2, false));
     const auto of = [&](const slice::Compensation& by, std::uint32_t layer) {
@@ -55,7 +55,7 @@ TEST(compensated, moves_outlines_by_what_was_asked) {
     EXPECT_NEAR(of({0.2, 0, 0}, 1), 400 - disc(5) + disc(2), 0.05); // of the first layer only
 }
 
-TEST(compensated, thin_walls_keep_standing_on_the_first_layer) {
+TEST(Compensated, ThinWallsKeepStandingOnTheFirstLayer) {
     // a plate with a fin 0.5 mm wide and 10 mm long
     Loops fin;
     fin.add(std::vector<geom::Vec2>{{19, 9}, {30, 9}, {30, 9.5}, {19, 9.5}});
@@ -69,7 +69,7 @@ TEST(compensated, thin_walls_keep_standing_on_the_first_layer) {
     EXPECT_NEAR(notes[0].amount, 5, 0.5);
 }
 
-TEST(compensated, what_vanishes_is_told) {
+TEST(Compensated, WhatVanishesIsTold) {
     const Loops area = with(square(20), ring(40, 10, 0.2, false));
     Notes notes;
     const Loops out = slice::compensated(area, {0, -0.3, 0}, 3, notes);

@@ -17,7 +17,7 @@ std::vector<Level> of_height(double height, const Options& o, Notes& notes) {
 
 } // namespace
 
-TEST(Levels, as_many_as_come_nearest) {
+TEST(Levels, AsManyAsComeNearest) {
     for (const auto& [height, count] :
          {std::pair{3.0, 15U}, std::pair{3.09, 15U}, std::pair{3.1, 15U}, std::pair{3.11, 16U}, std::pair{48.0, 240U},
           std::pair{0.2, 1U}, std::pair{0.29, 1U}}) {
@@ -33,7 +33,7 @@ TEST(Levels, as_many_as_come_nearest) {
     }
 }
 
-TEST(Levels, the_first_may_differ) {
+TEST(Levels, TheFirstMayDiffer) {
     Notes notes;
     const auto l = of_height(3, {.layer_height = 0.2, .first_layer_height = 0.4}, notes);
     ASSERT_EQ(l.size(), 14U);
@@ -42,7 +42,7 @@ TEST(Levels, the_first_may_differ) {
     EXPECT_NEAR(l[13].z, 4, 1e-9);
 }
 
-TEST(Levels, low_parts) {
+TEST(Levels, LowParts) {
     Notes notes;
     const auto l = of_height(0.13, {}, notes);
     ASSERT_EQ(l.size(), 1U);
@@ -52,13 +52,13 @@ TEST(Levels, low_parts) {
     EXPECT_THROW(of_height(0, {}, notes), Error);
 }
 
-TEST(Levels, too_many_end_clearly) {
+TEST(Levels, TooManyEndClearly) {
     Notes notes;
     EXPECT_THROW(of_height(1e6, {.layer_height = 0.001}, notes), Error);
     EXPECT_THROW(of_height(1e6, {.adaptive = true, .min_layer_height = 0.001}, notes), Error);
 }
 
-TEST(Levels, adaptive_ones_follow_the_slope) {
+TEST(Levels, AdaptiveOnesFollowTheSlope) {
     const auto sphere = shapes::sphere(10, 5);
     const Options o{.adaptive = true, .min_layer_height = 0.08, .max_layer_height = 0.32, .cusp = 0.1};
     Notes notes;
@@ -83,7 +83,7 @@ TEST(Levels, adaptive_ones_follow_the_slope) {
     EXPECT_GT(l[l.size() / 2].height, 0.3);  // thick at the equator
 }
 
-TEST(Levels, adaptive_ones_of_upright_walls_are_thick) {
+TEST(Levels, AdaptiveOnesOfUprightWallsAreThick) {
     Notes notes;
     shapes::Mesh tube = shapes::box({0, 0, 0}, {5, 5, 9});
     tube.triangles.erase(tube.triangles.begin(), tube.triangles.begin() + 4); // no bottom, no top

@@ -106,7 +106,7 @@ void try_one(const mesh::Mesh& damaged, double wanted, double h, bool destroyed,
 
 } // namespace
 
-TEST(Mutants, what_is_printed_of_damaged_meshes_is_right_or_told) {
+TEST(Mutants, WhatIsPrintedOfDamagedMeshesIsRightOrTold) {
     const std::string count = text("FILUM_MUTANTS"), only = text("FILUM_MUTANT_KIND");
     const int each = count.empty() ? 1 : std::stoi(count);
     Tally tally;

@@ -62,7 +62,7 @@ std::vector<Mesh> solids() {
 
 } // namespace
 
-TEST(Slice, areas_add_up_to_the_volume) {
+TEST(Slice, AreasAddUpToTheVolume) {
     for (const Mesh& m : solids())
         for (const double a : {0.0, 33.0}) {
             const Mesh t = turned(m, a, 2 * a, 5);
@@ -74,7 +74,7 @@ TEST(Slice, areas_add_up_to_the_volume) {
 }
 
 // Vertices exactly on planes, flat faces in them, edges along them: closed all the same.
-TEST(Slice, a_closed_mesh_has_closed_contours_wherever_its_vertices_are) {
+TEST(Slice, AClosedMeshHasClosedContoursWhereverItsVerticesAre) {
     for (const Mesh& m : solids())
         for (const double step : {0.1, 0.2, 0.5, 1.0}) {
             const Mesh t = snapped(turned(m, 20, 10, 0), step);
@@ -86,7 +86,7 @@ TEST(Slice, a_closed_mesh_has_closed_contours_wherever_its_vertices_are) {
         }
 }
 
-TEST(Slice, a_box_is_exact) {
+TEST(Slice, ABoxIsExact) {
     const Result r = cut(shapes::box({1, 2, 0}, {11, 7, 3}));
     ASSERT_EQ(r.layers.size(), 15U);
     for (const auto& l : r.layers) {
@@ -97,7 +97,7 @@ TEST(Slice, a_box_is_exact) {
     }
 }
 
-TEST(Slice, a_face_level_with_a_plane_counts_as_below_it) {
+TEST(Slice, AFaceLevelWithAPlaneCountsAsBelowIt) {
     // a step whose tread, and the ceiling of a recess, lie at the mid-height of layer 1, as single precision has it
     for (const double z : {0.3, static_cast<double>(0.3F), std::nextafter(0.3, 0.0)}) {
         const Result tread =
@@ -112,7 +112,7 @@ TEST(Slice, a_face_level_with_a_plane_counts_as_below_it) {
     }
 }
 
-TEST(Slice, moving_the_part_moves_the_contours) {
+TEST(Slice, MovingThePartMovesTheContours) {
     for (const Mesh& m : solids()) {
         const Result a = cut(m), b = cut(shapes::moved(m, {1234.5, -777.25, 0}));
         ASSERT_EQ(a.layers.size(), b.layers.size());
@@ -126,7 +126,7 @@ TEST(Slice, moving_the_part_moves_the_contours) {
     }
 }
 
-TEST(Slice, threads_do_not_matter) {
+TEST(Slice, ThreadsDoNotMatter) {
     const Mesh m = shapes::together(shapes::torus(9, 3, 60, 30), shapes::moved(shapes::sphere(6, 4), {7, 0, 0}));
     const Result a = cut(m, {}, 1);
     for (const int threads : {2, 8}) {
@@ -139,7 +139,7 @@ TEST(Slice, threads_do_not_matter) {
     }
 }
 
-TEST(Bodies, overlapping_ones_are_one) {
+TEST(Bodies, OverlappingOnesAreOne) {
     const Result r = cut(shapes::together(shapes::box({0, 0, 0}, {10, 10, 2}), shapes::box({5, 5, 0}, {15, 15, 2})));
     for (const auto& l : r.layers) {
         EXPECT_EQ(l.contours.size(), 1U);
@@ -147,7 +147,7 @@ TEST(Bodies, overlapping_ones_are_one) {
     }
 }
 
-TEST(Bodies, one_within_another_vanishes_and_a_cavity_stays) {
+TEST(Bodies, OneWithinAnotherVanishesAndACavityStays) {
     const Mesh outer = shapes::box({0, 0, 0}, {10, 10, 10}), inner = shapes::box({3, 3, 3}, {6, 6, 6});
     EXPECT_NEAR(volume(cut(shapes::together(outer, inner))), 1000, 1e-6);
     EXPECT_NEAR(volume(cut(shapes::together(outer, shapes::inverted(inner)))), 1000 - 27, 1e-6);
@@ -157,7 +157,7 @@ TEST(Bodies, one_within_another_vanishes_and_a_cavity_stays) {
 }
 
 // Faces that should be one, turned so that no coordinate is round: rounding, then gaps of some um, then real gaps.
-TEST(Bodies, touching_ones_are_one_and_clear_ones_are_not) {
+TEST(Bodies, TouchingOnesAreOneAndClearOnesAreNot) {
     for (const double gap : {0.0, 1e-6, 1e-4, 0.003, 0.03}) {
         const Mesh m = turned(
             shapes::together(shapes::box({0, 0, 0}, {10, 10, 2}), shapes::box({10 + gap, 2, 0}, {20, 8, 2})), 0, 0, 31);
@@ -175,7 +175,7 @@ TEST(Bodies, touching_ones_are_one_and_clear_ones_are_not) {
 }
 
 // A pin in a hole: facets of different number leave crescents all around.
-TEST(Bodies, a_pin_in_its_hole_leaves_no_crescents) {
+TEST(Bodies, APinInItsHoleLeavesNoCrescents) {
     const auto ring = [](double r, int n, double z0, double z1, bool inwards) {
         Mesh m;
         for (int i = 0; i < n; ++i)
@@ -195,7 +195,7 @@ TEST(Bodies, a_pin_in_its_hole_leaves_no_crescents) {
     for (const auto& l : r.layers) EXPECT_EQ(l.contours.size(), 1U);
 }
 
-TEST(Bodies, a_thousand_shells) {
+TEST(Bodies, AThousandShells) {
     Mesh m;
     for (int i = 0; i < 1000; ++i)
         m = shapes::together(std::move(m),
@@ -205,7 +205,7 @@ TEST(Bodies, a_thousand_shells) {
     EXPECT_EQ(noted(r, "open"), 0);
 }
 
-TEST(Broken, flipped_triangles_change_nothing) {
+TEST(Broken, FlippedTrianglesChangeNothing) {
     const Mesh m = shapes::torus(9, 3, 60, 30);
     Mesh f = m;
     for (std::size_t t = 0; t < f.triangles.size(); t += 13) std::swap(f.triangles[t][0], f.triangles[t][1]);
@@ -216,7 +216,7 @@ TEST(Broken, flipped_triangles_change_nothing) {
     EXPECT_GT(noted(b, "turned round"), 0);
 }
 
-TEST(Broken, holes_are_bridged_and_said) {
+TEST(Broken, HolesAreBridgedAndSaid) {
     const Mesh m = shapes::sphere(10, 5);
     Mesh h = m;
     std::erase_if(h.triangles, [&](const mesh::Triangle& t) { return h.vertices[t[0]].x > 8; }); // a window
@@ -230,7 +230,7 @@ TEST(Broken, holes_are_bridged_and_said) {
     EXPECT_LT(volume(b), volume(a) - 100);
 }
 
-TEST(Broken, triangles_that_share_no_vertex_are_joined_across_their_gaps) {
+TEST(Broken, TrianglesThatShareNoVertexAreJoinedAcrossTheirGaps) {
     const Mesh m = shapes::sphere(10, 4);
     Mesh soup;
     std::uint64_t state = 5;
@@ -246,7 +246,7 @@ TEST(Broken, triangles_that_share_no_vertex_are_joined_across_their_gaps) {
     EXPECT_LT(noted(r, "left out"), 0.01 * 180 * 60);
 }
 
-TEST(Broken, what_holds_nothing_is_refused) {
+TEST(Broken, WhatHoldsNothingIsRefused) {
     const auto said = [](const Mesh& m) {
         try {
             cut(m);
@@ -271,7 +271,7 @@ TEST(Broken, what_holds_nothing_is_refused) {
     EXPECT_NE(said(soup).find("mm3 undecided, more than the"), std::string::npos);
 }
 
-TEST(Broken, torn_triangles_are_turned_round_as_their_neighbours_say) {
+TEST(Broken, TornTrianglesAreTurnedRoundAsTheirNeighboursSay) {
     const Mesh m =
         shapes::together(shapes::box({0, 0, 0}, {10, 10, 4}), shapes::inverted(shapes::box({3, 3, -1}, {6, 6, 5})));
     Mesh torn = mutate::soup(mutate::split(m, *std::make_unique<mutate::Dice>(), 1));
@@ -284,7 +284,7 @@ TEST(Broken, torn_triangles_are_turned_round_as_their_neighbours_say) {
     EXPECT_GT(noted(r, "turned round to face as its neighbours do"), 0);
 }
 
-TEST(Broken, far_from_the_origin) {
+TEST(Broken, FarFromTheOrigin) {
     const Result r = cut(shapes::moved(shapes::sphere(10, 4), {1e6, -1e6, 0}));
     EXPECT_NEAR(volume(r) / volume(cut(shapes::sphere(10, 4))), 1, 1e-6);
     const Result large = cut(shapes::sphere(1e6, 4), {.layer_height = 1e4});

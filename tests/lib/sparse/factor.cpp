@@ -34,13 +34,13 @@ void expect_solved(int n, int m) {
     EXPECT_FALSE(same.factorise(negative));
 }
 
-TEST(factor, solves_with_and_without_supernodes) {
+TEST(Factor, SolvesWithAndWithoutSupernodes) {
     expect_solved(1, 1);
     expect_solved(4, 2000);
     expect_solved(200, 200);
 }
 
-TEST(factor, large_ones_may_be_made_at_once) {
+TEST(Factor, LargeOnesMayBeMadeAtOnce) {
     const int n = 400; // a square grid, so that supernodes are large
     std::vector<Eigen::Triplet<double>> entries;
     for (int v = 0; v < n * n; ++v) {

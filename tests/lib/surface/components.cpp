@@ -6,7 +6,7 @@
 namespace filum::surface {
 namespace {
 
-TEST(components, take_their_share_of_fields_and_sources) {
+TEST(Components, TakeTheirShareOfFieldsAndSources) {
     Notes notes;
     // Two squares, their triangles by turns.
     mesh::Mesh mesh{{{0, 0, 0}, {9, 0, 0}, {1, 0, 0}, {10, 0, 0}, {1, 1, 0}, {10, 1, 0}, {0, 1, 0}, {9, 1, 0}},

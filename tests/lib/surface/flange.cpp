@@ -44,7 +44,7 @@ int layers(const Surface& s, const Vec3& p) {
     return out;
 }
 
-TEST(flange, of_a_plate_is_a_strip_with_round_corners) {
+TEST(Flange, OfAPlateIsAStripWithRoundCorners) {
     const auto f = flanged(connected(grid(30, 20, 3, 2, flat)), 0.5, 4);
     EXPECT_EQ(f.part, 12U);
     EXPECT_NEAR(flange_area(f), 100 * 4 + 4 * 3 * 0.5 * 16 * std::sin(std::numbers::pi / 6), 1e-9);
@@ -55,7 +55,7 @@ TEST(flange, of_a_plate_is_a_strip_with_round_corners) {
     EXPECT_NEAR(near, 100 * 0.5 + 3 * 0.25, 1e-9);
 }
 
-TEST(flange, goes_on_in_the_tangent_planes) {
+TEST(Flange, GoesOnInTheTangentPlanes) {
     const Surface s = connected(grid(std::numbers::pi, 10, 60, 5, [](geom::Vec2 p) {
         return Vec3{10 * std::cos(p.x / 1), p.y, 10 * std::sin(p.x / 1)};
     }));
@@ -68,7 +68,7 @@ TEST(flange, goes_on_in_the_tangent_planes) {
 }
 
 // A hole like a C that ends in two chambers, in which there is room: so it is neither a narrow hole nor a notch.
-TEST(flange, in_a_hole_leaves_half_of_it_free) {
+TEST(Flange, InAHoleLeavesHalfOfItFree) {
     const auto off = [](const Vec3& p) { return std::abs(std::hypot(p.x - 20, p.y - 20) - 10); };
     const auto hole = [&](geom::Vec2 p) {
         const bool chamber = std::abs(p.x - 27) < 6.5 && std::abs(std::abs(p.y - 20) - 11) < 6.5;
@@ -84,7 +84,7 @@ TEST(flange, in_a_hole_leaves_half_of_it_free) {
     EXPECT_LT(f.least, 0.5); // in the corners of its steps
 }
 
-TEST(flange, closes_a_hole_without_room_for_it) {
+TEST(Flange, ClosesAHoleWithoutRoomForIt) {
     const auto hole = [](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 5; };
     const Surface s = connected(pierced_grid(40, 40, 80, 80, flat, hole));
     const auto closed = flanged(s, 0.5, 6);
@@ -97,7 +97,7 @@ TEST(flange, closes_a_hole_without_room_for_it) {
 }
 
 // Of a cone that is open at both ends: the narrow one is a hole only where the cone is flat.
-TEST(flange, closes_no_tip) {
+TEST(Flange, ClosesNoTip) {
     const auto lids = [](double steep, double depth) {
         mesh::Mesh m = grid(1, 20, 24, 10, [&](geom::Vec2 p) {
             const double a = 2 * std::numbers::pi * p.x, r = 3 + p.y * std::cos(steep);
@@ -115,7 +115,7 @@ TEST(flange, closes_no_tip) {
 
 // As cutting a mesh along a curve leaves it: vertices anywhere along it, and off it by rounding or noise, so that the
 // sides point anywhere.
-TEST(flange, follows_a_rough_rim_not_its_sides) {
+TEST(Flange, FollowsARoughRimNotItsSides) {
     std::mt19937 random(7);
     const auto noise = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
     std::vector<geom::Vec2> rough; // angle, radius
@@ -136,7 +136,7 @@ TEST(flange, follows_a_rough_rim_not_its_sides) {
 }
 
 // Surfaces with rims at random, of steps, notches and holes.
-TEST(flange, never_lies_over_itself) {
+TEST(Flange, NeverLiesOverItself) {
     for (int seed = 0; seed < trials(20); ++seed) {
         std::mt19937 random(static_cast<unsigned>(seed));
         const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };

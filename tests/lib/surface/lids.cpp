@@ -30,7 +30,7 @@ std::function<bool(geom::Vec2)> slot(double wide, double deep) {
     return [=](geom::Vec2 p) { return std::abs(p.x - 20) < wide / 2 && p.y < deep; };
 }
 
-TEST(lids, a_slot_is_closed_at_its_mouth) {
+TEST(Lids, ASlotIsClosedAtItsMouth) {
     const Surface s = plate(slot(3, 12));
     const Closed c = with_lids(s, 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
@@ -44,7 +44,7 @@ TEST(lids, a_slot_is_closed_at_its_mouth) {
     EXPECT_NEAR(c.lids[0].middle.y, 6, 1e-9);
 }
 
-TEST(lids, every_slot_of_a_comb_is_closed) {
+TEST(Lids, EverySlotOfACombIsClosed) {
     const Surface s =
         plate([](geom::Vec2 p) { return std::fmod(p.x + 2.5, 10) < 4 && p.x > 5 && p.x < 35 && p.y > 25; });
     const Closed c = with_lids(s, 5, kTolerance);
@@ -52,29 +52,29 @@ TEST(lids, every_slot_of_a_comb_is_closed) {
     EXPECT_NEAR(area(c.surface), 1600, 1e-9);
 }
 
-TEST(lids, a_hole_is_no_notch) {
+TEST(Lids, AHoleIsNoNotch) {
     const Closed c = with_lids(plate([](geom::Vec2 p) { return std::hypot(p.x - 20, p.y - 20) < 4; }), 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
     EXPECT_FALSE(c.lids[0].notch);
 }
 
-TEST(lids, with_room_for_a_flange_slots_stay_open) {
+TEST(Lids, WithRoomForAFlangeSlotsStayOpen) {
     const Surface s = plate(slot(13, 20));
     EXPECT_TRUE(with_lids(s, 3, kTolerance).lids.empty());
     EXPECT_EQ(with_lids(s, 3, kTolerance).surface.triangles.size(), s.triangles.size());
     EXPECT_EQ(with_lids(s, 4, kTolerance).lids.size(), 1U); // 13 mm are less than twice 2 x 4
 }
 
-TEST(lids, a_corner_that_goes_in_is_no_notch) {
+TEST(Lids, ACornerThatGoesInIsNoNotch) {
     EXPECT_TRUE(with_lids(plate([](geom::Vec2 p) { return p.x > 15 && p.y > 15; }), 5, kTolerance).lids.empty());
 }
 
-TEST(lids, a_bay_behind_a_narrow_mouth_stays_open) {
+TEST(Lids, ABayBehindANarrowMouthStaysOpen) {
     const auto out = [](geom::Vec2 p) { return slot(3, 8)(p) || (std::abs(p.x - 20) < 15 && std::abs(p.y - 22) < 14); };
     EXPECT_TRUE(with_lids(plate(out), 5, kTolerance).lids.empty());
 }
 
-TEST(lids, a_slot_round_a_corner_is_closed_too) {
+TEST(Lids, ASlotRoundACornerIsClosedToo) {
     const auto out = [](geom::Vec2 p) { return slot(3, 15)(p) || (p.x > 18 && p.x < 34 && p.y > 12 && p.y < 15); };
     const Closed c = with_lids(plate(out), 5, kTolerance);
     ASSERT_EQ(c.lids.size(), 1U);
@@ -82,7 +82,7 @@ TEST(lids, a_slot_round_a_corner_is_closed_too) {
 }
 
 // A peg of the part in a wide slot, with its foot at the other side, outside of the mouth.
-TEST(lids, another_part_in_a_slot_keeps_it_open) {
+TEST(Lids, AnotherPartInASlotKeepsItOpen) {
     Notes notes;
     mesh::Mesh m = pierced_grid(
         40, 40, 80, 80,

@@ -31,7 +31,7 @@ double longest(const Surface& s) {
     return out;
 }
 
-TEST(remesh, keeps_rims_and_shape_and_makes_sides_alike) {
+TEST(Remesh, KeepsRimsAndShapeAndMakesSidesAlike) {
     for (const auto lift : {flat, roof, bowl}) {
         const Surface before = frame_of(lift);
         for (const double edge : {2.0, 0.7, 0.3}) {
@@ -54,7 +54,7 @@ TEST(remesh, keeps_rims_and_shape_and_makes_sides_alike) {
     }
 }
 
-TEST(remesh, is_the_same_every_time) {
+TEST(Remesh, IsTheSameEveryTime) {
     Notes notes;
     const Surface s = frame_of(bowl);
     const Surface a = remesh(s, 0.4, notes), b = remesh(s, 0.4, notes);
@@ -64,7 +64,7 @@ TEST(remesh, is_the_same_every_time) {
 
 // A tetrahedron with a fin on one side: of the three triangles there one is cut off, but its ends stay vertices of the
 // other two, as the surface goes on around both.
-TEST(remesh, takes_an_edge_that_was_cut) {
+TEST(Remesh, TakesAnEdgeThatWasCut) {
     const mesh::Mesh m{{{0, 0, 0}, {2, 0, 0}, {1, 2, 0}, {1, -2, 0}, {1, -1, 2}},
                        {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {0, 4, 3}, {1, 3, 4}}};
     Notes notes;
@@ -79,12 +79,12 @@ TEST(remesh, takes_an_edge_that_was_cut) {
     }
 }
 
-TEST(remesh, refuses_what_is_too_fine) {
+TEST(Remesh, RefusesWhatIsTooFine) {
     Notes notes;
     EXPECT_THROW(remesh(frame_of(flat), 1e-6, notes), Error);
 }
 
-TEST(cut, keeps_the_lower_side) {
+TEST(Cut, KeepsTheLowerSide) {
     const Surface s = frame_of(flat);
     Notes notes;
     EXPECT_NEAR(area(cut(s, {{1, 0, 0}, 3}, notes)), 18, 1e-12); // along sides

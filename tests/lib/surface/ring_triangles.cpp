@@ -27,7 +27,7 @@ std::vector<Vec3> crooked(unsigned seed) {
     return out;
 }
 
-TEST(ring_triangles, fill_the_ring_where_sides_are_straight_but_for_rounding) {
+TEST(RingTriangles, FillTheRingWhereSidesAreStraightButForRounding) {
     for (unsigned seed = 0; seed < 50; ++seed) {
         const auto ring = crooked(seed);
         const auto triangles = ring_triangles(ring);
@@ -38,7 +38,7 @@ TEST(ring_triangles, fill_the_ring_where_sides_are_straight_but_for_rounding) {
     }
 }
 
-TEST(ring_triangles, none_in_a_ring_that_crosses_itself) {
+TEST(RingTriangles, NoneInARingThatCrossesItself) {
     EXPECT_TRUE(
         ring_triangles(std::vector<Vec3>{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1, 0, 0}, {0, 1, 0}}).empty());
     EXPECT_TRUE(ring_triangles(std::vector<Vec3>{{0, 0, 0}, {1, 1, 0}}).empty());

@@ -37,7 +37,7 @@ std::size_t counted(const Notes& notes, const char* what) {
     return out;
 }
 
-TEST(surface, finds_rims_and_which_is_outer) {
+TEST(Surface, FindsRimsAndWhichIsOuter) {
     Notes notes;
     const Surface s = connect(
         {grid(9, 5), cells(9, 5, [](int i, int j) { return j > 0 && j < 4 && (i == 1 || i == 5 || i == 6); })}, notes);
@@ -57,13 +57,13 @@ TEST(surface, finds_rims_and_which_is_outer) {
     EXPECT_EQ(outer, 1);
 }
 
-TEST(surface, keeps_the_numbers_of_vertices) {
+TEST(Surface, KeepsTheNumbersOfVertices) {
     Notes notes;
     const auto points = grid(4, 3);
     EXPECT_EQ(connect({points, cells(4, 3, [](int, int) { return false; })}, notes).vertices, points);
 }
 
-TEST(surface, leaves_out_copies) {
+TEST(Surface, LeavesOutCopies) {
     auto triangles = cells(3, 3, [](int, int) { return false; });
     triangles.push_back(triangles[4]);
     triangles.push_back({triangles[5][2], triangles[5][1], triangles[5][0]});
@@ -74,7 +74,7 @@ TEST(surface, leaves_out_copies) {
     EXPECT_EQ(s.rims.size(), 1U);
 }
 
-TEST(surface, turns_flipped_triangles) {
+TEST(Surface, TurnsFlippedTriangles) {
     auto triangles = cells(4, 4, [](int, int) { return false; });
     for (const std::size_t t : {3U, 10U, 11U, 20U}) std::swap(triangles[t][0], triangles[t][1]);
     Notes notes;
@@ -84,7 +84,7 @@ TEST(surface, turns_flipped_triangles) {
     for (std::uint32_t t = 0; t < s.triangles.size(); ++t) EXPECT_EQ(normal(s, t), (Vec3{0, 0, 1}));
 }
 
-TEST(surface, takes_out_triangles_without_area_and_leaves_no_gap) {
+TEST(Surface, TakesOutTrianglesWithoutAreaAndLeavesNoGap) {
     // a corner in the middle of the side of its neighbours: a T-joint closed by a triangle without area
     Notes notes;
     const Surface s = connect(
@@ -97,7 +97,7 @@ TEST(surface, takes_out_triangles_without_area_and_leaves_no_gap) {
     EXPECT_THROW(connect({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, notes), Error);
 }
 
-TEST(surface, cad_faces_stay_with_their_triangles_through_repairs) {
+TEST(Surface, CadFacesStayWithTheirTrianglesThroughRepairs) {
     // the same T-joint, one half of the square face 5, the other 8, and a copy
     Notes notes;
     std::vector<std::uint32_t> faces;
@@ -116,7 +116,7 @@ TEST(surface, cad_faces_stay_with_their_triangles_through_repairs) {
     EXPECT_DOUBLE_EQ(below, 2);
 }
 
-TEST(surface, keeps_the_flattest_pair_of_a_crowded_edge) {
+TEST(Surface, KeepsTheFlattestPairOfACrowdedEdge) {
     // a plate with a rib along its middle
     auto points = grid(2, 1);
     points.push_back({1, 0, 1});
@@ -133,7 +133,7 @@ TEST(surface, keeps_the_flattest_pair_of_a_crowded_edge) {
     EXPECT_EQ(s.rims[1].sides.size(), 6U); // the plate
 }
 
-TEST(surface, splits_parts_that_touch_in_a_point) {
+TEST(Surface, SplitsPartsThatTouchInAPoint) {
     Notes notes;
     const Surface s = connect({grid(2, 2), cells(2, 2, [](int i, int j) { return i != j; })}, notes);
     EXPECT_EQ(counted(notes, "touch in a point"), 1U);
@@ -142,7 +142,7 @@ TEST(surface, splits_parts_that_touch_in_a_point) {
     EXPECT_EQ(s.vertices.size(), 8U); // 9 - 2 unused + 1
 }
 
-TEST(surface, cuts_a_band_with_one_side_open) {
+TEST(Surface, CutsABandWithOneSideOpen) {
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
     const int n = 24;
@@ -166,7 +166,7 @@ TEST(surface, cuts_a_band_with_one_side_open) {
     EXPECT_EQ(s.rims.size(), 1U);
 }
 
-TEST(surface, makes_a_manifold_of_any_triangles) {
+TEST(Surface, MakesAManifoldOfAnyTriangles) {
     std::mt19937 random(5);
     for (int round = 0; round < 300; ++round) {
         mesh::Mesh m;
@@ -193,7 +193,7 @@ TEST(surface, makes_a_manifold_of_any_triangles) {
     }
 }
 
-TEST(surface, broken_parts_are_refused) {
+TEST(Surface, BrokenPartsAreRefused) {
     const std::vector<Vec3> v{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     const auto make = [&](std::vector<Triangle> t, std::vector<std::uint32_t> twin) { return assemble(v, t, twin); };
     constexpr auto o = kNone;
@@ -209,7 +209,7 @@ TEST(surface, broken_parts_are_refused) {
     EXPECT_THROW(make({{0, 1, 2}}, {o, o, o}), Error);                     // vertex 3 has no triangle
 }
 
-TEST(section, of_a_cube) {
+TEST(Section, OfACube) {
     Notes notes;
     std::vector<Vec3> v;
     for (int i = 0; i < 8; ++i) v.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});

@@ -23,7 +23,7 @@ Surface grid(int n, double (*lift)(double, double)) {
     return connect(m, notes);
 }
 
-TEST(trace, lines_are_whole_and_on_the_surface) {
+TEST(Trace, LinesAreWholeAndOnTheSurface) {
     const Surface flat = grid(10, [](double, double) { return 0.0; });
     const Surface bent = grid(10, [](double x, double y) { return 0.1 * x * x - 0.05 * x * y; });
     std::mt19937 random(1);
@@ -58,7 +58,7 @@ TEST(trace, lines_are_whole_and_on_the_surface) {
         }
 }
 
-TEST(trace, one_point_is_a_point) {
+TEST(Trace, OnePointIsAPoint) {
     const Surface s = grid(4, [](double, double) { return 0.0; });
     const Vec3 p[] = {{1.3, 1.2, 0.5}};
     const Trace t = trace(s, p);
@@ -67,7 +67,7 @@ TEST(trace, one_point_is_a_point) {
     EXPECT_NEAR(t.off, 0.5, 1e-9);
 }
 
-TEST(trace, says_where_the_surface_ends) {
+TEST(Trace, SaysWhereTheSurfaceEnds) {
     const Surface s = grid(10, [](double, double) { return 0.0; });
     const Vec3 across[] = {{1, 7.5, 0}, {6, 7.5, 0}, {9, 7.5, 0}}; // over the missing cell
     try {

@@ -50,7 +50,7 @@ std::array<double, 3> told(const Surface& s, Plan plan) {
     return out;
 }
 
-TEST(bare, rows_at_their_spacing_leave_nothing) {
+TEST(Bare, RowsAtTheirSpacingLeaveNothing) {
     const Surface s = square(20);
     const auto [bare, uncovered, twice] = told(s, rows(s, 0.5, 20, 1));
     EXPECT_EQ(bare, 0);
@@ -58,7 +58,7 @@ TEST(bare, rows_at_their_spacing_leave_nothing) {
     EXPECT_NEAR(twice, 0, 1e-6);
 }
 
-TEST(bare, what_is_missing_is_told_with_its_place) {
+TEST(Bare, WhatIsMissingIsToldWithItsPlace) {
     const Surface s = square(20);
     Plan plan = rows(s, 0.5, 12, 1); // nothing from y = 11.5 on: bare from 12.5, uncovered from 12
     const auto [bare, uncovered, twice] = told(s, plan);
@@ -75,7 +75,7 @@ TEST(bare, what_is_missing_is_told_with_its_place) {
     EXPECT_NEAR(told(s, {})[0], 400, 1e-6);
 }
 
-TEST(bare, what_is_laid_twice_is_told_with_its_place) {
+TEST(Bare, WhatIsLaidTwiceIsToldWithItsPlace) {
     const Surface s = square(20, 3);
     Plan plan = rows(s, 0.5, 20, 1);
     Plan again = rows(s, 15.5, 18, 1); // three rows once more
@@ -92,7 +92,7 @@ TEST(bare, what_is_laid_twice_is_told_with_its_place) {
 }
 
 // A line on the other skin of a thin wall covers nothing of this one.
-TEST(bare, walls_are_not_seen_through) {
+TEST(Bare, WallsAreNotSeenThrough) {
     Notes notes;
     const Surface s = surface::connect(
         {{{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, 0, -0.3}, {20, 0, -0.3}, {20, 20, -0.3}, {0, 20, -0.3}},

@@ -25,7 +25,7 @@ std::vector<Isle> lone(double top, double spacing, double around) {
     return out;
 }
 
-TEST(Branches, of_one_maximum_ends_half_a_spacing_below_it) {
+TEST(Branches, OfOneMaximumEndsHalfASpacingBelowIt) {
     for (const double top : {8.0, 8.1, 8.3, 8.5, 8.6, 8.9}) {
         std::vector<std::uint32_t> of;
         const auto all = branches(lone(top, 1, 50), {1, 0, false}, of);
@@ -38,7 +38,7 @@ TEST(Branches, of_one_maximum_ends_half_a_spacing_below_it) {
     }
 }
 
-TEST(Branches, change_spacings_where_rings_are_shortest) {
+TEST(Branches, ChangeSpacingsWhereRingsAreShortest) {
     auto isles = lone(8.25, 1, 50);
     isles[3].around = 10;
     isles[5].around = 20;
@@ -49,7 +49,7 @@ TEST(Branches, change_spacings_where_rings_are_shortest) {
         EXPECT_NEAR(levels[k] - levels[k - 1], k == 3 || k == 5 ? 1.1 : k == 7 ? 1.05 : 1, 1e-9) << k;
 }
 
-TEST(Branches, with_few_rings_or_short_ones_stay_as_they_are) {
+TEST(Branches, WithFewRingsOrShortOnesStayAsTheyAre) {
     std::vector<std::uint32_t> of;
     const Branch few = branches(lone(2.4, 1, 50), {1, 0, false}, of).at(0);
     EXPECT_FALSE(few.closed);
@@ -61,14 +61,14 @@ TEST(Branches, with_few_rings_or_short_ones_stay_as_they_are) {
     EXPECT_EQ(small.widest, 0);
 }
 
-TEST(Branches, may_end_along_the_maximum) {
+TEST(Branches, MayEndAlongTheMaximum) {
     std::vector<std::uint32_t> of;
     EXPECT_NEAR(branches(lone(2.5, 1, 50), {1, 0, true}, of).at(0).levels.back(), 1.5, 1e-9);
     EXPECT_FALSE(branches(lone(2.5, 1, 50), {1, 0, false}, of).at(0).closed);
 }
 
 // Rings as long as circles about a point at the top: the innermost is as long as one of the radius.
-TEST(Branches, about_a_point_end_where_a_ring_is_as_small_as_may_be) {
+TEST(Branches, AboutAPointEndWhereARingIsAsSmallAsMayBe) {
     auto isles = lone(12.2, 1, 0);
     for (Isle& i : isles) i.around = i.longest = 2 * 3.14159265358979 * (12.2 - i.ring - 0.5);
     std::vector<std::uint32_t> of;
@@ -105,7 +105,7 @@ std::vector<Isle> random_tree(std::mt19937& random, double spacing) {
     return out;
 }
 
-TEST(Branches, of_random_trees_keep_a_tenth_close_where_they_can_and_part_evenly) {
+TEST(Branches, OfRandomTreesKeepATenthCloseWhereTheyCanAndPartEvenly) {
     std::mt19937 random(4);
     std::size_t closed = 0, open = 0;
     for (int trial = 0; trial < trials(400); ++trial) {

@@ -92,7 +92,7 @@ const mesh::Mesh kLower = plate_at(20, 14, {0, 0, 0}), kUpper = plate_at(19, 15,
 
 // The insets of two plates that almost touch lie beside each other: a row that looked for its end on both of them would
 // find the other's.
-TEST(components, each_is_laid_as_if_it_were_alone) {
+TEST(Components, EachIsLaidAsIfItWereAlone) {
     for (const Algorithm a : {Algorithm::field, Algorithm::fexa, Algorithm::fina, Algorithm::ortheo, Algorithm::hybrid,
                               Algorithm::geo_fiso, Algorithm::geo_contour}) {
         if (kSanitized && a != Algorithm::field) continue;
@@ -118,7 +118,7 @@ TEST(components, each_is_laid_as_if_it_were_alone) {
     }
 }
 
-TEST(components, bounds_and_cover_are_those_of_the_whole) {
+TEST(Components, BoundsAndCoverAreThoseOfTheWhole) {
     const auto both = sheet_from(all_of({kLower, plate_at(12, 12, {40, 0, 0})}), "");
     Options o{.algorithm = Algorithm::hybrid, .least_radius = 1};
     Plan laid = plan_paths(both, o);
@@ -130,7 +130,7 @@ TEST(components, bounds_and_cover_are_those_of_the_whole) {
 }
 
 // From the one with the least vertex on always the nearest, whatever order the file has.
-TEST(components, are_laid_in_turn) {
+TEST(Components, AreLaidInTurn) {
     std::vector<mesh::Mesh> parts(6);
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = plate_at(6, 5, {10.0 * static_cast<double>(i), 0, 0});
     const Options o{.algorithm = Algorithm::geo_contour, .least_radius = 0.5};
@@ -150,7 +150,7 @@ TEST(components, are_laid_in_turn) {
     }
 }
 
-TEST(components, what_cannot_be_laid_is_left_out_and_told) {
+TEST(Components, WhatCannotBeLaidIsLeftOutAndTold) {
     const mesh::Mesh narrow = plate_at(20, 1, {0, 30, 0});
     const auto some = sheet_from(all_of({kLower, narrow}), "");
     const Plan laid = plan_paths(some, {.algorithm = Algorithm::geo_contour});
@@ -165,7 +165,7 @@ TEST(components, what_cannot_be_laid_is_left_out_and_told) {
     EXPECT_THROW((void)plan_paths(none, {.algorithm = Algorithm::geo_contour}), Error);
 }
 
-TEST(components, without_a_source_are_left_out_where_one_is_needed) {
+TEST(Components, WithoutASourceAreLeftOutWhereOneIsNeeded) {
     const auto sheet = sheet_from(all_of({kLower, plate_at(20, 14, {0, 30, 0})}), "plane:0,1,0,7");
     const Plan laid = plan_paths(sheet, {.algorithm = Algorithm::fina, .least_radius = 1});
     EXPECT_EQ(laid.strokes.size(), 1U);
@@ -177,7 +177,7 @@ TEST(components, without_a_source_are_left_out_where_one_is_needed) {
 }
 
 // Against looking at all that is left.
-TEST(in_turn, is_the_nearest_next) {
+TEST(InTurn, IsTheNearestNext) {
     std::mt19937 random(3);
     const auto place = [&] { return Vec3{1.0 * (random() % 9), 1.0 * (random() % 9), 1.0 * (random() % 9)}; };
     for (int trial = 0; trial < 200; ++trial) {

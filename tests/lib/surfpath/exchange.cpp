@@ -92,7 +92,7 @@ std::size_t crossings(const std::vector<Line>& lines) {
 }
 
 // Side by side: two half turns that face each other, half of which is as good as the best.
-TEST(exchange, a_loop_beside_a_line_becomes_part_of_it) {
+TEST(Exchange, ALoopBesideALineBecomesPartOfIt) {
     const Surface s = sheet_to_join_on();
     for (const bool reversed : {false, true}) {
         std::vector<Line> lines{straight(s, 10), circle(s, {20, 21}, 10)};
@@ -112,7 +112,7 @@ TEST(exchange, a_loop_beside_a_line_becomes_part_of_it) {
 }
 
 // A tip that points at a line, and two that point at each other, are better places than any beside straight sides.
-TEST(exchange, tips_are_opened_first) {
+TEST(Exchange, TipsAreOpenedFirst) {
     const Surface s = sheet_to_join_on();
     std::vector<Line> at_line{straight(s, 10), pill(s, {20, 11.5}, 20, std::numbers::pi / 2)};
     const double before = wasted(s, at_line);
@@ -129,7 +129,7 @@ TEST(exchange, tips_are_opened_first) {
 }
 
 // What is to be kept takes in others, but is not taken in; two open lines stay two.
-TEST(exchange, what_is_kept_stays_apart) {
+TEST(Exchange, WhatIsKeptStaysApart) {
     const Surface s = sheet_to_join_on();
     std::vector<Line> lines{circle(s, {20, 20}, 10), circle(s, {20, 20}, 9), circle(s, {20, 20}, 8)};
     EXPECT_EQ(exchange_loops(s, lines, std::vector<char>{1, 0, 1}, {1, 4}).count, 1U);
@@ -143,7 +143,7 @@ TEST(exchange, what_is_kept_stays_apart) {
 }
 
 // Rings about random middles, as deep as there is room, with a line below: one line comes of it, without a crossing.
-TEST(exchange, rings_at_random_become_one) {
+TEST(Exchange, RingsAtRandomBecomeOne) {
     const Surface s = sheet_to_join_on();
     std::mt19937 random(7);
     const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };

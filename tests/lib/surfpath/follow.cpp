@@ -57,7 +57,7 @@ mesh::Mesh tube() {
     return out;
 }
 
-TEST(follow, a_plate_at_any_angle_is_one_path_of_straight_rows) {
+TEST(Follow, APlateAtAnyAngleIsOnePathOfStraightRows) {
     for (const double degrees : kSanitized ? std::vector{30.0} : std::vector{0.0, 30.0, 45.0, 90.0}) {
         const auto sheet = sheet_of(plate());
         Options o = field(degrees * geom::kDegree);
@@ -70,7 +70,7 @@ TEST(follow, a_plate_at_any_angle_is_one_path_of_straight_rows) {
 }
 
 // Where there is no room for wide turns, lines turn at the strip's ends, not before.
-TEST(follow, a_narrow_strip_is_covered_to_its_ends) {
+TEST(Follow, ANarrowStripIsCoveredToItsEnds) {
     for (const double width : {3.0, 5.0}) {
         const auto sheet = sheet_of(surface::grid(50, width, 50, static_cast<int>(width), [](geom::Vec2 p) {
             return Vec3{p.x, p.y, 0};
@@ -83,7 +83,7 @@ TEST(follow, a_narrow_strip_is_covered_to_its_ends) {
 
 // Where there is no room for the margin on either side, a line lies in the middle; narrower than two such there are
 // two.
-TEST(follow, a_strip_as_wide_as_a_line_or_less_is_one_line) {
+TEST(Follow, AStripAsWideAsALineOrLessIsOneLine) {
     for (const double width : {0.6, 0.8, 1.0, 1.8}) {
         const auto sheet = sheet_of(surface::grid(60, width, 60, 1, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
         const Plan p = plan_paths(sheet, field(0));
@@ -96,7 +96,7 @@ TEST(follow, a_strip_as_wide_as_a_line_or_less_is_one_line) {
     }
 }
 
-TEST(follow, lines_alone_cover_all_and_nothing_twice) {
+TEST(Follow, LinesAloneCoverAllAndNothingTwice) {
     const auto sheet = sheet_of(plate());
     Options o = field(25 * geom::kDegree);
     o.turns = RowTurns::none;
@@ -108,7 +108,7 @@ TEST(follow, lines_alone_cover_all_and_nothing_twice) {
 }
 
 // Where directions are no numbers lines go on as they come, and that is told.
-TEST(follow, directions_that_are_no_numbers_are_told) {
+TEST(Follow, DirectionsThatAreNoNumbersAreTold) {
     auto sheet = sheet_of(plate());
     surface::Field given{kDirection, {}, 3};
     for (const Vec3& p : sheet.surface.vertices) {
@@ -137,7 +137,7 @@ TEST(follow, directions_that_are_no_numbers_are_told) {
 }
 
 // Round the tube lines are closed: they become one helix from rim to rim.
-TEST(follow, round_a_tube_is_one_helix) {
+TEST(Follow, RoundATubeIsOneHelix) {
     const auto sheet = sheet_of(tube());
     Options o = field(90 * geom::kDegree);
     o.follow.reference = {0, 0, 1};
@@ -150,7 +150,7 @@ TEST(follow, round_a_tube_is_one_helix) {
 }
 
 // Places decide, not numbers.
-TEST(follow, the_order_of_triangles_does_not_matter) {
+TEST(Follow, TheOrderOfTrianglesDoesNotMatter) {
     FILUM_NOT_SANITIZED();
     auto mesh = plate();
     const Plan one = plan_paths(sheet_of(mesh), field(0.5));
@@ -179,7 +179,7 @@ mesh::Mesh washer(double aside) {
     return out;
 }
 
-TEST(hybrid, rings_alone_are_one_spiral_that_goes_over_at_a_seam) {
+TEST(Hybrid, RingsAloneAreOneSpiralThatGoesOverAtASeam) {
     const auto sheet = sheet_of(washer(0));
     const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
     ASSERT_EQ(p.strokes.size(), 1U);
@@ -191,7 +191,7 @@ TEST(hybrid, rings_alone_are_one_spiral_that_goes_over_at_a_seam) {
 
 // No seam leads over all rings of a small disc, as the innermost are too short: they are joined, one by one, rather
 // than wound from a first ring of which half is left bare.
-TEST(hybrid, rings_of_a_small_disc_are_joined) {
+TEST(Hybrid, RingsOfASmallDiscAreJoined) {
     const auto sheet = sheet_of(surface::grid(2, 2, 40, 40, [](geom::Vec2 p) {
         const double x = p.x - 1, y = p.y - 1; // a square made a disc
         return Vec3{9.7 * x * std::sqrt(1 - y * y / 2), 9.7 * y * std::sqrt(1 - x * x / 2), 0};
@@ -203,7 +203,7 @@ TEST(hybrid, rings_of_a_small_disc_are_joined) {
 
 // A line that cuts off a corner, as far from the other rows as from the others along the rim: the way there would lay
 // twenty times as much twice as it covers.
-TEST(rows, that_are_not_worth_their_way_are_left_out) {
+TEST(Rows, ThatAreNotWorthTheirWayAreLeftOut) {
     const auto sheet = sheet_of(surface::grid(40, 40, 40, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; }));
     const Surface& s = sheet.surface;
     std::vector<Raw> lines;
@@ -229,7 +229,7 @@ TEST(rows, that_are_not_worth_their_way_are_left_out) {
 }
 
 // Where rings about the hole meet those along the rim, lines turn; all is one stroke.
-TEST(hybrid, rings_that_meet_are_one_stroke) {
+TEST(Hybrid, RingsThatMeetAreOneStroke) {
     for (const double aside : kSanitized ? std::vector{4.0} : std::vector{3.0, 4.0, 6.0}) {
         const auto sheet = sheet_of(washer(aside));
         const Plan p = plan_paths(sheet, {.algorithm = Algorithm::hybrid});
@@ -241,7 +241,7 @@ TEST(hybrid, rings_that_meet_are_one_stroke) {
 // A loop that comes nearer to a hole than half a spacing follows the inset there, and stays a loop.
 // 100 degrees of a cone of 20 degrees: lines about its middle hang together as a chain that comes round. It was led to
 // the others by a way along the rim, 32 mm of it twice.
-TEST(hybrid, a_chain_that_comes_round_is_no_way_along_the_rim) {
+TEST(Hybrid, AChainThatComesRoundIsNoWayAlongTheRim) {
     FILUM_NOT_SANITIZED();
     const auto sheet = sheet_of(surface::grid(1, 1, 60, 60, [](geom::Vec2 p) {
         const double slope = 20 * geom::kDegree, a = 100 * geom::kDegree * p.x;
@@ -253,7 +253,7 @@ TEST(hybrid, a_chain_that_comes_round_is_no_way_along_the_rim) {
     EXPECT_LT(fact(p, "transits"), 2 * 2.4);
 }
 
-TEST(rows, a_loop_beside_a_hole_stays_closed) {
+TEST(Rows, ALoopBesideAHoleStaysClosed) {
     const auto sheet = sheet_of(washer(0));
     const Surface& s = sheet.surface;
     for (const double off : {0.0, 0.05, 0.1, 1.0}) { // the middle of the loop from that of the hole, mm
@@ -278,7 +278,7 @@ TEST(rows, a_loop_beside_a_hole_stays_closed) {
 }
 
 // A loop beside a straight line becomes part of it, and nothing of it is lost but what the shifts save.
-TEST(splice, a_loop_becomes_part_of_the_line_beside_it) {
+TEST(Splice, ALoopBecomesPartOfTheLineBesideIt) {
     const auto sheet = sheet_of(plate());
     const Surface& s = sheet.surface;
     const auto place = [&](double x, double y) {

@@ -32,20 +32,20 @@ std::size_t least(const mesh::Mesh& mesh, double cut_length = 50) {
     return least_strokes(s, std::vector<char>(s.components, 1), {1, cut_length});
 }
 
-TEST(least_strokes, of_what_leaves_room_to_come_back_is_one) {
+TEST(LeastStrokes, OfWhatLeavesRoomToComeBackIsOne) {
     EXPECT_EQ(least(surface::grid(60, 40, 60, 40, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; })), 1U);
     EXPECT_EQ(least(surface::grid(200, 1.5, 200, 2, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; })), 1U);
     EXPECT_EQ(least(comb(70, 2)), 1U); // in and out beside each other
 }
 
-TEST(least_strokes, two_for_four_narrow_teeth_three_for_five_and_one_where_the_way_back_is_cheap) {
+TEST(LeastStrokes, TwoForFourNarrowTeethThreeForFiveAndOneWhereTheWayBackIsCheap) {
     EXPECT_EQ(least(comb(70, 1)), 3U);
     EXPECT_EQ(least(comb(40, 1)), 1U); // twice 40 mm is less than what a tooth holds, and 50
     EXPECT_EQ(least(comb(40, 1), 20), 3U);
     EXPECT_EQ(least(comb(70, 1), 100), 1U);
 }
 
-TEST(least_strokes, each_component_takes_one_if_anything_is_laid_there) {
+TEST(LeastStrokes, EachComponentTakesOneIfAnythingIsLaidThere) {
     auto mesh = surface::grid(10, 10, 10, 10, [](geom::Vec2 p) { return Vec3{p.x, p.y, 0}; });
     const auto other = surface::grid(10, 10, 10, 10, [](geom::Vec2 p) { return Vec3{p.x + 20, p.y, 0}; });
     const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -58,7 +58,7 @@ TEST(least_strokes, each_component_takes_one_if_anything_is_laid_there) {
 }
 
 // What is laid keeps to it, and takes one more at most: teeth as wide as a line have one in their middle.
-TEST(least_strokes, are_no_more_than_hybrid_takes_and_one_less_at_least) {
+TEST(LeastStrokes, AreNoMoreThanHybridTakesAndOneLessAtLeast) {
     for (const double tooth : {20.0, 70.0})
         for (const double radius : {0.5, 2.4}) {
             const surface::Sheet sheet{of(comb(tooth, 1)), {}, {}};

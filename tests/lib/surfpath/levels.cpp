@@ -81,7 +81,7 @@ double value(const Facts& facts, const std::string& name) {
     return -1;
 }
 
-TEST(Levels, cover_every_maximum_of_random_bumps) {
+TEST(Levels, CoverEveryMaximumOfRandomBumps) {
     std::mt19937 random(9);
     std::size_t several = 0, tops = 0;
     for (int trial = 0; trial < trials(20); ++trial) {
@@ -112,7 +112,7 @@ TEST(Levels, cover_every_maximum_of_random_bumps) {
 }
 
 // Every line is there once, whatever the levels of its neighbours.
-TEST(Levels, rings_of_neighbouring_branches_keep_apart) {
+TEST(Levels, RingsOfNeighbouringBranchesKeepApart) {
     std::mt19937 random(31);
     std::size_t lines = 0;
     for (int trial = 0; trial < trials(6); ++trial) {

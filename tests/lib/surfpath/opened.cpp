@@ -91,7 +91,7 @@ double opened(const Notes& notes) {
     return out;
 }
 
-TEST(seams, of_a_ball_lead_half_round_it) {
+TEST(Seams, OfABallLeadHalfRoundIt) {
     Notes notes;
     const auto lines = source_lines(seams(closed_sheet(ball(10)), notes));
     ASSERT_EQ(lines.size(), 1U);
@@ -100,7 +100,7 @@ TEST(seams, of_a_ball_lead_half_round_it) {
     EXPECT_NEAR(opened(notes), surface::curve::length(lines[0]), 1e-6);
 }
 
-TEST(seams, of_a_torus_go_round_it_the_short_way_and_do_not_divide_it) {
+TEST(Seams, OfATorusGoRoundItTheShortWayAndDoNotDivideIt) {
     for (const auto& [large, small] : {std::pair{20.0, 5.0}, std::pair{12.0, 9.0}}) {
         Notes notes;
         const auto sheet = closed_sheet(torus(large, small));
@@ -115,7 +115,7 @@ TEST(seams, of_a_torus_go_round_it_the_short_way_and_do_not_divide_it) {
 }
 
 // Only what has neither a rim nor a source needs one.
-TEST(seams, are_only_where_nothing_else_says_where_lines_begin) {
+TEST(Seams, AreOnlyWhereNothingElseSaysWhereLinesBegin) {
     auto mesh = torus(20, 5);
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Vec3 p : {Vec3{100, 0, 0}, Vec3{110, 0, 0}, Vec3{100, 10, 0}}) mesh.vertices.push_back(p);
@@ -129,7 +129,7 @@ TEST(seams, are_only_where_nothing_else_says_where_lines_begin) {
     EXPECT_EQ(notes.size(), 1U);
 }
 
-TEST(opened, closed_surfaces_of_all_kinds_are_one_stroke_of_rings) {
+TEST(Opened, ClosedSurfacesOfAllKindsAreOneStrokeOfRings) {
     struct Case {
         mesh::Mesh mesh;
         Algorithm algorithm;

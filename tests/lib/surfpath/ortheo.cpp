@@ -56,7 +56,7 @@ surface::Sheet sector() {
 
 const Line& line(const Stroke& s) { return s.pieces.at(0).line; }
 
-TEST(ortheo, on_a_rectangle_lines_are_straight_and_go_through_the_seed) {
+TEST(Ortheo, OnARectangleLinesAreStraightAndGoThroughTheSeed) {
     const auto sheet = seeded(grid(20, 30,
                                    [](double u, double v) {
                                        return Vec3{20 * u, 30 * v, 0};
@@ -75,7 +75,7 @@ TEST(ortheo, on_a_rectangle_lines_are_straight_and_go_through_the_seed) {
 
 // The ring widens from 31.4 to 94.2 mm: at least 62 lines are born.  Lines lean only to make room, lie on the surface
 // and cover it.
-TEST(ortheo, on_a_sector_lines_are_born_as_it_widens) {
+TEST(Ortheo, OnASectorLinesAreBornAsItWidens) {
     const auto sheet = sector();
     const Plan plan = ortheo(sheet, {.spacing = 1});
     const double net = fact(plan, "births") - fact(plan, "deaths");
@@ -100,7 +100,7 @@ TEST(ortheo, on_a_sector_lines_are_born_as_it_widens) {
 }
 
 // A cylinder unrolls: nothing is born, and lines are helices of no slope.
-TEST(ortheo, on_a_cylinder_nothing_is_born) {
+TEST(Ortheo, OnACylinderNothingIsBorn) {
     const auto sheet = seeded(grid(30, 30,
                                    [](double u, double v) {
                                        const double a = 2 * u;
@@ -113,7 +113,7 @@ TEST(ortheo, on_a_cylinder_nothing_is_born) {
     for (const Stroke& s : plan.strokes) EXPECT_NEAR(surface::curve::length(line(s)), 30, 1e-6);
 }
 
-TEST(ortheo, what_is_too_short_is_left_out_with_a_note) {
+TEST(Ortheo, WhatIsTooShortIsLeftOutWithANote) {
     const auto sheet = sector();
     const Plan all = ortheo(sheet, {.spacing = 1}), some = ortheo(sheet, {.spacing = 1, .min_length = 25});
     EXPECT_LT(some.strokes.size(), all.strokes.size());
@@ -122,7 +122,7 @@ TEST(ortheo, what_is_too_short_is_left_out_with_a_note) {
     for (const Stroke& s : some.strokes) EXPECT_GT(surface::curve::length(line(s)), 24);
 }
 
-TEST(ortheo, hairpins_lead_all_lines_into_one) {
+TEST(Ortheo, HairpinsLeadAllLinesIntoOne) {
     const auto sheet = seeded(grid(20, 30,
                                    [](double u, double v) {
                                        return Vec3{20 * u, 30 * v, 0};
@@ -133,7 +133,7 @@ TEST(ortheo, hairpins_lead_all_lines_into_one) {
     EXPECT_EQ(fact(plan, "cuts"), 0);
 }
 
-TEST(ortheo, needs_sources) {
+TEST(Ortheo, NeedsSources) {
     const surface::Sheet sheet{grid(2, 2, [](double u, double v) { return Vec3{u, v, 0}; }), {}, {}, {}};
     EXPECT_THROW(ortheo(sheet, {}), Error);
 }

@@ -29,7 +29,7 @@ Options outside_by(Algorithm a, double depth) {
     return out;
 }
 
-TEST(outside, only_rows_turn_there) {
+TEST(Outside, OnlyRowsTurnThere) {
     EXPECT_TRUE(flange(flat_plate(), outside_by(Algorithm::fexa, 2)).has_value());
     EXPECT_FALSE(flange(flat_plate(), outside_by(Algorithm::hybrid, 2)).has_value());
     EXPECT_FALSE(flange(flat_plate(), outside_by(Algorithm::fina, 0)).has_value());
@@ -55,7 +55,7 @@ Options rows_at(double degrees) {
     return out;
 }
 
-TEST(outside, a_line_over_the_rim_is_trimmed_where_it_crosses) {
+TEST(Outside, ALineOverTheRimIsTrimmedWhereItCrosses) {
     const Flange f = flange(flat_plate(), outside_by(Algorithm::fina, 4)).value();
     Plan p;
     const surface::Segment begin = surface::nearest(f.sheet.surface, {15, 10, 0});
@@ -69,7 +69,7 @@ TEST(outside, a_line_over_the_rim_is_trimmed_where_it_crosses) {
     EXPECT_NEAR(found.outside, 3, 1e-9);
 }
 
-TEST(outside, a_plate_is_covered_without_a_turn_on_it) {
+TEST(Outside, APlateIsCoveredWithoutATurnOnIt) {
     for (const double angle : {0.0, 30.0, 45.0}) {
         const Plan on = planned(flat_plate(), rows_at(angle), 6);
         EXPECT_EQ(fact(on, "cuts"), 0);
@@ -80,13 +80,13 @@ TEST(outside, a_plate_is_covered_without_a_turn_on_it) {
     }
 }
 
-TEST(outside, rows_that_cover_nothing_of_the_part_are_left_out) {
+TEST(Outside, RowsThatCoverNothingOfThePartAreLeftOut) {
     const Plan on = planned(flat_plate(), rows_at(0), 8); // 16 mm of flange above and below 20 mm of part
     EXPECT_LT(fact(on, "rows"), 23);
 }
 
 // The second one ends in a vertex of the rim, in a triangle that has no side there.
-TEST(outside, sources_go_on_over_the_flange) {
+TEST(Outside, SourcesGoOnOverTheFlange) {
     for (const auto& [rise, up] : {std::pair(0.0, 7.0), std::pair(0.2, 10.0)}) {
         surface::Sheet sheet = flat_plate();
         for (const surface::Segment& g : surface::section(sheet.surface, {{-rise, 1, 0}, up}))
@@ -106,7 +106,7 @@ TEST(outside, sources_go_on_over_the_flange) {
 
 // A seed that divides a face narrower above and below than in its middle: rows are those of the distance from the seed,
 // and not led towards the flange's own rim, where they would bend beside its corners.
-TEST(outside, rows_stay_straight_where_rims_come_nearer) {
+TEST(Outside, RowsStayStraightWhereRimsComeNearer) {
     Notes notes;
     surface::Sheet sheet{surface::connect(surface::grid(30, 40, 24, 32,
                                                         [](geom::Vec2 p) {

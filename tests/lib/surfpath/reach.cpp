@@ -35,7 +35,7 @@ Surface cells_of(double a, double b, const Within& within, double cell = 0.5) {
 }
 bool anywhere(Vec2) { return true; }
 
-TEST(Reach, of_a_square_leaves_its_corners) {
+TEST(Reach, OfASquareLeavesItsCorners) {
     for (const double radius : {1.0, 2.4, 5.0}) {
         const Reach r = reach(cells_of(30, 30, anywhere), 1, radius);
         const double out = radius + 0.5;
@@ -45,7 +45,7 @@ TEST(Reach, of_a_square_leaves_its_corners) {
     EXPECT_EQ(reach(cells_of(30, 30, anywhere), 1, 0).share(), 1);
 }
 
-TEST(Reach, of_strips_is_nothing_but_round_a_hole_it_is_all) {
+TEST(Reach, OfStripsIsNothingButRoundAHoleItIsAll) {
     EXPECT_EQ(reach(cells_of(60, 5, anywhere), 1, 2.4).reached, 0);
     EXPECT_GT(reach(cells_of(60, 7, anywhere), 1, 2.4).share(), 0.95);
     // A closed way 5 mm wide: its outer corners cannot be turned as tightly, but it hangs together round a hole.
@@ -54,7 +54,7 @@ TEST(Reach, of_strips_is_nothing_but_round_a_hole_it_is_all) {
 }
 
 // A way between two rooms may be narrower than a disc; one that ends may not.
-TEST(Reach, narrow_ways_that_lead_on_are_open) {
+TEST(Reach, NarrowWaysThatLeadOnAreOpen) {
     const auto door = [](Vec2 p) { return std::abs(p.x - 20) > 5 || std::abs(p.y - 8) < 1.5; };
     const auto pocket = [](Vec2 p) { return p.x < 15 || (p.x < 25 && std::abs(p.y - 8) < 1.5); };
     const double out = (4 - pi) * 2.9 * 2.9;
@@ -68,7 +68,7 @@ TEST(Reach, narrow_ways_that_lead_on_are_open) {
     EXPECT_GT(r.surface - r.reached, out + 20);
 }
 
-TEST(Reach, tells_what_is_beyond) {
+TEST(Reach, TellsWhatIsBeyond) {
     const auto comb = [](Vec2 p) { return p.y < 8 || std::fmod(p.x, 5) < 2; };
     Plan plan;
     tell_reach(reach(cells_of(40, 30, comb), 1, 2.4), plan);
@@ -79,7 +79,7 @@ TEST(Reach, tells_what_is_beyond) {
     EXPECT_GT(plan.notes[0].y, 5); // beside a tooth or in it
 }
 
-TEST(Reach, tells_one_case_without_a_place_where_all_is_beyond) {
+TEST(Reach, TellsOneCaseWithoutAPlaceWhereAllIsBeyond) {
     Plan plan;
     tell_reach(reach(cells_of(40, 30, [](Vec2) { return true; }), 90, 2.4), plan);
     ASSERT_EQ(plan.notes.size(), 1U);
@@ -140,7 +140,7 @@ Plan gentle_rings(const Surface& s, double spacing, double radius) {
 
 constexpr double kSamplers = 0.006; // share: what five places a triangle may be off, with as many triangles
 
-TEST(Reach, no_gentle_ring_covers_more_and_it_is_not_far_off) {
+TEST(Reach, NoGentleRingCoversMoreAndItIsNotFarOff) {
     std::mt19937 random(5);
     double bare = 0, left = 0;
     for (int trial = 0; trial < trials(12); ++trial) {
@@ -158,7 +158,7 @@ TEST(Reach, no_gentle_ring_covers_more_and_it_is_not_far_off) {
     EXPECT_GT(bare, 0.02 * trials(12));
 }
 
-TEST(Reach, no_path_of_rings_covers_more_at_the_radius_that_it_keeps) {
+TEST(Reach, NoPathOfRingsCoversMoreAtTheRadiusThatItKeeps) {
     FILUM_NOT_SANITIZED();
     std::mt19937 random(23);
     int laid = 0;

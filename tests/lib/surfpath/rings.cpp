@@ -104,12 +104,12 @@ void check(const surface::Sheet& sheet, const Plan& plan, double least) {
     EXPECT_LT(tight(sheet.surface, plan), 0.01);
 }
 
-TEST_P(Rings, contour_is_one_gentle_path) {
+TEST_P(Rings, ContourIsOneGentlePath) {
     const auto sheet = GetParam().make();
     check(sheet, finished(sheet, Algorithm::geo_contour), GetParam().covered);
 }
 
-TEST_P(Rings, fiso_is_one_gentle_path_that_ends_where_it_began) {
+TEST_P(Rings, FisoIsOneGentlePathThatEndsWhereItBegan) {
     const auto sheet = GetParam().make();
     check(sheet, finished(sheet, Algorithm::geo_fiso), GetParam().covered - 0.03);
 }
@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
              0.92}),
     [](const auto& info) { return info.param.name; });
 
-TEST(geo_fiso, begins_and_ends_side_by_side_at_the_boundary) {
+TEST(GeoFiso, BeginsAndEndsSideBySideAtTheBoundary) {
     const auto s = patch(48, 32, everywhere);
     const Plan plan = geo_fiso(s, {.algorithm = Algorithm::geo_fiso});
     ASSERT_EQ(plan.strokes.size(), 1U);
@@ -159,7 +159,7 @@ TEST(geo_fiso, begins_and_ends_side_by_side_at_the_boundary) {
     EXPECT_LT(from_rim(line.places.back().point), 2.2);
 }
 
-TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
+TEST(GeoContour, LaysLinesASpacingApartAndHalfOfOneFromTheRim) {
     const auto s = patch(48, 32, everywhere);
     const Line line = whole(geo_contour(s, {.algorithm = Algorithm::geo_contour, .spacing = 2}).strokes.at(0));
     double nearest = 100;
@@ -170,7 +170,7 @@ TEST(geo_contour, lays_lines_a_spacing_apart_and_half_of_one_from_the_rim) {
 }
 
 // The last lap runs beside the rim, wherever that is.
-TEST(geo_spiral, ends_half_a_spacing_from_a_rim_that_its_front_meets_at_once) {
+TEST(GeoSpiral, EndsHalfASpacingFromARimThatItsFrontMeetsAtOnce) {
     for (const double radius : {20.2, 20.5, 20.8}) {
         auto s = patch(2 * radius, 2 * radius, everywhere, disc(radius, [](double) { return 0.0; }));
         const Vec3 middle{radius, radius, 0};
@@ -189,7 +189,7 @@ TEST(geo_spiral, ends_half_a_spacing_from_a_rim_that_its_front_meets_at_once) {
 }
 
 // A grid whose vertices lie just where rings should: rings did fall apart there, and nothing was laid.
-TEST(geo_contour, rings_through_vertices_are_whole) {
+TEST(GeoContour, RingsThroughVerticesAreWhole) {
     const auto s = patch(32, 24, everywhere);
     const Plan p = plan_paths(s, {.algorithm = Algorithm::geo_contour, .spacing = 1.6});
     ASSERT_EQ(p.strokes.size(), 1);
@@ -198,7 +198,7 @@ TEST(geo_contour, rings_through_vertices_are_whole) {
     EXPECT_NEAR(1.6 * length, 32 * 24, 0.1 * 32 * 24);
 }
 
-TEST(RingTree, finds_the_nearest_point_of_all_rings) {
+TEST(RingTree, FindsTheNearestPointOfAllRings) {
     std::vector<Ring> rings(3);
     for (std::size_t r = 0; r < rings.size(); ++r) {
         for (int i = 0; i < 40; ++i) {

@@ -45,7 +45,7 @@ Stroke stroke_across(const Surface& s, double y, double from, double to) {
     return {{{surface::curve::join(s, at(from), at(to)), false}}};
 }
 
-TEST(Stagger, what_only_one_way_covers_counts_twice_against_its_length) {
+TEST(Stagger, WhatOnlyOneWayCoversCountsTwiceAgainstItsLength) {
     const Surface s = sheet_of(20, 10);
     // The first way is 10 mm longer: 10 mm2 more, and it covers 10 mm2 that the second one does not.
     const std::vector<Depths> turn{{stroke_across(s, 5.3, 2.3, 17.3), stroke_across(s, 5.3, 2.3, 7.3)}};
@@ -85,7 +85,7 @@ std::vector<Raw> rim_to_rim(const Surface& s, double a, double b, double spacing
     return out;
 }
 
-TEST(Stagger, turns_behind_each_other_lay_less_twice_than_all_at_the_rim) {
+TEST(Stagger, TurnsBehindEachOtherLayLessTwiceThanAllAtTheRim) {
     FILUM_NOT_SANITIZED();
     std::mt19937 random(7);
     const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random()) / 4294967296.0; };
@@ -110,7 +110,7 @@ TEST(Stagger, turns_behind_each_other_lay_less_twice_than_all_at_the_rim) {
 }
 
 // docs/algorithms/surfaces.md, "How little turns can waste": found by a search over all pairs and depths.
-TEST(Stagger, turns_waste_little_more_than_the_best_known_ones) {
+TEST(Stagger, TurnsWasteLittleMoreThanTheBestKnownOnes) {
     FILUM_NOT_SANITIZED();
     constexpr double kEnds = 60,
                      kCorner = 1.3; // mm2: what a corner of the plate leaves bare that no arc of 2.4 reaches

@@ -34,7 +34,7 @@ Row across(double from, double to) {
     return out;
 }
 
-TEST(transit, a_way_along_the_rim_past_both_ends_of_a_row_does_not_take_the_row) {
+TEST(Transit, AWayAlongTheRimPastBothEndsOfARowDoesNotTakeTheRow) {
     Rows rows;
     rows.inset = round_rim();
     rows.rows = {across(1, 1.3), across(0.5, 3), across(1.8, 4)};
@@ -46,7 +46,7 @@ TEST(transit, a_way_along_the_rim_past_both_ends_of_a_row_does_not_take_the_row)
     EXPECT_NEAR(laid, way->length, 0.01);
 }
 
-TEST(transit, a_row_that_is_shorter_than_the_rim_is_taken) {
+TEST(Transit, ARowThatIsShorterThanTheRimIsTaken) {
     Rows rows;
     rows.inset = round_rim();
     rows.rows = {across(0.2, 3), across(0.1, 6), across(3.1, 4.5)};
@@ -59,7 +59,7 @@ TEST(transit, a_row_that_is_shorter_than_the_rim_is_taken) {
 }
 
 // Ten chains on a line, in no order, every other one the wrong way round: one after the other.
-TEST(transit, a_tour_of_many_chains_takes_the_short_ways) {
+TEST(Transit, ATourOfManyChainsTakesTheShortWays) {
     const std::vector<std::uint32_t> place{3, 8, 0, 5, 9, 1, 7, 2, 6, 4}; // along the line
     const auto at = [&](std::size_t end) {
         const bool second = (end % 2 == 1) != (place[end / 2] % 2 == 1);

@@ -12,7 +12,7 @@ using geom::Vec3;
 
 Span bead(std::uint32_t stroke, Vec3 a, Vec3 b) { return {Role::bead, stroke, 0, 0, {a, b}, {1}, {0.2}, {}}; }
 
-TEST(assembly, numbers_strokes_on_and_travels_along_both_axes) {
+TEST(Assembly, NumbersStrokesOnAndTravelsAlongBothAxes) {
     Assembly job({.lift = 4});
     job.begin();
     EXPECT_EQ(job.add(bead(0, {0, 0, 1}, {10, 0, 1})).size(), 1U);
@@ -34,7 +34,7 @@ TEST(assembly, numbers_strokes_on_and_travels_along_both_axes) {
     EXPECT_EQ(job.add(bead(1, {0, 40, 5}, {0, 50, 5}))[0].stroke, 4U);
 }
 
-TEST(assembly, stays_level_between_upright_toolpaths) {
+TEST(Assembly, StaysLevelBetweenUprightToolpaths) {
     Assembly job({.lift = 4});
     job.begin();
     job.add(bead(0, {0, 0, 1}, {10, 0, 1}));
@@ -45,7 +45,7 @@ TEST(assembly, stays_level_between_upright_toolpaths) {
     EXPECT_TRUE(out[0].normals.empty());
 }
 
-TEST(assembly, goes_from_side_to_side_above_all_that_was_laid) {
+TEST(Assembly, GoesFromSideToSideAboveAllThatWasLaid) {
     Assembly job({.lift = 4});
     job.begin();
     job.add(bead(0, {0, 0, 1}, {10, 0, 50})); // a core, 50 high
@@ -66,7 +66,7 @@ TEST(assembly, goes_from_side_to_side_above_all_that_was_laid) {
     }
 }
 
-TEST(assembly, places_what_it_takes) {
+TEST(Assembly, PlacesWhatItTakes) {
     Assembly job({.place = mesh::rigid({90, 0, 0}, {1, 2, 3})}); // y becomes z
     job.begin();
     Span patch = bead(0, {0, 10, 0}, {5, 10, 0});
@@ -81,7 +81,7 @@ TEST(assembly, places_what_it_takes) {
     EXPECT_TRUE(moved.add(bead(1, {0, 0, 1}, {5, 0, 1}))[0].normals.empty()) << "moved only, it stays upright";
 }
 
-TEST(assembly, gives_each_toolpath_its_tool) {
+TEST(Assembly, GivesEachToolpathItsTool) {
     Assembly job({.lift = 4, .tools = {0, 2}});
     std::vector<std::uint32_t> beads, travels;
     for (int k = 0; k < 3; ++k) {

@@ -46,7 +46,7 @@ std::size_t crossings(const surfpath::plan::Plan& plan) {
     return out;
 }
 
-TEST(fina, rows_of_a_rectangle_are_one_path_with_a_gap_of_2_d_at_the_seed) {
+TEST(Fina, RowsOfARectangleAreOnePathWithAGapOf2DAtTheSeed) {
     const auto sheet = measured(rectangle(21, 10), "plane:1,0,0,10.5");
     const auto out = plan(sheet, options(Algorithm::fina));
     ASSERT_EQ(out.strokes.size(), 1U);
@@ -61,13 +61,13 @@ TEST(fina, rows_of_a_rectangle_are_one_path_with_a_gap_of_2_d_at_the_seed) {
     EXPECT_TRUE(out.notes.empty());
 }
 
-TEST(fina, only_one_half_if_the_seed_is_a_rim) {
+TEST(Fina, OnlyOneHalfIfTheSeedIsARim) {
     const auto out = plan(measured(rectangle(21, 10), "plane:1,0,0,0"), options(Algorithm::fina, 2));
     ASSERT_EQ(out.strokes.size(), 1U);
     EXPECT_NEAR(length(out), 10 * 10 + 9 * 2, 0.01);
 }
 
-TEST(fexa, travels_over_a_hole_wherever_a_row_meets_it) {
+TEST(Fexa, TravelsOverAHoleWhereverARowMeetsIt) {
     auto sheet = measured(holed(15.5, 5.3), "plane:1,0,0,0");
     const auto out = plan(sheet, options(Algorithm::fexa));
     EXPECT_EQ(fact(out, "pieces"), 2 * (15 + 5)); // 15 rows a side, 5 of them in two pieces
@@ -82,7 +82,7 @@ TEST(fexa, travels_over_a_hole_wherever_a_row_meets_it) {
 }
 
 // On a cylinder that lies on its side, rows that are equally far from a plane in space bunch on the surface.
-TEST(fexa, spacing_on_the_surface_is_not_kept_but_that_of_fina_is) {
+TEST(Fexa, SpacingOnTheSurfaceIsNotKeptButThatOfFinaIs) {
     const auto half = [](double u, double v) { // radius 10, from the top down to both sides by 80 degrees
         const double a = (2 * u - 1) * 80 * pi / 180;
         return Vec3{10 * std::sin(a), 20 * v, 10 * std::cos(a)};
@@ -92,20 +92,20 @@ TEST(fexa, spacing_on_the_surface_is_not_kept_but_that_of_fina_is) {
     EXPECT_EQ(fact(plan(sheet, options(Algorithm::fexa)), "pieces"), 2 * 9);  // sines up to 9.85
 }
 
-TEST(ortheo, lines_across_a_rectangle) {
+TEST(Ortheo, LinesAcrossARectangle) {
     const auto out = plan(measured(rectangle(20.5, 10), "plane:0,1,0,0"), options(Algorithm::ortheo));
     ASSERT_EQ(out.strokes.size(), 21U); // ceil(20.5)
     EXPECT_EQ(fact(out, "insertions"), 0);
     for (const auto& stroke : out.strokes) EXPECT_GT(length(stroke), 8.99);
 }
 
-TEST(ortheo, both_sides_of_a_seed_curve_inside) {
+TEST(Ortheo, BothSidesOfASeedCurveInside) {
     const auto out = plan(measured(rectangle(20.5, 11), "plane:0,1,0,5.5"), options(Algorithm::ortheo));
     EXPECT_EQ(out.strokes.size(), 42U);
 }
 
 // Lines grow in the middle only, where the seed curve is; what is beside them is said.
-TEST(ortheo, notes_what_lies_beside_its_lines) {
+TEST(Ortheo, NotesWhatLiesBesideItsLines) {
     surface::Sheet sheet = measured(rectangle(20, 10), "plane:0,1,0,0");
     EXPECT_TRUE(plan(sheet, options(Algorithm::ortheo)).notes.empty());
     std::erase_if(sheet.sources.segments, [](const surface::Segment& s) { return std::max(s.a.x, s.b.x) > 10; });
@@ -117,7 +117,7 @@ TEST(ortheo, notes_what_lies_beside_its_lines) {
 }
 
 // Across a ring: the number of lines follows its circumference, but for what halves or doubles at once.
-TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
+TEST(Ortheo, InsertsWhereLinesPartAndEndsWhereTheyMeet) {
     const auto lines = [](double from, double to, const char* rim) {
         return plan(measured(zone(5, from, to), rim), options(Algorithm::ortheo, 0.5));
     };
@@ -137,7 +137,7 @@ TEST(ortheo, inserts_where_lines_part_and_ends_where_they_meet) {
     EXPECT_LE(fact(inwards, "endings"), 40);
 }
 
-TEST(geo_fiso, is_one_path_that_crosses_nowhere) {
+TEST(GeoFiso, IsOnePathThatCrossesNowhere) {
     const auto sheet = measured(rectangle(30, 13), "boundary");
     const auto out = plan(sheet, options(Algorithm::geo_fiso));
     EXPECT_EQ(fact(out, "contours"), 6);
@@ -152,7 +152,7 @@ TEST(geo_fiso, is_one_path_that_crosses_nowhere) {
     EXPECT_EQ(crossings(holes), 0U);
 }
 
-TEST(geo_fiso, leaves_the_void_at_the_maximum_that_the_paper_tells_of) {
+TEST(GeoFiso, LeavesTheVoidAtTheMaximumThatThePaperTellsOf) {
     const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options(Algorithm::geo_fiso));
     double nearest = 1e9; // to the medial axis at y = 6.9, where the last ring is 0.9 away
     for (const auto& p : out.strokes[0].pieces[0].line.places)
@@ -160,7 +160,7 @@ TEST(geo_fiso, leaves_the_void_at_the_maximum_that_the_paper_tells_of) {
     EXPECT_GT(nearest, 0.8);
 }
 
-TEST(geo_contour, winds_into_the_maximum) {
+TEST(GeoContour, WindsIntoTheMaximum) {
     const auto out = plan(measured(rectangle(30, 13.8), "boundary"), options(Algorithm::geo_contour));
     EXPECT_EQ(fact(out, "spirals"), 1);
     EXPECT_EQ(fact(out, "maxima"), 1);
@@ -173,7 +173,7 @@ TEST(geo_contour, winds_into_the_maximum) {
     EXPECT_NEAR(places.back().point.y, 6.9, 0.2); // vertices within 0.1 d of the greatest distance
 }
 
-TEST(geo_contour, parts_at_contours_of_more_than_two_neighbours) {
+TEST(GeoContour, PartsAtContoursOfMoreThanTwoNeighbours) {
     // two rooms of 13 mm with a door of 7 mm
     const auto rooms = [](double u, double v) {
         const double x = 40 * u - 20, open = std::abs(x) < 4 ? 3.5 : std::min(6.5, 3.5 + std::abs(x) - 4);
@@ -188,7 +188,7 @@ TEST(geo_contour, parts_at_contours_of_more_than_two_neighbours) {
     EXPECT_EQ(fiso.strokes.size(), 1U);
 }
 
-TEST(geo_spiral, winds_once_per_level_and_stops_where_they_fall_apart) {
+TEST(GeoSpiral, WindsOncePerLevelAndStopsWhereTheyFallApart) {
     const auto round = plan(measured(zone(40, 1e-4, 0.29), "point:0,0,40"), options(Algorithm::geo_spiral));
     ASSERT_EQ(round.strokes.size(), 1U);
     EXPECT_EQ(fact(round, "levels-laid"), 11); // an arc of 11.6 mm
@@ -211,7 +211,7 @@ TEST(geo_spiral, winds_once_per_level_and_stops_where_they_fall_apart) {
 }
 
 // The fault that the paper names; it must stay measurable.
-TEST(smoothing, takes_the_path_off_curved_surfaces) {
+TEST(Smoothing, TakesThePathOffCurvedSurfaces) {
     const auto sheet = measured(zone(3, 0.2, 1.4), "boundary");
     const auto farthest = [&](const Options& o) {
         double out = 0;
@@ -227,7 +227,7 @@ TEST(smoothing, takes_the_path_off_curved_surfaces) {
     EXPECT_GT(farthest(o), 0.05);
 }
 
-TEST(refusals, say_what_is_missing) {
+TEST(Refusals, SayWhatIsMissing) {
     surface::Sheet bare{rectangle(10, 10), {}, {}, {}};
     for (const Algorithm a :
          {Algorithm::fina, Algorithm::ortheo, Algorithm::geo_fiso, Algorithm::geo_contour, Algorithm::geo_spiral})
@@ -253,7 +253,7 @@ TEST(refusals, say_what_is_missing) {
     EXPECT_NE(refused(row, even, Exit::usage).find("--savgol-degree"), std::string::npos);
 }
 
-TEST(refusals, closed_surfaces_have_no_rim_to_begin_at) {
+TEST(Refusals, ClosedSurfacesHaveNoRimToBeginAt) {
     mesh::Mesh cube;
     for (int i = 0; i < 8; ++i) cube.vertices.push_back({10.0 * (i & 1), 10.0 * (i >> 1 & 1), 10.0 * (i >> 2 & 1)});
     cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
@@ -264,7 +264,7 @@ TEST(refusals, closed_surfaces_have_no_rim_to_begin_at) {
     EXPECT_EQ(plan(sheet, options(Algorithm::geo_spiral)).strokes.size(), 1U);
 }
 
-TEST(components, without_a_source_are_noted_with_their_area) {
+TEST(Components, WithoutASourceAreNotedWithTheirArea) {
     auto two = [] {
         mesh::Mesh m;
         for (const double x : {0.0, 100.0})
@@ -280,7 +280,7 @@ TEST(components, without_a_source_are_noted_with_their_area) {
     EXPECT_EQ(out.notes[0].unit, "mm2");
 }
 
-TEST(components, have_a_tree_each) {
+TEST(Components, HaveATreeEach) {
     mesh::Mesh m;
     for (const double x : {0.0, 100.0}) {
         const Surface s = rectangle(20, 9);

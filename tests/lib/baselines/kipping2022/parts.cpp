@@ -10,7 +10,7 @@
 namespace filum::baselines::kipping2022 {
 namespace {
 
-TEST(smoothed, keeps_polynomials_of_its_degree_up_to_the_ends) {
+TEST(Smoothed, KeepsPolynomialsOfItsDegreeUpToTheEnds) {
     for (const std::size_t degree : {0U, 1U, 2U, 3U, 5U}) {
         const auto value = [&](double x) {
             double sum = 0;
@@ -26,7 +26,7 @@ TEST(smoothed, keeps_polynomials_of_its_degree_up_to_the_ends) {
 }
 
 // The weights in the table of Savitzky and Golay 1964: quadratic, 5 points.
-TEST(smoothed, weighs_as_published) {
+TEST(Smoothed, WeighsAsPublished) {
     Points points(11);
     points[5].x = 35;
     const Points out = smoothed(points, 5, 2);
@@ -34,7 +34,7 @@ TEST(smoothed, weighs_as_published) {
     for (std::size_t i = 0; i < 11; ++i) EXPECT_NEAR(out[i].x, want[i], 1e-9) << i;
 }
 
-TEST(smoothed, cuts_its_window_to_short_lines) {
+TEST(Smoothed, CutsItsWindowToShortLines) {
     const Points points = {{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 1, 0}};
     EXPECT_EQ(smoothed(points, 1, 0), points);
     EXPECT_EQ(smoothed(points, 9, 2), points);
@@ -43,7 +43,7 @@ TEST(smoothed, cuts_its_window_to_short_lines) {
     EXPECT_NEAR(straight[3].y, 2.0 / 3, 1e-12);
 }
 
-TEST(resampled, is_even_along_the_way) {
+TEST(Resampled, IsEvenAlongTheWay) {
     const Points corner = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}};
     const Points out = resampled(corner, false, 0.5);
     ASSERT_EQ(out.size(), 9U);
@@ -56,7 +56,7 @@ TEST(resampled, is_even_along_the_way) {
     EXPECT_EQ(resampled(square, true, 100).size(), 3U);
 }
 
-TEST(seed, chains_segments_and_tells_their_plane) {
+TEST(Seed, ChainsSegmentsAndTellsTheirPlane) {
     const Surface s = rectangle(20, 10);
     Notes notes;
     auto sources = geodesic::choose(s, "plane:1,0.5,0,9", notes);

@@ -50,7 +50,7 @@ Line polyline(const Surface& s, std::span<const Vec3> points, bool closed = fals
     return out;
 }
 
-TEST(walk, is_straight_on_a_plane_and_ends_at_its_rim) {
+TEST(Walk, IsStraightOnAPlaneAndEndsAtItsRim) {
     const Surface s = grid(20, 10, flat);
     const Line line = walk(s, Locator(s).nearest({3, 4, 0}), {2, 1, 5}, 11);
     expect_on_surface(s, line);
@@ -62,7 +62,7 @@ TEST(walk, is_straight_on_a_plane_and_ends_at_its_rim) {
 }
 
 // A cylinder of flat faces unrolls: the straightest line goes on at its angle to the axis.
-TEST(walk, keeps_its_angle_on_a_cylinder) {
+TEST(Walk, KeepsItsAngleOnACylinder) {
     const int n = 40;
     mesh::Mesh m;
     const double wide = 2 * 10 * std::sin(20.0 / n / 10 / 2);
@@ -82,7 +82,7 @@ TEST(walk, keeps_its_angle_on_a_cylinder) {
     expect_on_surface(s, line);
 }
 
-TEST(lay, casts_the_shadow_asked_for) {
+TEST(Lay, CastsTheShadowAskedFor) {
     const Surface s = grid(20, 40, rolled);
     const Place from = Locator(s).nearest(rolled({10, 10}));
     const Chart map = chart(from, surface::normal(s, from.triangle), {1, 0, 0});
@@ -97,7 +97,7 @@ TEST(lay, casts_the_shadow_asked_for) {
     EXPECT_FALSE(lay(s, map, from, away).whole);
 }
 
-TEST(lines, parts_and_places_along_them) {
+TEST(Lines, PartsAndPlacesAlongThem) {
     const Surface s = grid(20, 10, flat);
     const Vec3 square[] = {{2, 2, 0}, {12, 2, 0}, {12, 12, 0}, {2, 12, 0}};
     const Line line = polyline(s, square, true);
@@ -122,7 +122,7 @@ TEST(lines, parts_and_places_along_them) {
     EXPECT_EQ(resampled(line, 1).size(), 40U);
 }
 
-TEST(locator, finds_what_trying_all_finds) {
+TEST(Locator, FindsWhatTryingAllFinds) {
     const Surface s = grid(8, 12, rolled);
     const Locator locator(s);
     std::mt19937 random(5);
@@ -137,7 +137,7 @@ TEST(locator, finds_what_trying_all_finds) {
 }
 
 // A right angle becomes an arc of the radius; how far it moves tells which: r (sqrt 2 - 1).
-TEST(ease, rounds_corners_to_the_radius) {
+TEST(Ease, RoundsCornersToTheRadius) {
     for (const bool bent : {false, true}) {
         const Surface s = grid(30, 60, bent ? rolled : flat);
         std::vector<Vec3> points;
@@ -155,7 +155,7 @@ TEST(ease, rounds_corners_to_the_radius) {
     }
 }
 
-TEST(ease, leaves_what_is_gentle_and_stays_in_its_corridor) {
+TEST(Ease, LeavesWhatIsGentleAndStaysInItsCorridor) {
     const Surface s = grid(30, 30, flat);
     std::vector<Vec3> circle, hairpin;
     for (int i = 0; i < 200; ++i)
@@ -172,7 +172,7 @@ TEST(ease, leaves_what_is_gentle_and_stays_in_its_corridor) {
 }
 
 // A sliver at the rim that lies folded over its neighbour: by angles, half a turn each, normals there cancel.
-TEST(normals, are_there_beside_a_sliver_that_is_folded_over) {
+TEST(Normals, AreThereBesideASliverThatIsFoldedOver) {
     mesh::Mesh mesh;
     mesh.vertices = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1e-9, 0}};
     mesh.triangles = {{0, 3, 2}, {3, 1, 2}, {1, 3, 0}};

@@ -28,7 +28,7 @@ double off_level(const Surface& s, const Surface& raised, double distance) {
     return out;
 }
 
-TEST(raise, of_a_cylinder_is_a_wider_one) {
+TEST(Raise, OfACylinderIsAWiderOne) {
     const auto s = over([](Vec2 p) {
         const double a = p.x / 10;
         return Vec3{10 * std::cos(a), 10 * std::sin(a), p.y};
@@ -39,7 +39,7 @@ TEST(raise, of_a_cylinder_is_a_wider_one) {
     EXPECT_EQ(up.blocked, 0);
 }
 
-TEST(raise, of_waves_lies_at_the_true_distance) {
+TEST(Raise, OfWavesLiesAtTheTrueDistance) {
     std::mt19937 random(3);
     for (int trial = 0; trial < 5; ++trial) {
         const double deep = 0.5 + 0.1 * (random() % 10), fast = 0.3 + 0.05 * (random() % 5);
@@ -51,7 +51,7 @@ TEST(raise, of_waves_lies_at_the_true_distance) {
 }
 
 // A groove with a sharp bottom: along old normals sides would pass through each other.
-TEST(raise, keeps_off_the_other_side_of_a_groove) {
+TEST(Raise, KeepsOffTheOtherSideOfAGroove) {
     const auto s = over([](Vec2 p) { return Vec3{p.x, p.y, std::abs(p.x - 10)}; });
     const auto up = raised(s, 1.2);
     EXPECT_LT(off_level(s, up.surface, 1.2), 0.001);
@@ -59,14 +59,14 @@ TEST(raise, keeps_off_the_other_side_of_a_groove) {
     EXPECT_LT(up.folded, 0.02 * surface::area(s));
 }
 
-TEST(raise, of_a_sharp_ridge_is_round) {
+TEST(Raise, OfASharpRidgeIsRound) {
     const auto s = over([](Vec2 p) { return Vec3{p.x, p.y, -std::abs(p.x - 10)}; });
     const auto up = raised(s, 1.2);
     EXPECT_LT(off_level(s, up.surface, 1.2), 0.001);
     EXPECT_EQ(up.folded, 0);
 }
 
-TEST(raise, as_far_as_each_place_has_it) {
+TEST(Raise, AsFarAsEachPlaceHasIt) {
     const auto s = over([](Vec2 p) {
         const double a = p.x / 10;
         return Vec3{10 * std::cos(a), 10 * std::sin(a), p.y};
@@ -80,7 +80,7 @@ TEST(raise, as_far_as_each_place_has_it) {
     EXPECT_EQ(raised(s, std::vector<double>(s.vertices.size(), 0)).surface.vertices, s.vertices);
 }
 
-TEST(raise, tells_where_there_is_no_room) { // between walls a mm apart
+TEST(Raise, TellsWhereThereIsNoRoom) { // between walls a mm apart
     const auto s = over([](Vec2 p) {
         const double w = p.x - 10;
         return std::abs(w) < 0.5 ? Vec3{w, p.y, 0} : Vec3{w > 0 ? 0.5 : -0.5, p.y, std::abs(w) - 0.5};
@@ -90,7 +90,7 @@ TEST(raise, tells_where_there_is_no_room) { // between walls a mm apart
     EXPECT_GT(up.blocked + up.folded, 100);
 }
 
-TEST(raise, turned_over_twice_is_the_same) {
+TEST(Raise, TurnedOverTwiceIsTheSame) {
     const auto s = over([](Vec2 p) { return Vec3{p.x, p.y, p.x * p.y / 100}; }, 6);
     const auto back = turned_over(s), again = turned_over(back);
     EXPECT_EQ(again.triangles, s.triangles);

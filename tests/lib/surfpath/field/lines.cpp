@@ -64,7 +64,7 @@ bool on_rim(const Surface& s, const surface::curve::Place& p) {
 }
 
 // Lines end at rims only, every stretch lies in its triangle, and there is as much of them as the spacing wants.
-TEST(lines, end_at_rims_and_are_a_spacing_apart_in_the_mean) {
+TEST(Lines, EndAtRimsAndAreASpacingApartInTheMean) {
     std::mt19937 random(3);
     for (int round = 0; round < 12; ++round) {
         const Laid l = laid(rough(random), angle(round * 15 * geom::kDegree), 1);
@@ -87,7 +87,7 @@ TEST(lines, end_at_rims_and_are_a_spacing_apart_in_the_mean) {
 
 // The sides of the lines are told apart by the sign of the stripes at the vertices: an edge is crossed as often as this
 // says.  So lines never cross, and none is lost.
-TEST(lines, part_the_vertices_by_the_sign_of_their_stripes) {
+TEST(Lines, PartTheVerticesByTheSignOfTheirStripes) {
     std::mt19937 random(8);
     const Laid l = laid(rough(random), angle(0.4), 1);
     std::vector<std::size_t> crossed(l.surface.twin.size(), 0);
@@ -116,7 +116,7 @@ TEST(lines, part_the_vertices_by_the_sign_of_their_stripes) {
 
 // Along a strip of any width there are as many lines as fit best, an odd number as well as an even one, and also where
 // they lie just on rows of vertices.
-TEST(lines, along_a_strip_are_as_many_as_fit_best) {
+TEST(Lines, AlongAStripAreAsManyAsFitBest) {
     for (const double width : {1.4, 2.0, 2.3, 3.0, 3.3, 4.0, 4.7, 5.0, 7.4, 11.2}) {
         const auto mesh = surface::grid(30, width, 60, static_cast<int>(std::ceil(2 * width)), [](geom::Vec2 p) {
             return Vec3{p.x, p.y, 0};
@@ -128,7 +128,7 @@ TEST(lines, along_a_strip_are_as_many_as_fit_best) {
 }
 
 // A fan of 60 degrees from 20 to 50 mm: straight rays spread from 21 to 52 of them, so at least 15 pairs are born.
-TEST(lines, are_born_in_twos_where_directions_spread) {
+TEST(Lines, AreBornInTwosWhereDirectionsSpread) {
     auto mesh = surface::grid(1, 30, 60, 40, [](geom::Vec2 p) {
         const double a = geom::kDegree * 60 * (0.5 - p.x), r = 20 + p.y;
         return Vec3{r * std::cos(a), r * std::sin(a), 0};
@@ -155,7 +155,7 @@ TEST(lines, are_born_in_twos_where_directions_spread) {
 }
 
 // Where nothing is wanted tighter, weights stay; where a whirl is wanted, the field gives it up near its middle.
-TEST(directions, bend_no_tighter_than_asked_where_they_can) {
+TEST(Directions, BendNoTighterThanAskedWhereTheyCan) {
     auto mesh = surface::grid(20, 20, 50, 50, [](geom::Vec2 p) { return Vec3{p.x - 10, p.y - 10, 0}; });
     Notes notes;
     surface::Sheet sheet{surface::connect(mesh, notes), {}, {}};
@@ -179,7 +179,7 @@ TEST(directions, bend_no_tighter_than_asked_where_they_can) {
                     std::abs(dot(gentle.along[v], kink.vector(v))) > std::cos(2 * geom::kDegree));
 }
 
-TEST(directions, say_what_is_missing) {
+TEST(Directions, SayWhatIsMissing) {
     Notes notes;
     const surface::Sheet sheet{surface::connect(surface::grid(4, 4, 4, 4,
                                                               [](geom::Vec2 p) {

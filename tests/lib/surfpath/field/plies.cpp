@@ -122,16 +122,16 @@ Found ply(const Revolved& shape, bool uneven) {
     return out;
 }
 
-class plies : public testing::TestWithParam<bool> {};
+class Plies : public testing::TestWithParam<bool> {};
 
-TEST_P(plies, on_a_cylinder_are_helices) {
+TEST_P(Plies, OnACylinderAreHelices) {
     const Found f = ply(cylinder(), GetParam());
     EXPECT_EQ(f.births, 0U);
     EXPECT_LT(f.directions, 0.5);
     EXPECT_LT(f.lines.most, 0.5);
 }
 
-TEST_P(plies, on_a_cone_are_loxodromes) {
+TEST_P(Plies, OnAConeAreLoxodromes) {
     const Found f = ply(cone(), GetParam());
     EXPECT_LT(f.directions, 0.5);
     EXPECT_LT(f.lines.mean, 0.5);
@@ -139,7 +139,7 @@ TEST_P(plies, on_a_cone_are_loxodromes) {
     EXPECT_NEAR(f.spacing, 1, 0.02);
 }
 
-TEST_P(plies, on_a_sphere_are_loxodromes) {
+TEST_P(Plies, OnASphereAreLoxodromes) {
     const Found f = ply(sphere(), GetParam());
     EXPECT_LT(f.directions, 0.5);
     EXPECT_LT(f.lines.mean, 0.5);
@@ -148,7 +148,7 @@ TEST_P(plies, on_a_sphere_are_loxodromes) {
 }
 
 // Of a second ply births lie beside those of the first, and are about as many.
-TEST_P(plies, are_born_apart) {
+TEST_P(Plies, AreBornApart) {
     surface::Sheet sheet{surface_of(fan(), GetParam()), {}, {}};
     const Surface& s = sheet.surface;
     const Cells cells = surface::directions::cells(s);
@@ -170,7 +170,7 @@ TEST_P(plies, are_born_apart) {
     EXPECT_GT(sum, 2 * static_cast<double>(then.size())); // two spacings, in the mean
 }
 
-INSTANTIATE_TEST_SUITE_P(meshes, plies, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Meshes, Plies, testing::Bool());
 
 } // namespace
 } // namespace filum::surfpath::field

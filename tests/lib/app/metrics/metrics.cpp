@@ -63,7 +63,7 @@ std::string rows(const Folder& at) {
     return write_stream(at("rows"), Payload::toolpath, frames, {{"", "wall laid twice", 0.25, "mm", 1}});
 }
 
-TEST(planar, measures_rows_of_known_area) {
+TEST(Planar, MeasuresRowsOfKnownArea) {
     const Folder at;
     Options o;
     o.plane.regions = rectangle(at);
@@ -76,14 +76,14 @@ TEST(planar, measures_rows_of_known_area) {
     EXPECT_EQ(number(figures, "regions"), 1);
 }
 
-TEST(planar, tells_without_outlines_what_needs_none) {
+TEST(Planar, TellsWithoutOutlinesWhatNeedsNone) {
     const Folder at;
     const auto figures = measured(at, {}, rows(at));
     EXPECT_EQ(number(figures, "strokes"), 4);
     EXPECT_FALSE(figures.contains("coverage"));
 }
 
-TEST(planar, takes_the_curves_of_a_fill) {
+TEST(Planar, TakesTheCurvesOfAFill) {
     const Folder at;
     toolpath::RegionPaths p;
     p.z = 0.2;
@@ -100,7 +100,7 @@ TEST(planar, takes_the_curves_of_a_fill) {
     EXPECT_FALSE(figures.contains("stops"));                           // each curve counts by itself
 }
 
-TEST(planar, lists_layers_and_regions_in_files) {
+TEST(Planar, ListsLayersAndRegionsInFiles) {
     const Folder at;
     Options o;
     o.plane.regions = rectangle(at);
@@ -113,7 +113,7 @@ TEST(planar, lists_layers_and_regions_in_files) {
     }
 }
 
-TEST(planar, refuses_what_does_not_go_together) {
+TEST(Planar, RefusesWhatDoesNotGoTogether) {
     const Folder at;
     const std::string input = rows(at);
     Options pores, voids, spacing;
@@ -149,7 +149,7 @@ std::string fibres(const Folder& at) {
     return write_stream(at("fibres"), Payload::toolpath, frames);
 }
 
-TEST(curved, rows_at_one_width_cover_a_plate) {
+TEST(Curved, RowsAtOneWidthCoverAPlate) {
     const Folder at;
     Options o;
     o.surface = plate(at);
@@ -166,7 +166,7 @@ TEST(curved, rows_at_one_width_cover_a_plate) {
     EXPECT_NEAR(*std::max_element(sheet.fields[0].values.begin(), sheet.fields[0].values.end()), 0.5, 0.01);
 }
 
-TEST(curved, refuses_options_of_layers_and_more_than_one_surface) {
+TEST(Curved, RefusesOptionsOfLayersAndMoreThanOneSurface) {
     const Folder at;
     const std::string input = fibres(at);
     Options layers;

@@ -44,7 +44,7 @@ bool apart(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double x, dou
     return parts(grown, b) || parts(b, grown);
 }
 
-TEST(plate, parts_keep_the_asked_distance_and_lie_on_the_bed) {
+TEST(Plate, PartsKeepTheAskedDistanceAndLieOnTheBed) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         std::mt19937 random(seed);
         std::vector<plate::Thing> things;
@@ -69,7 +69,7 @@ TEST(plate, parts_keep_the_asked_distance_and_lie_on_the_bed) {
     }
 }
 
-TEST(plate, a_part_as_large_as_the_bed_fits_and_a_second_one_is_left) {
+TEST(Plate, APartAsLargeAsTheBedFitsAndASecondOneIsLeft) {
     const std::vector<Vec2> square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
     std::vector<plate::Thing> things{{square, 10}};
     EXPECT_TRUE(plate::pack(things, {5, 5, true}, {100.1, 100.1}).left.empty());
@@ -79,7 +79,7 @@ TEST(plate, a_part_as_large_as_the_bed_fits_and_a_second_one_is_left) {
 }
 
 // Three of 95 x 60 fit on 200 x 100 upright alone; four of 140 x 70 on 220 x 220 with one upright beside three.
-TEST(plate, turned_parts_keep_their_distance_too) {
+TEST(Plate, TurnedPartsKeepTheirDistanceToo) {
     struct Try {
         double x, y;
         std::size_t count;
@@ -109,7 +109,7 @@ TEST(plate, turned_parts_keep_their_distance_too) {
     }
 }
 
-TEST(plate, the_head_says_how_far_apart) {
+TEST(Plate, TheHeadSaysHowFarApart) {
     const std::vector<Vec2> square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     const machine::Head head; // carriage 40 x 40, 8 mm above the tip
     const auto of = [&](double a, double b) {

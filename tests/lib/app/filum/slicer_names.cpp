@@ -24,7 +24,7 @@ std::vector<Stage> some_stages() {
 
 Words ours(const Words& theirs) { return translated(theirs, some_stages()).words; }
 
-TEST(slicer_names, options_by_their_names_work) {
+TEST(SlicerNames, OptionsByTheirNamesWork) {
     EXPECT_EQ(ours({"--fill-density", "15%"}), Words{"--infill=15%"});
     EXPECT_EQ(ours({"--fill_density=20"}), Words{"--infill=20%"});
     EXPECT_EQ(ours({"--nozzle", "0.6", "p.stl"}), (Words{"--bead-width=0.6", "p.stl"}));
@@ -39,12 +39,12 @@ TEST(slicer_names, options_by_their_names_work) {
     EXPECT_EQ(ours({"--fill-pattern", "concentric"}), Words{"--infill-pattern=concentric"});
 }
 
-TEST(slicer_names, all_keys_of_the_machine_are_one_option) {
+TEST(SlicerNames, AllKeysOfTheMachineAreOneOption) {
     EXPECT_EQ(ours({"--temperature", "210", "p.stl", "--set", "feeds.bead=40", "--bed-temperature=50"}),
               (Words{"--set=nozzle_temp=210,feeds.bead=40,bed_temp=50", "p.stl"}));
 }
 
-TEST(slicer_names, compensation_and_copies_have_other_names) {
+TEST(SlicerNames, CompensationAndCopiesHaveOtherNames) {
     EXPECT_EQ(ours({"--duplicate", "3", "p.stl"}), (Words{"--copies=3", "p.stl"}));
     const test::Folder at;
     const std::string file = at.write("x.ini", "xy_size_compensation = -0.1\nelefant_foot_compensation = 0.2\n"
@@ -55,7 +55,7 @@ TEST(slicer_names, compensation_and_copies_have_other_names) {
 }
 
 // PrusaSlicer says what is lost in z, OrcaSlicer what is left.
-TEST(slicer_names, shrinkage_of_all_axes_is_one_option) {
+TEST(SlicerNames, ShrinkageOfAllAxesIsOneOption) {
     const test::Folder at;
     const auto load = [&](const char* text) { return ours({"--load", at.write("s.ini", text)}); };
     const std::string xy = "filament_shrinkage_compensation_xy", z = "\nfilament_shrinkage_compensation_z";
@@ -66,18 +66,18 @@ TEST(slicer_names, shrinkage_of_all_axes_is_one_option) {
     EXPECT_EQ(load(("layer_height = 0.2" + z + " = 0%\n").c_str()), Words{"--layer-height=0.2"});
 }
 
-TEST(slicer_names, own_words_stay) {
+TEST(SlicerNames, OwnWordsStay) {
     const Words words{"--infill", "15%", "--unknown", "-o", "x.gcode", "p.stl", "--", "--temperature", "--set=x"};
     EXPECT_EQ(ours(words), words);
 }
 
-TEST(slicer_names, refuses_what_does_not_fit) {
+TEST(SlicerNames, RefusesWhatDoesNotFit) {
     for (const Words& wrong : {Words{"--temperature"}, Words{"--temperature", "hot"}, Words{"--fill-pattern", "stars"},
                                Words{"--scale", "x%"}, Words{"--load"}, Words{"--load", "/nowhere/x.ini"}})
         EXPECT_THROW(ours(wrong), Error) << wrong[0];
 }
 
-TEST(slicer_names, a_file_gives_what_has_a_meaning_and_tells_the_rest) {
+TEST(SlicerNames, AFileGivesWhatHasAMeaningAndTellsTheRest) {
     const test::Folder at;
     const std::string file = at.write("x.ini", "# generated\nlayer_height = 0.3\nfill_density = 25%\nperimeters = 3\n"
                                                "nozzle_diameter = 0.4,0.6\nextrusion_width = 0.45\nraft_layers = 0\n"

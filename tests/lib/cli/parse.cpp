@@ -59,7 +59,7 @@ std::string refusal(const std::vector<std::string>& words) {
     return "";
 }
 
-TEST(parse, binds_every_kind_of_option) {
+TEST(Parse, BindsEveryKindOfOption) {
     Options o;
     Io io;
     EXPECT_EQ(parse_words({"--width", "0.5", "--count=7", "--flag", "--order", "greedy", "--move", "-1,2.5,-3e1",
@@ -78,7 +78,7 @@ TEST(parse, binds_every_kind_of_option) {
     EXPECT_TRUE(io.quiet);
 }
 
-TEST(parse, settings_are_resolved_and_tell_what_was_changed) {
+TEST(Parse, SettingsAreResolvedAndTellWhatWasChanged) {
     Options o;
     Io io;
     parse_words({"--width=0.50", "--count", "3", "--file", "secret"}, o, io);
@@ -91,14 +91,14 @@ TEST(parse, settings_are_resolved_and_tell_what_was_changed) {
     EXPECT_EQ(io.settings[4].value, "0,0,0");
 }
 
-TEST(parse, the_last_of_two_wins) {
+TEST(Parse, TheLastOfTwoWins) {
     Options o;
     Io io;
     parse_words({"--width=0.5", "--width=0.6"}, o, io);
     EXPECT_EQ(o.width, 0.6);
 }
 
-TEST(parse, refuses_what_does_not_fit_and_says_why) {
+TEST(Parse, RefusesWhatDoesNotFitAndSaysWhy) {
     EXPECT_NE(refusal({"--width", "0"}).find("above 0 and at most 10"), std::string::npos);
     EXPECT_NE(refusal({"--width", "11"}), "");
     EXPECT_NE(refusal({"--width", "nan"}), "");
@@ -158,7 +158,7 @@ std::string dependent_refusal(std::vector<std::string> words) {
     return "";
 }
 
-TEST(needs, an_option_without_effect_is_refused_with_what_it_needs) {
+TEST(Needs, AnOptionWithoutEffectIsRefusedWithWhatItNeeds) {
     EXPECT_EQ(dependent_refusal({"--spacing=1"}),
               "cannot use --spacing: it does nothing without --pattern lattice; add that, or leave out --spacing");
     EXPECT_EQ(dependent_refusal({"--spacing=1", "--pattern=lattice"}), "");
@@ -171,27 +171,27 @@ TEST(needs, an_option_without_effect_is_refused_with_what_it_needs) {
     EXPECT_NE(dependent_refusal({"--stagger=1", "--fast", "--surface=x"}).find("with --surface"), std::string::npos);
 }
 
-TEST(needs, a_default_asks_for_nothing) {
+TEST(Needs, ADefaultAsksForNothing) {
     EXPECT_EQ(dependent_refusal({"--spacing=0", "--angle=0", "--stagger=0"}), "");
     EXPECT_NE(dependent_refusal({"--spacing=0.05", "--pattern=lattice"}).find("0, or at least 0.1 and at most 9"),
               std::string::npos);
 }
 
-TEST(needs, stand_in_help_and_contract) {
+TEST(Needs, StandInHelpAndContract) {
     Dependent o;
     EXPECT_NE(help(dependent(o)).find("(with --spacing or --fast, not with --surface)"), std::string::npos);
     EXPECT_NE(contract(dependent(o)).find("needs stagger spacing/fast !surface\n"), std::string::npos);
     EXPECT_NE(contract(dependent(o)).find("range spacing 0.1 9 zero\n"), std::string::npos);
 }
 
-TEST(parse, suggests_what_was_meant) {
+TEST(Parse, SuggestsWhatWasMeant) {
     EXPECT_NE(refusal({"--witdh=1"}).find("did you mean '--width'?"), std::string::npos);
     EXPECT_NE(refusal({"-width", "1"}).find("'-width'"), std::string::npos);
     EXPECT_NE(refusal({"--order=gredy"}).find("did you mean 'greedy'?"), std::string::npos);
     EXPECT_NE(refusal({"--zzzzzzz"}).find("see 'stage --help'"), std::string::npos);
 }
 
-TEST(parse, random_words_are_refused_or_taken_never_worse) {
+TEST(Parse, RandomWordsAreRefusedOrTakenNeverWorse) {
     std::mt19937 random(3);
     const std::vector<std::string> words{"--width",      "--width=1",    "=",       "--",  "-",   "-1",
                                          "--move=1,2,3", "\xff\xfe",     "--count", "-o",  "x",   "-q",
@@ -209,7 +209,7 @@ TEST(parse, random_words_are_refused_or_taken_never_worse) {
     }
 }
 
-TEST(document, every_option_is_in_every_document) {
+TEST(Document, EveryOptionIsInEveryDocument) {
     Options o;
     const Spec s = spec(o);
     for (const std::string& text : {help(s), markdown(s), completion_line(s)})
@@ -221,7 +221,7 @@ TEST(document, every_option_is_in_every_document) {
     EXPECT_NE(contract(s).find("\nflag flag\n"), std::string::npos);
 }
 
-TEST(document, help_lines_are_at_most_100_wide) {
+TEST(Document, HelpLinesAreAtMost100Wide) {
     Options o;
     const std::string text = help(spec(o));
     for (std::size_t at = 0; at < text.size();) {
@@ -231,14 +231,14 @@ TEST(document, help_lines_are_at_most_100_wide) {
     }
 }
 
-TEST(document, no_line_of_the_manual_page_is_a_request_by_accident) {
+TEST(Document, NoLineOfTheManualPageIsARequestByAccident) {
     Options o;
     const std::string page = man_page(spec(o));
     EXPECT_NE(page.find("\n\\&.Another, \\(dqquoted\\(dq"), std::string::npos) << page;
     EXPECT_NE(page.find("roff\\eminds"), std::string::npos);
 }
 
-TEST(header, histories_are_joined_with_their_parents) {
+TEST(Header, HistoriesAreJoinedWithTheirParents) {
     Io io;
     io.program = "join";
     io.settings = {{"a", "1", true}};
@@ -252,7 +252,7 @@ TEST(header, histories_are_joined_with_their_parents) {
     EXPECT_EQ(h.history[3].parents, (std::vector<std::uint32_t>{1, 2}));
 }
 
-TEST(parse, an_old_name_is_answered_with_the_new_one) {
+TEST(Parse, AnOldNameIsAnsweredWithTheNewOne) {
     const std::vector<std::string> names{"min-radius", "spacing"};
     EXPECT_EQ(in_our_words("least-radius", names), "; here it is '--min-radius'");
     EXPECT_EQ(in_our_words("least-area", names), "");

@@ -26,7 +26,7 @@ std::string by_printf(double v, int decimals) {
     return out == "-0" ? "0" : out;
 }
 
-TEST(fixed_text, is_printf_without_the_zeros) {
+TEST(FixedText, IsPrintfWithoutTheZeros) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int i = 0; i < 200'000; ++i) {
@@ -41,7 +41,7 @@ TEST(fixed_text, is_printf_without_the_zeros) {
     }
 }
 
-TEST(fixed_text, has_no_exponent_no_minus_zero_and_no_useless_zeros) {
+TEST(FixedText, HasNoExponentNoMinusZeroAndNoUselessZeros) {
     EXPECT_EQ(fixed_text(-0.0, 3), "0");
     EXPECT_EQ(fixed_text(-1e-9, 3), "0");
     EXPECT_EQ(fixed_text(1e-9, 9), "0.000000001");
@@ -52,7 +52,7 @@ TEST(fixed_text, has_no_exponent_no_minus_zero_and_no_useless_zeros) {
     EXPECT_EQ(fixed_text(-1e17, 2), "-100000000000000000");
 }
 
-TEST(shortest_text, reads_back_as_the_same_value) {
+TEST(ShortestText, ReadsBackAsTheSameValue) {
     std::mt19937_64 random(2);
     for (int i = 0; i < 100'000; ++i) {
         const double v = std::bit_cast<double>(random());
@@ -63,14 +63,14 @@ TEST(shortest_text, reads_back_as_the_same_value) {
     }
 }
 
-TEST(parse_number, takes_whole_numbers_of_any_form_and_nothing_else) {
+TEST(ParseNumber, TakesWholeNumbersOfAnyFormAndNothingElse) {
     EXPECT_EQ(parse_number("1.5", "x"), 1.5);
     EXPECT_EQ(parse_number("-2e-3", "x"), -0.002);
     for (const char* bad : {"", " 1", "1 ", "1,5", "nan", "inf", "1e999", "0x10", "--1", "one"})
         EXPECT_THROW(parse_number(bad, "x"), Error) << bad;
 }
 
-TEST(shell_word, quotes_only_what_needs_it) {
+TEST(ShellWord, QuotesOnlyWhatNeedsIt) {
     EXPECT_EQ(shell_word("part.stl"), "part.stl");
     EXPECT_EQ(shell_word("--a=1,2"), "--a=1,2");
     EXPECT_EQ(shell_word("a b"), "'a b'");

@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-TEST(front, refuses_what_is_no_command) {
+TEST(Front, RefusesWhatIsNoCommand) {
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"nonsense"}, {""}, {"filum"}, {"../bin/sh"}, {"/bin/sh"}, {"help", "nonsense"}}) {
         const Refusal r = refusal([&] { front(words); });
@@ -18,7 +18,7 @@ TEST(front, refuses_what_is_no_command) {
     for (const char* alone : {"list", "env"}) EXPECT_EQ(refusal([&] { front({alone, "more"}); }).exit, 2) << alone;
 }
 
-TEST(stage, a_program_that_tells_nothing_is_none) {
+TEST(Stage, AProgramThatTellsNothingIsNone) {
     // the stages are sought beside this program: whatever stands there may be asked, but must answer
     const std::string name = "mute-" + std::to_string(::getpid()), file = stage_folder() + "/" + name;
     std::ofstream(file) << "#!/bin/sh\necho hello\n";

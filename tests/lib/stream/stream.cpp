@@ -71,7 +71,7 @@ std::vector<RawFrame> random_frames(unsigned seed) {
     return frames;
 }
 
-TEST(stream, random_frames_come_out_as_they_went_in) {
+TEST(Stream, RandomFramesComeOutAsTheyWentIn) {
     const std::string path = temporary("round");
     for (unsigned seed = 0, n = trials(30); seed < n; ++seed) {
         const auto frames = random_frames(seed);
@@ -86,7 +86,7 @@ TEST(stream, random_frames_come_out_as_they_went_in) {
     }
 }
 
-TEST(stream, the_header_comes_out_as_it_went_in) {
+TEST(Stream, TheHeaderComesOutAsItWentIn) {
     const std::string path = temporary("header");
     write(path, {});
     const Reader reader(path, Payload::layers);
@@ -100,7 +100,7 @@ TEST(stream, the_header_comes_out_as_it_went_in) {
     EXPECT_EQ(h.history[1].parents, std::vector<std::uint32_t>{0});
 }
 
-TEST(stream, cut_at_any_byte_it_is_truncated) {
+TEST(Stream, CutAtAnyByteItIsTruncated) {
     const std::string path = temporary("cut");
     const std::string whole = write(path, {{Tag::layer, std::string(40, 'a')}, {Tag::note, "n"}, {Tag::layer, ""}});
     for (std::size_t n = 0; n < whole.size(); ++n) {
@@ -109,7 +109,7 @@ TEST(stream, cut_at_any_byte_it_is_truncated) {
     }
 }
 
-TEST(stream, any_flipped_bit_is_noticed) {
+TEST(Stream, AnyFlippedBitIsNoticed) {
     const std::string path = temporary("bit");
     const std::string whole = write(path, {{Tag::layer, std::string(40, 'a')}, {Tag::note, "n"}, {Tag::layer, ""}});
     for (std::size_t n = 0; n < whole.size(); ++n) {
@@ -123,7 +123,7 @@ TEST(stream, any_flipped_bit_is_noticed) {
     }
 }
 
-TEST(stream, frames_lost_swapped_or_repeated_are_noticed) {
+TEST(Stream, FramesLostSwappedOrRepeatedAreNoticed) {
     const std::string path = temporary("lost");
     const RawFrame a{Tag::layer, "first"}, b{Tag::layer, "other"};
     const std::string whole = write(path, {a, b});
@@ -140,7 +140,7 @@ TEST(stream, frames_lost_swapped_or_repeated_are_noticed) {
     EXPECT_EQ(verdict(path), 0);
 }
 
-TEST(stream, false_lengths_cost_no_memory) {
+TEST(Stream, FalseLengthsCostNoMemory) {
     const std::string path = temporary("long");
     const auto with = [&](std::uint64_t length, std::uint64_t inner) {
         std::string s = preamble();
@@ -160,7 +160,7 @@ TEST(stream, false_lengths_cost_no_memory) {
     EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 20'000); // kB
 }
 
-TEST(stream, tags_that_only_look_right_after_truncation_are_refused) {
+TEST(Stream, TagsThatOnlyLookRightAfterTruncationAreRefused) {
     const std::string path = temporary("tag");
     std::string inner;
     append_varint(inner, (std::uint64_t{1} << 32 | 1) << 3 | 2);
@@ -171,7 +171,7 @@ TEST(stream, tags_that_only_look_right_after_truncation_are_refused) {
     EXPECT_EQ(verdict(path), 3);
 }
 
-TEST(stream, another_payload_is_refused_by_name) {
+TEST(Stream, AnotherPayloadIsRefusedByName) {
     const std::string path = temporary("payload");
     write(path, {});
     try {
@@ -183,19 +183,19 @@ TEST(stream, another_payload_is_refused_by_name) {
     }
 }
 
-TEST(stream, a_frame_of_another_kind_is_refused) {
+TEST(Stream, AFrameOfAnotherKindIsRefused) {
     const std::string path = temporary("kind");
     write(path, {{Tag::span, "x"}});
     EXPECT_EQ(verdict(path), 3);
 }
 
-TEST(stream, history_that_refers_forward_is_refused) {
+TEST(Stream, HistoryThatRefersForwardIsRefused) {
     Header h = header();
     h.history[0].parents = {0};
     EXPECT_THROW(parse_header(serialise(h)), Error);
 }
 
-TEST(stream, notes_come_out_as_they_went_in) {
+TEST(Stream, NotesComeOutAsTheyWentIn) {
     const Note note{"slice", "gap closed", 0.25, "mm", 3, 7, 1.5, std::nan("")};
     const Note got = parse_note(serialise(note));
     EXPECT_EQ(got.stage, note.stage);
@@ -213,7 +213,7 @@ TEST(stream, notes_come_out_as_they_went_in) {
 }
 
 // Streams that were written before notes had a z.
-TEST(stream, a_note_without_z_has_none) {
+TEST(Stream, ANoteWithoutZHasNone) {
     const std::string old("\x0a\x01s\x12\x01w\x19\0\0\0\0\0\0\xf0\x3f\x28\x01\x39\0\0\0\0\0\0\xf0\x3f", 26);
     const Note got = parse_note(old);
     EXPECT_EQ(got.stage, "s");
@@ -222,7 +222,7 @@ TEST(stream, a_note_without_z_has_none) {
     EXPECT_TRUE(std::isnan(got.z));
 }
 
-TEST(sink, a_named_file_appears_only_by_commit) {
+TEST(Sink, ANamedFileAppearsOnlyByCommit) {
     const std::string path = temporary("sink");
     {
         Sink sink(path, Sink::Content::text);
@@ -236,7 +236,7 @@ TEST(sink, a_named_file_appears_only_by_commit) {
     EXPECT_EQ(bytes_of(path), "whole");
 }
 
-TEST(sink, a_link_is_written_through) {
+TEST(Sink, ALinkIsWrittenThrough) {
     const std::string path = temporary("real"), link = temporary("link");
     put(path, "old");
     std::filesystem::remove(link);
@@ -254,7 +254,7 @@ void write(const std::string& path, const std::string& text) {
     sink.commit();
 }
 
-TEST(sink, a_link_to_nothing_yet_is_followed) {
+TEST(Sink, ALinkToNothingYetIsFollowed) {
     const std::string path = temporary("later"), link = temporary("dangling"), second = temporary("dangling2");
     for (const auto& name : {path, link, second}) std::filesystem::remove(name);
     std::filesystem::create_symlink(std::filesystem::path(path).filename(), link); // relative to its own folder
@@ -265,7 +265,7 @@ TEST(sink, a_link_to_nothing_yet_is_followed) {
     EXPECT_EQ(bytes_of(path), "new");
 }
 
-TEST(sink, links_in_a_circle_are_an_error) {
+TEST(Sink, LinksInACircleAreAnError) {
     const std::string link = temporary("circle");
     std::filesystem::remove(link);
     std::filesystem::create_symlink(link, link);
@@ -273,7 +273,7 @@ TEST(sink, links_in_a_circle_are_an_error) {
     EXPECT_TRUE(std::filesystem::is_symlink(link));
 }
 
-TEST(sink, a_file_that_is_replaced_keeps_who_may_read_it) {
+TEST(Sink, AFileThatIsReplacedKeepsWhoMayReadIt) {
     const std::string path = temporary("secret");
     for (const int mode : {0600, 0640, 0644, 0755}) {
         put(path, "old");
@@ -293,7 +293,7 @@ TEST(sink, a_file_that_is_replaced_keeps_who_may_read_it) {
     EXPECT_EQ(info.st_mode & 0777, static_cast<mode_t>(0640));
 }
 
-TEST(sink, what_is_open_already_is_written_to_and_not_replaced) {
+TEST(Sink, WhatIsOpenAlreadyIsWrittenToAndNotReplaced) {
     const std::string path = temporary("open");
     put(path, "first ");
     const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND);

@@ -14,7 +14,7 @@ const std::vector<Stage> kStages{{"slice", "", "", "", "", {{"height", true}, {"
 
 using Lists = std::vector<std::vector<std::string>>;
 
-TEST(route, options_go_to_all_that_have_them_own_ones_last) {
+TEST(Route, OptionsGoToAllThatHaveThemOwnOnesLast) {
     const auto r =
         route({"--fill.height=2", "part.stl", "--height", "-1", "--fast", "--width=0.4", "-o", "x"}, kStages);
     EXPECT_EQ(r.arguments, (Lists{{"--height=-1", "--fast"}, {"--height=-1", "--width=0.4", "--height=2"}}));
@@ -22,7 +22,7 @@ TEST(route, options_go_to_all_that_have_them_own_ones_last) {
     EXPECT_EQ(r.output, "x");
 }
 
-TEST(route, machine_is_the_head_to_keep_clear_of_unless_another_is_given) {
+TEST(Route, MachineIsTheHeadToKeepClearOfUnlessAnotherIsGiven) {
     const std::vector<Stage> stages{{"sequence", "", "", "", "", {{"head", true}}},
                                     {"link3d", "", "", "", "", {{"head", true}}},
                                     {"postproc", "", "", "", "", {{"machine", true}}}};
@@ -35,7 +35,7 @@ TEST(route, machine_is_the_head_to_keep_clear_of_unless_another_is_given) {
               (Lists{{"--head=none"}, {"--head=bio"}, {"--machine=bio"}}));
 }
 
-TEST(route, an_option_for_all_goes_where_it_does_something) {
+TEST(Route, AnOptionForAllGoesWhereItDoesSomething) {
     const std::vector<Stage> stages{
         {"fill", "", "", "", "", {{"method", true, "cyc", ""}, {"shift", true, "1", "method=paper"}}},
         {"link", "", "", "", "", {{"links", true, "free", ""}, {"shift", true, "1", "links=paper"}}}};
@@ -48,13 +48,13 @@ TEST(route, an_option_for_all_goes_where_it_does_something) {
     EXPECT_EQ(given({"--fill.shift=2"}), (Lists{{"--shift=2"}, {}}));
 }
 
-TEST(route, behind_two_dashes_all_are_names) {
+TEST(Route, BehindTwoDashesAllAreNames) {
     EXPECT_EQ(route({"--", "--fast"}, kStages).inputs, std::vector<std::string>{"--fast"});
     EXPECT_EQ(route({"--fast", "--", "-o"}, kStages).inputs, std::vector<std::string>{"-o"});
     EXPECT_EQ(route({"a", "--", "--b", "c"}, kStages).inputs, (std::vector<std::string>{"a", "--b", "c"}));
 }
 
-TEST(route, suggests_what_was_meant) {
+TEST(Route, SuggestsWhatWasMeant) {
     const auto why = [](const std::vector<std::string>& words) -> std::string {
         try {
             route(words, kStages);
@@ -69,7 +69,7 @@ TEST(route, suggests_what_was_meant) {
     EXPECT_NE(why({"-height"}).find("did you mean '--height'?"), std::string::npos);
 }
 
-TEST(route, refuses_what_is_nobodys) {
+TEST(Route, RefusesWhatIsNobodys) {
     for (const auto& words : std::vector<std::vector<std::string>>{{"--nothing"},
                                                                    {"--slice.width=1"},
                                                                    {"--other.width=1"},
@@ -88,7 +88,7 @@ TEST(route, refuses_what_is_nobodys) {
     }
 }
 
-TEST(verdict, is_the_first_that_failed_by_itself) {
+TEST(Verdict, IsTheFirstThatFailedByItself) {
     const Ended fine{}, pipe{128 + SIGPIPE, true}, cut{4, false}, bad{3, false}, killed{128 + SIGKILL, true};
     std::size_t who = 9;
     EXPECT_EQ(verdict({fine, fine}, who), 0);
@@ -102,7 +102,7 @@ TEST(verdict, is_the_first_that_failed_by_itself) {
     EXPECT_EQ(who, 2U);
 }
 
-TEST(process, pipes_carry_data_and_codes_come_back) {
+TEST(Process, PipesCarryDataAndCodesComeBack) {
     const auto ended = run_piped({{"/bin/sh", "-c", "echo data; exit 3"}, {"/bin/sh", "-c", "grep -q data"}});
     ASSERT_EQ(ended.size(), 2U);
     EXPECT_EQ(ended[0].code, 3);

@@ -29,7 +29,7 @@ const stream::Setting* setting(const stream::Header& h, const std::string& name)
     return nullptr;
 }
 
-TEST(geodesic, measures_from_a_corner_of_a_mesh_file) {
+TEST(Geodesic, MeasuresFromACornerOfAMeshFile) {
     const Folder at;
     Options o;
     o.source = "vertex:0";
@@ -42,7 +42,7 @@ TEST(geodesic, measures_from_a_corner_of_a_mesh_file) {
     EXPECT_EQ(find(all.told.facts, "geodesic", "area")->value, 4);
 }
 
-TEST(geodesic, knows_its_input_by_content_not_by_name) {
+TEST(Geodesic, KnowsItsInputByContentNotByName) {
     const Folder at;
     Stream one, other;
     made(at, {}, at.write("part.off", kSquare), &one);
@@ -55,7 +55,7 @@ TEST(geodesic, knows_its_input_by_content_not_by_name) {
     EXPECT_NE(setting(one.told.header, "input_crc32c")->value, setting(other.told.header, "input_crc32c")->value);
 }
 
-TEST(geodesic, measures_a_stream_again_and_its_old_facts_go) {
+TEST(Geodesic, MeasuresAStreamAgainAndItsOldFactsGo) {
     const Folder at;
     Options corner, opposite;
     corner.source = "vertex:0";
@@ -72,7 +72,7 @@ TEST(geodesic, measures_a_stream_again_and_its_old_facts_go) {
     EXPECT_EQ(all.told.header.history.size(), 2U);
 }
 
-TEST(geodesic, cuts_and_says_which_lines_go) {
+TEST(Geodesic, CutsAndSaysWhichLinesGo) {
     const Folder at;
     Options lines;
     lines.source = "vertex:0", lines.measure.levels = {0.5, 1};
@@ -91,7 +91,7 @@ TEST(geodesic, cuts_and_says_which_lines_go) {
                                                "source of the surface before dropped 1"}));
 }
 
-TEST(geodesic, takes_sources_from_files) {
+TEST(Geodesic, TakesSourcesFromFiles) {
     const Folder at;
     Options o;
     o.lines = at.write("line.txt", "0 0 0\n0 2 0\n"); // the side x = 0
@@ -107,7 +107,7 @@ TEST(geodesic, takes_sources_from_files) {
         EXPECT_NEAR(split.fields.at(0).values[i], std::abs(split.surface.vertices[i].x - 1), 1e-6) << i;
 }
 
-TEST(geodesic, refuses_what_has_no_sense) {
+TEST(Geodesic, RefusesWhatHasNoSense) {
     const Folder at;
     const std::string mesh = at.write("part.off", kSquare);
     Options levels, sides, inches;

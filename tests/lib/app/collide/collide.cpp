@@ -14,7 +14,7 @@ std::string strokes(const Folder& at) {
     return write_stream(at("strokes"), Payload::toolpath, frames(two_strokes()), {{"", "wall laid twice", 1, "mm", 1}});
 }
 
-TEST(collide, passes_on_unchanged_what_meets_nothing) {
+TEST(Collide, PassesOnUnchangedWhatMeetsNothing) {
     const Folder at;
     Options o;
     o.bed = true;
@@ -29,7 +29,7 @@ TEST(collide, passes_on_unchanged_what_meets_nothing) {
 }
 
 // A post of 5 mm between the strokes: the head's flat passes at 0.2 mm, and the travel goes through it.
-TEST(collide, a_part_in_the_way_is_an_error_with_its_place) {
+TEST(Collide, APartInTheWayIsAnErrorWithItsPlace) {
     const Folder at;
     Options o;
     o.part = box(at, "post.off", {19, -1, 0}, {21, 1, 5});
@@ -42,7 +42,7 @@ TEST(collide, a_part_in_the_way_is_an_error_with_its_place) {
     EXPECT_GE(std::count(places.begin(), places.end(), '\n'), 2);
 }
 
-TEST(collide, goes_on_with_a_note_if_it_is_not_strict) {
+TEST(Collide, GoesOnWithANoteIfItIsNotStrict) {
     const Folder at;
     Options o;
     o.fixture = box(at, "post.off", {19, -1, 0}, {21, 1, 5});
@@ -59,7 +59,7 @@ TEST(collide, goes_on_with_a_note_if_it_is_not_strict) {
     EXPECT_TRUE(known);
 }
 
-TEST(collide, checks_a_program_by_its_lines_alone) {
+TEST(Collide, ChecksAProgramByItsLinesAlone) {
     const Folder at;
     Options o;
     o.machine = "marlin";
@@ -84,7 +84,7 @@ TEST(collide, checks_a_program_by_its_lines_alone) {
     EXPECT_EQ(figure("collisions"), 0);
 }
 
-TEST(collide, refuses_what_does_not_go_together) {
+TEST(Collide, RefusesWhatDoesNotGoTogether) {
     const Folder at;
     const std::string input = strokes(at);
     Options no_machine, bead, empty_name, changes, two;
@@ -106,7 +106,7 @@ TEST(collide, refuses_what_does_not_go_together) {
     EXPECT_FALSE(at.has("out"));
 }
 
-TEST(collide, refuses_places_beyond_all_machines) {
+TEST(Collide, RefusesPlacesBeyondAllMachines) {
     const Folder at;
     auto far = two_strokes();
     far[2].points[1].x = 2e7;

@@ -9,7 +9,7 @@ namespace filum::stream {
 namespace {
 
 // RFC 3720, appendix B.4.
-TEST(crc32c, known_answers) {
+TEST(Crc32c, KnownAnswers) {
     std::string zeros(32, '\0'), ones(32, '\xff'), up, down;
     for (int i = 0; i < 32; ++i) {
         up.push_back(static_cast<char>(i));
@@ -33,7 +33,7 @@ std::uint32_t bit_by_bit(const std::string& s) {
 }
 
 // Sizes around the lanes of the fast path, and any split of the bytes.
-TEST(crc32c, equals_the_definition_whole_and_in_pieces) {
+TEST(Crc32c, EqualsTheDefinitionWholeAndInPieces) {
     std::mt19937 random(1);
     for (const std::size_t size : {1U, 7U, 8U, 9U, 4095U, 12287U, 12288U, 12289U, 40000U}) {
         std::string s(size, '\0');

@@ -51,7 +51,7 @@ std::vector<std::string> names(const std::vector<surface::Sheet>& all) {
     return out;
 }
 
-TEST(partition, divides_a_roof_along_its_ridge) {
+TEST(Partition, DividesARoofAlongItsRidge) {
     const Folder at;
     Stream all;
     const auto found = patches(at, {}, {write_roof(at, "roof")}, &all);
@@ -67,7 +67,7 @@ TEST(partition, divides_a_roof_along_its_ridge) {
     EXPECT_EQ(all.told.header.expected, 2U);
 }
 
-TEST(partition, takes_several_streams_and_leaves_what_has_a_name) {
+TEST(Partition, TakesSeveralStreamsAndLeavesWhatHasAName) {
     const Folder at;
     const auto first = patches(at, {}, {write_roof(at, "roof")});
     std::filesystem::rename(at("out"), at("patches"));
@@ -87,7 +87,7 @@ TEST(partition, takes_several_streams_and_leaves_what_has_a_name) {
     for (const auto& [name, n] : count) EXPECT_EQ(n, 1) << name;
 }
 
-TEST(partition, writes_only_what_is_asked_for) {
+TEST(Partition, WritesOnlyWhatIsAskedFor) {
     const Folder at;
     Options o;
     o.only = "B";
@@ -96,7 +96,7 @@ TEST(partition, writes_only_what_is_asked_for) {
     EXPECT_EQ(refusal([&] { patches(at, o, {at("roof")}); }).exit, 2);
 }
 
-TEST(partition, borders_by_lines_in_a_file) {
+TEST(Partition, BordersByLinesInAFile) {
     const Folder at;
     Options o;
     o.seam = at.write("seam.txt", "0 2 0\n4 2 0\n"); // across the level side

@@ -150,7 +150,7 @@ void each_value(const Message& m, const std::function<void(const FieldDescriptor
     }
 }
 
-TEST(record, holds_every_value_of_its_frame) {
+TEST(Record, HoldsEveryValueOfItsFrame) {
     for (const auto& raw : frames()) {
         Walk found;
         found(record(raw));
@@ -184,7 +184,7 @@ void each_field(const Descriptor* d, const std::function<void(const FieldDescrip
 }
 
 // A field that is new in a message must be in frames() above; then this says whether records show it.
-TEST(record, names_every_field_of_its_message) {
+TEST(Record, NamesEveryFieldOfItsMessage) {
     const std::map<std::string, std::string> shown_as{
         {"filum.proto.Loops.start", "loop"},        {"filum.proto.Isolines.start", "isoline"},
         {"filum.proto.Surface.corner", "a"},        {"filum.proto.Surface.across", "ab"},
@@ -215,7 +215,7 @@ std::vector<std::string> columns(const Entry& e) {
     return out;
 }
 
-TEST(record, has_units_and_puts_values_first_then_tables_then_records) {
+TEST(Record, HasUnitsAndPutsValuesFirstThenTablesThenRecords) {
     const Record r = record(region_frame());
     std::vector<std::string> order;
     for (const Entry& e : r.entries) order.push_back(e.name + " " + e.unit);
@@ -234,7 +234,7 @@ TEST(record, has_units_and_puts_values_first_then_tables_then_records) {
 }
 
 // z is one for all on the wire and stands in every row; a height for all stands beside them.
-TEST(record, spreads_what_is_one_for_all_points) {
+TEST(Record, SpreadsWhatIsOneForAllPoints) {
     const Record r = record(span_frame());
     EXPECT_EQ(columns(entry(r, "points")),
               (std::vector<std::string>{"x mm", "y mm", "z mm", "width mm", "nx ", "ny ", "nz "}));
@@ -242,7 +242,7 @@ TEST(record, spreads_what_is_one_for_all_points) {
     EXPECT_EQ(std::get<double>(entry(r, "height").value), 0.2);
 }
 
-TEST(record, cuts_isolines_and_splits_vectors) {
+TEST(Record, CutsIsolinesAndSplitsVectors) {
     const Record r = record(surface_frame());
     EXPECT_EQ(columns(entry(r, "points")),
               (std::vector<std::string>{"x mm", "y mm", "z mm", "distance ", "stress.x.d1.x ", "stress.x.d1.y ",
@@ -262,7 +262,7 @@ TEST(record, cuts_isolines_and_splits_vectors) {
     EXPECT_EQ(std::get<Table>(entry(sources[0], "lines").value).size(), 7U);
 }
 
-TEST(record, what_is_missing_is_an_empty_list) {
+TEST(Record, WhatIsMissingIsAnEmptyList) {
     surface::Sheet s;
     s.surface = surface::assemble({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}},
                                   {surface::kNone, surface::kNone, surface::kNone});
@@ -271,7 +271,7 @@ TEST(record, what_is_missing_is_an_empty_list) {
     EXPECT_TRUE(std::get<std::vector<Record>>(entry(r, "isolines").value).empty());
 }
 
-TEST(record, refuses_what_readers_refuse) {
+TEST(Record, RefusesWhatReadersRefuse) {
     for (auto raw : frames()) {
         raw.body.resize(raw.body.size() - 1);
         EXPECT_THROW(record(raw), Error);

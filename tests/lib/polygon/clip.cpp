@@ -48,7 +48,7 @@ double distance_to(const Loops& a, Vec2 p) {
     return best;
 }
 
-TEST(booleans, areas_add_up) {
+TEST(Booleans, AreasAddUp) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         const Loops a = unite(random_area(seed)), b = unite(random_area(seed + 1000));
         const double s = slack(a) + slack(b);
@@ -61,7 +61,7 @@ TEST(booleans, areas_add_up) {
     }
 }
 
-TEST(booleans, a_point_is_in_the_result_where_it_should_be) {
+TEST(Booleans, APointIsInTheResultWhereItShouldBe) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> coordinate(-5, 25);
     for (unsigned seed = 0; seed < 30; ++seed) {
@@ -78,7 +78,7 @@ TEST(booleans, a_point_is_in_the_result_where_it_should_be) {
     }
 }
 
-TEST(booleans, results_are_simple) {
+TEST(Booleans, ResultsAreSimple) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         const Loops a = unite(random_area(seed));
         std::vector<std::pair<Vec2, Vec2>> edges;
@@ -91,7 +91,7 @@ TEST(booleans, results_are_simple) {
     }
 }
 
-TEST(offset, outlines_keep_their_distance) {
+TEST(Offset, OutlinesKeepTheirDistance) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         const Loops a = unite(random_area(seed));
         for (const double delta : {-0.8, -0.2, 0.3, 1.5}) {
@@ -106,7 +106,7 @@ TEST(offset, outlines_keep_their_distance) {
     }
 }
 
-TEST(offset, a_square_grows_as_steiner_says) {
+TEST(Offset, ASquareGrowsAsSteinerSays) {
     Loops square;
     const Vec2 corners[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     square.add(corners);
@@ -115,7 +115,7 @@ TEST(offset, a_square_grows_as_steiner_says) {
     EXPECT_TRUE(offset(square, -5.1).empty());
 }
 
-TEST(offset, a_line_becomes_a_bead) {
+TEST(Offset, ALineBecomesABead) {
     const std::vector<Vec2> line{{0, 0}, {3, 0}, {3, 4}};
     const Loops bead = around(line, 0.2, 0.0005);
     ASSERT_EQ(bead.size(), 1U);
@@ -125,7 +125,7 @@ TEST(offset, a_line_becomes_a_bead) {
     EXPECT_NEAR(signed_area(around(std::vector<Vec2>{{1, 1}}, 0.5, 0.0005)), pi / 4, 2e-3);
 }
 
-TEST(split, parts_are_disjoint_connected_and_complete) {
+TEST(Split, PartsAreDisjointConnectedAndComplete) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         const Loops a = unite(random_area(seed));
         const Parts parts = split(a);
@@ -150,7 +150,7 @@ TEST(split, parts_are_disjoint_connected_and_complete) {
     }
 }
 
-TEST(split, an_island_in_a_hole_has_its_ring_as_parent) {
+TEST(Split, AnIslandInAHoleHasItsRingAsParent) {
     Loops a;
     const Vec2 outer[] = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, hole[] = {{1, 1}, {1, 9}, {9, 9}, {9, 1}},
                island[] = {{3, 3}, {7, 3}, {7, 7}, {3, 7}};
@@ -163,7 +163,7 @@ TEST(split, an_island_in_a_hole_has_its_ring_as_parent) {
     EXPECT_EQ(parts.parent, (std::vector<int>{-1, 0}));
 }
 
-TEST(simplify, nothing_moves_farther_than_the_tolerance) {
+TEST(Simplify, NothingMovesFartherThanTheTolerance) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         const Loops a = unite(random_area(seed));
         for (const double tolerance : {0.001, 0.05, 0.5}) {
@@ -179,7 +179,7 @@ TEST(simplify, nothing_moves_farther_than_the_tolerance) {
     }
 }
 
-TEST(simplify, points_on_straight_lines_go) {
+TEST(Simplify, PointsOnStraightLinesGo) {
     Loops a;
     for (int i = 0; i < 100; ++i) a.points.push_back({0.1 * i, 0});
     for (int i = 0; i < 100; ++i) a.points.push_back({10, 0.1 * i});

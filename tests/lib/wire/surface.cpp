@@ -28,7 +28,7 @@ surface::Sheet good() {
     return s;
 }
 
-TEST(surface_message, comes_out_as_it_went_in) {
+TEST(SurfaceMessage, ComesOutAsItWentIn) {
     const auto raw = frame(good());
     EXPECT_EQ(raw.tag, stream::Tag::surface);
     const auto s = sheet(raw);
@@ -58,7 +58,7 @@ TEST(surface_message, comes_out_as_it_went_in) {
     EXPECT_EQ(frame(s).body, raw.body);
 }
 
-TEST(surface_message, faults_are_noticed) {
+TEST(SurfaceMessage, FaultsAreNoticed) {
     const std::function<void(proto::Surface&)> faults[] = {
         [](auto& m) { m.add_x(1); },
         [](auto& m) { m.set_x(1, std::nan("")); },
@@ -116,7 +116,7 @@ TEST(surface_message, faults_are_noticed) {
     EXPECT_THROW(sheet({stream::Tag::layer, frame(good()).body}), Error);
 }
 
-TEST(surface_message, flipped_bytes_never_crash) {
+TEST(SurfaceMessage, FlippedBytesNeverCrash) {
     const auto raw = frame(good());
     std::mt19937 random(3);
     for (int i = 0; i < 5000; ++i) {

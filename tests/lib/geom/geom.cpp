@@ -15,7 +15,7 @@ struct Random {
     Vec2 point() { return {coordinate(engine), coordinate(engine)}; }
 };
 
-TEST(segment, the_nearest_point_is_nearer_than_any_sample) {
+TEST(Segment, TheNearestPointIsNearerThanAnySample) {
     Random r;
     for (int i = 0; i < 2000; ++i) {
         const Vec2 a = r.point(), b = r.point(), p = r.point();
@@ -25,7 +25,7 @@ TEST(segment, the_nearest_point_is_nearer_than_any_sample) {
     EXPECT_EQ(point_segment_distance({1, 1}, {1, 1}, {4, 5}), 5);
 }
 
-TEST(segment, distances_are_symmetric_and_zero_where_they_cross) {
+TEST(Segment, DistancesAreSymmetricAndZeroWhereTheyCross) {
     Random r;
     int crossings = 0;
     for (int i = 0; i < 5000; ++i) {
@@ -44,14 +44,14 @@ TEST(segment, distances_are_symmetric_and_zero_where_they_cross) {
     EXPECT_GT(crossings, 500);
 }
 
-TEST(segment, touching_and_overlapping_do_not_cross) {
+TEST(Segment, TouchingAndOverlappingDoNotCross) {
     EXPECT_TRUE(cross_properly({0, 0}, {2, 2}, {0, 2}, {2, 0}));
     EXPECT_FALSE(cross_properly({0, 0}, {2, 0}, {1, 0}, {1, 5}));
     EXPECT_FALSE(cross_properly({0, 0}, {2, 0}, {1, 0}, {3, 0}));
     EXPECT_FALSE(cross_properly({0, 0}, {1, 0}, {1, 0}, {2, 1}));
 }
 
-TEST(box, distance_is_that_of_its_nearest_points) {
+TEST(Box, DistanceIsThatOfItsNearestPoints) {
     Box2 a, b;
     EXPECT_TRUE(a.empty());
     a.add({0, 0});
@@ -62,7 +62,7 @@ TEST(box, distance_is_that_of_its_nearest_points) {
     EXPECT_EQ(distance(a, a), 0);
 }
 
-TEST(vec, orient_is_positive_to_the_left) {
+TEST(Vec, OrientIsPositiveToTheLeft) {
     EXPECT_GT(orient({0, 0}, {1, 0}, {0, 1}), 0);
     EXPECT_LT(orient({0, 0}, {1, 0}, {0, -1}), 0);
     EXPECT_EQ(orient({0, 0}, {1, 1}, {2, 2}), 0);
@@ -70,7 +70,7 @@ TEST(vec, orient_is_positive_to_the_left) {
     EXPECT_EQ(cross(Vec3{1, 0, 0}, Vec3{0, 1, 0}), (Vec3{0, 0, 1}));
 }
 
-TEST(vec, angle_and_unit) {
+TEST(Vec, AngleAndUnit) {
     EXPECT_NEAR(angle({1, 0, 0}, {-1, 1e-9, 0}), std::acos(-1.0), 1e-8);
     EXPECT_EQ(angle({2, 0, 0}, {5, 0, 0}), 0);
     EXPECT_EQ(unit({0, 0, -4}, {1, 0, 0}), (Vec3{0, 0, -1}));
@@ -78,7 +78,7 @@ TEST(vec, angle_and_unit) {
     EXPECT_EQ(longest_axis({1, 3, 3}), 1);
 }
 
-TEST(box, in_space) {
+TEST(Box, InSpace) {
     const Box3 box = box_of(std::array{Vec3{0, 0, 0}, Vec3{1, 2, 3}});
     EXPECT_TRUE(Box3{}.empty());
     EXPECT_EQ(box.size(), (Vec3{1, 2, 3}));

@@ -5,7 +5,7 @@
 namespace filum::wire {
 namespace {
 
-TEST(json, values_are_text) {
+TEST(Json, ValuesAreText) {
     const auto v =
         json_values(R"({"a": "0.2", "b": ["225", "220"], "c": 1.5, "d": true, "e": [], "f": {"g": 1}, "h": null})");
     const std::map<std::string, std::string> expected{{"a", "0.2"}, {"b", "225"}, {"c", "1.5"}, {"d", "1"},
@@ -13,7 +13,7 @@ TEST(json, values_are_text) {
     EXPECT_EQ(v, expected);
 }
 
-TEST(json, what_is_none_has_no_values) {
+TEST(Json, WhatIsNoneHasNoValues) {
     for (const char* text : {"", "{", "[1, 2]", "\"a\"", "{\"a\": }", "PK\003\004"})
         EXPECT_TRUE(json_values(text).empty()) << text;
     EXPECT_TRUE(json_values(std::string(100000, '[')).empty()); // no depth ends the program

@@ -49,7 +49,7 @@ std::vector<std::string> frames(const std::string& path) {
     return out;
 }
 
-TEST(output, keeps_the_order_and_names_what_is_its_own) {
+TEST(Output, KeepsTheOrderAndNamesWhatIsItsOwn) {
     const File file;
     const Io io = stage(file);
     Whole before{header(io, Payload::layers), {{"other", "dropped", 1, "mm", 1}}, {{"other", "area", 2, "mm2"}}};
@@ -75,7 +75,7 @@ TEST(output, keeps_the_order_and_names_what_is_its_own) {
     EXPECT_EQ(history[1].parents, std::vector<std::uint32_t>{0});
 }
 
-TEST(output, passes_all_on_where_nothing_is_asked) {
+TEST(Output, PassesAllOnWhereNothingIsAsked) {
     const File file;
     const Io io = stage(file);
     Output output(io, header(io, Payload::layers));
@@ -86,7 +86,7 @@ TEST(output, passes_all_on_where_nothing_is_asked) {
     EXPECT_EQ(frames(file.path), (std::vector<std::string>{"stage noted dropped", "stage found area mm2"}));
 }
 
-TEST(output, leaves_no_file_if_it_is_not_closed) {
+TEST(Output, LeavesNoFileIfItIsNotClosed) {
     const File file;
     {
         const Io io = stage(file);
@@ -96,7 +96,7 @@ TEST(output, leaves_no_file_if_it_is_not_closed) {
     EXPECT_FALSE(std::filesystem::exists(file.path));
 }
 
-TEST(output, is_quiet_if_asked) {
+TEST(Output, IsQuietIfAsked) {
     const File file;
     Io io = stage(file);
     io.quiet = true;
@@ -116,7 +116,7 @@ stream::Header after(const std::string& before, const std::string& own, bool cha
     return h;
 }
 
-TEST(agree, a_stage_told_otherwise_is_noted) {
+TEST(Agree, AStageToldOtherwiseIsNoted) {
     Io io;
     io.program = "fill";
     io.same = {{"width", {"regions.width"}}};
@@ -130,7 +130,7 @@ TEST(agree, a_stage_told_otherwise_is_noted) {
     EXPECT_TRUE(disagreements(io, after("0.4", "0.8")).empty()); // slice did not run
 }
 
-TEST(agree, stands_in_the_stream) {
+TEST(Agree, StandsInTheStream) {
     const File file;
     Io io = stage(file);
     io.quiet = true;

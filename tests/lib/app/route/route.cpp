@@ -28,7 +28,7 @@ double top(const Span& s) {
     return out;
 }
 
-TEST(route, goes_straight_where_nothing_stands) {
+TEST(Route, GoesStraightWhereNothingStands) {
     const Folder at;
     Options o;
     o.bed = true;
@@ -44,7 +44,7 @@ TEST(route, goes_straight_where_nothing_stands) {
 }
 
 // A wall between the strokes that is too long to be gone around.
-TEST(route, leads_the_head_over_a_wall_and_collide_agrees) {
+TEST(Route, LeadsTheHeadOverAWallAndCollideAgrees) {
     const Folder at;
     Options o;
     o.part = box(at, "wall.off", {19, -80, 0}, {21, 80, 5});
@@ -66,7 +66,7 @@ TEST(route, leads_the_head_over_a_wall_and_collide_agrees) {
     EXPECT_EQ(find(read_stream(at("checked"), Payload::toolpath).told.facts, "collide", "colliding-moves")->value, 0);
 }
 
-TEST(route, what_stays_in_the_way_is_an_error_or_a_note) {
+TEST(Route, WhatStaysInTheWayIsAnErrorOrANote) {
     const Folder at;
     Options o;
     o.part = box(at, "on.off", {4, -1, 0}, {6, 1, 3}); // on a stroke, which stays
@@ -82,7 +82,7 @@ TEST(route, what_stays_in_the_way_is_an_error_or_a_note) {
     EXPECT_FALSE(all.told.notes.empty());
 }
 
-TEST(route, leans_the_tool_where_that_frees_it_and_lists_the_strokes) {
+TEST(Route, LeansTheToolWhereThatFreesItAndListsTheStrokes) {
     const Folder at;
     Options o;
     o.part = box(at, "beside.off", {-5, 3, 0}, {45, 6, 20}); // meets the carriage of an upright head
@@ -99,7 +99,7 @@ TEST(route, leans_the_tool_where_that_frees_it_and_lists_the_strokes) {
     EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 3);
 }
 
-TEST(route, three_axes_do_not_lean) {
+TEST(Route, ThreeAxesDoNotLean) {
     const Folder at;
     Options o;
     o.tilt = 20;

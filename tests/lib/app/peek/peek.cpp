@@ -39,7 +39,7 @@ std::string peeked(const Folder& at, const std::string& file, Options o) {
     return at.text("out");
 }
 
-TEST(peek, text_is_a_line_per_record_and_per_point) {
+TEST(Peek, TextIsALinePerRecordAndPerPoint) {
     const Folder at;
     const auto file = write_stream(at("s"), Payload::regions, {column()[1]});
     const std::string text = peeked(at, file, {.text = true});
@@ -51,13 +51,13 @@ TEST(peek, text_is_a_line_per_record_and_per_point) {
         << text;
 }
 
-TEST(peek, decimals_count_in_the_text) {
+TEST(Peek, DecimalsCountInTheText) {
     const auto raw = wire::frame(region(0, 0, 2.0 / 3));
     EXPECT_TRUE(tells(text(record(raw), 2), "\n    0.67 0\n"));
     EXPECT_TRUE(tells(text(record(raw), 6), "\n    0.666667 0\n"));
 }
 
-TEST(peek, frames_are_told_by_offset_and_kind) {
+TEST(Peek, FramesAreToldByOffsetAndKind) {
     const Folder at;
     const auto file = write_stream(at("s"), Payload::regions, column(), {{"", "gap closed", 1, "mm", 1}});
     const std::string text = peeked(at, file, {.frames = true});
@@ -72,12 +72,12 @@ TEST(peek, frames_are_told_by_offset_and_kind) {
     EXPECT_EQ(places, 3U);
 }
 
-TEST(peek, check_prints_nothing) {
+TEST(Peek, CheckPrintsNothing) {
     const Folder at;
     EXPECT_EQ(peeked(at, write_stream(at("s"), Payload::regions, column()), {.check = true}), "");
 }
 
-TEST(peek, sums_count_what_lies_on_other_things_once) {
+TEST(Peek, SumsCountWhatLiesOnOtherThingsOnce) {
     Summary s;
     for (const auto& raw : column()) add(s, raw, record(raw));
     const stream::RawFrame note{stream::Tag::note, stream::serialise(Note{"slice", "gap closed", 0.5, "mm", 2})};
@@ -98,7 +98,7 @@ TEST(peek, sums_count_what_lies_on_other_things_once) {
     EXPECT_EQ(s.notes[0].count, 4U);
 }
 
-TEST(peek, a_surface_tells_what_follows_from_it) {
+TEST(Peek, ASurfaceTellsWhatFollowsFromIt) {
     surface::Sheet sheet;
     sheet.surface = surface::assemble({{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 1, 2}},
                                       {surface::kNone, surface::kNone, surface::kNone});
@@ -114,7 +114,7 @@ TEST(peek, a_surface_tells_what_follows_from_it) {
     EXPECT_FALSE(s.ranges.contains("length"));
 }
 
-TEST(peek, json_escapes_words_and_has_no_bare_nan) {
+TEST(Peek, JsonEscapesWordsAndHasNoBareNan) {
     const stream::RawFrame raw{stream::Tag::note,
                                stream::serialise(Note{"a", "said \"no\\\n\x01\"", 0.1, "mm", 1, -1, NAN, 1e-3})};
     EXPECT_EQ(json(record(raw)),
@@ -122,7 +122,7 @@ TEST(peek, json_escapes_words_and_has_no_bare_nan) {
               "\"amount\":0.1,\"unit\":\"mm\",\"count\":1,\"layer\":-1,\"x\":null,\"y\":0.001,\"z\":0}");
 }
 
-TEST(peek, of_a_cut_stream_it_prints_what_comes_before) {
+TEST(Peek, OfACutStreamItPrintsWhatComesBefore) {
     const Folder at;
     const auto file = write_stream(at("s"), Payload::regions, column());
     const std::string whole = at.text("s");
@@ -137,13 +137,13 @@ TEST(peek, of_a_cut_stream_it_prints_what_comes_before) {
     EXPECT_FALSE(at.has("out"));
 }
 
-TEST(peek, shows_one_thing_at_once) {
+TEST(Peek, ShowsOneThingAtOnce) {
     const Folder at;
     const auto file = write_stream(at("s"), Payload::regions, column());
     EXPECT_EQ(refusal([&] { peeked(at, file, {.check = true, .json = true}); }).exit, 2);
 }
 
-TEST(script, quotes_and_joins_what_was_joined) {
+TEST(Script, QuotesAndJoinsWhatWasJoined) {
     stream::Header h;
     h.history = {
         {"slice", "1", {{"layer-height", "0.5", true}, {"unit", "mm", false}, {"input_crc32c", "1", true}}, {}},

@@ -77,7 +77,7 @@ toolpath::Span good_span() {
             toolpath::Feature::bridge};
 }
 
-TEST(planar, everything_comes_out_as_it_went_in) {
+TEST(Planar, EverythingComesOutAsItWentIn) {
     const auto l = layer(frame(good_layer()));
     EXPECT_EQ(l.index, 3U);
     EXPECT_EQ(l.plane, 0.5);
@@ -117,7 +117,7 @@ TEST(planar, everything_comes_out_as_it_went_in) {
     EXPECT_EQ(s.feature, toolpath::Feature::bridge);
 }
 
-TEST(planar, an_empty_layer_is_allowed) {
+TEST(Planar, AnEmptyLayerIsAllowed) {
     EXPECT_TRUE(layer(frame(polygon::Layer{0, 0.2, 0.2, 0.1, {}})).contours.empty());
 }
 
@@ -138,7 +138,7 @@ void refuse(Tag tag, const Domain& good, const Read& read, const std::vector<std
     }
 }
 
-TEST(planar, broken_layers_are_refused) {
+TEST(Planar, BrokenLayersAreRefused) {
     using M = proto::Layer;
     refuse<M>(Tag::layer, good_layer(), layer,
               {[](M& m) { m.set_height(0); }, [](M& m) { m.set_height(-1); }, [](M& m) { m.set_z(kNan); },
@@ -155,7 +155,7 @@ TEST(planar, broken_layers_are_refused) {
                }});
 }
 
-TEST(planar, broken_regions_are_refused) {
+TEST(Planar, BrokenRegionsAreRefused) {
     using M = proto::Region;
     refuse<M>(Tag::region, good_region(), region,
               {[](M& m) { m.set_area(0); }, [](M& m) { m.set_area(kNan); }, [](M& m) { m.set_area(kInf); },
@@ -170,7 +170,7 @@ TEST(planar, broken_regions_are_refused) {
                [](M& m) { m.mutable_areas(0)->mutable_loops()->set_x(0, kNan); }});
 }
 
-TEST(planar, broken_paths_are_refused) {
+TEST(Planar, BrokenPathsAreRefused) {
     using M = proto::RegionPaths;
     refuse<M>(Tag::paths, good_paths(), paths,
               {[](M& m) { m.set_height(kNan); }, [](M& m) { m.set_area(-1); }, [](M& m) { m.set_unplaced(kNan); },
@@ -187,7 +187,7 @@ TEST(planar, broken_paths_are_refused) {
                [](M& m) { m.mutable_stacked(0)->add_y(0); }, [](M& m) { m.mutable_stacked(0)->set_x(0, kNan); }});
 }
 
-TEST(planar, broken_spans_are_refused) {
+TEST(Planar, BrokenSpansAreRefused) {
     using M = proto::Span;
     refuse<M>(Tag::span, good_span(), span,
               {[](M& m) { m.set_role(static_cast<proto::Role>(9)); }, [](M& m) { m.set_tool(1001); },
@@ -207,13 +207,13 @@ TEST(planar, broken_spans_are_refused) {
                }});
 }
 
-TEST(planar, a_frame_of_another_kind_is_refused) {
+TEST(Planar, AFrameOfAnotherKindIsRefused) {
     EXPECT_THROW(region(frame(good_layer())), Error);
     EXPECT_THROW(span(frame(good_paths())), Error);
 }
 
 // Any bytes at all: an Error or a value, never anything else.
-TEST(planar, random_bytes_are_survived) {
+TEST(Planar, RandomBytesAreSurvived) {
     std::mt19937 random(2);
     const std::string seeds[] = {frame(good_layer()).body, frame(good_region()).body, frame(good_paths()).body,
                                  frame(good_span()).body};

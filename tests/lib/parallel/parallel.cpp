@@ -14,7 +14,7 @@
 namespace filum::parallel {
 namespace {
 
-TEST(for_chunks, covers_everything_once_in_the_same_chunks_for_any_threads) {
+TEST(ForChunks, CoversEverythingOnceInTheSameChunksForAnyThreads) {
     for (const std::size_t n : {0U, 1U, 7U, 8U, 9U, 1000U}) {
         std::set<std::pair<std::size_t, std::size_t>> first;
         for (const int threads : {1, 2, 8, 0}) {
@@ -33,7 +33,7 @@ TEST(for_chunks, covers_everything_once_in_the_same_chunks_for_any_threads) {
     }
 }
 
-TEST(for_chunks, one_thread_is_all_that_work_within_gets) {
+TEST(ForChunks, OneThreadIsAllThatWorkWithinGets) {
     for (const std::size_t outer : {1U, 3U}) {
         std::set<std::thread::id> ids;
         std::mutex guard;
@@ -48,7 +48,7 @@ TEST(for_chunks, one_thread_is_all_that_work_within_gets) {
     }
 }
 
-TEST(for_chunks, throws_the_first_failure_by_place) {
+TEST(ForChunks, ThrowsTheFirstFailureByPlace) {
     for (const int threads : {1, 2, 8}) {
         try {
             for_chunks(100, 1, threads, [](std::size_t i, std::size_t) {
@@ -90,7 +90,7 @@ Seen run(int threads, int n, int work_fails, int source_fails) {
     return out;
 }
 
-TEST(ordered, the_sink_sees_the_order_of_the_source) {
+TEST(Ordered, TheSinkSeesTheOrderOfTheSource) {
     for (const int threads : {1, 2, 8}) {
         const Seen r = run(threads, 500, 1000, -1);
         ASSERT_EQ(r.seen.size(), 500U);
@@ -98,7 +98,7 @@ TEST(ordered, the_sink_sees_the_order_of_the_source) {
     }
 }
 
-TEST(ordered, failures_are_the_same_for_any_threads) {
+TEST(Ordered, FailuresAreTheSameForAnyThreads) {
     const Seen work = run(1, 500, 100, -1), source = run(1, 500, 1000, 50), both = run(1, 500, 40, 50);
     EXPECT_EQ(work.thrown, "work 100");
     EXPECT_EQ(work.seen.size(), 100U);
@@ -112,7 +112,7 @@ TEST(ordered, failures_are_the_same_for_any_threads) {
     }
 }
 
-TEST(ordered, only_a_few_items_are_in_flight) {
+TEST(Ordered, OnlyAFewItemsAreInFlight) {
     std::atomic<int> taken{0};
     int given = 0, most = 0;
     ordered<int, int>(

@@ -9,7 +9,7 @@
 namespace filum {
 namespace {
 
-TEST(nearest, distances_are_a_metric_of_single_slips) {
+TEST(Nearest, DistancesAreAMetricOfSingleSlips) {
     EXPECT_EQ(edit_distance("", ""), 0U);
     EXPECT_EQ(edit_distance("marlin", "marlin"), 0U);
     EXPECT_EQ(edit_distance("", "abc"), 3U);
@@ -32,7 +32,7 @@ TEST(nearest, distances_are_a_metric_of_single_slips) {
     }
 }
 
-TEST(nearest, suggests_what_is_near_and_nothing_else) {
+TEST(Nearest, SuggestsWhatIsNearAndNothingElse) {
     const std::vector<std::string> names{"layer-height", "first-layer-height", "bead-width", "spacing", "q"};
     EXPECT_EQ(nearest("layerheight", names), "layer-height");
     EXPECT_EQ(nearest("bead-witdh", names), "bead-width");
@@ -45,7 +45,7 @@ TEST(nearest, suggests_what_is_near_and_nothing_else) {
     EXPECT_EQ(did_you_mean("temperature", names), "");
 }
 
-TEST(printable, keeps_text_and_shows_codes) {
+TEST(Printable, KeepsTextAndShowsCodes) {
     EXPECT_EQ(printable("plain text, 3 mm"), "plain text, 3 mm");
     EXPECT_EQ(printable("Gr\xc3\xb6\xc3\x9f"
                         "e \xe2\x82\xac \xf0\x9f\x99\x82"),
@@ -64,7 +64,7 @@ TEST(printable, keeps_text_and_shows_codes) {
     EXPECT_EQ(printable("\xc0\xaf \xed\xa0\x80 \xe2\x82"), "\\xc0\\xaf \\xed\\xa0\\x80 \\xe2\\x82"); // no UTF-8
 }
 
-TEST(printable, no_control_byte_is_ever_left) {
+TEST(Printable, NoControlByteIsEverLeft) {
     std::mt19937 random(11);
     for (int i = 0; i < 2000; ++i) {
         std::string text;
