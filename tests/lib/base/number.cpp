@@ -1,5 +1,5 @@
-#include "base/error.hpp"
 #include "base/number.hpp"
+#include "base/error.hpp"
 #include "base/shell.hpp"
 
 #include <gtest/gtest.h>

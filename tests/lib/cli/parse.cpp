@@ -1,8 +1,8 @@
+#include "cli/parse.hpp"
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/document.hpp"
 #include "cli/other_names.hpp"
-#include "cli/parse.hpp"
 
 #include <gtest/gtest.h>
 

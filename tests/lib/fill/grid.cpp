@@ -1,7 +1,7 @@
 // Every pattern is laid on the grid of machines, and crosses nothing there but where a note tells it.
+#include "toolpath/grid.hpp"
 #include "fill/fill.hpp"
 #include "pattern_check.hpp"
-#include "toolpath/grid.hpp"
 
 namespace filum::fill {
 namespace {

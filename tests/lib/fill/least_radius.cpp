@@ -1,6 +1,6 @@
 // No tighter turns than asked for, and an honest account of those that are.
-#include "fill/join/crossings.hpp"
 #include "fill/least_radius.hpp"
+#include "fill/join/crossings.hpp"
 #include "fill/spiral.hpp"
 #include "pattern_check.hpp"
 #include "rings/lanes.hpp"

@@ -1,5 +1,5 @@
-#include "fill/join/crossings.hpp"
 #include "fill/spiral.hpp"
+#include "fill/join/crossings.hpp"
 
 #include "geom/segment_grid.hpp"
 #include "shapes.hpp"

@@ -1,6 +1,6 @@
+#include "link3d/bead.hpp"
 #include "../trials.hpp"
 #include "curves.hpp"
-#include "link3d/bead.hpp"
 #include "link3d/strip_route.hpp"
 #include "toolpath/grid.hpp"
 

@@ -1,5 +1,5 @@
-#include "curves.hpp"
 #include "link3d/segment_index.hpp"
+#include "curves.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "geom/hull.hpp"
 #include "plate/plate.hpp"
+#include "geom/hull.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Tile by tile gives what one piece gives; large inputs stay near linear.
+#include "polygon/tiles.hpp"
 #include "geom/segment.hpp"
 #include "polygon/clip.hpp"
 #include "polygon/simple.hpp"
-#include "polygon/tiles.hpp"
 
 #include <gtest/gtest.h>
 

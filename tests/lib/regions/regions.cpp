@@ -1,7 +1,7 @@
+#include "regions/regions.hpp"
 #include "regions/nesting.hpp"
 #include "regions/outlines.hpp"
 #include "regions/overlaps.hpp"
-#include "regions/regions.hpp"
 #include "shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "base/error.hpp"
 #include "sequence/brims.hpp"
+#include "base/error.hpp"
 #include "worlds.hpp"
 
 #include <gtest/gtest.h>

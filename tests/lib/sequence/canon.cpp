@@ -1,6 +1,6 @@
 // What the job itself decides is decided alike, whichever way its regions are numbered and wherever they lie.
-#include "sequence/arrange.hpp"
 #include "sequence/canon.hpp"
+#include "sequence/arrange.hpp"
 #include "sequence/plan.hpp"
 #include "worlds.hpp"
 

@@ -1,6 +1,6 @@
 // What a surface message promises, and that every broken promise is noticed.
-#include "base/error.hpp"
 #include "wire/surface.hpp"
+#include "base/error.hpp"
 
 #include <filum/stream.pb.h> // a fault needs a message to be put into
 

@@ -1,5 +1,5 @@
-#include "app/filum/process.hpp"
 #include "app/filum/route.hpp"
+#include "app/filum/process.hpp"
 #include "base/error.hpp"
 
 #include <gtest/gtest.h>
