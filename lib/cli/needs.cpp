@@ -69,11 +69,6 @@ bool holds(const Need& need, const Lookup& lookup) {
 
 } // namespace
 
-std::vector<Option> grouped(const std::string& heading, std::vector<Option> options) {
-    for (Option& o : options) o.group = heading;
-    return options;
-}
-
 std::vector<Option> when(const std::string& condition, std::vector<Option> options) {
     for (Option& o : options) o.when(condition);
     return options;

@@ -101,8 +101,7 @@ struct Option {
     }
 };
 
-// Options under one heading, or under one more condition.
-std::vector<Option> grouped(const std::string& heading, std::vector<Option> options);
+// Options under one more condition.
 std::vector<Option> when(const std::string& condition, std::vector<Option> options);
 
 struct Example {

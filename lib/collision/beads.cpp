@@ -20,11 +20,6 @@ bool Growth::add(Move move, double width, double height) {
     return true;
 }
 
-std::uint32_t Growth::before() const {
-    const auto old = std::partition_point(ends_.begin(), ends_.end(), [&](double e) { return e <= way_ - fresh_; });
-    return static_cast<std::uint32_t>(beads.size() - static_cast<std::size_t>(ends_.end() - old));
-}
-
 Stance Walk::stance(const toolpath::Span& span, std::size_t i) const {
     Stance out{span.points[i], {0, 0, 1}, {1, 0, 0}};
     if (!span.normals.empty()) out.axis = span.normals[i];

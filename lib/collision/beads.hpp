@@ -18,8 +18,6 @@ class Growth {
     // Adds the move; its `before` is set here.  A width of 0 lays nothing.  Returns false, and adds nothing, if it
     // does not move.
     bool add(Move move, double width, double height);
-    // What the next move would have before it if it lays nothing.
-    [[nodiscard]] std::uint32_t before() const;
 
     std::vector<Move> moves;
     std::vector<Solid> beads; // born in their order

@@ -8,7 +8,8 @@ constexpr Meaning kPlanar[] = {
     {"strokes", "continuity", "strokes", "", 0,
      "runs of moves that extrude; one ends at a stop, or where the nozzle rises by more than two layers without "
      "extruding"},
-    {"stops", "continuity", "stops", "", 0, "ways of more than 0.05 mm in XY without extruding, between moves that do"},
+    {"stops", "continuity", "stops", "", 0,
+     "ways of more than 0.05 mm without extruding, between moves that do; in XY, where nothing is taken back"},
     {"breaks", "continuity", "breaks", "", 0, "ends of strokes but the last: strokes - 1"},
     {"breaks_hop", "continuity", "breaks by hop of 0.5 mm or less", "", 0,
      "breaks that lead at most 0.5 mm aside and two layers up or down"},

@@ -69,6 +69,7 @@ constexpr Meaning kSurface[] = {
     {"inner_coverage", "area", "coverage elsewhere", "", 4, "coverage of the rest"},
     {"beside_mm", "area", "path beside the surface", "mm", 2,
      "path past a rim by more than a twentieth of the bead, as where it is trimmed; covers nothing, bears no load"},
+    {"beside_share", "area", "path beside the surface, share", "", 4, "of the fibre: what is trimmed off is waste"},
     {"above_mm", "area", "path above the surface", "mm", 2,
      "path farther off than half a bead more than the median; covers nothing"},
     {"across_gaps_mm", "area", "path across gaps of the surface", "mm", 2,

@@ -15,7 +15,7 @@ std::size_t index(Role r) { return static_cast<std::size_t>(r); }
 // The gap ends here, before an extruding move at layer height `height`.
 void close_gap(Course& c, double height) {
     const double aside = geom::distance(c.gap_start.xy(), c.at.xy()), up = std::abs(c.at.z - c.gap_start.z);
-    const bool stop = c.gap_xy > kStop || c.gap_taken;
+    const bool stop = (c.gap_held ? c.gap_xy : c.gap_way) > kStop || c.gap_taken;
     const bool held = c.gap_held && !c.gap_taken && aside <= kHop;
     c.stops += stop ? 1 : 0;
     c.longest_gap = std::max(c.longest_gap, c.gap_xy);
@@ -34,7 +34,7 @@ void enter_gap(Course& c, toolpath::Retraction retraction) {
         c.in_gap = c.gap_held = true;
         c.gap_taken = false;
         c.gap_start = c.at;
-        c.gap_xy = 0;
+        c.gap_xy = c.gap_way = 0;
     }
     c.gap_taken = c.gap_taken || retraction == toolpath::Retraction::taken;
     c.gap_held = c.gap_held && retraction == toolpath::Retraction::none;
@@ -44,6 +44,7 @@ void move(Course& c, geom::Vec3 to, bool extruding, toolpath::Retraction retract
     if (!extruding && c.begun) {
         enter_gap(c, retraction);
         c.gap_xy += geom::distance(c.at.xy(), to.xy());
+        c.gap_way += geom::distance(c.at, to);
     }
     c.at = to;
 }

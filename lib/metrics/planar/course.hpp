@@ -11,7 +11,8 @@ namespace filum::metrics::planar {
 
 // A gap is what lies between two extruding moves with no extruding one between; what comes before the first and after
 // the last extruding move is no gap.
-//   stop    a gap whose way in XY is longer than 0.05 mm, or in which material is known to be taken back
+//   stop    a gap whose way is longer than 0.05 mm (in XY, where material is known not to be taken back; else in space,
+//           as machines take back on a way straight up, too), or in which material is known to be taken back
 //   break   a stop, or a gap that ends more than two layer heights above or below its start: the stroke ends.  A stop
 //           at most 0.5 mm aside in which nothing is known to be taken back is none.
 // Breaks by class, by where the gap leads: `hop` at most 0.5 mm aside, else `travel` within a layer or `climb` to
@@ -34,7 +35,7 @@ struct Course {
     // Where the last move ended, and the gap since the last extruding one.
     static constexpr double kFar = std::numeric_limits<double>::infinity();
     geom::Vec3 at{}, gap_start{};
-    double gap_xy = 0;
+    double gap_xy = 0, gap_way = 0; // mm
     bool gap_taken = false, gap_held = true; // material is taken back in it; is known not to be
     bool begun = false, in_gap = false;
     toolpath::Role last = toolpath::Role::bead;

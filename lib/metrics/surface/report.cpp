@@ -132,7 +132,7 @@ void tight_turns(const Job& job, const Feet& feet, Figures& out) {
     if (t.undeclared > 0) tell(out, "tight_undeclared_at", place_text(t.undeclared_at));
 }
 
-void area(const Plies& plies, Figures& out) {
+void area(const Plies& plies, double fibre, Figures& out) {
     const Area& a = plies.area;
     const double fill = share(plies.laid, a.surface), coverage = share(a.covered, a.surface);
     const auto n = static_cast<double>(plies.count);
@@ -151,7 +151,10 @@ void area(const Plies& plies, Figures& out) {
         tell(out, "rim_coverage", share(a.strip_covered, a.strip));
         tell(out, "inner_coverage", share(a.covered - a.strip_covered, a.surface - a.strip));
     }
-    if (plies.beside > 0) tell(out, "beside_mm", plies.beside);
+    if (plies.beside > 0) {
+        tell(out, "beside_mm", plies.beside);
+        tell(out, "beside_share", share(plies.beside, fibre));
+    }
     if (plies.aloft > 0) tell(out, "above_mm", plies.aloft);
     if (plies.lost > 0) tell(out, "across_gaps_mm", plies.lost);
 }
@@ -256,7 +259,7 @@ Measured measure(const Fibres& fibres, const filum::surface::Sheet& sheet, const
     tell(out.figures, "retraced_mm", retraced(job.samples, threads));
     curvature(job, bent, out.figures);
     tight_turns(job, touch, out.figures);
-    area(plies, out.figures);
+    area(plies, length(fibres), out.figures);
     spacing(job, true, out.figures);
     spacing(job, false, out.figures);
     load(job, out.figures);

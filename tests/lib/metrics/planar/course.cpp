@@ -33,22 +33,37 @@ TEST(Course, OneStrokeHasNoStop) {
 }
 
 TEST(Course, BreaksFallIntoClasses) {
+    auto step = travel({10, 3, 0.4}, {10, 3, 0.6});
+    step.retraction = toolpath::Retraction::none;
     const Course c = course({
-        bead({{0, 0, 0.2}, {10, 0, 0.2}}), travel({10, 0, 0.2}, {10, 0.4, 0.2}),                // a hop
-        bead({{10, 0.4, 0.2}, {0, 0.4, 0.2}}), travel({0, 0.4, 0.2}, {0, 5, 0.2}),              // in the layer
-        bead({{0, 5, 0.2}, {10, 5, 0.2}}), travel({10, 5, 0.2}, {0, 0, 0.4}),                   // to the next one
-        bead({{0, 0, 0.4}, {10, 0, 0.4}}, 0.4, 0.2, 1), travel({10, 0, 0.4}, {10, 0.03, 0.4}),  // too short to be one
-        bead({{10, 0.03, 0.4}, {10, 3, 0.4}}, 0.4, 0.2, 1), travel({10, 3, 0.4}, {10, 3, 0.6}), // a bare layer step
-        bead({{10, 3, 0.6}, {0, 3, 0.6}}, 0.4, 0.2, 2), travel({0, 3, 0.6}, {0, 3, 1.6}),       // straight up, far
-        bead({{0, 3, 1.6}, {5, 3, 1.6}}, 0.4, 0.2, 7), travel({5, 3, 1.6}, {90, 90, 9}),        // after the end: no gap
+        bead({{0, 0, 0.2}, {10, 0, 0.2}}), travel({10, 0, 0.2}, {10, 0.4, 0.2}),               // a hop
+        bead({{10, 0.4, 0.2}, {0, 0.4, 0.2}}), travel({0, 0.4, 0.2}, {0, 5, 0.2}),             // in the layer
+        bead({{0, 5, 0.2}, {10, 5, 0.2}}), travel({10, 5, 0.2}, {0, 0, 0.4}),                  // to the next one
+        bead({{0, 0, 0.4}, {10, 0, 0.4}}, 0.4, 0.2, 1), travel({10, 0, 0.4}, {10, 0.03, 0.4}), // too short to be one
+        bead({{10, 0.03, 0.4}, {10, 3, 0.4}}, 0.4, 0.2, 1), step,                              // a bare layer step
+        bead({{10, 3, 0.6}, {0, 3, 0.6}}, 0.4, 0.2, 2), travel({0, 3, 0.6}, {0, 3, 1.6}),      // straight up, far
+        bead({{0, 3, 1.6}, {5, 3, 1.6}}, 0.4, 0.2, 7), travel({5, 3, 1.6}, {90, 90, 9}),       // after the end: no gap
     });
-    EXPECT_EQ(c.stops, 3);
+    EXPECT_EQ(c.stops, 4);
     EXPECT_EQ(c.breaks, 4);
     EXPECT_EQ(c.strokes(), 5);
     EXPECT_EQ(c.hops, 1);
     EXPECT_EQ(c.travels, 1);
     EXPECT_EQ(c.climbs, 2);
     EXPECT_NEAR(c.longest_gap, std::hypot(10, 5), 1e-12);
+}
+
+// Machines take back on their way up, too, unless they are told not to.
+TEST(Course, AWayStraightUpIsAStop) {
+    const auto stops = [](toolpath::Retraction retraction) {
+        auto up = travel({10, 0, 0.4}, {10, 0.04, 0.8});
+        up.retraction = retraction;
+        return course({bead({{0, 0, 0.4}, {10, 0, 0.4}}), up, bead({{10, 0.04, 0.8}, {0, 0, 0.8}}, 0.4, 0.2, 3)});
+    };
+    EXPECT_EQ(stops(toolpath::Retraction::by_machine).stops, 1);
+    EXPECT_EQ(stops(toolpath::Retraction::by_machine).hops, 1);
+    EXPECT_EQ(stops(toolpath::Retraction::none).stops, 0);
+    EXPECT_EQ(stops(toolpath::Retraction::none).strokes(), 1);
 }
 
 TEST(Course, SpansThatDoNotMeetAreJumps) {
