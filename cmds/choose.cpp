@@ -77,6 +77,8 @@ cli::Spec spec(Options& o) {
                  .when("algorithm=best|ortheo")
                  .a_limit(),
              Option{"report", &o.report, "FILE", "also all candidates and their criteria, as TSV"}.not_a_setting()},
+        .groups = {{"candidates", {"algorithm", "finals", "weights", "cut-length"}},
+                   {"lines", {"spacing", "min-radius", "turn-outside", "turns", "min-length"}}},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 | choose --spacing 1 | surfpath --spacing 1 > part.toolpath",
                       "the path that scores best on a surface, here a part without its top"}},
         .see_also = {"partition", "stressfield", "surfpath"}};

@@ -62,6 +62,7 @@ cli::Spec spec(app::collide::Options& o) {
                  .one_of({"table", "tsv", "json"})
                  .not_a_setting()
                  .when("program")}),
+        .groups = {{"machine code", {"program", "bead", "shift", "format"}}, app::collide::group(), cli::head_group()},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d | collide --bed | postproc > part.gcode",
                       "a program only if the head meets nothing"},
                      {"slice part.stl | regions | sequence | fill | link3d | postproc > part.gcode; collide --program "

@@ -98,6 +98,10 @@ cli::Spec spec(Options& all) {
                     "how far the start moves along the outer contour from layer to layer"}
                  .within(0, 1e6)
                  .when("method=sun2019")},
+        .groups = {{"the spiral", {"method", "min-width", "thin", "min-radius"}},
+                   {"rows and rings", {"angles", "rings"}},
+                   {"scaffold", {"spacing", "stagger"}},
+                   {"the spiral of the 2019 paper", {"threshold", "start-shift"}}},
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
                       "rows, turned by 90 degrees from layer to layer"},

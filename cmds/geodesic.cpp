@@ -82,6 +82,10 @@ cli::Spec spec(app::geodesic::Options& o) {
              Option{"scale", &o.place.scale, "S|X,Y,Z", "factor on the size, one or one per axis; negative ones mirror"}
                  .within(-1e6, 1e6)},
             cli::with(cli::step_options(o.step), app::geodesic::options(o.shape))),
+        .groups = {{"distances", {"source", "source-lines", "source-mesh", "signed", "method", "paper"}},
+                   {"isolines", {"levels", "spacing", "first"}},
+                   {"the file", {"unit", "scale", "deflection", "deflection-angle"}},
+                   {"the surface", {"cut", "cut-mesh", "keep", "remesh", "longest", "tolerance"}}},
         .examples = {{"geodesic part.stl --source vertex:0 > part.surface", "distances from a corner of a part"},
                      {"geodesic part.stl --source 'plane:1,0,0,4.5' --spacing 1 | peek",
                       "lines at 1, 2, 3 ... mm from where a plane cuts a part"},

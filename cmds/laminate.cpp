@@ -78,6 +78,9 @@ cli::Spec spec(Options& o) {
              Option{"lift", &o.how.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit(),
              Option{"map", &o.map, "FILE", "also the surface with thickness and angles at every point"}
                  .not_a_setting()},
+        .groups = {{"the plies",
+                    {"plies", "table", "symmetric", "reference", "keep", "layer-height", "stagger", "ramp"}},
+                   {"lines", {"spacing", "min-radius", "strict", "turn-outside", "trim-list", "machine"}}},
         .examples =
             {{"geodesic part.stl --cut 0,0,1,0.9 | laminate --plies 0,90 --symmetric --spacing 2 > part.toolpath",
               "four plies on a surface, here a part without its top"}},

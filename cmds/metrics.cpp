@@ -99,6 +99,9 @@ cli::Spec spec(app::metrics::Options& all) {
                  .above(0)
                  .at_most(1e6)
                  .when("surface")},
+        .groups = {{"planar toolpaths", {"regions", "per-region", "per-layer", "pores", "pixel", "turn-samples"}},
+                   {"time and mass", {"machine", "set", "density"}},
+                   {"paths on a surface", {"surface", "voids", "map", "spacing", "step", "max-curvature"}}},
         .examples =
             {{"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | metrics --regions "
               "part.regions",

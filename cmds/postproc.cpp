@@ -71,6 +71,10 @@ cli::Spec spec(postproc::Options& o) {
                          "of robots: where the modules go of a program longer than robot.module_moves"}
                  .not_a_setting()},
             cli::deviation_options(o)),
+        .groups = {{"where the part stands", {"place", "orient", "z-offset"}},
+                   {"changes on the way", {"pause-at", "by-layer"}},
+                   {"accuracy", {"path-tolerance", "axis-tolerance", "flatten"}},
+                   {"what else it writes", {"thumbnails", "job", "summary", "modules"}}},
         .examples =
             {{"slice part.stl | regions | sequence | fill | link3d | postproc --machine marlin > part.gcode",
               "G-code for a filament printer"},

@@ -2,14 +2,9 @@
 // reads:  Layers, Regions, Paths, Toolpath or Surface
 // writes: a PNG picture, SVG, VTP or an HTML page
 // memory: the model
-#include "app/report/report.hpp"
+#include "app/render/render.hpp"
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
-#include "render/draw.hpp"
-#include "wire/planar.hpp"
-#include "wire/surface.hpp"
-
-#include <algorithm>
 
 namespace {
 
@@ -89,6 +84,14 @@ cli::Spec spec(render::Options& o) {
              Option{"no-table", &o.no_table, "", "leaves out the table and its shadow"}.when("!layer"),
              Option{"svg", &o.svg, "", "writes SVG"}.when("layer")},
             cli::when("collisions", cli::head_options(o.head))),
+        .groups = {{"the view",
+                    {"view", "views", "size", "samples", "from-layer", "to-layer", "travels", "no-centres",
+                     "no-table"}},
+                   {"a layer, flat", {"layer", "regions", "svg"}},
+                   {"on a surface", {"surface", "by", "arrows", "voids", "overlap"}},
+                   {"collisions", {"collisions", "part", "around"}},
+                   {"a report", {"figures", "title", "beside"}},
+                   cli::head_group()},
         .examples = {{"slice part.stl | regions | sequence | fill | link3d | render --output part.png",
                       "the whole toolpath in perspective"},
                      {"slice part.stl | regions > part.regions; sequence part.regions | fill | link3d | "
@@ -104,65 +107,6 @@ cli::Spec spec(render::Options& o) {
         .see_also = {"metrics", "peek", "geodesic", "surfpath"}};
 }
 
-// Adds what lies in `range` of `file` to the scene; `seen`: payload frames, in the range or not.
-stream::Payload load(const std::string& file, stream::Payload expected, render::Range range, render::Scene& scene,
-                     std::size_t& seen) {
-    stream::Reader reader(file, expected);
-    while (auto f = reader.next()) {
-        seen += f->tag == stream::tag_of(reader.header().payload) ? 1 : 0;
-        if (f->tag == stream::Tag::span)
-            render::add(scene, wire::span(*f), range);
-        else if (f->tag == stream::Tag::paths)
-            render::add(scene, wire::paths(*f), range);
-        else if (f->tag == stream::Tag::layer)
-            render::add(scene, wire::layer(*f), range);
-        else if (f->tag == stream::Tag::region)
-            render::add(scene, wire::region(*f), range);
-        else if (f->tag == stream::Tag::surface)
-            render::add(scene, wire::sheet(*f));
-    }
-    return reader.header().payload;
-}
-
-// What only a report shows, and what it does not.
-void check_report(const render::Options& o, const cli::Io& io) {
-    const std::string shown[] = {"machine", "regions", "surface", "collisions", "figures", "beside", "title"};
-    const auto both = [](const std::string& name) { return name != "figures" && name != "beside" && name != "title"; };
-    for (const std::string& name : io.given) {
-        const bool known = std::find(std::begin(shown), std::end(shown), name) != std::end(shown);
-        if (o.html && !known) io.idle(name, "a report shows all, and is looked at from everywhere");
-        if (!o.html && known && !both(name))
-            throw Error(Exit::usage, "cannot use --" + name + ": only a report shows it; name the output x.html");
-        if (!o.html && name == "machine" && o.color != "speed")
-            throw Error(Exit::usage, "cannot use --machine: it does nothing without --color speed or a report");
-    }
-}
-
-void run(const render::Options& given, const cli::Io& io) {
-    render::Options o = given;
-    o.html = io.output.ends_with(".html");
-    check_report(o, io);
-    if (o.html)
-        return app::report::run({o.machine, o.regions, o.surface, o.beside, o.figures, o.collisions, o.title}, io);
-    o.svg = o.svg || io.output.ends_with(".svg");
-    o.vtp = io.output.ends_with(".vtp");
-    render::check(o);
-    render::Scene scene;
-    std::size_t seen = 0;
-    const auto payload = load(io.input, stream::Payload::unknown, o.range(), scene, seen);
-    if (seen > 0 && scene.empty())
-        throw Error(Exit::usage, "cannot draw layers " + std::to_string(o.range().from) + " to " +
-                                     std::to_string(o.range().to) + ": the input has nothing there; see 'peek'");
-    if (!o.surface.empty()) load(o.surface, stream::Payload::surface, o.range(), scene, seen);
-    if (!o.regions.empty()) load(o.regions, stream::Payload::regions, o.range(), scene, seen);
-    if (!o.flat() && !scene.sheet) io.idle("no-centres", "only --layer and surfaces show them");
-    const bool regions = payload == stream::Payload::regions, layers = payload == stream::Payload::layers;
-    const char* color = regions ? "stroke" : layers ? "layer" : scene.sheet ? "class" : "progress";
-    stream::Sink out(io.output, o.svg || o.vtp ? stream::Sink::Content::text : stream::Sink::Content::binary);
-    out.write(render::draw(std::move(scene), o, color, io.threads));
-    out.commit();
-}
-
 } // namespace
 
-int main(int argc, char** argv) { return cli::main<render::Options>(argc, argv, spec, run); }
+int main(int argc, char** argv) { return cli::main<render::Options>(argc, argv, spec, app::render::run); }

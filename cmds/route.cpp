@@ -43,6 +43,9 @@ cli::Spec spec(app::route::Options& o) {
                  Option{"leaning", &o.leaning, "FILE", "list of strokes whose tool leans, as TSV"}.not_a_setting().when(
                      "tilt")},
                 app::collide::options(o)),
+            .groups = {{"where the head is in the way", {"tilt", "tilt-rate", "leaning", "lift"}},
+                       app::collide::group(),
+                       cli::head_group()},
             .examples = {{"slice part.stl | regions | sequence | fill | link3d | route --bed | postproc > part.gcode",
                           "travels that go no higher than they have to"}},
             .see_also = {"assemble", "collide", "postproc"}};

@@ -66,6 +66,7 @@ cli::Spec spec(Options& o) {
              cli::Option{"ends", &o.ends, "FILE", "also a line per stroke, why it ends, as TSV"}
                  .when("!pause-at")
                  .not_a_setting()}),
+        .groups = {cli::head_group()},
         .examples = {{"slice part.stl | regions | sequence > part.sequence", "the order of a part"},
                      {"slice part.stl | regions | sequence --head none --report > part.sequence",
                       "the fewest strokes, if the head were a needle"},

@@ -72,6 +72,8 @@ cli::Spec spec(Options& all) {
                  .within(0.01, 100)
                  .same_as({"regions.bead-width"})
                  .a_limit()},
+        .groups = {{"sparse parts", {"infill", "infill-pattern", "solid-below"}},
+                   {"walls and skins", {"walls", "top", "bottom", "bridge"}}},
         .examples = {{"slice part.stl | regions | skins > part.regions", "two walls, four skins, 15 % inside"},
                      {"slice part.stl | regions | skins --infill 30% --walls 3 | sequence | fill > part.paths",
                       "stronger"}},

@@ -74,6 +74,8 @@ cli::Spec spec(Options& o) {
             .out = cli::writes(stream::Payload::surface),
             .memory = "the surface, and the file of stresses twice over",
             .options = options(o),
+            .groups = {{"the file", {"stress", "case", "step", "columns", "unit", "stress-unit", "reach"}},
+                       {"directions", {"tangent", "mask"}}},
             .examples =
                 {{"printf '0 0 1 5 0 0\\n9 0 1 5 0 0\\n9 9 1 5 0 0\\n0 9 1 5 0 0\\n' > stress.csv; geodesic part.stl | "
                   "stressfield --stress stress.csv --case X --reach 1 | peek",

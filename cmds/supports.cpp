@@ -90,6 +90,11 @@ cli::Spec spec(Options& all) {
                         .within(0.01, 100)
                         .same_as({"regions.bead-width"})
                         .a_limit()},
+        .groups = {{"supports",
+                    {"support", "support-in", "no-support-in", "support-on", "support-angle", "support-taper",
+                     "beside"}},
+                   {"supports and rafts", {"gap", "interface", "support-spacing"}},
+                   {"the first layer", {"raft", "brim", "skirt"}}},
         .examples = {{"slice part.stl | regions | supports --support | sequence > part.sequence", "with supports"},
                      {"slice part.stl | regions | skins | supports --brim 5 | sequence | fill > part.paths",
                       "a hollow part with a brim"}},

@@ -33,7 +33,7 @@ constexpr const char* kDescription =
     "--method kipping2022 does it as J. Kipping, Z. Kallai, T. Schueppstuhl, 2022, section 3, for comparison: rows "
     "beside a plane, fina by distance on the surface, fexa by that in space; ortheo, lines across the isocontours of a "
     "seed curve; rings inside the rims, geo-fiso as one path, geo-contour as spirals; geo-spiral around a seed point. "
-    "All options from --plane on are for this method only. What the paper does not give: --resample, --savgol-window, "
+    "The last group of options is for this method only. What the paper does not give: --resample, --savgol-window, "
     "--savgol-degree, --min-spacing. Smoothing takes the path off the surface.";
 
 std::vector<Option> paper_options(Options& o) {
@@ -137,6 +137,13 @@ cli::Spec spec(Options& o) {
              Option{"lift", &o.laying.lift, "MM", "how high the tool travels"}.within(0, 1e4).a_limit()},
             cli::with(cli::with(field_options(o), outside_options(o)),
                       cli::when("method=kipping2022", paper_options(o)))),
+        .groups = {{"the path and its turns", {"spacing", "min-radius", "strict", "turns", "cut-length", "min-length"}},
+                   {"the bead", {"layer-height", "ply", "offset", "lift"}},
+                   {"field", {"follow", "angle", "reference", "keep"}},
+                   {"turns beyond the rims", {"turn-outside", "trim-list", "machine"}},
+                   {"as in the 2022 paper",
+                    {"plane", "resample", "savgol-window", "savgol-degree", "d-iso", "min-spacing", "t-dist",
+                     "n-thresh"}}},
         .examples = {{"geodesic part.stl --cut 0,0,1,0.9 --source boundary | surfpath geo-fiso > part.toolpath",
                       "one path over a surface, here a part without its top"},
                      {"geodesic part.stl --cut 0,0,1,0.9 --source plane:1,0,0,4 --method heat --paper | surfpath fina "

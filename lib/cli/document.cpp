@@ -1,6 +1,7 @@
 #include "cli/document.hpp"
 
 #include "base/number.hpp"
+#include "cli/headings.hpp"
 #include "cli/needs.hpp"
 
 #include <algorithm>
@@ -37,16 +38,21 @@ std::string help_and_default(const Option& o) {
     return help_text(o) + (flag || value.empty() ? "" : " [" + value + "]");
 }
 
-std::vector<Option> with_common(const Spec& spec) {
+// Those that every command has.
+std::vector<Option> common() {
     static std::string output = "-";
     static std::int64_t threads = 0;
     static bool off = false;
+    return {{"output", &output, "FILE", "where to write; a named file appears only when it is complete"},
+            {"threads", &threads, "N", "how many threads to use, 0 for all cores; never changes the result"},
+            {"quiet", &off, "", "no warnings on standard error"},
+            {"help", &off, "", "this text"},
+            {"version", &off, "", "the version"}};
+}
+
+std::vector<Option> with_common(const Spec& spec) {
     std::vector<Option> all = spec.options;
-    all.push_back({"output", &output, "FILE", "where to write; a named file appears only when it is complete"});
-    all.push_back({"threads", &threads, "N", "how many threads to use, 0 for all cores; never changes the result"});
-    all.push_back({"quiet", &off, "", "no warnings on standard error"});
-    all.push_back({"help", &off, "", "this text"});
-    all.push_back({"version", &off, "", "the version"});
+    for (Option& o : common()) all.push_back(std::move(o));
     return all;
 }
 
@@ -140,14 +146,17 @@ std::string help(const Spec& spec) {
     std::string out = spec.name + " - " + spec.synopsis + "\n\nusage: " + usage(spec) + "\n";
     if (spec.in.kind != Port::Kind::none) out += "reads:  " + spec.in.text + "\n";
     if (spec.out.kind != Port::Kind::none) out += "writes: " + spec.out.text + "\n";
-    out += "memory: " + spec.memory + "\n\n" + wrap(spec.description, 0) + "\n\noptions:\n";
-    for (const Option& o : with_common(spec)) {
-        std::string left = "  " + left_part(o);
-        if (left.size() < 30)
-            left.resize(30, ' ');
-        else
-            left += "\n" + std::string(30, ' ');
-        out += left + wrap(help_and_default(o), 30) + "\n";
+    out += "memory: " + spec.memory + "\n\n" + wrap(spec.description, 0) + "\n";
+    for (const Section& section : sections(spec, common())) {
+        out += "\n" + wrap(heading_text(section), 0) + ":\n";
+        for (const Option& o : section.options) {
+            std::string left = "  " + left_part(o);
+            if (left.size() < 30)
+                left.resize(30, ' ');
+            else
+                left += "\n" + std::string(30, ' ');
+            out += left + wrap(help_and_default(o), 30) + "\n";
+        }
     }
     if (!spec.examples.empty()) out += "\nexamples:\n";
     for (const Example& e : spec.examples) out += "  " + e.command + "\n      " + e.says + "\n";
@@ -163,8 +172,11 @@ std::string man_page(const Spec& spec) {
     std::string body = roff(spec.description);
     for (std::size_t at = 0; (at = body.find("\n\n", at)) != std::string::npos; at += 4) body.replace(at, 2, "\n.PP\n");
     out += body + "\n.SH OPTIONS\n";
-    for (const Option& o : with_common(spec))
-        out += ".TP\n.B " + roff(left_part(o)) + "\n" + roff(help_and_default(o)) + "\n";
+    for (const Section& section : sections(spec, common())) {
+        if (!section.heading.empty()) out += ".SS " + roff(heading_text(section)) + "\n";
+        for (const Option& o : section.options)
+            out += ".TP\n.B " + roff(left_part(o)) + "\n" + roff(help_and_default(o)) + "\n";
+    }
     if (spec.in.kind != Port::Kind::none) out += ".SH INPUT\n" + roff(spec.in.text) + "\n";
     if (spec.out.kind != Port::Kind::none) out += ".SH OUTPUT\n" + roff(spec.out.text) + "\n";
     out += ".SH MEMORY USAGE\n" + roff(spec.memory) + "\n.SH EXAMPLES\n";
@@ -175,18 +187,34 @@ std::string man_page(const Spec& spec) {
     return out;
 }
 
+namespace {
+
+std::string table_row(const Option& o) {
+    std::string left = left_part(o);
+    for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
+    const bool flag = std::holds_alternative<bool*>(o.target);
+    return "| `" + left + "` | " + help_text(o) + " | " + (flag ? "" : value_text(o)) + " |\n";
+}
+
+std::string in_capitals(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+} // namespace
+
 std::string markdown(const Spec& spec) {
     std::string out = "# " + spec.name + "\n\n" + spec.synopsis + "\n\n    " + usage(spec) + "\n\n";
     out += "| reads | writes | memory |\n|---|---|---|\n| " + (spec.in.text.empty() ? "-" : spec.in.text) + " | " +
            (spec.out.text.empty() ? "-" : spec.out.text) + " | " + spec.memory + " |\n\n" + spec.description + "\n\n";
-    out += "| option | what it does | default |\n|---|---|---|\n";
-    for (const Option& o : with_common(spec)) {
-        std::string left = left_part(o);
-        for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
-        const bool flag = std::holds_alternative<bool*>(o.target);
-        out += "| `" + left + "` | " + help_text(o) + " | " + (flag ? "" : value_text(o)) + " |\n";
+    out += "## Options\n\n";
+    for (const Section& section : sections(spec, common())) {
+        if (!section.heading.empty()) out += "### " + in_capitals(heading_text(section)) + "\n\n";
+        out += "| option | what it does | default |\n|---|---|---|\n";
+        for (const Option& o : section.options) out += table_row(o);
+        out += "\n";
     }
-    out += "\n## Examples\n\n";
+    out += "## Examples\n\n";
     for (const Example& e : spec.examples) out += e.says + "\n\n    " + e.command + "\n\n";
     out += "## Exit codes\n\n| code | meaning |\n|---|---|\n";
     for (const auto& e : kExits) out += std::string("| ") + e[0] + " | " + e[1] + " |\n";

@@ -25,6 +25,11 @@ std::vector<Option> head_options(HeadChoice& to) {
                "height of the gantry above the tip, 0 for out of reach; ordinary 0")};
 }
 
+// These in the help.
+inline Group head_group() {
+    return {"the print head", {"head", "flat-radius", "cone-angle", "cone-height", "carriage", "gantry-height"}};
+}
+
 // `more` behind `options`.
 inline std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
     options.insert(options.end(), more.begin(), more.end());

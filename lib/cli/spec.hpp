@@ -41,7 +41,6 @@ struct Option {
     bool setting = true;                   // false for files and whatever must not enter the history
     std::string needs = "";                // what other options it needs to have an effect: see when()
     std::vector<std::string> same = {};    // settings of stages before, PROGRAM.NAME, that should have its value
-    std::string group = "";                // heading in the help
     bool limit = false;                    // acts only where the input reaches it: nothing may change, rightly
 
     Option& at_least(double v) {
@@ -104,6 +103,12 @@ struct Option {
 // Options under one more condition.
 std::vector<Option> when(const std::string& condition, std::vector<Option> options);
 
+// Options that stand together in help and pages, by name, under a heading: a noun, as "support" or "rows and strands".
+struct Group {
+    std::string heading;
+    std::vector<std::string> options;
+};
+
 struct Example {
     std::string command; // shell text, run by the tests in a folder that holds part.stl; must exit 0
     std::string says;    // what it does
@@ -129,6 +134,7 @@ struct Spec {
     Port in, out;
     std::string memory; // what it keeps in memory at once: "two layers"
     std::vector<Option> options;
+    std::vector<Group> groups = {}; // of options, in the order of the help; those in none come first
     std::vector<Example> examples;
     std::vector<std::string> see_also = {};
     std::string arguments = "[INPUT]"; // how the usage line names what is no option

@@ -31,3 +31,7 @@ crossings() {
         for width in 0.4 0.8; do [ "$(crossings contour $width)" = 0 ]; done
     done
 }
+
+@test "prints of parts at random, with options at random" {
+    "$BATS_TEST_DIRNAME"/../parts/random-print 1 40
+}

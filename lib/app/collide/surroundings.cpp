@@ -24,4 +24,8 @@ std::vector<cli::Option> options(Surroundings& to) {
         cli::head_options(to.head));
 }
 
+cli::Group group() {
+    return {"what the head meets", {"part", "fixture", "bed", "step", "press", "margin", "strict", "places"}};
+}
+
 } // namespace filum::app::collide

@@ -20,7 +20,8 @@ struct Surroundings {
     bool bed = false, strict = true;
 };
 
-// The options that fill it.
+// The options that fill it, and those of them that stand together in the help, but for the head's.
 std::vector<cli::Option> options(Surroundings& to);
+cli::Group group();
 
 } // namespace filum::app::collide
