@@ -60,8 +60,9 @@ struct Sample {
 // Every chain in stretches of equal length, as near to `step` mm as divides it evenly.
 std::vector<Sample> samples(const Fibres& fibres, const Ground& ground, double step, int threads);
 
-// Per chain the surface's normals at its points, past a rim the tool's axis, if that is known; and how far the points
-// are from the surface, weighted by half of the stretches beside them.
+// Per chain the surface's normals at its points; past a rim, or farther off than a bead is wide, where the nearest
+// place may be on another wall, the tool's axis, if that is known; and how far the points are from the surface,
+// weighted by half of the stretches beside them.
 struct Feet {
     std::vector<std::vector<Vec3>> normals;
     std::vector<Weighted> off;
