@@ -35,7 +35,7 @@ struct Course {
     // Where the last move ended, and the gap since the last extruding one.
     static constexpr double kFar = std::numeric_limits<double>::infinity();
     geom::Vec3 at{}, gap_start{};
-    double gap_xy = 0, gap_way = 0; // mm
+    double gap_xy = 0, gap_way = 0;          // mm
     bool gap_taken = false, gap_held = true; // material is taken back in it; is known not to be
     bool begun = false, in_gap = false;
     toolpath::Role last = toolpath::Role::bead;
