@@ -44,6 +44,13 @@ struct Options {
     baselines::sun2019::SpiralOptions sun2019;
 };
 
+std::vector<cli::Group> groups() {
+    return {{"the spiral", {"method", "min-width", "thin", "min-radius"}},
+            {"rows and rings", {"angles", "rings"}},
+            {"scaffold", {"spacing", "stagger"}},
+            {"the spiral of the 2019 paper", {"threshold", "start-shift"}}};
+}
+
 cli::Spec spec(Options& all) {
     using cli::Option;
     fill::Options& o = all.how;
@@ -98,10 +105,7 @@ cli::Spec spec(Options& all) {
                     "how far the start moves along the outer contour from layer to layer"}
                  .within(0, 1e6)
                  .when("method=sun2019")},
-        .groups = {{"the spiral", {"method", "min-width", "thin", "min-radius"}},
-                   {"rows and rings", {"angles", "rings"}},
-                   {"scaffold", {"spacing", "stagger"}},
-                   {"the spiral of the 2019 paper", {"threshold", "start-shift"}}},
+        .groups = groups(),
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
                       "rows, turned by 90 degrees from layer to layer"},
