@@ -38,6 +38,9 @@ constexpr const char* kThin =
     "top, "
     "where lanes would be below --min-width; or a single pass, where the curve may have two ends for it";
 
+constexpr const char* kMinRadius =
+    "rings of the spiral turn no tighter; what that leaves open and where it turns tighter is reported";
+
 struct Options {
     fill::Options how;
     enum class Method : std::uint8_t { cyc, sun2019 } method = Method::cyc; // of the spiral
@@ -61,50 +64,49 @@ cli::Spec spec(Options& all) {
         .in = cli::reads(stream::Payload::regions),
         .out = cli::writes(stream::Payload::paths),
         .memory = "one region per thread, and outlines filled before, up to 32 MB",
-        .options =
-            {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
-             Option{"method", &all.method, "", "how to build a spiral"}
-                 .one_of({"cyc", "sun2019"})
-                 .when("pattern=spiral"),
-             Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as(
-                 {"regions.bead-width"}),
-             Option{"min-width", &o.min_width, "MM",
-                    "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
-                 .within(0, 100)
-                 .when("pattern=spiral !method=sun2019")
-                 .a_limit(),
-             Option{"thin", &o.thin, "", kThin}
-                 .one_of(fill::kThinNames)
-                 .when("pattern=spiral !method=sun2019")
-                 .a_limit(),
-             Option{"min-radius", &o.min_radius, "MM",
-                    "rings of the spiral turn no tighter; what that leaves open and where it turns tighter is reported"}
-                 .within(0, 1000)
-                 .when("pattern=spiral !method=sun2019"),
-             Option{"angles", &o.angles_deg, "DEG,...",
-                    "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
-                    "0,90 of a scaffold"}
-                 .within(-360, 360)
-                 .when("!pattern=spiral|contour"),
-             Option{"spacing", &o.spacing, "MM",
-                    "from strand to strand, centre to centre; 0: two and a half bead widths"}
-                 .within(0, 1e6)
-                 .when("pattern=scaffold"),
-             Option{"stagger", &o.stagger, "SPACINGS", "how far the strands of every other round of angles are shifted"}
-                 .within(0, 1)
-                 .when("pattern=scaffold"),
-             Option{"rings", &o.rings, "N",
-                    "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
-                 .within(-1, 1e6)
-                 .when("!pattern=spiral|zigzag"),
-             Option{"threshold", &all.sun2019.threshold, "WIDTHS", "within what contours are adjacent"}
-                 .within(1, 4)
-                 .when("method=sun2019")
-                 .a_limit(),
-             Option{"start-shift", &all.sun2019.start_shift, "MM",
-                    "how far the start moves along the outer contour from layer to layer"}
-                 .within(0, 1e6)
-                 .when("method=sun2019")},
+        .options = {Option{"pattern", &o.pattern, "", "how to fill"}.one_of(fill::kPatternNames),
+                    Option{"method", &all.method, "", "how to build a spiral"}
+                        .one_of({"cyc", "sun2019"})
+                        .when("pattern=spiral"),
+                    Option{"bead-width", &o.bead_width, "MM", "width of a bead"}.within(0.01, 100).same_as(
+                        {"regions.bead-width"}),
+                    Option{"min-width", &o.min_width, "MM",
+                           "narrower beads of a spiral are reported; 0: below a quarter of --bead-width"}
+                        .within(0, 100)
+                        .when("pattern=spiral !method=sun2019")
+                        .a_limit(),
+                    Option{"thin", &o.thin, "", kThin}
+                        .one_of(fill::kThinNames)
+                        .when("pattern=spiral !method=sun2019")
+                        .a_limit(),
+                    Option{"min-radius", &o.min_radius, "MM", kMinRadius}.within(0, 1000).when(
+                        "pattern=spiral !method=sun2019"),
+                    Option{"angles", &o.angles_deg, "DEG,...",
+                           "angles of straight rows from the x axis, layer after layer, over and over; none: 0, or "
+                           "0,90 of a scaffold"}
+                        .within(-360, 360)
+                        .when("!pattern=spiral|contour"),
+                    Option{"spacing", &o.spacing, "MM",
+                           "from strand to strand, centre to centre; 0: two and a half bead widths"}
+                        .within(0, 1e6)
+                        .when("pattern=scaffold"),
+                    Option{"stagger", &o.stagger, "SPACINGS",
+                           "how far the strands of every other round of angles are shifted"}
+                        .within(0, 1)
+                        .when("pattern=scaffold"),
+                    Option{
+                        "rings", &o.rings, "N",
+                        "rings along the outline before straight rows, or most rings of contour; -1: the usual number"}
+                        .within(-1, 1e6)
+                        .when("!pattern=spiral|zigzag"),
+                    Option{"threshold", &all.sun2019.threshold, "WIDTHS", "within what contours are adjacent"}
+                        .within(1, 4)
+                        .when("method=sun2019")
+                        .a_limit(),
+                    Option{"start-shift", &all.sun2019.start_shift, "MM",
+                           "how far the start moves along the outer contour from layer to layer"}
+                        .within(0, 1e6)
+                        .when("method=sun2019")},
         .groups = groups(),
         .examples = {{"slice part.stl | regions | sequence | fill > part.paths", "the fill of a part"},
                      {"slice part.stl | regions | sequence | fill --pattern zigzag --angles 0,90 > part.paths",
