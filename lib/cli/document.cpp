@@ -108,6 +108,20 @@ std::string roff(const std::string& text) {
 // Installed pages are called filum-slice.1, so that no other program's page is hidden.
 std::string page_name(const Spec& spec) { return spec.name == "filum" ? spec.name : "filum-" + spec.name; }
 
+// A line of a table in Markdown.
+std::string table_row(const Option& o) {
+    std::string left = left_part(o);
+    for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
+    const bool flag = std::holds_alternative<bool*>(o.target);
+    return "| `" + left + "` | " + help_text(o) + " | " + (flag ? "" : value_text(o)) + " |\n";
+}
+
+// With a capital at its beginning.
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 } // namespace
 
 std::string version() { return FILUM_VERSION; }
@@ -187,29 +201,13 @@ std::string man_page(const Spec& spec) {
     return out;
 }
 
-namespace {
-
-std::string table_row(const Option& o) {
-    std::string left = left_part(o);
-    for (std::size_t at = 0; (at = left.find('|', at)) != std::string::npos; at += 2) left.insert(at, "\\");
-    const bool flag = std::holds_alternative<bool*>(o.target);
-    return "| `" + left + "` | " + help_text(o) + " | " + (flag ? "" : value_text(o)) + " |\n";
-}
-
-std::string in_capitals(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
-} // namespace
-
 std::string markdown(const Spec& spec) {
     std::string out = "# " + spec.name + "\n\n" + spec.synopsis + "\n\n    " + usage(spec) + "\n\n";
     out += "| reads | writes | memory |\n|---|---|---|\n| " + (spec.in.text.empty() ? "-" : spec.in.text) + " | " +
            (spec.out.text.empty() ? "-" : spec.out.text) + " | " + spec.memory + " |\n\n" + spec.description + "\n\n";
     out += "## Options\n\n";
     for (const Section& section : sections(spec, common())) {
-        if (!section.heading.empty()) out += "### " + in_capitals(heading_text(section)) + "\n\n";
+        if (!section.heading.empty()) out += "### " + capitalised(heading_text(section)) + "\n\n";
         out += "| option | what it does | default |\n|---|---|---|\n";
         for (const Option& o : section.options) out += table_row(o);
         out += "\n";

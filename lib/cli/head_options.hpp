@@ -25,7 +25,7 @@ std::vector<Option> head_options(HeadChoice& to) {
                "height of the gantry above the tip, 0 for out of reach; ordinary 0")};
 }
 
-// These in the help.
+// These options in the help.
 inline Group head_group() {
     return {"the print head", {"head", "flat-radius", "cone-angle", "cone-height", "carriage", "gantry-height"}};
 }

@@ -3,42 +3,19 @@
 #include "cli/needs.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace filum::cli {
 
 namespace {
 
-std::vector<std::string> words(const std::string& needs) {
-    std::istringstream in(needs);
-    std::vector<std::string> out;
-    for (std::string word; in >> word;) out.push_back(word);
-    return out;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string out;
-    for (const auto& word : words) out += (out.empty() ? "" : " ") + word;
-    return out;
-}
-
-bool has(const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 // Moves what all options need to the heading, if there are several.
 void share_needs(Section& s) {
     if (s.options.size() < 2) return;
-    auto shared = words(s.options.front().needs);
-    for (const Option& o : s.options)
-        std::erase_if(shared, [&](const auto& word) { return !has(words(o.needs), word); });
-    for (Option& o : s.options) {
-        auto own = words(o.needs);
-        std::erase_if(own, [&](const auto& word) { return has(shared, word); });
-        o.needs = joined(own);
-    }
-    s.needs = joined(shared);
+    std::vector<std::string> all;
+    for (const Option& o : s.options) all.push_back(o.needs);
+    s.needs = shared_needs(all);
+    for (Option& o : s.options) o.needs = needs_without(o.needs, s.needs);
 }
 
 } // namespace

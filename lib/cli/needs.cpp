@@ -42,6 +42,19 @@ std::vector<Need> parse(const std::string& needs) {
     return out;
 }
 
+// The conditions of `needs`, one by one, that `keeps` says yes to.
+std::string picked(const std::string& needs, const std::function<bool(const std::string&)>& keeps) {
+    std::string out;
+    for (const std::string& word : split(needs, ' '))
+        if (keeps(word)) out += (out.empty() ? "" : " ") + word;
+    return out;
+}
+
+bool has(const std::string& needs, const std::string& condition) {
+    const auto all = split(needs, ' ');
+    return std::find(all.begin(), all.end(), condition) != all.end();
+}
+
 std::string listed(const std::vector<std::string>& words) {
     std::string out;
     for (std::size_t i = 0; i < words.size(); ++i)
@@ -79,6 +92,17 @@ std::string needs_text(const std::string& needs) {
     for (const Need& n : parse(needs))
         out += (out.empty() ? "" : ", ") + std::string(n.none ? "not " : "") + "with " + typed(n);
     return out;
+}
+
+std::string shared_needs(std::span<const std::string> needs) {
+    if (needs.empty()) return "";
+    return picked(needs.front(), [&](const auto& condition) {
+        return std::all_of(needs.begin(), needs.end(), [&](const auto& other) { return has(other, condition); });
+    });
+}
+
+std::string needs_without(const std::string& needs, const std::string& shared) {
+    return picked(needs, [&](const auto& condition) { return !has(shared, condition); });
 }
 
 std::optional<std::string> fault(const std::string& name, const std::string& needs, const Lookup& lookup) {

@@ -169,10 +169,10 @@ Feet feet(const Fibres& fibres, const Ground& ground, int threads) {
             const filum::surface::curve::Place at = ground.foot(c.points[i], c.axes[i]);
             const double before = i > 0 ? c.along[i] - c.along[i - 1] : 0;
             const double after = i + 1 < c.points.size() ? c.along[i + 1] - c.along[i] : 0;
-            const double width = c.width[std::min(i, c.width.size() - 1)], off_it = distance(c.points[i], at.point);
-            const bool on = off_it <= width && !past_rim(ground.surface, at, c.points[i], width);
+            const double width = c.width[std::min(i, c.width.size() - 1)], away = distance(c.points[i], at.point);
+            const bool on = away <= width && !past_rim(ground.surface, at, c.points[i], width);
             out.normals[k].push_back(on || c.axes[i] == Vec3{} ? ground.normal(at) : c.axes[i]);
-            off[k].push_back({off_it, (before + after) / 2});
+            off[k].push_back({away, (before + after) / 2});
         }
     });
     for (const auto& part : off) out.off.insert(out.off.end(), part.begin(), part.end());
