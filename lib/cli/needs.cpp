@@ -108,9 +108,10 @@ std::string needs_without(const std::string& needs, const std::string& shared) {
 std::optional<std::string> fault(const std::string& name, const std::string& needs, const Lookup& lookup) {
     for (const Need& n : parse(needs)) {
         if (holds(n, lookup)) continue;
-        const std::string option = "--" + name;
-        if (n.none) return "cannot use " + option + ": it does nothing with " + typed(n) + "; leave one out";
-        return "cannot use " + option + ": it does nothing without " + typed(n) + "; add that, or leave out " + option;
+        const std::string option = "--" + name, given = typed(n);
+        std::string out = "cannot use " + option + ": it does nothing ";
+        out += n.none ? "with " + given + "; leave one out" : "without " + given + "; add that, or leave out " + option;
+        return out;
     }
     return std::nullopt;
 }
