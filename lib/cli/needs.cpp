@@ -108,9 +108,10 @@ std::string needs_without(const std::string& needs, const std::string& shared) {
 std::optional<std::string> fault(const std::string& name, const std::string& needs, const Lookup& lookup) {
     for (const Need& n : parse(needs)) {
         if (holds(n, lookup)) continue;
-        const std::string option = "--" + name, given = typed(n);
-        std::string out = "cannot use " + option + ": it does nothing ";
-        out += n.none ? "with " + given + "; leave one out" : "without " + given + "; add that, or leave out " + option;
+        std::string out = "cannot use --" + name + ": it does nothing ";
+        out += (n.none ? "with " : "without ") + typed(n);
+        out += n.none ? "; leave one out" : "; add that, or leave out --";
+        if (!n.none) out += name;
         return out;
     }
     return std::nullopt;
