@@ -3,6 +3,7 @@
 // writes: Surface
 // memory: the surface, and the file of stresses twice over
 #include "stressfield/stressfield.hpp"
+#include "base/printable.hpp"
 #include "cli/command.hpp"
 #include "cli/head_options.hpp"
 #include "mesh/read.hpp"
@@ -19,7 +20,7 @@ using cli::Option;
 
 struct Options {
     std::string file;
-    stressfield::ReadOptions read{"", "", "all", "mm", "MPa"};
+    stressfield::ReadOptions read;
     stressfield::Options place;
 };
 
@@ -29,15 +30,26 @@ constexpr const char* kDescription =
     "stress.CASE.s1, .s2 and .s3, the principal stresses in MPa, and stress.CASE.d1, the unit vector along which the "
     "greatest one, s1, pulls. A direction and its opposite are the same: the one is taken whose largest component is "
     "positive. Unknown values are infinite. Without --stress nothing is added.\n\n"
-    "The file, as it is or packed by gzip, is one of three, known by its content. The result of CalculiX as text "
-    "(FRD): "
-    "its STRESS of every step, or of --step, is a load case of the step's number. A VTK grid (VTU) in any encoding but "
-    "LZ4 and LZMA: every array of 6 (xx yy zz xy yz zx) or 9 numbers at the points is a load case of its name, but for "
-    "strains; --columns names others, also of vectors. A table (CSV) with a line per point: x,y,z and the vector of "
-    "s1, "
-    "also s1,s2,s3, or the whole tensor; columns are known by the header's names or by --columns, which lists in order "
-    "what they are: x,y,z, s1x,s1y,s1z, s1,s2,s3, sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is "
-    "the length of the vector.\n\n"
+    "The file is FRD, VTU or CSV, as it is or packed by gzip; its content says which. peek shows what was read of it, "
+    "in "
+    "which order and unit.\n\n"
+    "FRD is the result of CalculiX as text. The STRESS of each step becomes a load case of the step's number, that of "
+    "a "
+    "mode STEP-modeN. Of several increments the last one counts; --step STEP-INCREMENT takes another one.\n\n"
+    "VTU is a VTK grid, in any encoding but LZ4 and LZMA. Each array of stresses at the points becomes a load case of "
+    "its "
+    "name: of 6 or 9 numbers, or six arrays of one number. Arrays of strains are left out, and so is an array whose "
+    "name "
+    "does not say stress; --columns names those to take, also vectors. The names of components give their order. Six "
+    "numbers without names are taken in VTK's order, xx yy zz xy yz xz, with a note; --order gives another one: abaqus "
+    "(xx "
+    "yy zz xy xz yz), voigt (xx yy zz yz xz xy), upper (xx xy xz yy yz zz), or names in their order.\n\n"
+    "CSV is a table with a line per point: x,y,z and either the vector of s1, also s1,s2,s3, or the whole tensor. "
+    "Columns "
+    "are known by their names in the header, with their units, or by --columns, which lists in order what they are: "
+    "x,y,z, "
+    "s1x,s1y,s1z, s1,s2,s3, sxx,syy,szz,sxy,syz,szx, and - for others. If no s1 is given, it is the length of the "
+    "vector.\n\n"
     "If there are elements, a vertex takes the stress in the element it lies in, else at the nearest place of their "
     "outer faces that face its way. Of bare points it takes the three about it on the surface, linearly; those on the "
     "other side of a thin wall lie off it and do not count. --reach says how far off is too far. "
@@ -49,11 +61,17 @@ constexpr const char* kDescription =
 std::vector<Option> options(Options& o) {
     const std::vector<Option> how = {
         {"case", &o.read.names, "NAME,...", "names of the load cases in the file, in order; none: its own"},
-        {"step", &o.read.step, "N", "of an FRD, the step to take as a load case, or all"},
+        {"step", &o.read.step, "NAME",
+         "of an FRD, the result to take as a load case: STEP, STEP-INCREMENT, STEP-modeN, all"},
         {"columns", &o.read.columns, "NAME,...", "what the columns of a CSV are, or arrays of a VTU; none: see above"},
-        Option{"unit", &o.read.unit, "", "unit of positions in the file"}.one_of({"mm", "cm", "m", "in"}),
-        Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses in the file"}.one_of(
-            {"MPa", "Pa", "kPa", "GPa", "psi"}),
+        {"order", &o.read.order, "ORDER",
+         "of the numbers of a tensor in a VTU: vtk, abaqus, voigt, upper, or their names"},
+        Option{"decimal", &o.read.decimal, "", "decimal mark of a CSV; auto: as its numbers show"}.one_of(
+            {"auto", "point", "comma"}),
+        Option{"unit", &o.read.unit, "", "unit of positions; auto: as the file says, else mm"}.one_of(
+            {"auto", "mm", "cm", "m", "in"}),
+        Option{"stress-unit", &o.read.stress_unit, "", "unit of stresses; auto: as the file says, else MPa"}.one_of(
+            {"auto", "MPa", "Pa", "kPa", "GPa", "psi", "ksi"}),
         Option{"reach", &o.place.reach, "MM", "how far off the surface stresses count; 0: by the spacing there"}
             .within(0, 1e6)
             .a_limit(),
@@ -74,7 +92,8 @@ cli::Spec spec(Options& o) {
             .out = cli::writes(stream::Payload::surface),
             .memory = "the surface, and the file of stresses twice over",
             .options = options(o),
-            .groups = {{"the file", {"stress", "case", "step", "columns", "unit", "stress-unit", "reach"}},
+            .groups = {{"the file",
+                        {"stress", "case", "step", "columns", "order", "decimal", "unit", "stress-unit", "reach"}},
                        {"directions", {"tangent", "mask"}}},
             .examples =
                 {{"printf '0 0 1 5 0 0\\n9 0 1 5 0 0\\n9 9 1 5 0 0\\n0 9 1 5 0 0\\n' > stress.csv; geodesic part.stl | "
@@ -96,6 +115,7 @@ void run(const Options& o, const cli::Io& io) {
         std::snprintf(crc, sizeof crc, "%08x", stream::crc32c(0, bytes.data.get(), bytes.size));
         self.settings.push_back({"stress_crc32c", crc});
         const auto samples = stressfield::read(bytes.view(), mesh::spoken_name(o.file), o.read, notes);
+        for (const auto& c : samples.cases) self.settings.push_back({"stress_read." + c.name, printable(c.origin)});
         stressfield::add(sheets, samples, o.place, io.threads, notes, facts);
     }
     std::vector<stream::RawFrame> frames;

@@ -1,83 +1,35 @@
-// Tables of numbers: separated by semicolons (then a comma is a decimal point), tabs, commas or blanks, whichever of
-// these comes first in that order on a line; '#' begins a comment.  The line before the first one of numbers is a
-// header.
+// Tables with a line per point; '#' and '%' begin comments.  A header names the columns: the first line whose names
+// make up positions and stresses, or the last one before numbers, which may stand in a comment.
 #include "stressfield/csv_columns.hpp"
+#include "stressfield/csv_text.hpp"
 #include "stressfield/formats.hpp"
 #include "stressfield/principal.hpp"
+#include "stressfield/units.hpp"
 
-#include <charconv>
+#include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace filum::stressfield {
 
 namespace {
 
-using Cells = std::vector<std::string_view>;
-
-std::string_view without_quotes(std::string_view t) {
-    const auto from = t.find_first_not_of(" \t\r\"");
-    if (from == std::string_view::npos) return {};
-    return t.substr(from, t.find_last_not_of(" \t\r\"") + 1 - from);
-}
-
-char separator(std::string_view line) {
-    for (const char c : {';', '\t', ','})
-        if (line.find(c) != std::string_view::npos) return c;
-    return ' ';
-}
-
-// Whole words of a line; an empty one behind the last separator is none.
-void split(std::string_view line, char mark, Cells& out) {
-    out.clear();
-    for (std::size_t from = 0; from <= line.size();) {
-        const std::size_t end = std::min(line.find(mark, from), line.size());
-        const auto cell = without_quotes(line.substr(from, end - from));
-        if (!cell.empty() || (mark != ' ' && end < line.size())) out.push_back(cell);
-        from = end + 1;
-    }
-}
-
-// "nan", "inf" and what overflows are numbers, not finite ones; so is an empty cell.
-bool cell_value(std::string_view cell, bool decimal_comma, double& value) {
-    value = std::nan("");
-    if (cell.empty()) return true;
-    if (cell.front() == '+') cell.remove_prefix(1);
-    std::string dotted;
-    if (decimal_comma && cell.find(',') != std::string_view::npos) {
-        dotted = cell;
-        dotted[dotted.find(',')] = '.';
-        cell = dotted;
-    }
-    const char* const end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, value);
-    return error != std::errc::invalid_argument && stop == end;
-}
-
 class Table {
   public:
-    Table(std::string_view bytes, const std::string& name, const std::string& columns, Notes& notes)
-        : rest_(bytes), name_(name), notes_(notes), given_(!columns.empty()) {
-        if (given_) columns_ = columns_of_option(columns);
-        if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3); // byte order mark
+    Table(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
+        : bytes_(bytes), name_(name), options_(options), notes_(notes), given_(!options.columns.empty()), lines_("") {
+        if (bytes_.starts_with("\xef\xbb\xbf")) bytes_.remove_prefix(3); // byte order mark
+        if (given_) columns_ = columns_of_option(options.columns);
+        lines_ = TextLines(bytes_);
     }
 
     Samples read() {
-        Cells header;
-        std::vector<double> row;
+        find_header();
+        decide_decimal();
+        find_units();
+        out_.cases.push_back({"1", {}, {}, {}, origin()});
         std::size_t not_finite = 0;
-        while (next_line()) {
-            const bool numbers = parse(row);
-            if (width_ == 0 && !numbers) {
-                header = cells_;
-                continue;
-            }
-            if (width_ == 0) begin(header);
-            if (!numbers) fail("'" + std::string(culprit_.substr(0, 20)) + "' is no number");
-            if (row.size() != width_)
-                fail("it has " + std::to_string(row.size()) + " columns, the first one " + std::to_string(width_));
-            if (!add(row)) ++not_finite;
-        }
-        if (width_ == 0) bad(name_, "it is no table of numbers, FRD or VTU file");
+        for_rows([&] { not_finite += add() ? 0 : 1; });
         if (not_finite > 0) notes_.push_back(note("sample that is not finite left out", not_finite));
         if (out_.points.empty()) bad(name_, "it holds no sample");
         finish();
@@ -85,70 +37,271 @@ class Table {
     }
 
   private:
-    // The next line that is neither empty nor a comment.
-    bool next_line() {
-        while (!rest_.empty()) {
-            ++line_number_;
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-            last_ = end == rest_.size();
-            std::string_view line = rest_.substr(0, end);
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
-            line = without_quotes(line.substr(0, line.find('#')));
-            if (line.empty()) continue;
-            if (width_ == 0) mark_ = separator(line);
-            split(line, mark_, cells_);
-            return true;
+    // The next line that is neither empty nor a comment; comments are kept for a header.
+    bool next_line(std::string_view& line) {
+        while (lines_.next(line)) {
+            const std::size_t mark = line.find_first_of("#%");
+            const bool whole = mark == 0;
+            if (whole) comment_ = line.substr(std::min(line.find_first_not_of("#% "), line.size()));
+            if (mark != line.npos && (whole || (line[mark] == '#' && line[mark - 1] == ' ')))
+                line = line.substr(0, mark);
+            while (!line.empty() && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+            if (!line.empty()) return true;
         }
         return false;
     }
 
-    // The cells as numbers; false, with a culprit, if one is none.
-    bool parse(std::vector<double>& row) {
-        row.resize(cells_.size());
-        for (std::size_t i = 0; i < cells_.size(); ++i)
-            if (!cell_value(cells_[i], mark_ == ';' || mark_ == '\t', row[i])) {
-                culprit_ = cells_[i];
-                return false;
+    // Reads up to the first row, and decides what columns mean.
+    void find_header() {
+        std::string_view line, last_words;
+        while (next_line(line)) {
+            if (lines_.number() == 1 && line.size() == 5 && line.starts_with("sep=")) continue; // spreadsheets'
+            mark_ = separator(line);
+            split(line, mark_, cells_);
+            std::string doubt;
+            if (!given_ && missing(columns_of_header(cells_, doubt)).empty()) return use_header();
+            if (!is_row()) {
+                last_words = line;
+                continue;
             }
-        return true;
+            first_row_ = lines_.number();
+            return begin_with_row(last_words);
+        }
+        if (!given_ && !last_words.empty()) {
+            split(last_words, separator(last_words), cells_);
+            std::string doubt;
+            if (const Columns c = columns_of_header(cells_, doubt); has_position(c))
+                bad(name_, "there is no " + missing(c) + " among its columns; name them by --columns");
+        }
+        bad(name_, "it is no table of numbers, FRD or VTU file");
     }
 
-    void begin(const Cells& header) {
+    // Whether all cells are numbers, or those of --columns.
+    [[nodiscard]] bool is_row() const {
+        const auto number = [&](std::string_view cell) {
+            return cell_value(cell, Decimal::point) || cell_value(cell, Decimal::comma);
+        };
+        if (!given_) return std::all_of(cells_.begin(), cells_.end(), number);
+        return std::all_of(columns_.begin(), columns_.end(),
+                           [&](std::size_t c) { return c == kNoColumn || (c < cells_.size() && number(cells_[c])); }) ||
+               std::all_of(cells_.begin(), cells_.end(), number);
+    }
+
+    void use_header() {
+        header_ = cells_;
+        width_ = header_.size();
+        std::string doubt;
+        columns_ = columns_of_header(header_, doubt);
+        if (!doubt.empty()) bad(name_, doubt + "; name them by --columns");
+        header_line_ = lines_.number();
+        first_row_ = header_line_ + 1;
+    }
+
+    // A row of numbers came before any header that names all there must be.
+    void begin_with_row(std::string_view words) {
         width_ = cells_.size();
-        if (!given_) columns_ = header.empty() ? columns_of_count(width_) : columns_of_header(header);
-        if (const std::string what = missing(columns_); !what.empty())
-            bad(name_, "there is no " + what + " among " + std::to_string(width_) + " columns; name them by --columns");
+        const Cells row = cells_;
+        for (const std::string_view text : {comment_, words}) {
+            Cells names;
+            split(text, separator(text), names);
+            if (names.size() != width_ && separator(text) == ' ') split_wide(text, names);
+            std::string doubt;
+            const bool is_header =
+                text == words && !words.empty() ? true : has_position(columns_of_header(names, doubt));
+            if (is_header && (names.size() == width_ || text == words)) header_ = names;
+        }
+        if (!given_) {
+            std::string doubt;
+            columns_ = header_.empty() ? columns_of_count(width_) : columns_of_header(header_, doubt);
+            if (const std::string what = missing(columns_); !what.empty())
+                bad(name_,
+                    "there is no " + what + " among " + std::to_string(width_) + " columns; name them by --columns");
+            if (!doubt.empty()) bad(name_, doubt + "; name them by --columns");
+            if (!header_.empty() && header_.size() != width_) wrong_width(first_row_, width_, header_.size());
+        }
         for (const std::size_t c : columns_)
             if (c != kNoColumn && c >= width_)
-                bad(name_, std::string(given_ ? "--columns" : "the header") + " names " + std::to_string(c + 1) +
-                               " columns, line " + std::to_string(line_number_) + " has " + std::to_string(width_));
-        tensors_ = has_tensor(columns_);
-        out_.cases.push_back({"1", {}, {}, {}});
+                bad(name_, "--columns names " + std::to_string(c + 1) + " columns, line " + std::to_string(first_row_) +
+                               " has " + std::to_string(width_));
+        if (header_.size() != width_) header_.clear();
+    }
+
+    // Calls `use` for every row, its cells in cells_.
+    template <class Use>
+    void for_rows(const Use& use) {
+        lines_ = TextLines(bytes_);
+        std::string_view line;
+        while (next_line(line)) {
+            if (lines_.number() < first_row_) continue;
+            split(line, mark_, cells_);
+            if (is_units_row() || cells_ == header_) continue; // a header may come again, before each part
+            if (cells_.size() != width_) {
+                if (!lines_.ended() && cells_.size() < width_) cut_inside();
+                wrong_width(lines_.number(), cells_.size(), width_);
+            }
+            use();
+        }
+    }
+
+    // A line below the header with units instead of numbers.
+    bool is_units_row() {
+        if (header_line_ == 0 || lines_.number() != header_line_ + 1 || cells_.size() != width_) return false;
+        bool any = false;
+        for (std::size_t r = 0; r < kRoles; ++r) {
+            if (!is_used(columns_, r)) continue;
+            std::string_view cell = cells_[columns_[r]];
+            if (cell.size() > 1 && (cell.front() == '[' || cell.front() == '(')) cell = cell.substr(1, cell.size() - 2);
+            if (cell.empty() || cell == "-") continue;
+            if (!factor_of(dimension_of(r), cell)) return false;
+            any = true;
+            unit_texts_[r] = cell;
+        }
+        return any;
+    }
+
+    [[noreturn]] void wrong_width(std::size_t line, std::size_t has, std::size_t should) const {
+        bad(name_, "line " + std::to_string(line) + ": it has " + std::to_string(has) + " columns, the " +
+                       (header_.empty() ? "first one " : "header ") + std::to_string(should) +
+                       (mark_ == ',' && has >= 2 * should ? "; are there decimal commas without quotes?" : ""));
+    }
+
+    [[noreturn]] void cut_inside() const { cut(name_, "it ends inside line " + std::to_string(lines_.number())); }
+
+    // What all used cells show about their decimal mark, and whether rows are of one load case.
+    void decide_decimal() {
+        DecimalEvidence evidence;
+        std::vector<std::size_t> tellers;
+        for (std::size_t k = 0; k < header_.size(); ++k)
+            if (tells_cases(header_[k]) && std::find(columns_.begin(), columns_.end(), k) == columns_.end())
+                tellers.push_back(k);
+        Cells first;
+        for_rows([&] {
+            for (std::size_t r = 0; r < kRoles; ++r)
+                if (is_used(columns_, r)) evidence.add(cells_[columns_[r]]);
+            if (first.empty()) first = cells_;
+            for (const std::size_t k : tellers)
+                if (cells_[k] != first[k])
+                    bad(name_, "its column '" + std::string(header_[k]) + "' has '" + std::string(first[k]) +
+                                   "' and '" + std::string(cells_[k]) +
+                                   "': it holds several load cases; keep the lines of one of them");
+        });
+        if (options_.decimal != "auto") {
+            decimal_ = options_.decimal == "comma" ? Decimal::comma : Decimal::point;
+            return;
+        }
+        if (evidence.comma() && evidence.point())
+            bad(name_, "some of its numbers have a decimal comma, others a decimal point; give --decimal");
+        if (!evidence.doubtful().empty() && !evidence.comma() && !evidence.point() && mark_ != ';')
+            bad(name_, "its number '" + evidence.doubtful() +
+                           "' may have a decimal comma or thousands set apart; give --decimal");
+        const bool semicolons = mark_ == ';' && !evidence.doubtful().empty() && !evidence.point();
+        decimal_ = evidence.comma() || semicolons ? Decimal::comma : Decimal::point;
+    }
+
+    // A header of --columns may be units alone.
+    static std::string unit_of(Dimension dimension, std::string_view name) {
+        return factor_of(dimension, name) ? std::string(name) : unit_in(dimension, name);
+    }
+
+    static Dimension dimension_of(std::size_t role) { return role <= kZ ? Dimension::length : Dimension::stress; }
+
+    // Factors of all used columns, by --unit and --stress-unit, else by the header, else 1.
+    void find_units() {
+        for (const auto dimension : {Dimension::length, Dimension::stress}) find_units(dimension);
+    }
+
+    void find_units(Dimension dimension) {
+        const bool length = dimension == Dimension::length;
+        const std::string& option = length ? options_.unit : options_.stress_unit;
+        const std::string flag = length ? "--unit" : "--stress-unit";
+        std::string& common = length ? length_unit_ : stress_unit_;
+        std::string unused;
+        std::size_t without = 0, used = 0;
+        for (std::size_t r = 0; r < kRoles; ++r) {
+            if (!is_used(columns_, r) || dimension_of(r) != dimension) continue;
+            std::string own = unit_texts_[r];
+            if (own.empty() && !header_.empty()) own = unit_of(dimension, header_[columns_[r]]);
+            ++used;
+            without += own.empty() ? 1 : 0;
+            const auto factor = factor_of(dimension, own);
+            if (option != "auto") {
+                factor_[r] = *factor_of(dimension, option);
+                if (factor && *factor != factor_[r]) unused = own;
+                continue;
+            }
+            if (own.empty()) continue;
+            if (!factor) bad(name_, "the unit '" + own + "' in its header is not known; give " + flag);
+            factor_[r] = *factor;
+            if (common.empty()) common = own;
+            if (*factor != factor_of(dimension, common)) mixed_ = true;
+        }
+        if (!unused.empty())
+            notes_.push_back(note("unit '" + unused + "' of the header not used: " + flag + " is given", 1));
+        if (without > 0 && without < used && option == "auto") {
+            if (mixed_) bad(name_, "its columns have several units, and some have none; give " + flag);
+            for (std::size_t r = 0; r < kRoles; ++r)
+                if (is_used(columns_, r) && dimension_of(r) == dimension) factor_[r] = *factor_of(dimension, common);
+        }
+        if (option != "auto") common = option;
+        if (common.empty()) common = length ? "mm" : "MPa";
+    }
+
+    // What is read, for the history of the stream.
+    [[nodiscard]] std::string origin() const {
+        std::string names;
+        for (std::size_t r = 0; r < kRoles; ++r) {
+            if (!is_used(columns_, r)) continue;
+            const bool by_name = !given_ && !header_.empty();
+            names += (names.empty() ? "" : " ") +
+                     (by_name ? std::string(header_[columns_[r]]) : "column " + std::to_string(columns_[r] + 1));
+        }
+        return names + " as x y z " + (has_tensor(columns_) ? "xx yy zz xy yz zx" : "and vector") + ", " +
+               length_unit_ + ", " + stress_unit_;
+    }
+
+    [[nodiscard]] double value(std::size_t role) const {
+        const auto v = cell_value(cells_[columns_[role]], decimal_);
+        if (!v) {
+            if (!lines_.ended()) cut_inside();
+            bad(name_, "line " + std::to_string(lines_.number()) + ": '" +
+                           std::string(cells_[columns_[role]].substr(0, 20)) + "' is no number");
+        }
+        return *v * factor_[role];
     }
 
     // False if it is not finite.
-    bool add(const std::vector<double>& row) {
-        const auto at = [&](std::size_t role, double other) {
-            return columns_[role] == kNoColumn ? other : row[columns_[role]];
-        };
+    bool add() {
+        std::array<double, kRoles> v{};
+        for (std::size_t r = 0; r < kRoles; ++r)
+            if (is_used(columns_, r)) v[r] = value(r);
+        const auto at = [&](std::size_t role, double other) { return is_used(columns_, role) ? v[role] : other; };
         const double unknown = std::numeric_limits<double>::infinity();
-        const Vec3 p{row[columns_[kX]], row[columns_[kY]], row[columns_[kZ]]};
-        if (!std::isfinite(p.x + p.y + p.z)) return false;
+        if (!std::isfinite(v[kX] + v[kY] + v[kZ])) return false;
         Case& c = out_.cases[0];
-        if (tensors_) {
+        if (has_tensor(columns_)) {
             Tensor t;
-            for (std::size_t k = 0; k < 6; ++k) t[k] = row[columns_[kXx + k]];
+            for (std::size_t k = 0; k < 6; ++k) t[k] = v[kXx + k];
             if (!std::isfinite(t[0] + t[1] + t[2] + t[3] + t[4] + t[5])) return false;
             c.tensors.push_back(t);
         } else {
-            const Vec3 d{row[columns_[kVx]], row[columns_[kVy]], row[columns_[kVz]]};
+            const Vec3 d{v[kVx], v[kVy], v[kVz]};
             const Principal s{at(kS1, norm(d)), at(kS2, unknown), at(kS3, unknown)};
             if (!std::isfinite(norm(d) + s[0]) || std::isnan(s[1] + s[2])) return false;
+            check_order(s);
             c.directions.push_back(d);
             c.principals.push_back(s);
         }
-        out_.points.push_back(p);
+        out_.points.push_back({v[kX], v[kY], v[kZ]});
         return true;
+    }
+
+    // s1 is the greatest; a file that counts the other way would give the direction of the least.
+    void check_order(const Principal& s) const {
+        constexpr double kRounding = 1e-3; // share of the largest: more than four digits of text lose
+        for (std::size_t k = 1; k < 3; ++k)
+            if (std::isfinite(s[k]) && s[k] - s[0] > kRounding * std::max(std::abs(s[k]), std::abs(s[0])))
+                bad(name_, "line " + std::to_string(lines_.number()) + ": s" + std::to_string(k + 1) +
+                               " is greater than s1, which should be the greatest; name columns by --columns");
     }
 
     // Samples at one place, as of a node in several elements, become their mean.
@@ -161,7 +314,7 @@ class Table {
         };
         std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
         Samples merged;
-        merged.cases.push_back({out_.cases[0].name, {}, {}, {}});
+        merged.cases.push_back({out_.cases[0].name, {}, {}, {}, out_.cases[0].origin});
         for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
             for (j = i; j < order.size() && key(order[j]) == key(order[i]);) ++j;
             merged.points.push_back(out_.points[order[i]]);
@@ -189,28 +342,32 @@ class Table {
         to.directions.push_back(of.size() == 1 ? from.directions[of[0]] : principal_axes(t).first.value_or(Vec3{}));
     }
 
-    [[noreturn]] void fail(const std::string& why) const {
-        if (last_) cut(name_, "it ends inside line " + std::to_string(line_number_));
-        bad(name_, "line " + std::to_string(line_number_) + ": " + why);
-    }
-
-    std::string_view rest_;
+    std::string_view bytes_;
     const std::string& name_;
+    const ReadOptions& options_;
     Notes& notes_;
-    bool given_;
+    bool given_, mixed_ = false;
     Columns columns_{};
-    Cells cells_;
+    TextLines lines_;
+    std::string_view comment_; // the last one before numbers
+    Cells header_, cells_;
     char mark_ = ' ';
-    std::string_view culprit_;
-    std::size_t width_ = 0, line_number_ = 0;
-    bool last_ = false, tensors_ = false;
+    std::size_t width_ = 0, header_line_ = 0, first_row_ = 0;
+    Decimal decimal_ = Decimal::point;
+    std::array<std::string, kRoles> unit_texts_; // of a line of units
+    std::array<double, kRoles> factor_ = [] {
+        std::array<double, kRoles> out{};
+        out.fill(1);
+        return out;
+    }();
+    std::string length_unit_, stress_unit_;
     Samples out_;
 };
 
 } // namespace
 
-Samples read_csv(std::string_view bytes, const std::string& name, const std::string& columns, Notes& notes) {
-    return Table(bytes, name, columns, notes).read();
+Samples read_csv(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
+    return Table(bytes, name, options, notes).read();
 }
 
 } // namespace filum::stressfield

@@ -1,6 +1,8 @@
 #include "stressfield/csv_columns.hpp"
 
 #include "base/error.hpp"
+#include "stressfield/components.hpp"
+#include "stressfield/units.hpp"
 
 #include <algorithm>
 
@@ -8,40 +10,36 @@ namespace filum::stressfield {
 
 namespace {
 
-// What a role is called, the option's word first.
+// What a role is called, the option's word first.  Entries of a tensor have further names, see component_of.
 const std::array<std::vector<std::string_view>, kRoles> kNames = {{
-    {"x", "posx", "xpos", "coordx", "xcoord", "xcoordinate", "xlocation", "points0", "nodex"},
-    {"y", "posy", "ypos", "coordy", "ycoord", "ycoordinate", "ylocation", "points1", "nodey"},
-    {"z", "posz", "zpos", "coordz", "zcoord", "zcoordinate", "zlocation", "points2", "nodez"},
+    {"x", "posx", "xpos", "coordx", "coorx", "xcoord", "xcoordinate", "xlocation", "points0", "pointsx", "nodex"},
+    {"y", "posy", "ypos", "coordy", "coory", "ycoord", "ycoordinate", "ylocation", "points1", "pointsy", "nodey"},
+    {"z", "posz", "zpos", "coordz", "coorz", "zcoord", "zcoordinate", "zlocation", "points2", "pointsz", "nodez"},
     {"s1x", "vx", "d1x", "dirx", "v1x"},
     {"s1y", "vy", "d1y", "diry", "v1y"},
     {"s1z", "vz", "d1z", "dirz", "v1z"},
     {"s1", "sigma1", "maxprincipal", "maximumprincipal", "maximumprincipalstress", "smaxprincipal"},
     {"s2", "sigma2", "midprincipal", "middleprincipal", "middleprincipalstress", "smidprincipal"},
     {"s3", "sigma3", "minprincipal", "minimumprincipal", "minimumprincipalstress", "sminprincipal"},
-    {"sxx", "sx", "s11", "ss11", "sigmaxx", "stressxx"},
-    {"syy", "sy", "s22", "ss22", "sigmayy", "stressyy"},
-    {"szz", "sz", "s33", "ss33", "sigmazz", "stresszz"},
-    {"sxy", "s12", "ss12", "sigmaxy", "stressxy", "txy", "tauxy"},
-    {"syz", "s23", "ss23", "sigmayz", "stressyz", "tyz", "tauyz"},
-    {"szx", "sxz", "s13", "s31", "ss13", "sigmazx", "sigmaxz", "stressxz", "stresszx", "tzx", "txz", "tauzx", "tauxz"},
+    {"sxx"},
+    {"syy"},
+    {"szz"},
+    {"sxy"},
+    {"syz"},
+    {"szx"},
 }};
 
-// Lower case, without a unit in brackets, letters and digits only.
-std::string plain(std::string_view name) {
-    std::string out;
-    for (const char c : name.substr(0, name.find_first_of("[("))) {
-        const char l = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
-        if ((l >= 'a' && l <= 'z') || (l >= '0' && l <= '9')) out += l;
-    }
-    return out;
-}
-
+// The option's word or another name of the role.
 std::size_t role_of(std::string_view name) {
+    name = without_unit(name);
     const std::string word = plain(name);
     for (std::size_t r = 0; r < kRoles; ++r)
         if (std::find(kNames[r].begin(), kNames[r].end(), word) != kNames[r].end()) return r;
-    return kRoles;
+    const auto c = component_of(name);
+    if (!c || quantity_of(c->prefix) != Quantity::stress || c->has_zero) return kRoles;
+    const int base = c->digits ? 1 : 0;
+    constexpr Role entries[3][3] = {{kXx, kXy, kZx}, {kXy, kYy, kYz}, {kZx, kYz, kZz}};
+    return entries[c->row - base][c->column - base];
 }
 
 bool has(const Columns& c, std::size_t first, std::size_t count) {
@@ -58,10 +56,19 @@ Columns none() {
 
 } // namespace
 
-Columns columns_of_header(const std::vector<std::string_view>& names) {
+Columns columns_of_header(const std::vector<std::string_view>& names, std::string& doubt) {
     Columns out = none();
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (const std::size_t r = role_of(names[i]); r < kRoles && out[r] == kNoColumn) out[r] = i;
+    std::array<std::size_t, kRoles> second = none();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::size_t r = role_of(names[i]);
+        if (r == kRoles) continue;
+        (out[r] == kNoColumn ? out[r] : second[r]) = i;
+    }
+    doubt = "";
+    for (std::size_t r = 0; r < kRoles && doubt.empty(); ++r)
+        if (second[r] != kNoColumn && is_used(out, r))
+            doubt = "its columns '" + std::string(names[out[r]]) + "' and '" + std::string(names[second[r]]) +
+                    "' both may be " + std::string(kNames[r].front());
     return out;
 }
 
@@ -92,12 +99,27 @@ Columns columns_of_count(std::size_t count) {
     return out;
 }
 
+bool has_position(const Columns& c) { return has(c, kX, 3); }
 bool has_tensor(const Columns& c) { return has(c, kXx, 6); }
 
+bool is_used(const Columns& c, std::size_t role) {
+    return c[role] != kNoColumn && (role <= kZ || (has_tensor(c) ? role >= kXx : role < kXx));
+}
+
 std::string missing(const Columns& c) {
-    if (!has(c, kX, 3)) return "column for x, y and z";
+    if (!has_position(c)) return "column for x, y and z";
     if (!has(c, kVx, 3) && !has_tensor(c)) return "set of columns s1x,s1y,s1z or sxx,syy,szz,sxy,syz,szx";
     return "";
+}
+
+bool tells_cases(std::string_view name) {
+    static constexpr std::string_view kWords[] = {
+        "step", "stepname", "stepid",     "stepnumber", "frame",      "frameid",     "increment",
+        "inc",  "loadcase", "lc",         "case",       "subcase",    "substep",     "loadstep",
+        "time", "timestep", "steptime",   "timevalue",  "mode",       "modenumber",  "frequency",
+        "freq", "set",      "resultcase", "layer",      "outputcase", "sectionpoint"};
+    const std::string word = plain(name);
+    return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
 } // namespace filum::stressfield

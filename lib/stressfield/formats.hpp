@@ -1,5 +1,5 @@
-// One reader per file format; private to lib/stressfield.  All throw Error as stressfield::read says; positions and
-// stresses are as they stand in the file.
+// One reader per file format; private to lib/stressfield.  All throw Error as stressfield::read says; positions are in
+// mm, stresses in MPa.
 #pragma once
 
 #include "base/error.hpp"
@@ -7,9 +7,9 @@
 
 namespace filum::stressfield {
 
-Samples read_csv(std::string_view bytes, const std::string& name, const std::string& columns, Notes& notes);
-Samples read_frd(std::string_view bytes, const std::string& name, const std::string& step, Notes& notes);
-Samples read_vtu(std::string_view bytes, const std::string& name, const std::string& arrays, Notes& notes);
+Samples read_csv(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes);
+Samples read_frd(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes);
+Samples read_vtu(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes);
 
 [[noreturn]] inline void bad(const std::string& name, const std::string& why) {
     throw Error(Exit::bad_input, "cannot read " + name + ": " + why);

@@ -3,7 +3,12 @@
 #include "stressfield/formats.hpp"
 #include "stressfield/frd_text.hpp"
 
+#include "base/number.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace filum::stressfield {
 
@@ -85,10 +90,26 @@ class Numbering {
     bool sorted_ = true;
 };
 
+// A result of stresses.  Its name is STEP-INCREMENT, of a mode STEP-modeNUMBER.
+struct Result {
+    long long step = -1, increment = -1, mode = -1;
+    double value = kNan;            // time, or frequency of a mode
+    std::unique_ptr<Case> stresses; // none: read over
+
+    [[nodiscard]] std::string name() const {
+        const std::string of = std::to_string(step);
+        return mode >= 0 ? of + "-mode" + std::to_string(mode) : of + "-" + std::to_string(std::max(1LL, increment));
+    }
+    [[nodiscard]] std::string text() const {
+        if (std::isnan(value)) return name();
+        return name() + (mode >= 0 ? " (frequency " : " (time ") + shortest_text(value) + ")";
+    }
+};
+
 class Frd {
   public:
-    Frd(std::string_view bytes, const std::string& name, const std::string& step, Notes& notes)
-        : lines_(bytes), name_(name), notes_(notes), step_(step) {}
+    Frd(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
+        : lines_(bytes), name_(name), notes_(notes), step_(options.step) {}
 
     Samples read() {
         bool ended = false;
@@ -100,6 +121,8 @@ class Frd {
                 read_elements();
             else if (line_.starts_with("    1PSTEP"))
                 note_step();
+            else if (line_.starts_with("    1PMODE"))
+                note_mode();
             else if (key == "  100")
                 read_result();
             else if (line_.starts_with(" 9999"))
@@ -109,9 +132,8 @@ class Frd {
         }
         if (out_.points.empty()) bad(name_, "it has no nodes");
         if (!ended) notes_.push_back(note("end mark missing: the file may be cut short", 1));
-        if (repeated_ > 0) notes_.push_back(note("earlier result of a step not used", repeated_));
+        take_wanted();
         if (lost_ > 0) notes_.push_back(note("stress that is not finite taken as unknown", lost_));
-        if (out_.cases.empty()) no_stresses();
         return std::move(out_);
     }
 
@@ -204,33 +226,90 @@ class Frd {
     // "1PSTEP", a running number, the increment, the step.
     void note_step() {
         long long n = 0;
-        if (whole(columns(line_, 48, 12), n)) current_ = n;
+        if (whole(columns(line_, 48, 12), n)) next_.step = n;
+        if (whole(columns(line_, 36, 12), n)) next_.increment = n;
     }
 
+    // "1PMODE", the number of a mode.
+    void note_mode() {
+        long long n = 0;
+        if (whole(columns(line_, 24, 12), n)) next_.mode = n;
+    }
+
+    // Its header: a time, or the frequency of a mode.
     void read_result() {
         use_format(columns(line_, 73, 2));
-        long long step = 0;
-        if (current_ < 0 && whole(columns(line_, 58, 5), step)) current_ = step;
-        const std::string step_name = std::to_string(std::max(0LL, current_));
-        current_ = -1;
+        Result own = std::exchange(next_, {});
+        if (own.step < 0) whole(columns(line_, 58, 5), own.step);
+        own.step = std::max(0LL, own.step);
+        double value = 0;
+        if (number(columns(line_, 12, 12), value)) own.value = value;
         if (!lines_.next(line_)) cut(name_, "it ends inside a result");
         if (!line_.starts_with(" -4")) fail("a result does not begin with -4");
         std::string_view what = columns(line_, 5, 8);
         what = what.substr(0, what.find(' '));
-        if (what == "STRESS") steps_.push_back(step_name);
-        if (what != "STRESS" || (step_ != "all" && step_ != step_name)) {
+        if (what == "STRESS" && may_be_wanted(own)) {
+            own.stresses = std::make_unique<Case>();
+            read_stresses(*own.stresses);
+        } else {
             if (!lines_.seek(" -3")) cut(name_, "it ends inside a result");
             lines_.next(line_);
-            return;
         }
-        Case* c = nullptr;
-        for (Case& other : out_.cases)
-            if (other.name == step_name) {
-                c = &other;
-                ++repeated_;
+        if (what == "STRESS") add(std::move(own));
+    }
+
+    [[nodiscard]] bool may_be_wanted(const Result& r) const {
+        return step_ == "all" || step_ == r.name() || step_ == std::to_string(r.step);
+    }
+
+    // Of the increments of a step only the last one is kept, unless one is asked for.
+    void add(Result r) {
+        for (Result& other : results_) {
+            const bool replaced = other.name() == r.name() || (other.step == r.step && other.mode < 0 && r.mode < 0 &&
+                                                               other.name() != step_ && r.name() != step_);
+            if (replaced) other.stresses.reset();
+        }
+        results_.push_back(std::move(r));
+    }
+
+    // Makes cases of the results that --step asks for: a step's last increment and each of its modes, or one result.
+    void take_wanted() {
+        if (results_.empty()) bad(name_, "it holds no STRESS; ask for S on *EL FILE");
+        std::vector<std::string> unused;
+        std::vector<long long> modes;
+        for (Result& r : results_) {
+            const bool by_step = step_ == std::to_string(r.step);
+            if (!may_be_wanted(r)) continue;
+            if (!r.stresses) {
+                unused.push_back(r.name());
+                continue;
             }
-        if (c == nullptr) c = &out_.cases.emplace_back(Case{step_name, {}, {}, {}});
-        read_stresses(*c);
+            if (by_step && r.mode >= 0) modes.push_back(r.mode);
+            r.stresses->name = by_step || (step_ == "all" && r.mode < 0) ? std::to_string(r.step) : r.name();
+            r.stresses->origin = "STRESS of step " + r.text();
+            out_.cases.push_back(std::move(*r.stresses));
+        }
+        if (out_.cases.empty() || (modes.size() > 1 && step_ != "all"))
+            throw Error(Exit::usage, "cannot use '" + step_ + "' for --step: " + name_ + " has the steps " + list());
+        if (!unused.empty())
+            notes_.push_back(
+                note("earlier result of a step not used: " + joined(unused) + " (--step takes one)", unused.size()));
+    }
+
+    static std::string joined(const std::vector<std::string>& names) {
+        constexpr std::size_t kShown = 12; // of more, how many there are says enough
+        std::string out;
+        for (std::size_t k = 0; k < names.size() && k < kShown; ++k) out += (k == 0 ? "" : ", ") + names[k];
+        return names.size() > kShown ? out + " ... " + names.back() : out;
+    }
+
+    [[nodiscard]] std::string list() const {
+        std::vector<std::string> names;
+        for (const Result& r : results_) {
+            const bool alone = r.mode < 0 && std::ranges::count(results_, r.step, &Result::step) == 1;
+            names.push_back(alone ? std::to_string(r.step) : r.text());
+        }
+        return joined(names);
     }
 
     void read_stresses(Case& c) {
@@ -257,13 +336,6 @@ class Frd {
         }
     }
 
-    [[noreturn]] void no_stresses() const {
-        if (steps_.empty()) bad(name_, "it holds no STRESS; ask for S on *EL FILE");
-        std::string list;
-        for (const auto& s : steps_) list += (list.empty() ? "" : ", ") + s;
-        throw Error(Exit::usage, "cannot use '" + step_ + "' for --step: " + name_ + " has the steps " + list);
-    }
-
     [[noreturn]] void fail(const std::string& why) const {
         if (!lines_.ended()) cut(name_, "it ends inside line " + std::to_string(lines_.line()));
         bad(name_, "line " + std::to_string(lines_.line()) + ": " + why);
@@ -275,18 +347,18 @@ class Frd {
     std::string step_;
     std::string_view line_;
     Numbering numbering_;
-    std::size_t id_ = 10; // columns of a node's number
-    long long current_ = -1;
+    std::size_t id_ = 10;              // columns of a node's number
+    Result next_;                      // what records before it say of the next result
     std::vector<std::uint32_t> found_; // nodes of an element
-    std::vector<std::string> steps_;   // of stresses
-    std::size_t repeated_ = 0, lost_ = 0;
+    std::vector<Result> results_;      // of stresses, in the order of the file
+    std::size_t lost_ = 0;
     Samples out_;
 };
 
 } // namespace
 
-Samples read_frd(std::string_view bytes, const std::string& name, const std::string& step, Notes& notes) {
-    return Frd(bytes, name, step, notes).read();
+Samples read_frd(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
+    return Frd(bytes, name, options, notes).read();
 }
 
 } // namespace filum::stressfield

@@ -1,6 +1,7 @@
 #include "stressfield/read.hpp"
 
 #include "stressfield/formats.hpp"
+#include "stressfield/units.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -42,21 +43,10 @@ std::string gunzip(std::string_view bytes, const std::string& name) {
     return out;
 }
 
-struct Factor {
-    const char* unit;
-    double factor;
-};
-constexpr Factor kLengths[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
-constexpr Factor kStresses[] = {{"MPa", 1}, {"Pa", 1e-6}, {"kPa", 1e-3}, {"GPa", 1e3}, {"psi", 0.006894757293168361}};
-
-template <std::size_t N>
-double factor(const Factor (&of)[N], const std::string& unit) {
-    for (const auto& f : of)
-        if (unit == f.unit) return f.factor;
-    return 1;
-}
-
-void scale(Samples& samples, double length, double stress) {
+// The units of a format that has none.
+void scale(Samples& samples, const ReadOptions& options) {
+    const double length = options.unit == "auto" ? 1 : *factor_of(Dimension::length, options.unit);
+    const double stress = options.stress_unit == "auto" ? 1 : *factor_of(Dimension::stress, options.stress_unit);
     for (Vec3& p : samples.points) p = length * p;
     for (Case& c : samples.cases) {
         for (Tensor& t : c.tensors)
@@ -72,6 +62,12 @@ bool proper(const std::string& name) {
     });
 }
 
+std::string list_of(const Samples& samples) {
+    std::string out;
+    for (const Case& c : samples.cases) out += (out.empty() ? "" : ", ") + c.name;
+    return out;
+}
+
 void rename(Samples& samples, const std::string& names, const std::string& file) {
     if (!names.empty()) {
         std::vector<std::string> words;
@@ -82,7 +78,7 @@ void rename(Samples& samples, const std::string& names, const std::string& file)
         }
         if (words.size() != samples.cases.size())
             throw Error(Exit::usage, "cannot use '" + names + "' for --case: " + file + " has " +
-                                         std::to_string(samples.cases.size()) + " load cases");
+                                         std::to_string(samples.cases.size()) + " load cases: " + list_of(samples));
         for (std::size_t i = 0; i < words.size(); ++i) samples.cases[i].name = words[i];
     }
     std::set<std::string> seen;
@@ -94,15 +90,26 @@ void rename(Samples& samples, const std::string& names, const std::string& file)
 
 Samples read_any(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
     const std::string_view start = bytes.substr(std::min(bytes.find_first_not_of(" \r\n"), bytes.size()));
-    const bool frd = start.starts_with("1C") || start.starts_with("1U");
+    const bool frd = start.starts_with("1C") || start.starts_with("1U"), vtu = start.starts_with("<");
     if (frd && !options.columns.empty())
         throw Error(Exit::usage, "cannot use --columns: " + name + " is an FRD file, whose columns are fixed");
     if (!frd && options.step != "all")
         throw Error(Exit::usage, "cannot use --step: " + name + " is no FRD file and has no steps");
-    if (frd) return read_frd(bytes, name, options.step, notes);
-    if (start.starts_with("<")) return read_vtu(bytes, name, options.columns, notes);
+    if (!vtu && !options.order.empty())
+        throw Error(Exit::usage, "cannot use --order: " + name + " is no VTU file; " +
+                                     (frd ? "the order of an FRD file is fixed" : "name columns by --columns"));
+    if ((frd || vtu) && options.decimal != "auto")
+        throw Error(Exit::usage, "cannot use --decimal: " + name + " is no CSV file");
+    if (frd) {
+        Samples out = read_frd(bytes, name, options, notes);
+        scale(out, options);
+        return out;
+    }
+    if (vtu) return read_vtu(bytes, name, options, notes);
     if (start.starts_with("# vtk")) bad(name, "it is of VTK's old kind of file; save it as .vtu");
-    return read_csv(bytes, name, options.columns, notes);
+    if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff"))
+        bad(name, "it is text of 16 bits per letter; save it as UTF-8");
+    return read_csv(bytes, name, options, notes);
 }
 
 } // namespace
@@ -115,7 +122,6 @@ Samples read(std::string_view bytes, const std::string& name, const ReadOptions&
         bytes = unpacked;
     }
     Samples out = read_any(bytes, name, options, notes);
-    scale(out, factor(kLengths, options.unit), factor(kStresses, options.stress_unit));
     rename(out, options.names, name);
     return out;
 }

@@ -9,11 +9,13 @@
 namespace filum::stressfield {
 
 struct ReadOptions {
-    std::string columns;     // of a CSV its columns by role, in order; of a VTU the arrays to read; "": by their names
-    std::string names;       // of the cases, between commas; "": the file's own
-    std::string step;        // of an FRD: a step's number, or "all"
-    std::string unit;        // of positions: mm, cm, m, in
-    std::string stress_unit; // MPa, Pa, kPa, GPa, psi
+    std::string columns = {};  // of a CSV its columns by role, in order; of a VTU the arrays to read; "": by names
+    std::string names = {};    // of the cases, between commas; "": the file's own
+    std::string step = "all";  // of an FRD: a result by its name, see frd.cpp, or "all"
+    std::string unit = "auto"; // of positions: mm, cm, m, in; auto: as the file says, else mm
+    std::string stress_unit = "auto"; // MPa, Pa, kPa, GPa, psi, ksi; auto: as the file says, else MPa
+    std::string order = {};           // of the numbers of a tensor in a VTU; "": by their names, else VTK's
+    std::string decimal = "auto";     // of a CSV: point, comma; auto: as the numbers show
 };
 
 // The stresses in `bytes`, the whole content of a file; its kind is known by its content.  `name` is for messages.

@@ -41,6 +41,7 @@ struct Case {
     std::vector<Tensor> tensors;       // per point; nan where there is none
     std::vector<Vec3> directions;      // per point: of the greatest principal stress, of any length; 0: to all sides
     std::vector<Principal> principals; // per point
+    std::string origin = {};           // what of the file it is, in which order and unit
 };
 
 struct Samples {

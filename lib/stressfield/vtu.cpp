@@ -1,7 +1,9 @@
 // VTK XML of unstructured grids ("VTK File Formats", Kitware): pieces of points, cells, and arrays at the points.
 #include "stressfield/elements.hpp"
 #include "stressfield/formats.hpp"
+#include "stressfield/units.hpp"
 #include "stressfield/vtu_array.hpp"
+#include "stressfield/vtu_cases.hpp"
 
 #include <cstring>
 #include <optional>
@@ -45,21 +47,10 @@ std::optional<Shape> shape_of(int type) {
 
 bool is_of_no_use(int type) { return type <= 4 || type == 21; } // points and lines
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 'a' - 'A');
-    return text;
-}
-
 class Vtu {
   public:
-    Vtu(std::string_view bytes, const std::string& name, const std::string& wanted, Notes& notes)
-        : name_(name), notes_(notes) {
-        for (std::size_t from = 0; !wanted.empty() && from <= wanted.size();) {
-            const std::size_t end = std::min(wanted.find(',', from), wanted.size());
-            wanted_.push_back(wanted.substr(from, end - from));
-            from = end + 1;
-        }
+    Vtu(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes)
+        : name_(name), options_(options), notes_(notes) {
         parse(bytes);
     }
 
@@ -67,6 +58,7 @@ class Vtu {
         const auto grid = root_.child("UnstructuredGrid");
         for (const auto& piece : grid.children("Piece")) read_piece(piece);
         if (out_.points.empty()) bad(name_, "it has no points");
+        scale_points();
         if (skipped_ > 0) notes_.push_back(note("cell of a type that is not read", skipped_));
         return std::move(out_);
     }
@@ -91,6 +83,8 @@ class Vtu {
         if (!result && bytes.rfind("</VTKFile>") == std::string_view::npos) cut(name_, "it ends before its last tag");
         if (!result) bad(name_, std::string("it is no proper XML: ") + result.description());
         root_ = xml_.child("VTKFile");
+        if (bytes.substr(0, bytes.find("<Piece")).find("created by meshio") != std::string_view::npos)
+            writer_ = "meshio";
         const std::string type = root_.attribute("type").value();
         if (type != "UnstructuredGrid")
             bad(name_, "it is VTK XML of type '" + type + "', not UnstructuredGrid; save it as .vtu");
@@ -126,7 +120,7 @@ class Vtu {
             if (!std::isfinite(p[3 * i] + p[3 * i + 1] + p[3 * i + 2])) bad(name_, "a coordinate is not finite");
         }
         read_cells(piece, first);
-        read_cases(piece, first, count);
+        read_cases(piece, count);
     }
 
     static pugi::xml_node named(const pugi::xml_node& of, const char* name) {
@@ -172,54 +166,112 @@ class Vtu {
         if (type == 11) std::swap(out_.nodes[begin + 6], out_.nodes[begin + 7]);
     }
 
-    // How many numbers per point it has if it holds stresses, else 0.
-    std::size_t width(const pugi::xml_node& a) const {
-        const std::string name = a.attribute("Name").value();
-        const unsigned n = a.attribute("NumberOfComponents").as_uint(1);
-        if (!wanted_.empty()) {
-            const bool asked = std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end();
-            if (asked && n != 3 && n != 6 && n != 9)
-                bad(name_, "its array '" + name + "' has " + std::to_string(n) + " numbers per point, not 3, 6 or 9");
-            return asked ? n : 0;
+    static ArrayHead head_of(const pugi::xml_node& a) {
+        ArrayHead out{a.attribute("Name").value(), a.attribute("NumberOfComponents").as_uint(1), {}};
+        for (std::size_t k = 0; k < out.width && k < kMostComponents; ++k) {
+            const auto name = a.attribute(("ComponentName" + std::to_string(k)).c_str());
+            if (name || !out.components.empty()) out.components.resize(k);
+            if (name) out.components.emplace_back(name.value());
         }
-        return (n == 6 || n == 9) && lower(name).find("strain") == std::string::npos ? n : 0;
+        if (!out.components.empty()) out.components.resize(out.width);
+        return out;
     }
 
-    void read_cases(const pugi::xml_node& piece, std::uint32_t first, std::size_t count) {
-        std::size_t found = 0;
-        for (const auto& a : piece.child("PointData").children("DataArray")) {
-            const std::size_t n = width(a);
-            if (n == 0) continue;
-            if (first == 0) out_.cases.push_back({proper(a.attribute("Name").value()), {}, {}, {}});
-            if (found == out_.cases.size() || out_.cases[found].name != proper(a.attribute("Name").value()))
-                bad(name_, "its pieces do not have the same arrays");
-            add_values(out_.cases[found++], array(a, "stresses", n * count), n);
+    void read_cases(const pugi::xml_node& piece, std::size_t count) {
+        std::vector<ArrayHead> heads;
+        for (const auto& a : piece.child("PointData").children("DataArray")) heads.push_back(head_of(a));
+        if (sources_.empty()) {
+            sources_ = cases_of(heads, options_, writer_, name_, notes_);
+            if (sources_.empty()) nothing_found(piece);
+            heads_ = heads;
+            for (const auto& s : sources_) out_.cases.push_back({s.name, {}, {}, {}, ""});
         }
-        if (found < std::max<std::size_t>({1, wanted_.size(), out_.cases.size()})) nothing_found(piece);
+        if (heads != heads_) bad(name_, "its pieces do not have the same arrays");
+        for (std::size_t k = 0; k < sources_.size(); ++k) add_values(piece, k, count);
     }
 
-    static std::string proper(std::string name) {
-        for (char& c : name)
-            if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_')) c = '-';
-        return name;
+    // All numbers of a load case, those of a point side by side.
+    std::vector<double> numbers_of(const pugi::xml_node& piece, const CaseSource& source, std::size_t count) {
+        const auto point_data = piece.child("PointData");
+        const auto all = [&](const std::string& name) {
+            return array(named(point_data, name.c_str()), "stresses", source.width * count);
+        };
+        if (source.arrays.size() == 1) return all(source.arrays.front());
+        std::vector<double> out(source.arrays.size() * count);
+        for (std::size_t k = 0; k < source.arrays.size(); ++k) {
+            const auto own = all(source.arrays[k]);
+            for (std::size_t i = 0; i < count; ++i) out[i * source.arrays.size() + k] = own[i];
+        }
+        return out;
     }
 
-    static void add_values(Case& c, const std::vector<double>& v, std::size_t n) {
-        const double unknown = std::numeric_limits<double>::infinity();
+    void add_values(const pugi::xml_node& piece, std::size_t k, std::size_t count) {
+        const CaseSource& source = sources_[k];
+        Case& c = out_.cases[k];
+        const auto v = numbers_of(piece, source, count);
+        c.origin = origin(source);
+        if (source.order.empty()) {
+            const double unknown = std::numeric_limits<double>::infinity();
+            for (std::size_t i = 0; i < count; ++i) {
+                const Vec3 d = source.factor * Vec3{v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+                c.principals.push_back({norm(d), unknown, unknown});
+                c.directions.push_back(d);
+            }
+            return;
+        }
+        check_symmetry(source, v);
+        std::array<double, 6> share{};
+        for (const int entry : source.order)
+            if (entry != kUnused) ++share[static_cast<std::size_t>(entry)];
+        const std::size_t n = source.order.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            Tensor t{};
+            for (std::size_t j = 0; j < n; ++j)
+                if (const int entry = source.order[j]; entry != kUnused)
+                    t[static_cast<std::size_t>(entry)] +=
+                        source.factor * v[i * n + j] / share[static_cast<std::size_t>(entry)];
+            c.tensors.push_back(t);
+        }
+    }
+
+    // Of nine numbers, xy must be yx: else they are in another order, or no Cauchy stress.
+    void check_symmetry(const CaseSource& source, const std::vector<double>& v) const {
+        if (source.both_halves) return;
+        const std::size_t n = source.order.size();
+        double largest = 0, apart = 0;
         for (std::size_t i = 0; i < v.size(); i += n) {
-            const double* t = v.data() + i;
-            if (n == 6) c.tensors.push_back({t[0], t[1], t[2], t[3], t[4], t[5]});
-            if (n == 9)
-                c.tensors.push_back({t[0], t[4], t[8], (t[1] + t[3]) / 2, (t[5] + t[7]) / 2, (t[2] + t[6]) / 2});
-            if (n != 3) continue;
-            const Vec3 d{t[0], t[1], t[2]};
-            c.principals.push_back({norm(d), unknown, unknown});
-            c.directions.push_back(d);
+            std::array<double, 6> first{};
+            std::array<bool, 6> there{};
+            for (std::size_t j = 0; j < n; ++j) {
+                if (source.order[j] == kUnused) continue;
+                const auto entry = static_cast<std::size_t>(source.order[j]);
+                largest = std::max(largest, std::abs(v[i + j]));
+                if (there[entry]) apart = std::max(apart, std::abs(v[i + j] - first[entry]));
+                first[entry] = v[i + j];
+                there[entry] = true;
+            }
         }
+        if (apart > kAsymmetry * largest)
+            bad(name_, "the tensors of its array '" + source.arrays.front() +
+                           "' are not symmetric, so they are no stresses in the order " + text_of(source.order) +
+                           "; give --order");
+    }
+
+    static std::string origin(const CaseSource& source) {
+        std::string names;
+        for (const auto& a : source.arrays) names += (names.empty() ? "" : "+") + a;
+        return names + ": " +
+               (source.order.empty() ? "vector" : text_of(source.order) + (source.assumed ? " (assumed)" : "")) + ", " +
+               source.unit;
+    }
+
+    void scale_points() {
+        const double factor = options_.unit == "auto" ? 1 : *factor_of(Dimension::length, options_.unit);
+        for (Vec3& p : out_.points) p = factor * p;
     }
 
     [[noreturn]] void nothing_found(const pugi::xml_node& piece) const {
-        if (!wanted_.empty()) {
+        if (!options_.columns.empty()) {
             std::string names;
             for (const auto& a : piece.child("PointData").children("DataArray"))
                 names += (names.empty() ? "'" : ", '") + std::string(a.attribute("Name").value()) + "'";
@@ -227,13 +279,20 @@ class Vtu {
                                          (names.empty() ? "no arrays" : names));
         }
         for (const auto& a : piece.child("CellData").children("DataArray"))
-            if (width(a) > 0) bad(name_, "its stresses belong to cells; turn them into data of points");
-        bad(name_, "it has no array of 6 or 9 numbers per point; name one of vectors by --columns");
+            if (const auto head = head_of(a); quantity_of(head.name) == Quantity::stress || head.width == 6)
+                bad(name_, "its stresses belong to cells; turn them into data of points");
+        bad(name_, "it has no array of 6 or 9 numbers per point that holds stresses; name one of vectors by --columns");
     }
 
+    static constexpr std::size_t kMostComponents = 64; // whose names are read
+    static constexpr double kAsymmetry = 1e-3; // share of the largest component: more than four digits of text lose
+
     const std::string& name_;
+    const ReadOptions& options_;
     Notes& notes_;
-    std::vector<std::string> wanted_;
+    std::string writer_; // a program that keeps any order of components; "": none is known
+    std::vector<ArrayHead> heads_;
+    std::vector<CaseSource> sources_;
     pugi::xml_document xml_;
     pugi::xml_node root_;
     Encoding encoding_;
@@ -243,8 +302,8 @@ class Vtu {
 
 } // namespace
 
-Samples read_vtu(std::string_view bytes, const std::string& name, const std::string& arrays, Notes& notes) {
-    return Vtu(bytes, name, arrays, notes).read();
+Samples read_vtu(std::string_view bytes, const std::string& name, const ReadOptions& options, Notes& notes) {
+    return Vtu(bytes, name, options, notes).read();
 }
 
 } // namespace filum::stressfield

@@ -157,6 +157,82 @@ for y in range(11):
     [[ $err == *"'S'"* ]]
 }
 
+# vtu NAME ATTRIBUTES VALUES: a grid of two triangles over the square, one array of 6 numbers, all points alike
+vtu() {
+    cat << EOF
+<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>
+<Piece NumberOfPoints="4" NumberOfCells="2"><PointData>
+<DataArray type="Float64" Name="$1" NumberOfComponents="6" $2 format="ascii">$3 $3 $3 $3</DataArray>
+<DataArray type="Float64" Name="E" NumberOfComponents="6" format="ascii">$3 $3 $3 $3</DataArray>
+</PointData><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 10 0 0 10 10 0 0 10 0</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 0 2 3</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3 6</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">5 5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>
+EOF
+}
+
+@test "VTK grids: names of components give their order, strains are no stresses, doubts are refused" {
+    names='ComponentName0="XX" ComponentName1="XY" ComponentName2="XZ" ComponentName3="YY" ComponentName4="YZ" ComponentName5="ZZ"'
+    vtu S "$names" '10 3 -4 2 .5 1' > named.vtu
+    expect 0 stressfield --stress named.vtu s --output t
+    [[ $(columns t stress.S.s1) == 'stress.S.s1 12.208967 12.208967 12.208967 12.208967' ]]
+    [[ $err == *"strains left out: 'E'"* && $err != *order* ]]
+    peek t > shown
+    grep -q 'stress_read.S = S: xx xy zx yy yz zz, MPa' shown
+    [[ $(grep -c 'stress\.E' shown) == 0 ]]
+    vtu S '' '10 2 1 3 .5 -4' > plain.vtu
+    expect 0 stressfield --stress plain.vtu s --output t
+    [[ $(columns t stress.S.s1) == 'stress.S.s1 12.208967 12.208967 12.208967 12.208967' ]]
+    [[ $err == *"VTK's order"* && $err == *--order* ]]
+    vtu S '' '10 2 1 3 -4 .5' > abaqus.vtu
+    for order in abaqus xx,yy,zz,xy,xz,yz S11,S22,S33,S12,S13,S23; do
+        stressfield --quiet --stress abaqus.vtu --order $order s > t
+        [[ $(columns t stress.S.s1) == 'stress.S.s1 12.208967 12.208967 12.208967 12.208967' ]]
+    done
+    vtu 'S [Pa]' "$names" '10e6 3e6 -4e6 2e6 5e5 1e6' > pascal.vtu
+    stressfield --quiet --stress pascal.vtu --case S s > t
+    [[ $(columns t stress.S.s1) == 'stress.S.s1 12.208967 12.208967 12.208967 12.208967' ]]
+    vtu what '' '10 2 1 3 .5 -4' > what.vtu
+    expect 3 stressfield --stress what.vtu s
+    [[ $err == *"'what'"*--columns* ]]
+    vtu S "${names/XZ/RZ}" '10 3 -4 2 .5 1' > round.vtu
+    expect 3 stressfield --stress round.vtu s
+    [[ $err == *--order* ]]
+    expect 2 stressfield --stress plain.vtu --order xx,yy s
+    [[ $err == *--order* ]]
+}
+
+@test "tables: quotes, decimal commas, text columns, units, line ends of any kind" {
+    python3 - << 'EOF'
+rows = [(x, y, 0, 10, 2, 1, 3, .5, -4) for y in range(0, 11, 2) for x in range(0, 11, 2)]
+names = "X Y Z S11 S22 S33 S12 S23 S13".split()
+def table(file, head, cell, mark=",", end="\n", before=""):
+    with open(file, "w", newline="") as f:
+        f.write(mark.join(head) + end + "".join(before + mark.join(cell % v for v in r).replace(*(".,") if "," in cell or '"' in cell else "..") + end for r in rows))
+table("quoted.csv", ['"%s"' % n for n in names], '"%.3f"')
+table("text.csv", ["ODB Name", "Step"] + names, "%g", before="a.odb,Step-1,")
+table("mac.csv", names, "%g", end="\r")
+table("tabs.csv", names, "%g", mark="\t", end="\r\n")
+table("ksi.csv", [n + (" (mm)" if len(n) == 1 else " (ksi)") for n in names], "%g")
+table("wide.csv", names, "%g", before="7,")
+table("step.csv", ["Step"] + names, "%g", before="1,")
+EOF
+    for file in quoted text mac tabs step; do
+        expect 0 stressfield --stress $file.csv --case X s --output t
+        [[ -z $err ]]
+        [[ $(columns t stress.X.s1) == 'stress.X.s1 12.208967 12.208967 12.208967 12.208967' ]]
+    done
+    stressfield --stress ksi.csv --case X s > t
+    columns t stress.X.s1 | awk '{ exit !($2 > 84.177 && $2 < 84.179) }'
+    expect 3 stressfield --stress wide.csv s
+    [[ $err == *'line 2: it has 10 columns, the header 9'* ]]
+    sed '$s/^1,/2,/' step.csv > steps.csv
+    expect 3 stressfield --stress steps.csv s
+    [[ $err == *"'Step' has '1' and '2'"* ]]
+    expect 2 stressfield --stress text.csv --order vtk s
+}
+
 @test "options that make no sense are usage errors" {
     for bad in '--case a,b' '--case a.b' '--columns x,y' '--columns x,y,z,what' '--mask 2' '--mask -1' '--mask nan' '--reach -1' \
         '--unit mile' '--stress-unit bar'; do

@@ -7,11 +7,9 @@
 namespace filum::stressfield {
 namespace {
 
-const ReadOptions kPlain{"", "", "all", "mm", "MPa"};
-
 Samples csv(const std::string& text, const std::string& columns = "", Notes* notes = nullptr) {
     Notes own;
-    ReadOptions o = kPlain;
+    ReadOptions o;
     o.columns = columns;
     return read(text, "it", o, notes != nullptr ? *notes : own);
 }
@@ -61,12 +59,12 @@ TEST(Csv, ColumnsByOption) {
 
 TEST(Csv, UnitsAndNames) {
     Notes notes;
-    const auto s = read("1 0 0 3 0 0\n", "it", {"", "pull", "all", "m", "kPa"}, notes);
+    const auto s = read("1 0 0 3 0 0\n", "it", {.names = "pull", .unit = "m", .stress_unit = "kPa"}, notes);
     EXPECT_EQ(s.points[0].x, 1000);
     EXPECT_DOUBLE_EQ(s.cases[0].principals[0][0], 0.003);
     EXPECT_EQ(s.cases[0].name, "pull");
     for (const char* name : {"a,b", "a b", "a.b", "/"})
-        EXPECT_THROW(read("1 0 0 3 0 0\n", "it", {"", name, "all", "mm", "MPa"}, notes), Error) << name;
+        EXPECT_THROW(read("1 0 0 3 0 0\n", "it", {.names = name}, notes), Error) << name;
 }
 
 TEST(Csv, WhatIsNotFiniteIsLeftOutAndNoted) {
@@ -96,7 +94,8 @@ TEST(Csv, HalfATensorBesideAVectorIsNoTensor) {
 }
 
 TEST(Csv, FaultsAreNamed) {
-    EXPECT_TRUE(has(csv_fault("a,b,c,x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n", Exit::bad_input), "the header names"));
+    EXPECT_TRUE(
+        has(csv_fault("a,b,c,x,y,z,s1x,s1y,s1z\n1,2,3,4,5,6\n", Exit::bad_input), "has 6 columns, the header 9"));
     EXPECT_TRUE(has(csv_fault("", Exit::truncated), "empty"));
     EXPECT_TRUE(has(csv_fault("solid part\nendsolid\n", Exit::bad_input), "no table"));
     EXPECT_TRUE(has(csv_fault("x,y,z,a,b,c\n1,2,3,4,5,6\n", Exit::bad_input), "--columns"));

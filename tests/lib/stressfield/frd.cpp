@@ -63,7 +63,7 @@ const std::string kEnd = " 9999\n";
 
 Samples frd(const std::string& text, Notes* notes = nullptr, const std::string& step = "all") {
     Notes own;
-    return read(text, "it", {"", "", step, "mm", "MPa"}, notes != nullptr ? *notes : own);
+    return read(text, "it", {.step = step}, notes != nullptr ? *notes : own);
 }
 
 std::string frd_fault(const std::string& text, Exit exit, const std::string& step = "all") {
@@ -211,6 +211,46 @@ TEST(Frd, TheLastIncrementOfAStepCounts) {
     ASSERT_EQ(s.cases.size(), 1U);
     EXPECT_EQ(s.cases[0].tensors[0][0], 3);
     ASSERT_EQ(notes.size(), 1U);
+}
+
+// A result of stresses with its increment or mode, as frdheader.c of CalculiX writes them.
+std::string block_of(int step, int increment, int mode, double value, double factor) {
+    char out[256];
+    std::snprintf(out, sizeof out, "    1PSTEP              %12d%12d%12d\n", 1, increment, step);
+    std::string text = out;
+    if (mode > 0) {
+        std::snprintf(out, sizeof out, "    1PMODE              %12d\n", mode);
+        text += out;
+    }
+    std::snprintf(out, sizeof out,
+                  "  100CL  101%12.5f%12d                     %d%5d           1\n -4  STRESS      6    1\n", value, 4,
+                  mode > 0 ? 2 : 0, increment);
+    text += out;
+    for (const auto& c : kStress) text += " -5  " + c + "         1    4    1    1\n";
+    return text + stresses(factor) + " -3\n";
+}
+
+TEST(Frd, IncrementsAndModesCanBeNamed) {
+    const std::string text = kHead + nodes() + block_of(1, 1, 0, 0.5, 1) + block_of(1, 2, 0, 1, 2) +
+                             block_of(2, 1, 1, 140.4, 3) + block_of(2, 1, 2, 220.5, 4) + block_of(3, 1, 0, 1, 5) + kEnd;
+    const auto first = [&](const std::string& step) {
+        const auto s = frd(text, nullptr, step);
+        std::string out;
+        for (const Case& c : s.cases) out += c.name + "=" + std::to_string(static_cast<int>(c.tensors[0][0])) + " ";
+        return out;
+    };
+    EXPECT_EQ(first("all"), "1=2 2-mode1=3 2-mode2=4 3=5 ");
+    EXPECT_EQ(first("1"), "1=2 ");
+    EXPECT_EQ(first("1-1"), "1-1=1 ");
+    EXPECT_EQ(first("1-2"), "1-2=2 ");
+    EXPECT_EQ(first("2-mode1"), "2-mode1=3 ");
+    EXPECT_EQ(first("3"), "3=5 ");
+    const std::string fault = frd_fault(text, Exit::usage, "2"); // which of its modes?
+    EXPECT_TRUE(has(fault, "1-1 (time 0.5), 1-2 (time 1), 2-mode1 (frequency 140.4), 2-mode2 (frequency 220.5), 3"));
+    Notes notes;
+    frd(text, &notes);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_TRUE(has(notes[0].what, "1-1"));
 }
 
 } // namespace
