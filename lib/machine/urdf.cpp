@@ -7,7 +7,9 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 namespace filum::machine {
@@ -24,7 +26,15 @@ struct Joint {
     kinematics::Axis axis;
     bool mimics = false;
     [[nodiscard]] bool fixed() const { return type == "fixed"; }
+    [[nodiscard]] bool turns() const { return type == "revolute" || type == "continuous"; }
 };
+
+// rad, and rad/s: eight turns.  Beyond it a limit is taken for degrees: no axis of a robot of six stops there, and
+// every such robot has axes that go beyond 50 degrees.
+constexpr double kMostAngle = 50;
+constexpr double kMostLength = 50000; // mm: beyond it a link is taken for one in mm, as no robot is 50 m long
+
+constexpr const char* kTypes[] = {"fixed", "revolute", "continuous", "prismatic", "planar", "floating"};
 
 class Tree {
   public:
@@ -46,9 +56,11 @@ class Tree {
     [[nodiscard]] kinematics::Arm arm(const RobotLinks& links) const {
         const std::string flange = links.flange.empty() ? end() : known(links.flange);
         const auto chain = up(flange);
+        for (const Joint* j : chain) check_turns(*j);
         if (axes_of(chain) != kAxes)
             fail("the way to link '" + flange + "' has " + std::to_string(axes_of(chain)) +
                  " turning axes, and robots of 6 are known; name another link by robot.flange_link");
+        check_units(chain);
         const Frame from = geom::inverse(base(links, chain));
         Frame at = from;
         std::array<kinematics::Axis, kAxes> axes;
@@ -56,8 +68,6 @@ class Tree {
         for (const Joint* j : chain) {
             at = at * j->place;
             if (j->fixed()) continue;
-            if (j->type == "prismatic" || j->type == "planar" || j->type == "floating" || j->mimics)
-                fail("joint '" + j->name + "' does not turn on its own");
             axes[k] = j->axis;
             axes[k].direction = at.turn * j->axis.direction;
             axes[k].point = at.origin;
@@ -67,6 +77,36 @@ class Tree {
     }
 
   private:
+    // Refuses joints between root and flange that are no axes of a robot of six, as what they are.
+    void check_turns(const Joint& j) const {
+        if (j.type == "prismatic")
+            fail("joint '" + j.name +
+                 "' is a rail (prismatic), and robots of 6 turning axes are known; make it fixed where the robot "
+                 "stands on "
+                 "it, or give a URDF that begins at the robot's own base");
+        if (j.type == "planar" || j.type == "floating")
+            fail("joint '" + j.name + "' is " + j.type + ", and robots of 6 turning axes are known; make it fixed");
+        if (j.mimics) fail("joint '" + j.name + "' does not turn on its own: it mimics another one");
+    }
+
+    // A URDF counts in rad and m; degrees and mm are found by their size.
+    void check_units(const std::vector<const Joint*>& chain) const {
+        for (const Joint* j : chain) {
+            if (norm(j->place.origin) > kMostLength)
+                fail("joint '" + j->name + "' is " + fixed_text(norm(j->place.origin) / 1000, 0) +
+                     " m from the one before; URDF counts in m: if these are mm, divide xyz by 1000");
+            if (!j->turns()) continue;
+            const std::string then = "; URDF counts in rad: if these are degrees, multiply by 0.01745329 (pi / 180)";
+            for (const double limit : {j->axis.min, j->axis.max})
+                if (std::isfinite(limit) && std::abs(limit) > kMostAngle)
+                    fail("joint '" + j->name + "' has a limit of " + fixed_text(limit, 3) + " rad, " +
+                         fixed_text(std::abs(limit) / (2 * std::numbers::pi), 1) + " turns" + then +
+                         ", if it turns without end, make it 'continuous'");
+            if (j->axis.speed > kMostAngle)
+                fail("joint '" + j->name + "' has a velocity of " + fixed_text(j->axis.speed, 3) + " rad/s" + then);
+        }
+    }
+
     [[noreturn]] void fail(const std::string& why) const {
         throw Error(Exit::bad_input, "cannot use robot model '" + file_ + "': " + why);
     }
@@ -103,6 +143,8 @@ class Tree {
         out.parent = node.child("parent").attribute("link").value();
         out.child = node.child("child").attribute("link").value();
         if (out.parent.empty() || out.child.empty()) fail("joint '" + out.name + "' lacks its links");
+        if (std::ranges::find(kTypes, out.type) == std::end(kTypes))
+            fail("joint '" + out.name + "' is of the unknown type '" + out.type + "'");
         const Vec3 xyz = three(node.child("origin"), "xyz", {}), rpy = three(node.child("origin"), "rpy", {});
         out.place = {geom::from_euler_zyx(rpy.z, rpy.y, rpy.x), mm * xyz};
         out.axis.direction = three(node.child("axis"), "xyz", {1, 0, 0});
@@ -113,7 +155,7 @@ class Tree {
     }
 
     void limits(const pugi::xml_node& node, Joint& out) const {
-        if (out.type != "revolute" && out.type != "continuous") return;
+        if (!out.turns()) return;
         const pugi::xml_node limit = node.child("limit");
         const auto value = [&](const char* name) { return number(limit.attribute(name).value(), name); };
         if (!limit && out.type == "revolute") fail("joint '" + out.name + "' has no limit");
@@ -145,7 +187,7 @@ class Tree {
     }
 
     [[nodiscard]] static std::size_t axes_of(const std::vector<const Joint*>& chain) {
-        return static_cast<std::size_t>(std::ranges::count_if(chain, [](const Joint* j) { return !j->fixed(); }));
+        return static_cast<std::size_t>(std::ranges::count_if(chain, [](const Joint* j) { return j->turns(); }));
     }
 
     [[nodiscard]] std::string known(const std::string& link) const {
@@ -154,34 +196,60 @@ class Tree {
         fail("it has no link '" + link + "'");
     }
 
-    // Names may have a prefix: "left_tool0".
-    [[nodiscard]] std::string named(const char* name) const {
+    [[nodiscard]] bool has_link(const std::string& link) const {
+        return std::ranges::any_of(joints_, [&](const Joint& j) { return j.parent == link || j.child == link; });
+    }
+
+    // The link of exactly this name, else the only one with a prefix before it ("left_tool0"), with 6 axes before it;
+    // "" if there is none.
+    [[nodiscard]] std::string tip(const std::string& name) const {
+        const auto six = [&](const std::string& link) { return axes_of(up(link)) == kAxes; };
+        if (has_link(name) && six(name)) return name;
+        std::set<std::string> prefixed;
         for (const Joint& j : joints_)
-            if (j.child == name || j.child.ends_with(std::string("_") + name)) return j.child;
-        return "";
+            if (j.child.ends_with("_" + name) && six(j.child)) prefixed.insert(j.child);
+        if (prefixed.size() > 1)
+            fail("its flange may be '" + *prefixed.begin() + "' or '" + *prefixed.rbegin() +
+                 "'; name one by robot.flange_link");
+        return prefixed.empty() ? "" : *prefixed.begin();
     }
 
     [[nodiscard]] std::string end() const {
         for (const char* name : {"tool0", "flange"})
-            if (const auto link = named(name); !link.empty() && axes_of(up(link)) == kAxes) return link;
+            if (const auto link = tip(name); !link.empty()) return link;
         std::set<std::string> last; // of a chain of six, before anything fixed
         for (const Joint& j : joints_)
-            if (!j.fixed() && axes_of(up(j.child)) == kAxes) last.insert(j.child);
-        if (last.size() != 1)
-            fail(last.empty() ? "it has no chain of 6 turning axes"
-                              : "it has several chains of 6 axes; name the last link by robot.flange_link");
-        return *last.begin();
+            if (j.turns() && axes_of(up(j.child)) == kAxes) last.insert(j.child);
+        if (last.size() == 1) return *last.begin();
+        if (!last.empty()) fail("it has several chains of 6 axes; name the last link by robot.flange_link");
+        for (const Joint& j : joints_) {
+            const auto chain = up(j.child);
+            const auto moving = std::ranges::count_if(chain, [](const Joint* k) { return !k->fixed(); });
+            for (const Joint* k : chain)
+                if (moving >= static_cast<std::ptrdiff_t>(kAxes)) check_turns(*k);
+        }
+        fail("it has no chain of 6 turning axes");
     }
 
-    // The frame that the controller counts from, seen from the root.
+    // The frame that the controller counts from, seen from the root: that of robot.base_link; else of the link "base"
+    // or "base_link", with the prefix that the flange has; else of the root.  What turns with an axis is none of these,
+    // as the base of a gripper.
     [[nodiscard]] Frame base(const RobotLinks& links, const std::vector<const Joint*>& chain) const {
-        std::string link = links.base.empty() ? named("base") : known(links.base);
+        const auto stands = [&](const std::string& link) {
+            return std::ranges::all_of(up(link), [](const Joint* j) { return j->fixed(); });
+        };
+        const std::string& flange = chain.back()->child;
+        std::string prefix;
+        for (const std::string name : {"_tool0", "_flange"})
+            if (flange.ends_with(name)) prefix = flange.substr(0, flange.size() - name.size() + 1);
+        std::string link = links.base.empty() ? "" : known(links.base);
+        for (const char* const name : {"base", "base_link"})
+            for (const std::string& full : {prefix + name, std::string(name)})
+                if (link.empty() && has_link(full) && stands(full)) link = full;
         if (link.empty()) link = chain.front()->parent;
+        if (!stands(link)) fail("link '" + link + "', the base, moves");
         Frame out;
-        for (const Joint* j : up(link)) {
-            if (!j->fixed()) fail("link '" + link + "', the base, moves");
-            out = out * j->place;
-        }
+        for (const Joint* j : up(link)) out = out * j->place;
         return out;
     }
 

@@ -115,6 +115,50 @@ TEST(RobotModel, AUrdfSaysItsBaseAndFlange) {
     EXPECT_EQ(from_root.build, kinematics::Build::wrist);
 }
 
+std::string fixed(const std::string& parent, const std::string& child, const std::string& xyz) {
+    return "<joint name=\"to_" + child + "\" type=\"fixed\"><parent link=\"" + parent + "\"/><child link=\"" + child +
+           "\"/><origin xyz=\"" + xyz + "\"/></joint>";
+}
+
+// The position of the flange at rest, from the base that is found.
+TEST(RobotModel, BaseAndTipAreKnownByTheirExactNamesFirst) {
+    const auto at = [&](const std::string& text, const machine::RobotLinks& links = {}) {
+        return kinematics::forward(machine::urdf_robot(text, "r.urdf", links), {}).origin;
+    };
+    const geom::Vec3 plain{1270, 0, 1570};
+    const std::string gripper = fixed("tool0", "gripper_base", "0.1 0 0") +
+                                fixed("gripper_base", "gripper_flange", "0 0 0.1") +
+                                "<joint name=\"f\" type=\"prismatic\"><parent link=\"gripper_base\"/><child "
+                                "link=\"finger\"/><axis xyz=\"0 1 0\"/></joint>";
+    EXPECT_LT(distance(at(urdf(kIrb, gripper)), plain), 1e-6); // not the gripper's
+    const std::string cell = fixed("world", "base_link", "1 2 3") + fixed("world", "table_base", "5 5 5");
+    EXPECT_LT(distance(at(urdf(kIrb, cell)), plain), 1e-6); // neither the world's frame nor the table's
+    EXPECT_LT(distance(at(urdf(kIrb, cell + fixed("base_link", "base", "0 0 0.1"))), {1270, 0, 1470}), 1e-6);
+    EXPECT_LT(distance(at(urdf(kIrb, cell), {"world", ""}), {2270, 2000, 4570}), 1e-6);
+    EXPECT_NE(model_error(changed(urdf(kIrb, fixed("link_6", "a_tool0", "0 0 1")), "\"tool0\"", "\"b_tool0\""))
+                  .find("may be 'a_tool0' or 'b_tool0'"),
+              std::string::npos);
+}
+
+TEST(RobotModel, DegreesAndMillimetresAreFoundByTheirSize) {
+    const auto has = [](const std::string& message, const std::string& part) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    };
+    for (int k = 1; k <= 6; ++k) { // limits of robots in degrees
+        std::string text = urdf(kIrb);
+        const std::string name = "axis_" + std::to_string(k);
+        const std::size_t at = text.find("lower=\"-3.000000\"", text.find(name));
+        has(model_error(text.replace(at, 17, "lower=\"-120\"")), "joint '" + name + "' has a limit of -120 rad");
+    }
+    has(model_error(changed(urdf(kIrb), "velocity=\"3\"", "velocity=\"180\"")), "rad/s");
+    has(model_error(changed(urdf(kIrb), "0 0 0.495", "0 0 495")), "if these are mm");
+    EXPECT_EQ(model_error(changed(urdf(kIrb), "lower=\"-3.000000\"", "lower=\"-12.6\"")), ""); // two turns
+    has(model_error(changed(urdf(kIrb), "\"revolute\"", "\"hinge\"")), "unknown type 'hinge'");
+    std::string rail = urdf(kIrb, "<joint name=\"rail\" type=\"prismatic\"><parent link=\"track\"/><child "
+                                  "link=\"base_link\"/><axis xyz=\"1 0 0\"/></joint>");
+    has(model_error(rail), "joint 'rail' is a rail");
+}
+
 TEST(RobotModel, WhatIsNoRobotOfSixAxesSaysWhy) {
     const auto has = [](const std::string& message, const std::string& part) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
@@ -126,7 +170,7 @@ TEST(RobotModel, WhatIsNoRobotOfSixAxesSaysWhy) {
     has(model_error(urdf(kIrb), {"", "link_5"}), "the way to link 'link_5' has 5 turning axes");
     has(model_error(urdf(kIrb), {"", "hand"}), "it has no link 'hand'");
     has(model_error(urdf(kIrb), {"link_1", ""}), "link 'link_1', the base, moves");
-    has(model_error(changed(urdf(kIrb), "type=\"revolute\"", "type=\"prismatic\"")), "does not turn on its own");
+    has(model_error(changed(urdf(kIrb), "type=\"revolute\"", "type=\"prismatic\"")), "is a rail (prismatic)");
     has(model_error(changed(urdf(kIrb), "0 0 0.495", "0 0 ${h}")), "is it a xacro?");
     has(model_error(changed(urdf(kIrb), "0 0 0.495", "0 0")), "no number");
     has(model_error(changed(urdf(kIrb), "0 0 1\"", "0 0 0\"")), "joint 'axis_1' has no axis");
