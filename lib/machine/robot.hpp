@@ -32,7 +32,8 @@ void read_robot(Document& doc, const std::string& file, bool frames, Robot& out)
 void read_tool_frame(Document& doc, Robot& out); // of a tool with a section of its own: `frame`
 
 // Which links of a URDF are the robot's base, as its controller counts, and its flange.  "": a link named "base" or
-// "base_link", or the root; and a link named "tool0" or "flange" or, without one, the last of the only chain of six axes.
+// "base_link", or the root; and a link named "tool0" or "flange" or, without one, the last of the only chain of six
+// axes.
 struct RobotLinks {
     std::string base, flange;
 };

@@ -36,6 +36,8 @@ make_more_inputs() {
     surfpath fina rows.surface --output rows.toolpath
     printf '0 0 1 5 0 0\n9 0 1 5 0 0\n9 9 1 5 2 0\n0 9 1 1 0 0\n' > stress.csv
     printf '0 0 1.5 5 0 0\n9 0 1.5 5 0 0\n9 9 1.5 5 2 0\n0 9 1.5 1 1 0\n' > high.csv
+    printf '0 0 1 5 0 0\n9 0 1 5 0 0\n9 9 1 "5,125" 2 0\n0 9 1 1 0 0\n' > group.csv
+    cp "$FILUM_SOURCE/tests/fuzz/seeds/stress_read/1.vtu" box.vtu
     stressfield --stress stress.csv --case X --reach 1 box.surface --output box.stress 2> /dev/null
     printf '0 0 1 0 9 0\n9 0 1 0 9 0\n9 9 1 0 9 0\n0 9 1 0 9 0\n' > across.csv
     stressfield --stress across.csv --case Y --reach 1 box.stress --output both.stress 2> /dev/null

@@ -22,8 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         Notes notes;
         Facts facts;
-        const auto s =
-            stressfield::read({reinterpret_cast<const char*>(data), size}, "it", {}, notes);
+        const auto s = stressfield::read({reinterpret_cast<const char*>(data), size}, "it", {}, notes);
         if (s.points.empty() || s.cases.empty()) std::abort();
         for (const auto& p : s.points)
             if (!std::isfinite(p.x + p.y + p.z)) std::abort();
