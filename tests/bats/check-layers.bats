@@ -254,3 +254,19 @@ nest() {
     echo 'See `lib/geom/box.hpp`.' >>"$tree/docs/a.md"
     finds "docs/a.md:2: names 'lib/geom/box.hpp', which is not there"
 }
+
+@test "an assertion of a shell test that cannot fail" {
+    mkdir "$tree/tests/bats"
+    good='    run ! cmp a b\n    peek a | run ! grep b\n    [ -e a ] || ! grep b c\n    if ! cmp a b; then false; fi\n'
+    good+='    cmp a b && false\n    awk "a && b" c\n    [[ a && ! b ]]\n    # ! cmp a b\n    (cd a && cmp b c)\n'
+    printf '@test "a" {\n'"$good"'}\n' >"$tree/tests/bats/a.bats"
+    run "$check" "$tree"
+    echo "$output"
+    [ "$status" -eq 0 ]
+    for bad in '! cmp a b' 'cmp a b; ! cmp a c' '! peek a | grep b' '[ -e a ] && ! cmp a b'; do
+        printf '@test "a" {\n    %s\n    true\n}\n' "$bad" >"$tree/tests/bats/a.bats"
+        finds "tests/bats/a.bats:2: an assertion that cannot fail, '! command'"
+    done
+    printf '@test "a" {\n    [ -e a ] && [ -e b ]\n    true\n}\n' >"$tree/tests/bats/a.bats"
+    finds "tests/bats/a.bats:2: an assertion that cannot fail, 'A && B'"
+}

@@ -1,6 +1,8 @@
 # shellcheck shell=bash disable=SC2034
 # What the shell tests share: a small part, the commands, and an input for each of them.
 
+bats_require_minimum_version 1.5.0 # for `run -N` and `run !`
+
 # Where the commands under test are.
 commands_folder() { dirname "$(command -v filum)"; }
 

@@ -122,7 +122,8 @@ END
 }
 
 @test "sun2019: a sample by both methods, as expected, and a line of the table" {
-    mkdir sun && cd sun
+    mkdir sun
+    cd sun
     for method in sun2019 default; do
         "$top/examples/sun2019/sample" 3 $method "$top/examples/bar/bar.stl" 3-$method
         metrics --format tsv --regions 3-$method.sequence 3-$method.toolpath -o 3-$method.tsv

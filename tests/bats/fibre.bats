@@ -140,11 +140,14 @@ setup() {
         [ "$(metrics --surface dome.surface --format tsv $one.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
     done
     run surfpath field --follow stress=1 dome.surface -o none
-    [ "$status" -eq 3 ] && [[ $output == *"the surface carries none that pulls; run stressfield first"* ]]
+    [ "$status" -eq 3 ]
+    [[ $output == *"the surface carries none that pulls; run stressfield first"* ]]
     run surfpath field --follow wind=1 dome.surface -o none
-    [ "$status" -eq 2 ] && [[ $output == *"cannot follow 'wind'; --follow knows direction, stress, angle, rim and rings"* ]]
+    [ "$status" -eq 2 ]
+    [[ $output == *"cannot follow 'wind'; --follow knows direction, stress, angle, rim and rings"* ]]
     run surfpath field --reference 0,0,0 dome.surface -o none
-    [ "$status" -eq 2 ] && [[ $output == *"cannot use --reference '0,0,0'"* ]]
+    [ "$status" -eq 2 ]
+    [[ $output == *"cannot use --reference '0,0,0'"* ]]
 }
 
 @test "hybrid lays rings around holes and along rims as one stroke, covers more than whole rings, and opens closed ones" {
@@ -162,10 +165,12 @@ setup() {
     done
     gzip -dc "$FILUM_SOURCE/examples/surfaces/pipe-tee.off.gz" | geodesic > tee.surface
     run surfpath hybrid tee.surface -o tee.toolpath
-    [ "$status" -eq 0 ] && [[ $output == *"closed surface opened along a seam: 1 case, "*" mm at "* ]]
+    [ "$status" -eq 0 ]
+    [[ $output == *"closed surface opened along a seam: 1 case, "*" mm at "* ]]
     [ "$(metrics --surface tee.surface --format tsv tee.toolpath | awk '$1 == "cuts" { print $2 }')" = 0 ]
     run surfpath hybrid --method kipping2022 plate.surface -o none
-    [ "$status" -eq 2 ] && [[ $output == *"cannot lay hybrid as Kipping et al. 2022 did"* ]]
+    [ "$status" -eq 2 ]
+    [[ $output == *"cannot lay hybrid as Kipping et al. 2022 did"* ]]
 }
 
 # docs/metrics.md has a table of what surfpath says; the facts themselves carry no meaning.

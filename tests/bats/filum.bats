@@ -289,7 +289,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     geodesic part.stl | partition --names $'a\033[31mb' 2> /dev/null > named.patches || true
     if [[ -s named.patches ]]; then
         peek --text named.patches > text
-        ! grep -q $'\033' text
+        run -1 grep -q $'\033' text
     fi
 }
 

@@ -17,7 +17,7 @@ lies() {
     shift
     "$made" "$kind" $SEED | geodesic --quiet -o face.surface
     surfpath "$@" face.surface -o face.toolpath 2> said || { cat said; return 1; }
-    ! peek --text face.toolpath | grep -qiw -e nan -e inf
+    peek --text face.toolpath | run -1 grep -qiw -e nan -e inf
     peek face.toolpath | sed -n 's/^fact *surfpath: \(uncovered\|cuts\) \([0-9.e+-]*\).*/told_\1\t\2/p' > figures
     metrics --format tsv --surface face.surface face.toolpath >> figures
     awk -F '\t' -v kind="$kind" -v plan="$*" '{ is[$1] = $2 }
@@ -88,7 +88,7 @@ sampled() {
         "$made" $kind 3 > b
         "$made" $kind 4 > c
         cmp a b
-        ! cmp -s a c
+        run -1 cmp -s a c
     done
 }
 

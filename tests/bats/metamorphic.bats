@@ -80,7 +80,8 @@ END
             "$BATS_TEST_DIRNAME"/vary-mesh $kind g.stl v.stl
             got=$(regions_and_strokes v.stl)
             echo "$gap $kind: $got"
-            [ "${got% *}" -ge 10 ] && [ "${got% *}" -le 20 ]
+            [ "${got% *}" -ge 10 ]
+    [ "${got% *}" -le 20 ]
         done
         [ "$least" = "10 1" ]
         [ "${most% *}" = 20 ]

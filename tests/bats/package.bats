@@ -24,7 +24,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     dpkg-deb -f filum_*.deb Depends | grep -q libtbb
     dpkg-deb -f python3-filum_*.deb Depends | grep -q python3-numpy
     [ "$(dpkg-deb -f python3-filum_*.deb Architecture)" = all ]
-    ! grep -rlI "$FILUM_SOURCE" tree/usr
+    run -1 grep -rlI "$FILUM_SOURCE" tree/usr
 }
 
 @test "unpacked, they print, from the shell and from Python" {

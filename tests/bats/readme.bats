@@ -58,7 +58,9 @@ run_page() {
     [ "$(realpath "$FILUM_BUILD")" = "$(realpath "$source_tree/build")" ] || skip "these programs are not in build/"
     "$source_tree/scripts/demo" --out "$PWD/demo" bar > said
     tail -n 1 said | grep -q "look at the picture: $PWD/demo/part.png"
-    [ -s demo/part.png ] && [ -s demo/part.gcode ] && [ -s demo/face.ngc ]
+    [ -s demo/part.png ]
+    [ -s demo/part.gcode ]
+    [ -s demo/face.ngc ]
 }
 
 @test "bioprinting" {

@@ -19,9 +19,9 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
         render $s -o again.html
         cmp $s.html again.html
         [[ $(head -n 1 $s.html) == '<!doctype html>' && $(tail -n 1 $s.html) == '</html>' ]]
-        ! grep -q 'src="\|href="\|@import\|url(' <(sed 's/<script>/\n&/g' $s.html | grep -v 'threejs.org')
+        run -1 grep -q 'src="\|href="\|@import\|url(' <(sed 's/<script>/\n&/g' $s.html | grep -v 'threejs.org')
     done
-    ! grep -q "$BATS_FILE_TMPDIR" Toolpath.html towers.html
+    run -1 grep -q "$BATS_FILE_TMPDIR" Toolpath.html towers.html
 }
 
 @test "options of reports and of pictures are not mistaken for each other" {

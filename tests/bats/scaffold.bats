@@ -1,8 +1,6 @@
 #!/usr/bin/env bats
 # Porous scaffolds through the whole chain: strokes and stops of the program, pores of the toolpath, wrong options.
 
-bats_require_minimum_version 1.5.0
-
 load common
 
 setup_file() {

@@ -106,9 +106,11 @@ strokes() { # options of sequence
 @test "nothing on standard error without need" {
     slice towers.stl > layers
     run regions layers -o r
-    [ "$status" -eq 0 ] && [ -z "$output" ]
+    [ "$status" -eq 0 ]
+    [ -z "$output" ]
     run sequence r -o s
-    [ "$status" -eq 0 ] && [ -z "$output" ]
+    [ "$status" -eq 0 ]
+    [ -z "$output" ]
 }
 
 @test "regions in another order are refused" {
@@ -130,9 +132,11 @@ strokes() { # options of sequence
 @test "wrong options are named" {
     slice towers.stl | regions > r
     run sequence --order sideways r
-    [ "$status" -eq 2 ] && [[ "$output" == *"'sideways'"* ]]
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"'sideways'"* ]]
     run sequence --carriage 40 r
-    [ "$status" -eq 2 ] && [[ "$output" == *"--carriage"* ]]
+    [ "$status" -eq 2 ]
+    [[ "$output" == *"--carriage"* ]]
     run regions --bead-width 0 layers
     [ "$status" -eq 2 ]
 }

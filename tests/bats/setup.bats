@@ -1,5 +1,7 @@
 # scripts/setup with dpkg-query, apt-get and id replaced, so that nothing is installed.
 
+bats_require_minimum_version 1.5.0
+
 setup() {
     script="$BATS_TEST_DIRNAME/../../scripts/setup"
     cd "$BATS_TEST_TMPDIR"
@@ -39,7 +41,7 @@ END
     [ "$status" -eq 0 ]
     [[ "$output" == *"installing cmake"* ]]
     grep -qx 'install -y --no-install-recommends cmake' calls
-    ! grep -q sudo calls
+    run -1 grep -q sudo calls
     run "$script" --test --peers
     grep -qx 'install -y --no-install-recommends bats cmake prusa-slicer' calls
 }

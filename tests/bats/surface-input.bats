@@ -89,7 +89,7 @@ for x, d in zip(p["x"], p["distance"]): assert abs(x - d) < 1e-9, (x, d)'
     geodesic plate.off --source plane:1,0,0,7.3 --signed > b
     points b 'for x, d in zip(p["x"], p["distance"]): assert abs(x - 7.3 - d) < 1e-9, (x, d)'
     peek a | grep -q 'source_mesh_crc32c = '
-    ! peek a | grep -q wall.off
+    peek a | run -1 grep -q wall.off
 }
 
 @test "a patch that shares a border is a source along it" {
@@ -213,5 +213,5 @@ END
     expect 0 geodesic fan.off --source vertex:3721 --method heat --output s
     [[ $err == *'distance by heat is off by up to'* ]]
     geodesic fan.off --source vertex:3721 --method exact > s
-    ! facts s | grep -q '^heat'
+    facts s | run -1 grep -q '^heat'
 }

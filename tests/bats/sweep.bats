@@ -72,11 +72,11 @@ make_sweep() {
 @test "sweep: a job that fails says so, leaves nothing, and keeps none of the others from it" {
     printf 'axis\tname\tvalue\toptions\npart\tbar\tbar\t\npattern\tspiral\tfill\t\n' > t.tsv
     printf 'pattern\twrong\tfill --pattern swirl\t\nwidth\t0.8\t\t\n' >> t.tsv
-    ! make_sweep SWEEP="$PWD/t.tsv" --keep-going
+    run ! make_sweep SWEEP="$PWD/t.tsv" --keep-going
     [ -e out/sweep/bar/spiral/0.8.tsv ]
     [ -z "$(find out/sweep/bar/wrong -type f)" ]
     grep -q 'swirl' log
-    ! make_sweep SWEEP="$PWD/t.tsv" PARTS=nowhere.stl
+    run ! make_sweep SWEEP="$PWD/t.tsv" PARTS=nowhere.stl
     grep -q "no mesh 'nowhere.stl'" log
     run "$sweep/job" one two
     [ "$status" -eq 2 ]
@@ -107,5 +107,5 @@ make_sweep() {
     kill "$node"
     wait "$node" && false
     [ ! -e "$(dirname "$(cat conf)")" ]
-    ! pgrep -f "$(dirname "$(cat conf)")"
+    run -1 pgrep -f "$(dirname "$(cat conf)")"
 }

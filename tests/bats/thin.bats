@@ -1,8 +1,6 @@
 #!/usr/bin/env bats
 # Walls thinner than a bead through the whole chain.
 
-bats_require_minimum_version 1.5.0
-
 load common
 
 setup() {
