@@ -18,10 +18,11 @@ small_table() {
 
 has_slurm() { PATH=$PATH:/usr/sbin command -v slurmctld slurmd munged srun > /dev/null; }
 
-# make_sweep ARGUMENTS: into ./out, with the commands under test; $jobs are those that were done.
+# make_sweep ARGUMENTS: into ./out, with the commands under test; $jobs are those that were done.  Fails where make fails.
 make_sweep() {
-    make -C "$top" -f Makefile.examples sweep BIN="$(commands_folder)" OUT="$PWD/out" "$@" > log 2>&1
+    make -C "$top" -f Makefile.examples sweep BIN="$(commands_folder)" OUT="$PWD/out" "$@" > log 2>&1 || local failed=$?
     jobs=$(grep -c '^examples/sweep/job ' log || true)
+    return "${failed:-0}"
 }
 
 @test "sweep: a killed job leaves no result; it is redone, the rest not" {
