@@ -81,6 +81,7 @@ void run(const Options& o, const cli::Io& io) {
             for (const auto& span : job.add(wire::span(*frame))) output.write(wire::frame(span));
         }
     }
+    output.add(Facts{{"", "toolpaths", static_cast<double>(names.size()), ""}});
     output.close();
 }
 

@@ -31,7 +31,8 @@ cli::Spec spec(Options& o) {
         .description =
             "A stroke climbs from a region to one above it without stopping wherever 'regions' found that it can. Two "
             "things hold it back: a region must wait for those that carry it, and the head must not touch what stands "
-            "there already. So a column is climbed until the head would come too close to its neighbours, then "
+            "there already. A region that begins in the air waits for all lower regions of its part. So a column is "
+            "climbed until the head would come too close to its neighbours, then "
             "another one catches up. To go layer by layer is always possible; the result is never worse than that.\n\n"
             "The head is a flat tip, a cone, the carriage as a box around the nozzle and parallel to the axes, and the "
             "gantry, above which nothing may stand. Distances are those of the outlines, edge to edge.\n\n"

@@ -141,16 +141,23 @@ std::string counted(std::uint64_t n, const std::string& what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-// The strokes of the finished program, and how few `sequence` proved that there can be: of the order of regions, which
-// is all that it knows.  What a fill breaks within a region comes on top.
+// The least number of strokes that `sequence` proved, or -1.  An assembled job has none: each bound holds for one of
+// its toolpaths only.
+double least_strokes(const Facts& facts) {
+    const auto bounds = [](const Fact& f) { return f.stage == "sequence" && f.name == "lower-bound"; };
+    if (std::count_if(facts.begin(), facts.end(), bounds) > 1 || fact(facts, "assemble", "toolpaths") > 1) return -1;
+    return fact(facts, "sequence", "lower-bound");
+}
+
+// The strokes of the finished program, and the least number that the part needs.
 std::string strokes(const FirstPass& s, const Facts& facts) {
     std::string out = counted(s.strokes, "stroke");
-    const double bound = fact(facts, "sequence", "lower-bound"), planned = fact(facts, "sequence", "planned-strokes");
+    const double bound = least_strokes(facts);
     const auto made = static_cast<double>(s.strokes);
-    if (planned >= 0 && planned < made)
-        out += ", " + fixed_text(planned, 0) + " by the order of the regions and the rest within them";
-    if (bound >= 0 && bound <= made)
-        out += bound == made ? ", proven the fewest" : ", at least " + fixed_text(bound, 0) + " for any order";
+    if (bound == made)
+        out += " (proven the fewest)";
+    else if (bound >= 0 && bound < made)
+        out += " (at least " + fixed_text(bound, 0) + (bound == 1 ? " is" : " are") + " needed)";
     return out + "; " + counted(s.strokes > 0 ? s.strokes - 1 : 0, "stop");
 }
 

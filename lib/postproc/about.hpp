@@ -24,7 +24,7 @@ void add_waits(const FirstPass& first_pass, const std::string& stage, Notes& not
 void add_efforts(const machine::Profile& profile, const FirstPass& first_pass, const std::string& stage, Notes& notes,
                  Facts& facts);
 
-// What the program makes, in four lines: its strokes, the fewest that there can be and its stops; time and material;
+// What the program makes, in four lines: its strokes, the fewest that it needs and its stops; time and material;
 // size and place on the bed, which is the first pass's moved by `shift`; what hangs or was left out.  One number for
 // strokes: those of the finished program.  `notes` (of all stages) are summed by stage and phrase, as they came.
 std::vector<std::string> summary(const machine::Profile& profile, const FirstPass& first_pass, Vec2 shift,

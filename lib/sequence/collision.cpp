@@ -133,7 +133,6 @@ struct PairSearch {
 
 std::vector<Pair> collisions(const Graph& g, const Columns& columns, const std::vector<Outline>& outlines,
                              const machine::Head& head) {
-    if (head.none) return {};
     PairSearch s{g, columns, outlines, head, {}, {}, {}, 0, {}, {}};
     s.boxes();
     for (Index a = 0; a < columns.member.size(); ++a) s.column(a);

@@ -13,8 +13,9 @@ namespace {
 using geom::Box2;
 using geom::Vec2;
 
-constexpr std::size_t kRun = 2; // edges per leaf
-constexpr double kLevel = 1e-6; // mm; heights so near are the same: sums of layers are not exact
+constexpr std::size_t kRun = 2;  // edges per leaf
+constexpr double kNeedle = 1e-3; // mm; without a head, what lies so near is touched: it lies above or below
+constexpr double kLevel = 1e-6;  // mm; heights so near are the same: sums of layers are not exact
 
 double gap_x(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.x - b.hi.x, b.lo.x - a.hi.x}); }
 double gap_y(const Box2& a, const Box2& b) { return std::max({0.0, a.lo.y - b.hi.y, b.lo.y - a.hi.y}); }
@@ -105,6 +106,8 @@ double Reach::farthest() const { return std::max({radius, half_x, half_y}); }
 
 Reach reach(const machine::Head& head, double dz) {
     Reach r;
+    r.radius = kNeedle;
+    if (head.none) return r;
     r.radius = head.cone_radius(dz);
     if (dz > head.cone_height + kLevel) {
         r.half_x = head.carriage_x / 2;

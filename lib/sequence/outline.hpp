@@ -17,7 +17,7 @@ struct Reach {
     [[nodiscard]] double farthest() const; // no point of the head is farther away in x or y
 };
 
-// The widest part of `head` from its tip up to `dz` mm above it.
+// The widest part of `head` from its tip up to `dz` mm above it; without a head, a needle.
 Reach reach(const machine::Head& head, double dz);
 
 // The edges of a region's loops in a tree of boxes.

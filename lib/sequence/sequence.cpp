@@ -4,6 +4,7 @@
 #include "sequence/brims.hpp"
 #include "sequence/canon.hpp"
 #include "sequence/collision.hpp"
+#include "sequence/hanging.hpp"
 #include "sequence/plan.hpp"
 
 namespace filum::sequence {
@@ -62,8 +63,9 @@ Result sequence(std::vector<polygon::Region> regions, const Options& options) {
     const std::vector<Pair> rims = brims(regions);
     std::vector<Outline> outlines;
     std::vector<Pair> hits;
-    if (!options.by_layers && !options.head.none) {
+    if (!options.by_layers) { // layer order keeps the following precedences by itself
         for (auto& r : regions) outlines.push_back(outline(std::move(r.loops)));
+        add_precedence(g, below_hanging(g, outlines));
         hits = collisions(g, c, outlines, options.head);
         hold_together(rims, hits);
         add_precedence(g, hits);

@@ -25,6 +25,7 @@ strokes() { peek --text "$1" | grep -c '^span.*bead'; }
     [[ $(strokes job) == 15 ]]
     [[ $(peek --text job | grep -c '^span.*travel') == 14 ]]
     peek job | grep -q 'assemble'
+    peek job | grep -q 'toolpaths 2'
     [[ $(peek job | grep -c 'fact *surfpath: births ') == 2 ]]
     cmp <(assemble a b) job
 }

@@ -126,7 +126,7 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     for n in 2 3 4 5; do
         [[ "; $(sed -n "${n}s/^  //p" tty.out)" == "$(sed -n ${n}p made.gcode)" ]] || { cat tty.out; head -n 6 made.gcode; false; }
     done
-    [[ $(sed -n 2p made.gcode) == '; 1 stroke, proven the fewest; 0 stops' ]]
+    [[ $(sed -n 2p made.gcode) == '; 1 stroke (proven the fewest); 0 stops' ]]
     filum print part.stl -o plain.gcode 2> err
     [[ ! -s err ]]
     cmp plain.gcode made.gcode

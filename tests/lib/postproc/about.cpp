@@ -43,7 +43,8 @@ TEST(About, NotesAreSummedAndFactsStand) {
     for (const auto& line : head) EXPECT_LE(line.size(), 100u);
 }
 
-// One number for strokes, the program's own: what sequence planned stands beside it only where a fill broke more.
+// The strokes are those of the program, whatever sequence planned; the bound is left out where it is not one of the
+// job.
 TEST(About, StrokesAreThoseOfTheProgram) {
     postproc::FirstPass first_pass;
     const auto says = [&](std::uint64_t strokes, double planned, double bound) {
@@ -52,11 +53,18 @@ TEST(About, StrokesAreThoseOfTheProgram) {
                                  {{"sequence", "planned-strokes", planned, ""}, {"sequence", "lower-bound", bound, ""}})
             .front();
     };
-    EXPECT_EQ(says(19, 19, 19), "19 strokes, proven the fewest; 18 stops");
-    EXPECT_EQ(says(1, 1, 1), "1 stroke, proven the fewest; 0 stops");
-    EXPECT_EQ(says(19, 19, 14), "19 strokes, at least 14 for any order; 18 stops");
-    EXPECT_EQ(says(8, 2, 2),
-              "8 strokes, 2 by the order of the regions and the rest within them, at least 2 for any order; 7 stops");
+    EXPECT_EQ(says(19, 19, 19), "19 strokes (proven the fewest); 18 stops");
+    EXPECT_EQ(says(1, 1, 1), "1 stroke (proven the fewest); 0 stops");
+    EXPECT_EQ(says(86, 85, 85), "86 strokes (at least 85 are needed); 85 stops");
+    EXPECT_EQ(says(8, 1, 1), "8 strokes (at least 1 is needed); 7 stops");
+    first_pass.strokes = 12; // of a core and 11 patches
+    const Fact bound{"sequence", "lower-bound", 1, ""};
+    const auto first_line = [&](const Facts& facts) {
+        return postproc::summary(sample::profile(), first_pass, {}, {}, facts).front();
+    };
+    EXPECT_EQ(first_line({bound, {"assemble", "toolpaths", 12, ""}}), "12 strokes; 11 stops");
+    EXPECT_EQ(first_line({bound, bound}), "12 strokes; 11 stops");
+    EXPECT_EQ(first_line({bound, {"assemble", "toolpaths", 1, ""}}), "12 strokes (at least 1 is needed); 11 stops");
     first_pass.strokes = 3;
     EXPECT_EQ(postproc::summary(sample::profile(), first_pass, {}, {}, {}).front(), "3 strokes; 2 stops");
     EXPECT_EQ(postproc::summary(sample::profile(), first_pass, {}, {}, {}).back(),
