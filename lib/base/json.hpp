@@ -6,7 +6,7 @@
 
 namespace filum {
 
-// A JSON string in quotes.  What is no UTF-8 passes as it is.
+// A JSON string in quotes.  A byte that is no UTF-8 becomes U+FFFD, the replacement character.
 std::string json_text(std::string_view text);
 
 } // namespace filum

@@ -1,6 +1,7 @@
 #include "base/printable.hpp"
 
 #include <cstdint>
+#include <map>
 
 namespace filum {
 
@@ -31,7 +32,8 @@ bool is_control(std::uint32_t code) {
     const bool separator = code == 0x2028 || code == 0x2029;
     const bool turns = code == 0x200e || code == 0x200f || code == 0x61c || (code >= 0x202a && code <= 0x202e) ||
                        (code >= 0x2066 && code <= 0x2069);
-    return c0 || c1 || separator || turns;
+    const bool none = (code & 0xfffeU) == 0xfffe || (code >= 0xfdd0 && code <= 0xfdef);
+    return c0 || c1 || separator || turns || none;
 }
 
 void escape(unsigned char byte, std::string& out) {
@@ -60,6 +62,35 @@ std::string printable(std::string_view text) {
         else
             for (const char c : text.substr(0, taken)) escape(static_cast<unsigned char>(c), out);
         text.remove_prefix(taken);
+    }
+    return out;
+}
+
+std::size_t utf8_character(std::string_view text) {
+    std::uint32_t code = 0;
+    return text.empty() ? 0 : character(text, code);
+}
+
+std::string plain_word(std::string_view text, std::string_view otherwise) {
+    constexpr std::size_t kLongest = 64;
+    std::string out(text.substr(0, kLongest));
+    for (char& c : out) {
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        if (!letter && !(c >= '0' && c <= '9') && c != '-') c = '_';
+    }
+    return out.empty() ? std::string(otherwise) : out;
+}
+
+std::vector<std::string> told_apart(const std::vector<std::string>& words) {
+    std::vector<std::string> out;
+    std::map<std::string, std::size_t> seen;
+    for (const std::string& word : words) {
+        std::string name = word;
+        for (std::size_t n = ++seen[word]; n > 1; n = ++seen[word]) {
+            name = word + "_" + std::to_string(n);
+            if (seen.emplace(name, 1).second) break;
+        }
+        out.push_back(name);
     }
     return out;
 }

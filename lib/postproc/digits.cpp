@@ -7,10 +7,29 @@
 
 namespace filum::postproc {
 
+namespace {
+
+// Whether LinuxCNC acts on a comment with this text: it opens files and runs Python by comments.  The interpreter it
+// stems from skips blanks between the letters.
+bool is_active(std::string_view text) {
+    constexpr std::string_view kWords[] = {"msg,",       "debug,",   "print,",    "log,",       "logopen,",
+                                           "logappend,", "logclose", "probeopen", "probeclose", "py,",
+                                           "pyrun",      "pyreload", "abort,"};
+    std::string start;
+    for (const char c : text) {
+        if (start.size() > 12) break; // longer than any of the words
+        if (c != ' ' && c != '\t') start += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    }
+    return std::any_of(std::begin(kWords), std::end(kWords), [&](std::string_view w) { return start.starts_with(w); });
+}
+
+} // namespace
+
 void append_comment(std::string& out, std::string_view text, machine::CommentStyle style) {
     const bool round = style == machine::CommentStyle::parentheses;
     const char begin[] = {';', '(', '!', '#'};
     out += begin[static_cast<std::size_t>(style)];
+    if (is_active(text)) out += '-'; // makes it a plain comment
     for (const char c : printable(text)) {
         if (round && (c == '(' || c == ')'))
             out += c == '(' ? '[' : ']';

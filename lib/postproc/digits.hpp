@@ -29,8 +29,9 @@ inline void append_units(std::string& out, std::int64_t units, int decimals) {
     out.append(at, static_cast<std::size_t>(end - at));
 }
 
-// Appends `text` as a comment without a line end: ";text" or "(text)".  Control characters become '?', and parentheses
-// brackets where they would end the comment.
+// Appends `text` as a comment without a line end: ";text" or "(text)".  Control characters become escapes such as \n,
+// parentheses become brackets where they would end the comment, and what LinuxCNC would act on, such as
+// "(logopen,FILE)", starts with '-'.
 void append_comment(std::string& out, std::string_view text, machine::CommentStyle style);
 
 // `text` cut at spaces into lines of at most `width` characters where it can be; later lines begin with `indent`.

@@ -1,6 +1,7 @@
 #include "postproc/labels.hpp"
 
 #include "base/number.hpp"
+#include "base/printable.hpp"
 #include "geom/segment.hpp"
 
 #include <algorithm>
@@ -26,6 +27,15 @@ double distance_to(const Labelled& part, Vec2 at) {
 std::string point(Vec2 p) { return fixed_text(p.x, 3) + "," + fixed_text(p.y, 3); }
 
 } // namespace
+
+std::vector<Labelled> with_plain_names(std::vector<Labelled> parts) {
+    std::vector<std::string> words;
+    words.reserve(parts.size());
+    for (const Labelled& part : parts) words.push_back(plain_word(part.name, "part"));
+    words = told_apart(words);
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].name = std::move(words[i]);
+    return parts;
+}
 
 std::size_t part_at(const std::vector<Labelled>& parts, Vec2 at) {
     std::size_t best = 0;

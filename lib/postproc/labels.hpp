@@ -17,6 +17,9 @@ struct Labelled {
     std::vector<Vec2> outline; // convex, counter-clockwise, mm, in the toolpath's frame
 };
 
+// The same parts with names that a program can hold, whoever sent them: plain words, each its own.
+std::vector<Labelled> with_plain_names(std::vector<Labelled> parts);
+
 // The part that `at` lies in, or the nearest; of several as near the first.  Precondition: there is one.
 std::size_t part_at(const std::vector<Labelled>& parts, Vec2 at);
 

@@ -52,7 +52,7 @@ Program::Program(const machine::Profile& profile, const FirstPass& first_pass, V
       xyz_scale_(power_of_ten(profile.format.xyz_decimals)),
       degrees_scale_(180 / std::numbers::pi * power_of_ten(profile.axes.angle_decimals)),
       e_scale_(power_of_ten(profile.format.e_decimals)), f_scale_(power_of_ten(profile.format.f_decimals)),
-      planned_(&first_pass), named_(first_pass.parts.size()) {
+      planned_(&first_pass), parts_(with_plain_names(first_pass.parts)), named_(parts_.size()) {
     at_.fill(kUnknown);
 }
 
@@ -64,8 +64,8 @@ void Program::begin(const std::vector<std::string>& about) {
     end_line();
     begin_axes();
     begin_counting();
-    if (profile_->format.objects != machine::Objects::none && !planned_->parts.empty())
-        for (const auto& text : define_parts(profile_->format.objects, planned_->parts, shift_)) line(text);
+    if (profile_->format.objects != machine::Objects::none && !parts_.empty())
+        for (const auto& text : define_parts(profile_->format.objects, parts_, shift_)) line(text);
 }
 
 // The first tool that counts says how.
@@ -102,7 +102,7 @@ void Program::reset_extruder() {
 
 void Program::end(const std::vector<std::string>& history) {
     end_axes();
-    if (part_ >= 0) line(end_part(profile_->format.objects, planned_->parts, static_cast<std::size_t>(part_)));
+    if (part_ >= 0) line(end_part(profile_->format.objects, parts_, static_cast<std::size_t>(part_)));
     if (percent_ >= 0 && percent_ < 100) {
         values_["percent"] = 100;
         values_["minutes_left"] = 0;
@@ -161,15 +161,14 @@ bool Program::layer_values(const Step& step) {
 
 // Tells the part that the step goes to.
 void Program::name_part(const Step& step) {
-    const auto& parts = planned_->parts;
     const machine::Objects how = profile_->format.objects;
-    if (how == machine::Objects::none || parts.empty()) return;
-    const auto to = static_cast<std::int64_t>(part_at(parts, step.to.xy()));
+    if (how == machine::Objects::none || parts_.empty()) return;
+    const auto to = static_cast<std::int64_t>(part_at(parts_, step.to.xy()));
     if (to == part_) return;
-    if (part_ >= 0) line(end_part(how, parts, static_cast<std::size_t>(part_)));
+    if (part_ >= 0) line(end_part(how, parts_, static_cast<std::size_t>(part_)));
     part_ = to;
     const auto which = static_cast<std::size_t>(to);
-    for (const auto& text : begin_part(how, parts, which, std::exchange(named_[which], 1) == 0)) line(text);
+    for (const auto& text : begin_part(how, parts_, which, std::exchange(named_[which], 1) == 0)) line(text);
 }
 
 void Program::tell_progress(const Step& step) {

@@ -69,9 +69,10 @@ class Program final : public Writer {
     double width_ = 0, height_ = 0;       // as last told to viewers
     std::uint64_t lines_ = 0;             // moves written
     const FirstPass* planned_;
-    std::uint64_t waited_ = 0; // pauses written
-    std::int64_t part_ = -1;   // that the machine was told
-    std::vector<char> named_;  // parts that were told by name
+    std::vector<Labelled> parts_; // on the bed, under names that a program can hold
+    std::uint64_t waited_ = 0;    // pauses written
+    std::int64_t part_ = -1;      // that the machine was told
+    std::vector<char> named_;     // parts that were told by name
     Nominal nominal_;
     std::int64_t percent_ = -1, minutes_ = -1; // as last told
 };

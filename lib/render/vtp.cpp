@@ -1,5 +1,6 @@
 #include "render/vtp.hpp"
 
+#include "base/printable.hpp"
 #include "render/tint.hpp"
 
 #include <bit>
@@ -28,10 +29,10 @@ void append_base64(std::string& out, const std::string& bytes) {
     }
 }
 
-// `name` where a double quote or what XML reads as a mark may stand.
+// `name` as the value of an XML attribute, control codes shown as text: XML knows no way to write them.
 std::string quoted(const std::string& name) {
     std::string out;
-    for (const char c : name) {
+    for (const char c : printable(name)) {
         if (c == '"' || c == '<' || c == '>' || c == '&')
             out += "&#" + std::to_string(static_cast<int>(c)) + ";";
         else

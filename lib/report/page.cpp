@@ -93,10 +93,19 @@ void columns(std::string& out, std::string& list, const Content& c) {
     }
 }
 
-// In a script element "</" would end it.
-std::string within_script(std::string text) {
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.replace(at, 2, "<\\/");
-    return text;
+// JSON for a script element: without '<' neither "</script" nor "<!--", which hides the end of the element from a
+// browser if "<script" follows, can stand there.  In JSON '<' occurs within strings only, where its code means the
+// same.
+std::string within_script(std::string_view json) {
+    std::string out;
+    out.reserve(json.size());
+    for (const char c : json) {
+        if (c == '<')
+            out += "\\u003c";
+        else
+            out += c;
+    }
+    return out;
 }
 
 std::string data(const Content& c) {

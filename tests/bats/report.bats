@@ -24,6 +24,17 @@ setup() { cd "$BATS_FILE_TMPDIR" || exit 1; }
     run -1 grep -q "$BATS_FILE_TMPDIR" Toolpath.html towers.html
 }
 
+@test "a name that holds HTML is text of the page" {
+    render --title '<!--<script></title></script>&' Toolpath -o hostile.html
+    [[ $(grep -oi '<!--\|<script\|</script\|</title' hostile.html | sort | uniq -c) == \
+        "$(grep -oi '<!--\|<script\|</script\|</title' Toolpath.html | sort | uniq -c)" ]]
+    # A browser reads the data up to the next </script and parses it.
+    python3 -c 'import json, re, sys
+text = open("hostile.html", encoding="utf-8").read()
+data = re.search(r"<script type=\"application/json\">(.*?)</script", text, re.S)[1]
+assert json.loads(data)["name"] == "<!--<script></title></script>&"'
+}
+
 @test "options of reports and of pictures are not mistaken for each other" {
     expect 2 render Toolpath --figures none.tsv -o x.png
     complaint render

@@ -2,6 +2,7 @@
 
 #include "app/slice/sizes.hpp"
 #include "base/number.hpp"
+#include "base/printable.hpp"
 #include "cli/step_options.hpp"
 #include "geom/hull.hpp"
 #include "machine/profile.hpp"
@@ -9,9 +10,7 @@
 #include "stream/crc32c.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <map>
 
 namespace filum::app::slice {
 
@@ -25,9 +24,7 @@ std::string label(const std::string& path) {
     std::string name = path.substr(path.find_last_of('/') + 1);
     const auto dot = name.find_last_of('.');
     if (dot != 0 && dot != std::string::npos) name.resize(dot);
-    for (char& c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
-    return path == "-" || name.empty() ? "part" : name;
+    return path == "-" ? "part" : plain_word(name, "part");
 }
 
 // The scale that a part needs so as to have its size once it has cooled; both lists hold one number or three.
@@ -73,18 +70,9 @@ OnBed read_part(const std::string& path, const Options& o, const cli::Io& io, bo
 
 // Names of all things, each its own: the copies of "a" are a, a_2, a_3.
 std::vector<std::string> names_of(const std::vector<OnBed>& parts) {
-    std::vector<std::string> out;
-    std::map<std::string, std::size_t> seen;
-    for (const OnBed& part : parts)
-        for (std::size_t k = 0; k < part.at.size(); ++k) {
-            std::string name = part.name;
-            for (std::size_t n = ++seen[part.name]; n > 1; n = ++seen[part.name]) {
-                name = part.name + "_" + std::to_string(n);
-                if (seen.emplace(name, 1).second) break;
-            }
-            out.push_back(name);
-        }
-    return out;
+    std::vector<std::string> words;
+    for (const OnBed& part : parts) words.insert(words.end(), part.at.size(), part.name);
+    return told_apart(words);
 }
 
 std::string size_text(Vec2 v) { return fixed_text(v.x, 1) + " x " + fixed_text(v.y, 1) + " mm"; }

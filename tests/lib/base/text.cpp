@@ -1,3 +1,4 @@
+#include "base/json.hpp"
 #include "base/nearest.hpp"
 #include "base/printable.hpp"
 
@@ -75,6 +76,21 @@ TEST(Printable, NoControlByteIsEverLeft) {
         }
         EXPECT_EQ(printable(printable(text)), printable(text));
     }
+}
+
+TEST(PlainWord, IsAWordForEveryText) {
+    EXPECT_EQ(plain_word("bench-y_2", "part"), "bench-y_2");
+    EXPECT_EQ(plain_word("a b\nM112", "part"), "a_b_M112");
+    EXPECT_EQ(plain_word("", "part"), "part");
+    EXPECT_EQ(plain_word(std::string(1000, 'x'), "part").size(), 64U);
+}
+
+TEST(Json, TextIsAlwaysUtf8) {
+    EXPECT_EQ(json_text("Gr\xc3\xb6\xc3\x9f"
+                        "e \"a\"\n"),
+              "\"Gr\xc3\xb6\xc3\x9f"
+              "e \\\"a\\\"\\u000a\"");
+    EXPECT_EQ(json_text("a\xff\xc3"), "\"a\\ufffd\\ufffd\"");
 }
 
 } // namespace
